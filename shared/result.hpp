@@ -29,8 +29,10 @@ struct Error {
 template <typename T>
 class [[nodiscard]] Result {
 public:
-    Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}        // NOLINT(google-explicit-constructor)
-    Result(Error error) : content_(std::in_place_index<1>, std::move(error)) {}    // NOLINT(google-explicit-constructor)
+    Result(T value)
+        : content_(std::in_place_index<0>, std::move(value)) {}  // NOLINT(google-explicit-constructor)
+    Result(Error error)
+        : content_(std::in_place_index<1>, std::move(error)) {}  // NOLINT(google-explicit-constructor)
 
     bool has_value() const noexcept { return content_.index() == 0; }
     explicit operator bool() const noexcept { return has_value(); }
@@ -65,6 +67,8 @@ private:
     Error error_;
 };
 
-inline Error bad_input(std::string message) { return Error{ErrorCode::bad_input, std::move(message)}; }
+inline Error bad_input(std::string message) {
+    return Error{ErrorCode::bad_input, std::move(message)};
+}
 
 }  // namespace psicarve

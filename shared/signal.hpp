@@ -13,7 +13,9 @@ namespace psicarve {
 enum class Axis : std::uint8_t { r1, r2, psi, y };
 inline constexpr std::size_t kAxisCount = 4;
 inline constexpr std::array<Axis, kAxisCount> kAllAxes{Axis::r1, Axis::r2, Axis::psi, Axis::y};
-constexpr std::size_t index_of(Axis axis) noexcept { return static_cast<std::size_t>(axis); }
+constexpr std::size_t index_of(Axis axis) noexcept {
+    return static_cast<std::size_t>(axis);
+}
 
 /// Names as in files and on the command line: r1, r2, psi, y.
 std::string_view name_of(Axis axis) noexcept;
@@ -21,12 +23,24 @@ std::optional<Axis> axis_from_name(std::string_view name) noexcept;
 
 /// Every signal between the core and the machine. The number is the signal's bit in a SignalWord.
 enum class Signal : std::uint8_t {
-    r1_step, r2_step, psi_step, y_step,          // bits 0..3: by axis
-    r1_dir, r2_dir, psi_dir, y_dir,              // bits 4..7: by axis, 1 = positive direction
-    r1_enable, r2_enable, psi_enable, y_enable,  // bits 8..11: by axis
-    spindle,                                     // bit 12
-    r1_limit, r2_limit, psi_index, y_limit,      // bits 13..16: the axis' own sensor, by axis, 1 = tripped
-    estop,                                       // bit 17
+    r1_step,
+    r2_step,
+    psi_step,
+    y_step,  // bits 0..3: by axis
+    r1_dir,
+    r2_dir,
+    psi_dir,
+    y_dir,  // bits 4..7: by axis, 1 = positive direction
+    r1_enable,
+    r2_enable,
+    psi_enable,
+    y_enable,  // bits 8..11: by axis
+    spindle,   // bit 12
+    r1_limit,
+    r2_limit,
+    psi_index,
+    y_limit,  // bits 13..16: the axis' own sensor, by axis, 1 = tripped
+    estop,    // bit 17
 };
 inline constexpr std::size_t kSignalCount = 18;
 inline constexpr std::size_t kOutputSignalCount = 13;  ///< signals 0..12 leave the core; the others enter it
@@ -35,15 +49,29 @@ inline constexpr std::size_t kOutputSignalCount = 13;  ///< signals 0..12 leave 
 /// enabled, spindle on, input tripped), whatever the wiring's polarity.
 using SignalWord = std::uint32_t;
 
-constexpr std::size_t index_of(Signal signal) noexcept { return static_cast<std::size_t>(signal); }
-constexpr SignalWord bit_of(Signal signal) noexcept { return SignalWord{1} << index_of(signal); }
-constexpr bool is_output(Signal signal) noexcept { return index_of(signal) < kOutputSignalCount; }
+constexpr std::size_t index_of(Signal signal) noexcept {
+    return static_cast<std::size_t>(signal);
+}
+constexpr SignalWord bit_of(Signal signal) noexcept {
+    return SignalWord{1} << index_of(signal);
+}
+constexpr bool is_output(Signal signal) noexcept {
+    return index_of(signal) < kOutputSignalCount;
+}
 
-constexpr Signal step_of(Axis axis) noexcept { return static_cast<Signal>(index_of(axis)); }
-constexpr Signal dir_of(Axis axis) noexcept { return static_cast<Signal>(4 + index_of(axis)); }
-constexpr Signal enable_of(Axis axis) noexcept { return static_cast<Signal>(8 + index_of(axis)); }
+constexpr Signal step_of(Axis axis) noexcept {
+    return static_cast<Signal>(index_of(axis));
+}
+constexpr Signal dir_of(Axis axis) noexcept {
+    return static_cast<Signal>(4 + index_of(axis));
+}
+constexpr Signal enable_of(Axis axis) noexcept {
+    return static_cast<Signal>(8 + index_of(axis));
+}
 /// The axis' own sensor: its limit, or for psi the index.
-constexpr Signal sensor_of(Axis axis) noexcept { return static_cast<Signal>(13 + index_of(axis)); }
+constexpr Signal sensor_of(Axis axis) noexcept {
+    return static_cast<Signal>(13 + index_of(axis));
+}
 
 inline constexpr SignalWord kOutputMask = (SignalWord{1} << kOutputSignalCount) - 1;
 inline constexpr SignalWord kStepMask = 0xF;

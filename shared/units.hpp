@@ -6,7 +6,8 @@
 namespace psicarve {
 
 // The only place that knows how many seconds, degrees or nanoseconds make another unit.
-// A position inside the motion code is a whole number of pulses (int64); mm and degrees live in files and windows.
+// A position inside the motion code is a whole number of pulses (int64); mm and degrees live in files and
+// windows.
 
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kDegPerRev = 360.0;
@@ -32,8 +33,12 @@ constexpr std::int64_t pulses_from_deg(double angle_deg, std::int64_t pulses_per
 constexpr double deg_from_pulses(std::int64_t angle_pulses, std::int64_t pulses_per_rev) noexcept {
     return static_cast<double>(angle_pulses) * kDegPerRev / static_cast<double>(pulses_per_rev);
 }
-constexpr double rad_from_deg(double angle_deg) noexcept { return angle_deg * (2.0 * kPi / kDegPerRev); }
-constexpr double deg_from_rad(double angle_rad) noexcept { return angle_rad * (kDegPerRev / (2.0 * kPi)); }
+constexpr double rad_from_deg(double angle_deg) noexcept {
+    return angle_deg * (2.0 * kPi / kDegPerRev);
+}
+constexpr double deg_from_rad(double angle_rad) noexcept {
+    return angle_rad * (kDegPerRev / (2.0 * kPi));
+}
 constexpr double rad_from_pulses(std::int64_t angle_pulses, std::int64_t pulses_per_rev) noexcept {
     return static_cast<double>(angle_pulses) * (2.0 * kPi) / static_cast<double>(pulses_per_rev);
 }

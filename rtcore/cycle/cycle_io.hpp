@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include "rtcore/trace/trace_entry.hpp"
+#include "shared/machine_state.hpp"
+#include "shared/spsc_ring.hpp"
+#include "shared/status.hpp"
+
+namespace psicarve::cycle {
+
+// Everything that passes between the tick and the threads beside it. The tick touches only this, the motion
+// blocks and the port; it never sees the segment.
+
+/// supervisor -> tick. One request is answered by one report of kind `answer`.
+enum class RequestKind : std::uint8_t {
+    home,
+    start,
+    start_interpolation,
+    hold,
+    resume,
+    reset_alarm,
+    back_off,
+    reset_height,
+    job_loaded,  ///< value: generation; points_total: the job's points. Only sent when no job runs
+    fail,        ///< value: AlarmCause that the supervisor found (segment lost, missed ticks)
+};
+struct Request {
+    std::uint64_t sequence;  ///< echoed in the answer
+    RequestKind kind;
+    std::uint8_t axis;  ///< Axis, for back_off
+    std::uint8_t reserved[6];
+    std::uint64_t value;
+    std::uint64_t points_total;
+};
+
+/// Why a request was refused; the supervisor finds the words.
+enum class Refusal : std::uint8_t {
+    none,
+    not_in_this_state,
+    no_job,
+    not_homed,
+    still_tripped,       ///< a limit or the emergency stop is still active
+    sensor_not_tripped,  ///< back off: nothing to back off from
+    no_sensor,           ///< the axis has no sensor
+};
+
+/// tick -> supervisor, in the order in which things happened. Each carries the flight-recorder entry of it.
+struct Report {
+    enum class Kind : std::uint8_t { event, answer };
+    FlightRecord record;
+    std::uint64_t sequence;  ///< answer: the request's
+    Kind kind;
+    Refusal refusal;  ///< answer: none means done
+    std::uint8_t reserved[6];
+};
+
+/// The tick's view of itself, copied out as a whole (sequence lock in our own memory). Mirrors CoreStatus.
+struct Sample {
+    std::uint64_t tick;
+    MachineState state;
+    AlarmCause alarm_cause;
+    std::uint8_t alarm_axis;
+    std::uint8_t homed_mask;
+    SignalWord signals;
+    std::array<std::int64_t, kAxisCount> position_pulses;
+    std::array<std::uint64_t, kAxisCount> emitted_pulses;
+    std::uint32_t layer;
+    std::uint32_t point;
+    std::uint64_t points_done;
+    std::uint64_t points_total;
+    std::uint64_t job_generation;
+    std::uint64_t job_start_tick;
+    std::uint64_t carve_first_tick;
+    std::uint64_t carve_last_tick;
+    std::uint64_t job_end_tick;
+    std::uint64_t missed_ticks;
+    std::uint64_t trace_lost;
+    std::uint64_t reports_lost;
+    std::uint64_t increments_lost;
+};
+
+using RequestRing = SpscRing<Request, 64>;
+using ReportRing = SpscRing<Report, 4096>;
+using IncrementQueue = SpscRing<IncrementEntry, 16384>;
+
+/// Words that are seen at the next tick and never wait behind anything. The tick acts on any change.
+struct UrgentWords {
+    std::atomic<std::uint32_t> stop_requests{0};
+    std::atomic<std::uint32_t> estop_requests{0};
+};
+
+}  // namespace psicarve::cycle

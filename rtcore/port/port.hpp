@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "shared/signal.hpp"
+
+namespace psicarve::port {
+
+/// Where signals leave and enter the computer. Speaks logical levels; polarity and pins are the port's
+/// business (pin_map.hpp). One read and at most a few writes a tick. RT: yes, every method, after
+/// construction.
+class Port {
+public:
+    virtual ~Port() = default;
+
+    /// Inputs as they are now, in the input bits of the word (others 0). `time_ns` is the tick's time since
+    /// the core started; only a simulated machine needs it.
+    virtual SignalWord read_inputs(std::int64_t time_ns) noexcept = 0;
+
+    /// Sets all outputs (input bits of `levels` are ignored). Called only when something changed, with
+    /// the time of the change: the tick's, plus the offset inside the tick.
+    virtual void write_outputs(SignalWord levels, std::int64_t time_ns) noexcept = 0;
+
+    /// False once the hardware answered with an error; stays false.
+    virtual bool is_healthy() const noexcept = 0;
+};
+
+}  // namespace psicarve::port

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "shared/signal.hpp"
+#include "shared/spsc_ring.hpp"
+
+namespace psicarve::trace {
+
+/// What the tick tells a trace: the levels of all pins after a change, or positions that homing defined anew.
+struct TraceEntry {
+    enum class Kind : std::uint32_t { pins, position };
+    std::uint64_t tick;
+    SignalWord levels;
+    Kind kind;
+    std::uint32_t offset_ns;  ///< inside the tick
+    std::uint32_t reserved;
+    std::array<std::int64_t, kAxisCount> position_pulses;  ///< kind position only
+};
+
+inline constexpr std::size_t kTraceRingEntries = 65536;
+/// Written by the tick, read by whoever writes trace files.
+using TraceRing = SpscRing<TraceEntry, kTraceRingEntries>;
+
+}  // namespace psicarve::trace

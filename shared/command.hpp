@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+namespace psicarve {
+
+/// What a process may ask of the core through the command slots. Stop and emergency stop are not here: they
+/// are words of their own (layout.hpp) that never wait behind anything. The numbers are part of the segment's
+/// layout.
+enum class CommandKind : std::uint32_t {
+    none = 0,
+    home = 1,
+    start = 2,                ///< drives on, spindle on, heads to the first point, wait there
+    start_interpolation = 3,  ///< carve the published tables
+    hold = 4,
+    resume = 5,
+    reset_alarm = 6,
+    back_off = 7,      ///< axis
+    reset_height = 8,  ///< Y to its limit sensor, which defines its position
+    shutdown = 9,      ///< a private core ends its work; refused unless at rest or in alarm
+};
+std::string_view name_of(CommandKind kind) noexcept;  ///< as on the command line: "start-interpolation"
+
+/// Fixed-size, trivially copyable. Written by a sender, read once by the core.
+struct Command {
+    CommandKind kind;
+    std::uint32_t axis;  ///< Axis, where the command has one
+    double value;        ///< meaning by kind; 0 where it has none
+    std::uint64_t value2;
+};
+static_assert(sizeof(Command) == 24 && std::is_trivially_copyable_v<Command>, "bump kLayoutVersion");
+
+enum class AnswerKind : std::uint32_t { none = 0, done = 1, refused = 2 };
+
+struct Answer {
+    AnswerKind kind;
+    std::uint32_t reserved;
+    char reason[112];  ///< zero-terminated; why refused and what to do
+};
+static_assert(sizeof(Answer) == 120 && std::is_trivially_copyable_v<Answer>, "bump kLayoutVersion");
+
+}  // namespace psicarve

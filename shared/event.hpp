@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "shared/layout.hpp"
+
+namespace psicarve {
+
+/// A cross-process wake-up on a counter in shared memory: a futex without the PRIVATE flag. Needs no owner,
+/// so nobody's death can hang it; every wait has a time limit. Not for the tick.
+///
+/// Use: remember `count()`, look at the data, then `wait_past(seen)`: a signal in between is not lost.
+std::uint32_t event_count(const EventWord& event) noexcept;
+void event_signal(EventWord& event) noexcept;
+/// True when the counter has moved on from `seen`; false when the limit passed first.
+bool event_wait_past(EventWord& event, std::uint32_t seen, std::chrono::milliseconds limit) noexcept;
+
+}  // namespace psicarve

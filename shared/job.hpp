@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve {
+
+/// One point/layer table and all that is needed to carve it, as a slicer makes it (heap memory, one process).
+/// Point j of every layer stands at point_angle_pulses(j) within the layer's sweep, also where zigzag carves
+/// the layer backwards; rows of the radius tables are layers. See `table_angle_pulses`.
+struct JobTable {
+    std::uint32_t layer_count = 0;
+    std::uint32_t point_count = 0;  ///< per head and layer
+    std::int64_t psi_sweep_pulses = 0;
+    Joining joining = Joining::continuous;
+    double feed_mm_s = 0.0;
+    std::vector<std::int64_t> layer_height_pulses;  ///< [layer_count], Y
+    std::vector<std::int32_t> r_left_pulses;        ///< [layer_count * point_count], head R1
+    std::vector<std::int32_t> r_right_pulses;       ///< [layer_count * point_count], head R2
+    std::string source_name;                        ///< file name without folders
+    std::uint64_t source_hash = 0;                  ///< XXH3 of the source file's bytes
+    std::string profile_toml;                       ///< the whole machine profile it was made for
+    std::string report_json;                        ///< what the slicer saw
+};
+
+/// Absolute table position of point `point` in layer `layer`: continuous grows on by a sweep each layer;
+/// zigzag stays within one sweep. RT: yes.
+std::int64_t table_angle_pulses(Joining joining, std::int64_t psi_sweep_pulses, std::int64_t point_count,
+                                std::int64_t layer, std::int64_t point) noexcept;
+/// Which point of a layer is carved as its `step`-th: zigzag runs odd layers backwards. RT: yes.
+std::uint32_t carved_point(Joining joining, std::uint32_t point_count, std::uint32_t layer,
+                           std::uint32_t step) noexcept;
+
+inline constexpr std::uint64_t kJobMagic = 0x31424f4a41435350ULL;  // "PSCAJOB1"
+
+/// First bytes of a job blob. The blob is one contiguous piece of memory: this header, profile text, report
+/// text, layer heights (int64), r_left (int32), r_right (int32), each part at a multiple of 8 bytes. The same
+/// bytes stand in a segment's job slot and in a job file.
+struct JobHeader {
+    std::uint64_t magic;
+    std::uint64_t total_bytes;  ///< of the whole blob
+    std::uint32_t layer_count;
+    std::uint32_t point_count;
+    std::int64_t psi_sweep_pulses;
+    std::uint32_t joining;           ///< Joining
+    std::int32_t direction_sign[4];  ///< by axis: +1 when the direction pin is high for positive, else -1
+    std::uint32_t reserved;
+    double feed_mm_s;
+    std::uint64_t source_hash;
+    char source_name[128];  ///< zero-terminated
+    std::uint64_t profile_offset;
+    std::uint64_t profile_bytes;
+    std::uint64_t report_offset;
+    std::uint64_t report_bytes;
+    std::uint64_t heights_offset;
+    std::uint64_t r_left_offset;
+    std::uint64_t r_right_offset;
+};
+static_assert(sizeof(JobHeader) == 256, "bump kLayoutVersion in layout.hpp");
+
+std::vector<std::byte> job_blob_from_table(const JobTable& table);
+std::uint64_t job_blob_bytes(std::uint64_t layer_count, std::uint64_t point_count,
+                             std::uint64_t profile_bytes, std::uint64_t report_bytes) noexcept;
+
+/// A checked read-only view of a job blob in memory that nobody else can change (copy first, then check).
+/// Holds pointers into the blob: the blob outlives the view.
+class JobView {
+public:
+    /// Trusts no count or offset: sizes, bounds, overlaps, text ends. Says nothing about the machine: see
+    /// check_job.
+    static Result<JobView> check(std::span<const std::byte> blob);
+
+    const JobHeader& header() const noexcept { return *header_; }
+    std::uint32_t layer_count() const noexcept { return header_->layer_count; }
+    std::uint32_t point_count() const noexcept { return header_->point_count; }
+    std::int64_t psi_sweep_pulses() const noexcept { return header_->psi_sweep_pulses; }
+    Joining joining() const noexcept { return static_cast<Joining>(header_->joining); }
+    std::string_view profile_toml() const noexcept { return profile_; }
+    std::string_view report_json() const noexcept { return report_; }
+    std::string_view source_name() const noexcept { return header_->source_name; }
+    std::span<const std::int64_t> layer_heights_pulses() const noexcept { return heights_; }
+    std::span<const std::int32_t> r_left_pulses(std::uint32_t layer) const noexcept {
+        return r_left_.subspan(std::size_t{layer} * point_count(), point_count());
+    }
+    std::span<const std::int32_t> r_right_pulses(std::uint32_t layer) const noexcept {
+        return r_right_.subspan(std::size_t{layer} * point_count(), point_count());
+    }
+    std::int64_t psi_pulses(std::uint32_t layer, std::uint32_t point) const noexcept {
+        return table_angle_pulses(joining(), psi_sweep_pulses(), point_count(), layer, point);
+    }
+    std::int32_t max_radius_pulses(Axis head) const noexcept;
+
+private:
+    const JobHeader* header_ = nullptr;
+    std::string_view profile_;
+    std::string_view report_;
+    std::span<const std::int64_t> heights_;
+    std::span<const std::int32_t> r_left_;
+    std::span<const std::int32_t> r_right_;
+};
+
+/// Whether a machine with this profile can carve the job: travel, core radius, head clearance, at least one
+/// layer and two points, heights that rise, psi_sweep. Refused with the first offending layer and point.
+Result<void> check_job(const JobView& job, const Profile& profile);
+
+/// The profile inside a job, parsed.
+Result<Profile> job_profile(const JobView& job);
+
+}  // namespace psicarve

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pthread.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "shared/command.hpp"
+#include "shared/status.hpp"
+
+namespace psicarve {
+
+// What stands in the shared-memory segment, byte for byte. No pointers, no bool, long or size_t; every word
+// that two processes touch is a std::atomic of a lock-free width. A change of any struct here, in status.hpp,
+// command.hpp or job.hpp bumps kLayoutVersion; the ABI hash catches whoever forgets.
+
+inline constexpr std::uint64_t kSegmentMagic = 0x3147455341435350ULL;  // "PSCASEG1"
+inline constexpr std::uint32_t kLayoutVersion = 1;
+inline constexpr std::uint32_t kSegmentReady = 0x52454459;  // written last by the creator
+
+inline constexpr std::uint32_t kDefaultCapacityLayers = 4000;
+inline constexpr std::uint32_t kDefaultCapacityPoints = 3600;
+inline constexpr std::uint64_t kJobTextBytes = 64 * 1024;  ///< room for profile and report text in a slot
+inline constexpr std::size_t kCommandSlots = 64;
+inline constexpr std::size_t kIncrementRingEntries = 65536;
+inline constexpr std::size_t kFlightRecords = 8192;
+inline constexpr std::size_t kReasonBytes = 256;
+
+using AtomicWord32 = std::atomic<std::uint32_t>;
+using AtomicWord64 = std::atomic<std::uint64_t>;
+static_assert(AtomicWord32::is_always_lock_free && AtomicWord64::is_always_lock_free &&
+              sizeof(AtomicWord64) == 8);
+
+/// A cross-process wake-up: `counter` grows with each signal; waiters sleep on it (futex without the PRIVATE
+/// flag).
+struct EventWord {
+    AtomicWord32 counter;
+    AtomicWord32 waiters;
+};
+
+/// The mutex among publishers and snapshot takers; see robust_mutex.hpp. Never taken by the core.
+struct alignas(64) MutexStorage {
+    pthread_mutex_t native;
+    AtomicWord32 holder_pid;  ///< for messages only
+    std::uint32_t reserved;
+};
+
+/// Which job is published, and what the core made of it. Written under the mutex, but for the
+/// acknowledgement.
+struct Publication {
+    AtomicWord64 generation;  ///< 0: nothing published yet; written last
+    AtomicWord32 slot;
+    std::uint32_t reserved;
+    AtomicWord64 bytes;
+    AtomicWord64 checksum;      ///< XXH3 over the blob's bytes
+    AtomicWord64 acknowledged;  ///< core: newest generation it has judged; written last
+    AtomicWord32 accepted;      ///< core: 1 accepted, 2 refused
+    std::uint32_t reserved2;
+    AtomicWord64 reason[kReasonBytes / 8];  ///< core: why refused; zero-terminated text, copied word by word
+};
+
+/// Life of a command slot: free -> writing (a sender claimed it) -> pending -> taken (core) -> answered ->
+/// free (sender). A slot whose sender died is freed by the core.
+enum class SlotState : std::uint32_t { free = 0, writing = 1, pending = 2, taken = 3, answered = 4 };
+struct CommandSlot {
+    AtomicWord32 state;  ///< SlotState
+    AtomicWord32 sender_pid;
+    AtomicWord64 sequence;
+    AtomicWord64 claimed_ns;  ///< CLOCK_MONOTONIC when claimed
+    AtomicWord64 command[sizeof(Command) / 8];
+    AtomicWord64 answer[sizeof(Answer) / 8];
+};
+static_assert(sizeof(Command) % 8 == 0 && sizeof(Answer) % 8 == 0);
+
+/// A value that one process writes and everybody reads whole: odd sequence while being written.
+template <typename T>
+struct SharedRecord {
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 8 == 0);
+    AtomicWord64 sequence;
+    AtomicWord64 words[sizeof(T) / 8];
+};
+
+/// A ring that one process writes and any number read without a trace; slow readers lose the oldest and know
+/// how many.
+template <typename T, std::size_t kEntries>
+struct SharedRing {
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 8 == 0 && (kEntries & (kEntries - 1)) == 0);
+    AtomicWord64 claimed;    ///< entries whose writing has begun
+    AtomicWord64 published;  ///< entries that may be read
+    AtomicWord64 words[kEntries][sizeof(T) / 8];
+};
+using IncrementRing = SharedRing<IncrementEntry, kIncrementRingEntries>;
+using FlightRecorder = SharedRing<FlightRecord, kFlightRecords>;
+
+/// Who made the segment and who serves it; process start times (clock ticks since boot, /proc/PID/stat field
+/// 22) tell a living process from another that was given its pid.
+struct ProcessIdentity {
+    AtomicWord64 start_time;
+    AtomicWord32 pid;
+    std::uint32_t reserved;
+};
+
+struct SegmentHeader {
+    std::uint64_t magic;
+    std::uint32_t layout_version;
+    AtomicWord32 ready;
+    std::uint64_t abi_hash;
+    std::uint64_t total_bytes;
+    std::uint32_t capacity_layers;
+    std::uint32_t capacity_points;
+    std::uint64_t slot_offset[2];
+    std::uint64_t slot_bytes;
+    char boot_id[40];
+    ProcessIdentity creator;
+    ProcessIdentity core;            ///< pid 0: no core serves this segment
+    AtomicWord64 core_profile_hash;  ///< XXH3 of the core's profile as TOML
+    AtomicWord32 stop_requests;      ///< grows by one for each stop; the core acts on any change
+    AtomicWord32 estop_requests;
+    AtomicWord64 next_sequence;
+    EventWord job_published;
+    EventWord command_raised;  ///< also raised by stop and emergency stop
+    EventWord status_changed;
+    Publication publication;
+    MutexStorage mutex;
+    CommandSlot commands[kCommandSlots];
+    SharedRecord<CoreStatus> status;
+    IncrementRing increments;
+    FlightRecorder recorder;
+};
+static_assert(std::is_standard_layout_v<SegmentHeader>);
+
+/// A hash over the sizes and offsets of everything above.
+std::uint64_t segment_abi_hash() noexcept;
+
+}  // namespace psicarve

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shared/result.hpp"
+#include "shared/signal.hpp"
+
+namespace psicarve {
+
+enum class Schedule : std::uint8_t { single, two_timer };
+enum class HomeSensor : std::uint8_t { none, min, max, index };
+enum class Planner : std::uint8_t { lookahead, angle };
+enum class Joining : std::uint8_t { continuous, zigzag };
+
+struct TickProfile {
+    double period_us = 50.0;
+    Schedule schedule = Schedule::single;
+    double interpolation_us = 100.0;  ///< two-timer only
+    double io_us = 500.0;             ///< two-timer only
+    std::int64_t missed_alarm_per_s = 50;
+};
+
+/// R1, R2 or Y.
+struct LinearAxisProfile {
+    double pulses_per_mm = 400.0;
+    std::array<double, 2> travel_mm{0.0, 60.0};
+    double speed_mm_s = 10.0;
+    double accel_mm_s2 = 100.0;
+    double start_stop_mm_s = 1.0;
+    bool positive_is_high = true;
+    HomeSensor home = HomeSensor::max;
+    double home_position_mm = 60.0;
+    double home_speed_mm_s = 5.0;
+    double overtravel_mm = 1.0;
+    double backlash_mm = 0.0;
+    double tip_offset_mm = 0.0;
+};
+
+/// Psi.
+struct RotaryAxisProfile {
+    std::int64_t pulses_per_rev = 6400;
+    double speed_deg_s = 225.0;
+    double accel_deg_s2 = 2250.0;
+    double start_stop_deg_s = 22.5;
+    bool positive_is_high = true;
+    HomeSensor home = HomeSensor::index;
+    double home_position_deg = 0.0;
+    double home_speed_deg_s = 45.0;
+    std::int64_t index_tolerance_pulses = 2;
+    double backlash_deg = 0.0;
+};
+
+struct JobProfile {
+    double feed_mm_s = 20.0;
+    double plunge_mm_s = 5.0;
+    double clearance_mm = 2.0;
+    double retract_mm = 5.0;
+    double spindle_spinup_s = 1.0;
+    double base_height_mm = 0.0;
+    Planner planner = Planner::lookahead;
+    double corner_deg = 5.0;
+    double path_tolerance_mm = 0.01;
+    Joining joining = Joining::continuous;
+};
+
+struct PortProfile {
+    std::int64_t dir_setup_ns = 5000;
+    std::int64_t dir_hold_ns = 5000;
+    std::int64_t step_high_ns = 10000;
+    std::int64_t step_low_ns = 10000;
+    double input_filter_us = 100.0;
+    /// Pin of every signal as in [port.pins]: 1..17, negative: active low, 0: not wired. By Signal.
+    std::array<int, kSignalCount> pins{5, 2, 3, 14, 9, 17, 8, 4, 6, 7, 6, 1, 16, 13, 11, 12, 10, 0};
+};
+
+/// The machine profile: what spec'd keys say, in the units users write. Defaults are the built-in profile
+/// `default`.
+struct Profile {
+    std::string name = "default";
+    double core_radius_mm = 1.5;
+    double head_clearance_mm = 2.0;
+    TickProfile tick;
+    LinearAxisProfile r1;
+    LinearAxisProfile r2;
+    RotaryAxisProfile psi;
+    LinearAxisProfile y{.travel_mm = {0.0, 150.0}, .home = HomeSensor::min, .home_position_mm = 0.0};
+    double head_r2_angle_error_deg = 0.0;
+    double head_r2_height_error_mm = 0.0;
+    JobProfile job;
+    PortProfile port;
+};
+
+/// Reads a profile. Unknown keys, wrong types and impossible values (also of several keys together, and of
+/// the pin map) are refused: "FILE:LINE: key: what is wrong; remedy". `file_name` only serves the message.
+Result<Profile> parse_profile(std::string_view toml, std::string_view file_name);
+Result<Profile> load_profile(const std::string& path);
+
+/// Every key with its value, as TOML that parse_profile reads back to an equal profile, and with comments
+/// (unit and meaning) that an editor of the file wants. Deterministic.
+std::string profile_to_toml(const Profile& profile);
+
+/// One key, as `profile show`, the docs and a profile editor need it.
+struct ProfileKey {
+    std::string path;         ///< "axis.r1.speed_mm_s"
+    std::string unit;         ///< "mm/s", empty for none
+    std::string bounds;       ///< "0 < value <= 1000"
+    std::string explanation;  ///< one sentence
+    bool matters_to_motion;   ///< a job made for another value is refused by the core
+};
+const std::vector<ProfileKey>& profile_keys();
+
+/// The dotted paths of keys that matter to motion and whose values differ. Empty: a job made for one runs on
+/// the other.
+std::vector<std::string> motion_differences(const Profile& a, const Profile& b);
+
+/// One axis in pulses: what planner, cycle, simulator and verifier work with.
+struct AxisMotion {
+    double pulses_per_unit = 0.0;  ///< pulses per mm, or per degree for psi
+    double speed_pps = 0.0;        ///< v_k
+    double accel_pps2 = 0.0;       ///< a_k
+    double start_stop_pps = 0.0;   ///< j_k
+    double home_speed_pps = 0.0;
+    std::int64_t travel_min_pulses =
+        0;  ///< lowest position the axis may be asked for (psi: none, see has_travel)
+    std::int64_t travel_max_pulses = 0;  ///< highest; a position at or past a limit sensor's edge is outside
+    std::int64_t home_position_pulses = 0;
+    std::int64_t overtravel_pulses = 0;
+    std::int64_t backlash_pulses = 0;
+    HomeSensor home = HomeSensor::none;
+    bool has_travel = true;
+    bool positive_is_high = true;
+};
+AxisMotion axis_motion(const Profile& profile, Axis axis);
+
+/// The tick's period in whole nanoseconds.
+std::int64_t tick_period_ns(const Profile& profile) noexcept;
+/// The spec's limits on radii, in pulses of that head.
+std::int64_t core_radius_pulses(const Profile& profile, Axis head) noexcept;
+
+}  // namespace psicarve

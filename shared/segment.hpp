@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shared/layout.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve {
+
+inline constexpr const char* kDefaultSegmentName = "/psicarve";
+
+struct SegmentOptions {
+    std::string name = kDefaultSegmentName;
+    std::uint32_t capacity_layers = kDefaultCapacityLayers;
+    std::uint32_t capacity_points = kDefaultCapacityPoints;
+    std::string group;  ///< mode 0660 and this group instead of 0600
+};
+
+/// The mapped shared-memory object. Move-only; unmaps when destroyed, never removes.
+/// Not for the tick. Exceptions of Boost end here.
+class Segment {
+public:
+    /// Whoever comes first creates (O_EXCL), others attach. A half-made or stale object of a dead creator is
+    /// taken over; garbage, another version, another owner or a wrong size is refused with what is wrong and
+    /// the remedy.
+    static Result<Segment> create_or_attach(const SegmentOptions& options);
+    /// ErrorCode::no_core when there is no such object.
+    static Result<Segment> attach(const std::string& name, const std::string& group = {});
+    static Result<void> remove(const std::string& name);
+
+    Segment(Segment&&) noexcept;
+    Segment& operator=(Segment&&) noexcept;
+    ~Segment();
+
+    SegmentHeader& header() noexcept;
+    const SegmentHeader& header() const noexcept;
+    const std::string& name() const noexcept;
+    /// Slot 0 or 1, by our own checked offsets (never re-read from shared memory).
+    std::span<std::byte> slot(std::uint32_t index) noexcept;
+    /// Capacities as checked when attached.
+    std::uint32_t capacity_layers() const noexcept;
+    std::uint32_t capacity_points() const noexcept;
+
+    /// False once the name no longer leads to this object (unlinked, replaced) or its size shrank.
+    bool is_still_linked() const noexcept;
+    /// Makes sure that the slot's first `bytes` exist as memory, so that writing them cannot end in SIGBUS.
+    Result<void> reserve_slot(std::uint32_t index, std::uint64_t bytes);
+
+    // --- core side
+    // -------------------------------------------------------------------------------------------
+    /// Makes this process the segment's core: held by a lock that dies with the process. Refused with the
+    /// first one's pid. Clears status, commands and acknowledgement that a dead core left behind; the
+    /// published job stays.
+    Result<void> claim_core();
+    void release_core() noexcept;
+    /// A living core serves the segment: its pid, else nothing. Asks the lock, not the words.
+    std::optional<std::uint32_t> core_pid() const noexcept;
+
+private:
+    struct Mapping;
+    explicit Segment(std::unique_ptr<Mapping> mapping) noexcept;
+    std::unique_ptr<Mapping> mapping_;
+};
+
+// --- publishing (any process but the core)
+// ---------------------------------------------------------------------
+/// Fills the slot that is not in use, under the mutex, then publishes. Returns the generation.
+Result<std::uint64_t> publish_job(Segment& segment, std::span<const std::byte> job_blob,
+                                  std::chrono::milliseconds limit = std::chrono::milliseconds{5000});
+/// Waits until the core has judged that generation: success, the core's reason (machine_refused), or
+/// timed_out.
+Result<void> wait_for_acceptance(Segment& segment, std::uint64_t generation, std::chrono::milliseconds limit);
+/// Copies the published job, under the mutex: for snapshots. Nothing published: empty.
+Result<std::vector<std::byte>> copy_published_job(Segment& segment, std::chrono::milliseconds limit);
+
+// --- commands (any process but the core)
+// -----------------------------------------------------------------------
+/// Sends one command and waits for its answer: done, or the core's reason (machine_refused); no_core when
+/// none serves.
+Result<void> send_command(Segment& segment, const Command& command, std::chrono::milliseconds limit);
+void request_stop(Segment& segment) noexcept;
+void request_emergency_stop(Segment& segment) noexcept;
+
+// --- core side of both
+// -------------------------------------------------------------------------------------------
+struct PublishedJob {
+    std::uint64_t generation;
+    std::vector<std::byte> blob;  ///< our own copy, checksum checked
+};
+/// A job newer than `known_generation`, copied and checked; nothing when there is none; an error when what
+/// was published is wrong (the caller refuses it by acknowledge_job). Takes no lock.
+Result<std::optional<PublishedJob>> take_published_job(Segment& segment, std::uint64_t known_generation);
+std::uint64_t published_generation(const Segment& segment) noexcept;
+void acknowledge_job(Segment& segment, std::uint64_t generation, bool accepted, const std::string& reason);
+
+struct ReceivedCommand {
+    std::uint32_t slot;
+    std::uint64_t sequence;
+    std::uint32_t sender_pid;
+    Command command;
+};
+/// The pending command with the lowest sequence number, marked taken; also frees slots whose senders died.
+std::optional<ReceivedCommand> take_command(Segment& segment);
+void answer_command(Segment& segment, const ReceivedCommand& command, AnswerKind kind,
+                    const std::string& reason);
+
+}  // namespace psicarve

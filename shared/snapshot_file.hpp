@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shared/job.hpp"
+#include "shared/layout.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve {
+
+inline constexpr std::uint64_t kSnapshotMagic = 0x3150414e53435350ULL;  // "PSCSNAP1"
+inline constexpr std::uint32_t kSnapshotVersion = 1;
+
+/// First bytes of a job or snapshot file. Little-endian. Then come, each at a multiple of 8 bytes: the status
+/// (CoreStatus or nothing), the flight recorder (FlightRecord, oldest first), the job blob.
+struct SnapshotHeader {
+    std::uint64_t magic;
+    std::uint32_t version;
+    std::uint32_t layout_version;
+    std::uint64_t abi_hash;
+    std::uint64_t total_bytes;
+    std::uint64_t checksum;  ///< XXH3 over the whole file with this field 0
+    std::uint64_t status_offset;
+    std::uint64_t status_bytes;  ///< 0 in a job file
+    std::uint64_t recorder_offset;
+    std::uint64_t recorder_bytes;
+    std::uint64_t job_offset;
+    std::uint64_t job_bytes;
+    std::uint32_t capacity_layers;  ///< of the segment it was taken from; 0 in a job file
+    std::uint32_t capacity_points;
+    std::uint64_t generation;  ///< of the job in that segment; 0 in a job file
+    std::uint64_t reserved[2];
+};
+static_assert(sizeof(SnapshotHeader) == 120);
+
+/// A job or snapshot file in memory, checked. Job files have no status and no records.
+struct Snapshot {
+    std::optional<CoreStatus> status;
+    std::vector<FlightRecord> records;  ///< oldest first
+    std::vector<std::byte> job_blob;    ///< passes JobView::check
+    std::uint32_t capacity_layers = 0;
+    std::uint32_t capacity_points = 0;
+    std::uint64_t generation = 0;
+};
+
+/// Says whether the file begins like one of ours (so that `carve FILE` can tell a job from a model).
+bool looks_like_snapshot(std::span<const std::byte> first_bytes) noexcept;
+
+/// Trusts nothing: magic, version, ABI hash, sizes, offsets, checksum, then the job blob. "FILE: what is
+/// wrong".
+Result<Snapshot> parse_snapshot(std::span<const std::byte> bytes, const std::string& file_name);
+Result<Snapshot> load_snapshot(const std::string& path);
+
+std::vector<std::byte> snapshot_bytes(const Snapshot& snapshot);
+/// Temporary file beside it, fsync, rename, fsync of the folder: the old file stays intact whatever happens.
+Result<void> save_snapshot(const Snapshot& snapshot, const std::string& path);
+/// The same atomic write for any bytes (profiles, pictures).
+Result<void> write_file_atomically(const std::string& path, std::span<const std::byte> bytes);
+
+}  // namespace psicarve

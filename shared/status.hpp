@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "shared/machine_state.hpp"
+#include "shared/signal.hpp"
+
+namespace psicarve {
+
+inline constexpr std::size_t kLatenessBins =
+    32;  ///< bin n counts ticks 2^n .. 2^(n+1) ns late; bin 0 also earlier ones
+inline constexpr std::size_t kAlarmHistory = 8;
+
+/// One alarm as it happened.
+struct AlarmRecord {
+    std::uint64_t tick;
+    AlarmCause cause;
+    std::uint8_t axis;  ///< Axis, or kNoAxis
+    std::uint8_t reserved[6];
+    std::int64_t expected;  ///< cause steps_lost: the count expected at the index; else 0
+    std::int64_t seen;      ///< cause steps_lost: the count seen; else 0
+};
+inline constexpr std::uint8_t kNoAxis = 255;
+static_assert(sizeof(AlarmRecord) == 32, "bump kLayoutVersion");
+
+/// The core's state as everybody sees it: written by the supervisor as a whole, read as a whole. Fixed-width
+/// only.
+struct CoreStatus {
+    std::uint64_t tick;       ///< ticks since the core started (missed ones counted)
+    std::uint64_t heartbeat;  ///< grows with every write, whatever the clock
+    std::int64_t period_ns;
+    MachineState state;
+    AlarmCause alarm_cause;   ///< none unless state is alarm or backing_off
+    std::uint8_t alarm_axis;  ///< Axis or kNoAxis
+    std::uint8_t homed_mask;  ///< bit by axis
+    std::uint8_t is_simulator;
+    std::uint8_t is_virtual_clock;
+    std::uint8_t has_realtime_rights;
+    std::uint8_t missing_sensors_mask;         ///< bit by axis: home = none
+    std::int64_t position_pulses[kAxisCount];  ///< as counted; meaningless while not homed
+    std::uint64_t emitted_pulses[kAxisCount];  ///< since the job was started
+    std::uint32_t layer;                       ///< of the point last reached
+    std::uint32_t point;
+    std::uint64_t points_done;  ///< of layer_count * point_count
+    std::uint64_t points_total;
+    std::uint64_t job_generation;  ///< accepted job, 0: none
+    SignalWord signals;            ///< outputs and inputs, logical levels
+    std::uint32_t reserved;
+    double seconds_left;             ///< of the running job as planned; negative: unknown
+    std::uint64_t job_start_tick;    ///< tick at which start was accepted
+    std::uint64_t carve_first_tick;  ///< tick at which the first point was left; 0: not yet
+    std::uint64_t carve_last_tick;   ///< tick at which the last point was reached; 0: not yet
+    std::uint64_t job_end_tick;      ///< tick at which finishing was done; 0: not yet
+    std::uint64_t missed_ticks;
+    std::int64_t max_lateness_ns;
+    std::uint64_t lateness_histogram[kLatenessBins];
+    std::uint64_t alarm_count;          ///< alarms since the core started
+    AlarmRecord alarms[kAlarmHistory];  ///< alarm n stands at n % kAlarmHistory
+    std::uint64_t trace_lost;           ///< pin changes that no trace could take (real clock only)
+    // What a simulated machine knows about itself; zero on a real port.
+    std::int64_t sim_true_position_pulses[kAxisCount];
+    std::uint64_t sim_ignored_pulses[kAxisCount];  ///< drive disabled
+    std::uint64_t sim_timing_lost[kAxisCount];     ///< driver timing violated
+    std::uint64_t sim_stalls[kAxisCount];          ///< motor asked for more than it can
+};
+static_assert(std::is_trivially_copyable_v<CoreStatus> && sizeof(CoreStatus) % 8 == 0, "bump kLayoutVersion");
+
+/// One entry of the increment ring: where the axes were at a tick.
+struct IncrementEntry {
+    std::uint64_t tick;
+    std::int32_t r1_pulses;
+    std::int32_t r2_pulses;
+    std::int64_t psi_pulses;
+    std::int64_t y_pulses;
+};
+static_assert(sizeof(IncrementEntry) == 32 && std::is_trivially_copyable_v<IncrementEntry>,
+              "bump kLayoutVersion");
+
+enum class RecordKind : std::uint16_t {
+    none = 0,
+    command = 1,
+    stop = 2,
+    emergency_stop = 3,
+    input_edge = 4,
+    state_change = 5,
+    alarm = 6,
+    job = 7,
+    home_latch = 8,
+};
+
+/// One entry of the flight recorder.
+struct FlightRecord {
+    std::uint64_t tick;
+    RecordKind kind;
+    std::uint16_t code;    ///< CommandKind, MachineState entered, AlarmCause, by kind
+    std::uint32_t axis;    ///< Axis or kNoAxis
+    SignalWord signals;    ///< all levels after it happened
+    std::uint32_t answer;  ///< command: AnswerKind
+    std::int64_t
+        value;  ///< command: its value's bits; alarm: count seen; job: generation; latch: correction [pulses]
+    std::int64_t position_pulses[kAxisCount];
+};
+static_assert(sizeof(FlightRecord) == 64 && std::is_trivially_copyable_v<FlightRecord>,
+              "bump kLayoutVersion");
+
+}  // namespace psicarve

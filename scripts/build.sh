@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# shellcheck shell=bash
+# Sourced by demo.sh and test.sh, which set `root` first.
+: "${root:?}"
+
+say() { printf '== %s\n' "$*" >&2; }
+fail() { printf '%s: %s\n' "${0##*/}" "$*" >&2; exit 1; }
+
+# build_preset PRESET FOLDER [CMAKE ARGUMENTS...]: configures and builds; quiet but for progress and errors.
+build_preset() {
+    local preset=$1 folder=$2
+    shift 2
+    mkdir -p "$folder" || return 1
+    if [[ ! -w $folder ]]; then
+        printf '%s: cannot write to %s (made by another user?)\n' "${0##*/}" "$folder" >&2
+        return 1
+    fi
+    local arguments=(--preset "$preset" -B "$folder" "$@")
+    if command -v ccache >/dev/null; then arguments+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+    # A tree that was copied or moved brings a cache that CMake refuses: start afresh.
+    if [[ -f $folder/CMakeCache.txt ]] &&
+        ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
+        arguments+=(--fresh)
+    fi
+    if ! (cd "$root" && cmake "${arguments[@]}" >"$folder/configure.log" 2>&1); then
+        cat "$folder/configure.log" >&2
+        return 1
+    fi
+    cmake --build "$folder" --parallel "$(nproc)" >&2
+}

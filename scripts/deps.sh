@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs the Debian packages that are missing, and only these. docs/dependencies.md says why each is here.
+#   scripts/deps.sh build    what building and carving need
+#   scripts/deps.sh test     that, and what the tests need besides
+#   scripts/deps.sh bench    that, and what the benchmarks compare with
+# With --list it prints the names and installs nothing.
+set -euo pipefail
+
+build_packages=(cmake ninja-build g++ libboost-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
+    libpng-dev libxxhash-dev libassimp-dev)
+test_packages=(git ccache python3 libgtest-dev libgmock-dev sigrok-cli clang-14 clang-format-14 clang-tidy-14
+    libclang-rt-14-dev)
+bench_packages=(libembree-dev admesh)
+
+usage() { printf 'usage: %s build|test|bench [--list]\n' "${0##*/}"; }
+
+if [[ ${1-} == --help ]]; then usage; exit 0; fi
+case "${1-}" in
+    build) wanted=("${build_packages[@]}") ;;
+    test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
+    bench) wanted=("${build_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}") ;;
+    *) usage >&2; exit 2 ;;
+esac
+case "${2-}" in
+    '') ;;
+    --list) printf '%s\n' "${wanted[@]}"; exit 0 ;;
+    *) usage >&2; exit 2 ;;
+esac
+
+if ! command -v dpkg-query >/dev/null; then
+    printf 'deps: not a Debian system; going on with what is here. Needed, by their Debian names: %s\n' \
+        "${wanted[*]}" >&2
+    exit 0
+fi
+
+# One query for all of them: a run with nothing to install costs a few milliseconds.
+mapfile -t missing < <(
+    dpkg-query --show --showformat '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null |
+        sed -n 's/^installed //p' | sort -u | comm -13 - <(printf '%s\n' "${wanted[@]}" | sort -u))
+if ((${#missing[@]} == 0)); then exit 0; fi
+
+as_root=()
+if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null; then
+        printf 'deps: missing packages, and neither root nor sudo to install them. As root, run:\n' >&2
+        printf '    apt-get update && apt-get install -y --no-install-recommends %s\n' "${missing[*]}" >&2
+        exit 1
+    fi
+    as_root=(sudo)
+fi
+
+apt() {
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 "$@" >&2
+}
+install_missing() { apt install -y --no-install-recommends "${missing[@]}"; }
+
+printf 'deps: installing %s\n' "${missing[*]}" >&2
+# A bare system has no package lists yet; others may hold lists so old that their files are gone.
+known=$(apt-cache --quiet=2 --no-all-versions show "${missing[@]}" 2>/dev/null | grep -c '^Package:' || true)
+if ((known < ${#missing[@]})); then
+    apt update
+    install_missing
+elif ! install_missing; then
+    printf 'deps: trying once more with fresh package lists\n' >&2
+    apt update
+    install_missing
+fi

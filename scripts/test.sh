@@ -1,0 +1,133 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Every test, from a bare Debian 12. Later parts run even when an earlier one has failed.
+# shellcheck disable=SC2317  # part() calls the functions by name
+set -uo pipefail
+
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
+logs="$root/build/logs"
+fuzz_seconds=${PSICARVE_FUZZ_SECONDS:-20}
+
+usage() {
+    cat <<END
+usage: ${0##*/} [--quick]
+
+Installs the Debian packages that are missing, then checks the formatting, builds and runs the suite in dev
+and under AddressSanitizer and UndefinedBehaviorSanitizer, runs the parts with threads under ThreadSanitizer,
+fuzzes the parsers for $fuzz_seconds s in all, and runs clang-tidy over the sources. Closes with ctest's summaries.
+
+  --quick   formatting and dev only
+
+Exit codes: 0 all passed; 1 something failed (the closing lines say what); 2 wrong usage.
+Builds are kept in build/; a second run does only what has changed.
+END
+}
+
+quick=0
+for argument in "$@"; do
+    case "$argument" in
+        -h | --help) usage; exit 0 ;;
+        --quick) quick=1 ;;
+        *) printf '%s: unknown option %s\n' "${0##*/}" "$argument" >&2; usage >&2; exit 2 ;;
+    esac
+done
+
+# Sanitizers of this age stumble over kernels that spread addresses wide: switch that off where we may.
+if [[ -z ${PSICARVE_STILL-} ]] && setarch "$(uname -m)" -R true 2>/dev/null; then
+    PSICARVE_STILL=1 exec setarch "$(uname -m)" -R "${BASH_SOURCE[0]}" "$@"
+fi
+
+# shellcheck source=scripts/build.sh
+source "$root/scripts/build.sh"
+mkdir -p "$logs" || fail "cannot write to $logs"
+rm -f "$logs"/ctest-*.log
+
+check_format() {
+    if [[ ! -d $root/.git ]]; then
+        say "format: not a git checkout, nothing to compare with"
+        return 0
+    fi
+    (cd "$root" && git -c safe.directory='*' ls-files -z -- '*.cpp' '*.hpp' |
+        xargs -0 -r clang-format-14 --dry-run -Werror)
+}
+
+# run_ctest PRESET: the suite of a preset that has been built; its output is kept for the closing summary.
+run_ctest() {
+    (cd "$root" && ctest --preset "$1" --parallel "$(nproc)" --no-tests=error 2>&1) | tee "$logs/ctest-$1.log"
+    return "${PIPESTATUS[0]}"
+}
+
+build_and_test() { build_preset "$1" "$root/build/$1" && run_ctest "$1"; }
+
+# Each target runs for its share of the time from a fixed seed, on the inputs kept in the tree and on those found so far.
+fuzz() {
+    build_preset fuzz "$root/build/fuzz" -DCMAKE_CXX_COMPILER=clang++-14 || return 1
+    local targets target name share found failed=0
+    mapfile -t targets < <(find "$root/build/fuzz/fuzz" -maxdepth 1 -type f -executable 2>/dev/null | sort)
+    if ((${#targets[@]} == 0)); then
+        printf 'fuzz: no targets in build/fuzz/fuzz\n' >&2
+        return 1
+    fi
+    share=$(((fuzz_seconds + ${#targets[@]} - 1) / ${#targets[@]}))
+    for target in "${targets[@]}"; do
+        name=$(basename "$target")
+        found="$root/build/fuzz/corpus/$name"
+        mkdir -p "$found"
+        local corpora=("$found")
+        if [[ -d $root/tests/fuzz/corpus/$name ]]; then corpora+=("$root/tests/fuzz/corpus/$name"); fi
+        say "fuzz: $name, $share s"
+        if ! (cd "$root/build/fuzz" && "$target" -seed=1 -max_total_time="$share" -timeout=10 \
+            -rss_limit_mb=2048 -print_final_stats=0 -verbosity=0 "${corpora[@]}"); then failed=1; fi
+    done
+    return "$failed"
+}
+
+run_tidy() { python3 "$root/scripts/tidy.py" "$root" "$root/build/dev"; }
+
+# The closing lines of one ctest run: from its verdict to the end.
+summary_of() {
+    printf -- '---- ctest, preset %s\n' "$1"
+    if [[ -s $logs/ctest-$1.log ]]; then
+        tac "$logs/ctest-$1.log" | sed '/tests passed, .* tests failed out of/q' | tac
+    else
+        printf 'no test ran: the build failed\n'
+    fi
+}
+
+verdicts=()
+failed_parts=()
+part() {
+    local name=$1 begin=$SECONDS
+    shift
+    say "$name"
+    if "$@"; then
+        verdicts+=("$(printf '%-8s passed  %4d s' "$name" $((SECONDS - begin)))")
+    else
+        verdicts+=("$(printf '%-8s FAILED  %4d s' "$name" $((SECONDS - begin)))")
+        failed_parts+=("$name")
+    fi
+}
+
+"$root/scripts/deps.sh" test || fail "some packages could not be installed"
+part format check_format
+part dev build_and_test dev
+presets=(dev)
+if ((!quick)); then
+    presets=(tsan asan dev)
+    part asan build_and_test asan
+    part tsan build_and_test tsan
+    part fuzz fuzz
+    part tidy run_tidy
+fi
+
+printf '\n'
+printf '== %s\n' "${verdicts[@]}"
+if ((${#failed_parts[@]})); then printf '== failed: %s\n' "${failed_parts[*]}"; fi
+# What failed stands last, where a reader of the closing lines sees it.
+passed_runs=()
+failed_runs=()
+for preset in "${presets[@]}"; do
+    if [[ " ${failed_parts[*]} " == *" $preset "* ]]; then failed_runs+=("$preset"); else passed_runs+=("$preset"); fi
+done
+for preset in "${passed_runs[@]}" "${failed_runs[@]}"; do summary_of "$preset"; done
+exit $((${#failed_parts[@]} > 0))

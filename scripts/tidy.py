@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs clang-tidy over the sources of shared/, rtcore/ and hmi/; what has passed once is not looked at again.
+
+usage: tidy.py ROOT BUILD     BUILD holds compile_commands.json and a finished Ninja build
+
+A file's stamp in BUILD/tidy is a hash over .clang-tidy, clang-tidy's version, the file's compile command and
+the contents of the file and of all headers of ours that it includes (as Ninja recorded them).
+"""
+
+import concurrent.futures
+import hashlib
+import json
+import os
+import subprocess
+import sys
+
+TIDY = "clang-tidy-14"
+CHECKED = ("shared", "rtcore", "hmi")
+
+
+def recorded_headers(root, build):
+    """Source file -> the files below root that its object depends on, from Ninja's own record."""
+    text = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True).stdout
+    headers = {}
+    for block in text.split("\n\n"):
+        lines = [line.strip() for line in block.splitlines() if line.startswith("    ")]
+        paths = [os.path.realpath(os.path.join(build, line)) for line in lines]
+        ours = sorted(path for path in paths if path.startswith(root + os.sep))
+        if ours:
+            headers[os.path.realpath(os.path.join(build, lines[0]))] = ours
+    return headers
+
+
+def stamp_of(root, command, files, version):
+    """The hash under which a clean verdict is remembered."""
+    digest = hashlib.sha256()
+    for text in (version, command["command"]):
+        digest.update(text.encode() + b"\0")
+    for path in [os.path.join(root, ".clang-tidy"), *files]:
+        with open(path, "rb") as file:
+            digest.update(path.encode() + b"\0" + file.read() + b"\0")
+    return digest.hexdigest()
+
+
+def check(build, path):
+    """clang-tidy's findings in one file; empty when it is clean."""
+    run = subprocess.run([TIDY, "--quiet", "-p", build, path], capture_output=True, text=True)
+    return "" if run.returncode == 0 else run.stdout + run.stderr
+
+
+def main():
+    if len(sys.argv) != 3:
+        print(__doc__, file=sys.stderr)
+        return 2
+    root, build = (os.path.realpath(path) for path in sys.argv[1:])
+    with open(os.path.join(build, "compile_commands.json")) as file:
+        commands = {os.path.realpath(entry["file"]): entry for entry in json.load(file)}
+    version = subprocess.run([TIDY, "--version"], capture_output=True, text=True, check=True).stdout
+    headers = recorded_headers(root, build)
+    stamps = os.path.join(build, "tidy")
+    os.makedirs(stamps, exist_ok=True)
+
+    todo = {}
+    sources = sorted(path for path in commands if os.path.relpath(path, root).split(os.sep)[0] in CHECKED)
+    for path in sources:
+        stamp = stamp_of(root, commands[path], headers.get(path, [path]), version)
+        if path not in headers or not os.path.exists(os.path.join(stamps, stamp)):
+            todo[path] = stamp
+
+    dirty = 0
+    print(f"tidy: {len(sources)} files, {len(todo)} to look at", flush=True)
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for path, findings in zip(todo, pool.map(lambda path: check(build, path), todo)):
+            if findings:
+                dirty += 1
+                print(findings, flush=True)
+            else:
+                open(os.path.join(stamps, todo[path]), "w").close()
+    print(f"tidy: {dirty} files with findings")
+    return 1 if dirty else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -DCHECK=<architecture_test.cmake> -DWORK=<folder> -P this: a small tree that keeps every rule passes, and each
+# violation added to it makes the check fail by the name of the rule that it breaks.
+cmake_minimum_required(VERSION 3.25)
+
+set(spdx "// SPDX-License-Identifier: GPL-3.0-or-later\n")
+set(failures 0)
+
+function(write_clean_tree)
+    file(REMOVE_RECURSE "${WORK}")
+    file(WRITE "${WORK}/README.md" "A tree\n")
+    file(WRITE "${WORK}/shared/units.hpp" "${spdx}#include <string>\n")
+    file(WRITE "${WORK}/rtcore/cycle/tick.cpp" 
+        "${spdx}#include \"shared/units.hpp\"\n#include <atomic>\n#include <string_view>\n")
+    file(WRITE "${WORK}/rtcore/plan/plan.cpp" "${spdx}#include \"rtcore/cycle/tick.hpp\"\n#include <vector>\n")
+    file(WRITE "${WORK}/hmi/cli/main.cpp" "${spdx}#include \"shared/units.hpp\"\n")
+    file(WRITE "${WORK}/hmi/ui/window.cpp" "${spdx}#include <QWidget>\n#include <QtGui/QImage>\n")
+    file(WRITE "${WORK}/tests/two_process/kill_test.cpp" 
+        "${spdx}#include \"hmi/cli/main.hpp\"\n#include \"rtcore/main.hpp\"\n")
+    file(WRITE "${WORK}/scripts/run.sh" "#!/bin/sh\n# SPDX-License-Identifier: GPL-3.0-or-later\n")
+endfunction()
+
+function(run_check)
+    execute_process(COMMAND "${CMAKE_COMMAND}" "-DROOT=${WORK}" -P "${CHECK}"
+        RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    set(result ${result} PARENT_SCOPE)
+    set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+# expect(RULE FILE TEXT): with FILE in the tree the check fails, names RULE and FILE, and nothing else.
+function(expect rule file text)
+    write_clean_tree()
+    file(WRITE "${WORK}/${file}" "${text}")
+    run_check()
+    string(FIND "${output}" "[${rule}] ${file}: " position)
+    if(file MATCHES "^([a-z_]+)$")
+        string(FIND "${output}" "[${rule}] " position)
+    endif()
+    if(result EQUAL 0 OR position EQUAL -1 OR NOT output MATCHES "[^0-9]1 violations")
+        message("not caught as [${rule}]: ${file}\n${text}\nexit ${result}:\n${output}")
+        math(EXPR failures "${failures} + 1")
+        set(failures ${failures} PARENT_SCOPE)
+    endif()
+endfunction()
+
+write_clean_tree()
+run_check()
+if(NOT result EQUAL 0)
+    message(FATAL_ERROR "a tree that keeps the rules is refused:\n${output}")
+endif()
+
+expect(arrows shared/a.hpp "${spdx}#include \"hmi/cli/main.hpp\"\n")
+expect(arrows shared/a.hpp "${spdx}#include \"rtcore/plan/plan.hpp\"\n")
+expect(arrows rtcore/a.cpp "${spdx}#include \"hmi/cli/main.hpp\"\n")
+expect(arrows hmi/a.cpp "${spdx}  #  include \"rtcore/plan/plan.hpp\"\n")
+expect(arrows rtcore/a.cpp "${spdx}#include \"tests/oracle.hpp\"\n")
+expect(qt hmi/cli/a.cpp "${spdx}#include <QString>\n")
+expect(qt hmi/model/a.cpp "${spdx}#include <QtCore/qglobal.h>\n")
+expect(qt shared/a.hpp "${spdx}#include <QObject>\n")
+foreach(header vector string iostream mutex thread memory_resource memory boost/interprocess/offset_ptr.hpp
+        functional unistd.h sys/mman.h pthread.h toml++/toml.h)
+    expect(real-time rtcore/cycle/a.hpp "${spdx}#include <${header}>\n")
+endforeach()
+expect(root-include rtcore/cycle/a.cpp "${spdx}#include \"tick.hpp\"\n")
+expect(root-include hmi/cli/a.cpp "${spdx}#include \"../../shared/units.hpp\"\n")
+expect(root-include hmi/cli/a.cpp "${spdx}#include <shared/units.hpp>\n")
+expect(spdx hmi/a.cpp "int main() {}\n")
+expect(spdx scripts/a.sh "#!/bin/sh\n")
+expect(spdx tests/CMakeLists.txt "add_test()\n")
+string(REPEAT "// one more line\n" 400 long)
+expect(length rtcore/a.cpp "${spdx}${long}")
+expect(names hmi/cliUtils.cpp "${spdx}")
+expect(names shared/string_utils.hpp "${spdx}")
+string(CONCAT marker "TO" "DO")
+expect(markers hmi/a.cpp "${spdx}// ${marker}: write it\n")
+expect(top-level notes "what happened\n")
+
+if(failures GREATER 0)
+    message(FATAL_ERROR "${failures} violations were not caught")
+endif()
+file(REMOVE_RECURSE "${WORK}")

@@ -8,24 +8,26 @@
 
 namespace psicarve {
 
-// The compact binary pin trace. Little-endian.
+// The compact binary pin trace (docs/trace.md). Little-endian; every number after the header is LEB128.
 //
-//   header   TraceHeader, 64 bytes
-//   records  each begins with a LEB128 number N:
-//              N = 2*d     pins: d ns-free ticks have passed since the last record; then LEB128 of (old XOR
-//              new) SignalWord N = 2*d+1   position: d ticks have passed; then 4 zig-zag LEB128 positions r1
-//              r2 psi y [pulses]: what the
-//                          core counts from here on (homing defined it anew), pins unchanged
-//            an offset inside the tick follows a pins record only when bit 31 of the XOR word is set: LEB128
-//            [ns]
-//   end      N = 2^63 (ten bytes) as a terminator: a trace without it was cut off
+//   header    TraceHeader, 64 bytes
+//   records   number N, then what the record's kind asks for. N = 4*d + kind; d = ticks since the last
+//             record (since tick 0 for the first):
+//               kind 0  pins      XOR word: old levels ^ new levels (SignalWord, never 0)
+//               kind 1  position  4 zig-zag numbers r1 r2 psi y [pulses]: what the core counts from here on
+//                                 (homing defined it anew); pins unchanged
+//               kind 2  pins      offset inside the tick [ns], then the XOR word
+//               kind 3  end       the trace covers d more ticks and is complete. Nothing follows; a file
+//                                 without this record was cut off
 //
-// Time of a record [ns] = tick * period_ns + offset.
+// Time of a record [ns] = tick * period_ns + offset. Records come in the order in which things happened.
 
 inline constexpr std::uint64_t kTraceMagic = 0x3143525441435350ULL;  // "PSCATRC1"
 inline constexpr std::uint32_t kTraceVersion = 1;
-inline constexpr std::uint64_t kTraceEnd = std::uint64_t{1} << 63;
-inline constexpr SignalWord kTraceOffsetFlag = SignalWord{1} << 31;
+
+/// The two lowest bits of a record's first number.
+enum class TraceRecordKind : std::uint8_t { pins = 0, position = 1, pins_with_offset = 2, end = 3 };
+inline constexpr unsigned kTraceKindBits = 2;
 
 struct TraceHeader {
     std::uint64_t magic;
@@ -33,8 +35,55 @@ struct TraceHeader {
     SignalWord initial_levels;  ///< all signals at tick 0
     std::int64_t period_ns;
     std::int64_t position_pulses[kAxisCount];  ///< as counted before the first value
-    std::uint64_t reserved;
+    std::uint64_t reserved;                    ///< 0
 };
 static_assert(sizeof(TraceHeader) == 64);
+
+constexpr std::uint64_t trace_record_head(std::uint64_t ticks_passed, TraceRecordKind kind) noexcept {
+    return ticks_passed << kTraceKindBits | static_cast<std::uint64_t>(kind);
+}
+constexpr TraceRecordKind trace_record_kind(std::uint64_t head) noexcept {
+    return static_cast<TraceRecordKind>(head & ((std::uint64_t{1} << kTraceKindBits) - 1));
+}
+constexpr std::uint64_t trace_record_ticks(std::uint64_t head) noexcept {
+    return head >> kTraceKindBits;
+}
+
+inline constexpr std::size_t kLeb128MaxBytes = 10;
+/// The longest record: a head and four positions.
+inline constexpr std::size_t kTraceRecordMaxBytes = 5 * kLeb128MaxBytes;
+
+/// Writes `value` seven bits a byte, lowest first, and returns the place after it. Needs kLeb128MaxBytes of
+/// room. RT: yes.
+constexpr std::uint8_t* encode_leb128(std::uint8_t* out, std::uint64_t value) noexcept {
+    while (value >= 0x80) {
+        *out++ = static_cast<std::uint8_t>(value | 0x80);
+        value >>= 7;
+    }
+    *out++ = static_cast<std::uint8_t>(value);
+    return out;
+}
+
+/// Reads a number that begins at `in` and returns the place after it; nullptr when it does not end before
+/// `end` or does not fit 64 bits.
+constexpr const std::uint8_t* decode_leb128(const std::uint8_t* in, const std::uint8_t* end,
+                                            std::uint64_t& value) noexcept {
+    value = 0;
+    for (unsigned shift = 0; in != end && shift < 64; shift += 7) {
+        const std::uint64_t bits = *in & 0x7F;
+        if (shift == 63 && bits > 1) return nullptr;
+        value |= bits << shift;
+        if ((*in++ & 0x80) == 0) return in;
+    }
+    return nullptr;
+}
+
+/// Small numbers of either sign become small numbers: 0, -1, 1, -2 ... -> 0, 1, 2, 3 ...
+constexpr std::uint64_t zigzag_from(std::int64_t value) noexcept {
+    return static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63);
+}
+constexpr std::int64_t value_from_zigzag(std::uint64_t zigzag) noexcept {
+    return static_cast<std::int64_t>(zigzag >> 1 ^ (~(zigzag & 1) + 1));
+}
 
 }  // namespace psicarve

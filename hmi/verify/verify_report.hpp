@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "shared/signal.hpp"
+
+namespace psicarve::verify {
+
+inline constexpr std::size_t kRuleCount = 4;
+
+/// One breach of one of the four rules that pulses must obey, with all that a person needs to find it.
+struct Offence {
+    int rule = 0;  ///< 1..4 as in the rules' list in docs/verify.md
+    std::string
+        fault;  ///< what kind, one word for programs: "point-missed", "direction-setup", "disabled"...
+    std::optional<Axis> axis;
+    std::int64_t time_ns = 0;
+    std::optional<std::uint32_t> layer;  ///< that was being carved
+    std::optional<std::uint32_t> point;  ///< index in the layer's row
+    double measured = 0.0;
+    double allowed = 0.0;
+    std::string unit;      ///< of both: "ns", "pulses", "mm"
+    std::string sentence;  ///< one clear line that names all of it
+};
+
+/// What became of one rule.
+struct RuleResult {
+    bool judged = false;
+    std::uint64_t offences = 0;
+    std::optional<Offence> first;
+};
+
+struct VerifyReport {
+    bool ok = false;  ///< every judged rule holds and every point was visited
+    std::array<RuleResult, kRuleCount> rules;
+    std::array<std::uint64_t, kAxisCount> pulses{};  ///< rising step edges in the whole trace
+    std::uint64_t points_visited = 0;                ///< exactly, in order; a point counts for both heads
+    std::uint64_t points_total = 0;
+    /// Largest difference between carved and wanted radius at the job's points after all motion of the trace.
+    std::int64_t max_deviation_pulses = 0;
+    double max_line_deviation_mm = 0.0;      ///< largest distance from the straight line between two points
+    double max_line_deviation_pulses = 0.0;  ///< the largest in pulses across the line (another place, maybe)
+    double carve_seconds = 0.0;  ///< from leaving the first point to reaching the last; 0: neither
+    double trace_seconds = 0.0;
+    std::uint64_t events = 0;
+
+    /// The first offence in time, whatever its rule; nullptr when there is none.
+    const Offence* first_offence() const noexcept;
+};
+
+/// One JSON object, as `psicarve verify --json` prints it.
+std::string report_json(const VerifyReport& report);
+/// A few lines for a person.
+std::string report_text(const VerifyReport& report);
+
+}  // namespace psicarve::verify

@@ -39,6 +39,10 @@ std::int64_t table_angle_pulses(Joining joining, std::int64_t psi_sweep_pulses, 
 std::uint32_t carved_point(Joining joining, std::uint32_t point_count, std::uint32_t layer,
                            std::uint32_t step) noexcept;
 
+inline constexpr std::uint32_t kMaxJobCount = 1'000'000;      ///< layers, and points in a layer
+inline constexpr std::int64_t kMaxSweepPulses = 50'000'000;   ///< half the greatest pulses_per_rev
+inline constexpr std::uint64_t kReportTextBytes = 16 * 1024;  ///< a longer report is refused
+
 inline constexpr std::uint64_t kJobMagic = 0x31424f4a41435350ULL;  // "PSCAJOB1"
 
 /// First bytes of a job blob. The blob is one contiguous piece of memory: this header, profile text, report
@@ -66,6 +70,8 @@ struct JobHeader {
 };
 static_assert(sizeof(JobHeader) == 256, "bump kLayoutVersion in layout.hpp");
 
+/// Requires table sizes that fit the counts. Direction signs come from the profile's text; a name that is too
+/// long is cut. Whether it is a job that can run: JobView::check, check_job.
 std::vector<std::byte> job_blob_from_table(const JobTable& table);
 std::uint64_t job_blob_bytes(std::uint64_t layer_count, std::uint64_t point_count,
                              std::uint64_t profile_bytes, std::uint64_t report_bytes) noexcept;

@@ -46,12 +46,18 @@ enum class MachineEvent : std::uint8_t {
     reset_alarm_homed,
     back_off,
     back_off_done,
+    reset_height,       ///< Y alone to its sensor: a kind of homing
+    home_done_unhomed,  ///< homing ended as asked, but not every axis is homed (reset height from off)
+    stopped_unhomed,    ///< stopped, and an axis does not know its position (stop while homing)
 };
+inline constexpr std::uint8_t kMachineEventCount = 22;
+std::string_view name_of(MachineEvent event) noexcept;  ///< "start interpolation", "last point done"
 
-/// The one table of transitions; nothing means the event is refused in that state. RT: yes.
+/// The one table of transitions; nothing means the event is refused in that state. A stop is never refused:
+/// where nothing is there to stop, or all is ending already, it leaves the state as it is. RT: yes.
 std::optional<MachineState> next_state(MachineState from, MachineEvent event) noexcept;
 
-/// Words as users see them: "off", "homing", "back-off"...
+/// Words as users see them: "off", "homing", "backing off"...
 std::string_view name_of(MachineState state) noexcept;
 /// No axis moves and none will before a command comes: off, ready, waiting, held, alarm.
 bool is_at_rest(MachineState state) noexcept;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -45,7 +46,7 @@ public:
 
     /// The other side of the connector, for a machine that hangs on it: pin n's electric level is bit n of a
     /// pin word. What the register bytes put on the pins; and which logical levels a machine wired like this
-    /// sees.
+    /// sees: a drive whose enable is not wired is always on.
     std::uint32_t pins_from_registers(OutputRegisters registers) const noexcept;
     SignalWord outputs_from_registers(OutputRegisters registers) const noexcept;
     /// The status byte that the port's hardware would show for these logical input levels; unwired inputs
@@ -57,8 +58,12 @@ public:
 
 private:
     PinMap() = default;
-    std::array<int, kSignalCount> pins_{};  ///< as in the profile, sign = active low
-    std::array<bool, kAxisCount> positive_is_high_{};
+    /// Electric levels of the pins of signals first..end-1, and back.
+    std::uint32_t pins_from_levels(SignalWord levels, std::size_t first, std::size_t end) const noexcept;
+    SignalWord levels_from_pins(std::uint32_t pins, std::size_t first, std::size_t end) const noexcept;
+
+    std::array<int, kSignalCount> pins_{};         ///< as in the profile, sign = active low
+    std::array<bool, kSignalCount> active_low_{};  ///< as the pin shows it; a direction's sign included
     std::shared_ptr<const std::array<OutputRegisters, std::size_t{1} << kOutputSignalCount>> encode_;
     std::shared_ptr<const std::array<SignalWord, 256>> decode_status_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -23,6 +24,8 @@ struct TickProfile {
     double interpolation_us = 100.0;  ///< two-timer only
     double io_us = 500.0;             ///< two-timer only
     std::int64_t missed_alarm_per_s = 50;
+
+    friend bool operator==(const TickProfile&, const TickProfile&) = default;
 };
 
 /// R1, R2 or Y.
@@ -39,6 +42,8 @@ struct LinearAxisProfile {
     double overtravel_mm = 1.0;
     double backlash_mm = 0.0;
     double tip_offset_mm = 0.0;
+
+    friend bool operator==(const LinearAxisProfile&, const LinearAxisProfile&) = default;
 };
 
 /// Psi.
@@ -53,6 +58,8 @@ struct RotaryAxisProfile {
     double home_speed_deg_s = 45.0;
     std::int64_t index_tolerance_pulses = 2;
     double backlash_deg = 0.0;
+
+    friend bool operator==(const RotaryAxisProfile&, const RotaryAxisProfile&) = default;
 };
 
 struct JobProfile {
@@ -66,6 +73,8 @@ struct JobProfile {
     double corner_deg = 5.0;
     double path_tolerance_mm = 0.01;
     Joining joining = Joining::continuous;
+
+    friend bool operator==(const JobProfile&, const JobProfile&) = default;
 };
 
 struct PortProfile {
@@ -76,6 +85,8 @@ struct PortProfile {
     double input_filter_us = 100.0;
     /// Pin of every signal as in [port.pins]: 1..17, negative: active low, 0: not wired. By Signal.
     std::array<int, kSignalCount> pins{5, 2, 3, 14, 9, 17, 8, 4, 6, 7, 6, 1, 16, 13, 11, 12, 10, 0};
+
+    friend bool operator==(const PortProfile&, const PortProfile&) = default;
 };
 
 /// The machine profile: what spec'd keys say, in the units users write. Defaults are the built-in profile
@@ -93,11 +104,17 @@ struct Profile {
     double head_r2_height_error_mm = 0.0;
     JobProfile job;
     PortProfile port;
+
+    friend bool operator==(const Profile&, const Profile&) = default;
 };
 
-/// Reads a profile. Unknown keys, wrong types and impossible values (also of several keys together, and of
-/// the pin map) are refused: "FILE:LINE: key: what is wrong; remedy". `file_name` only serves the message.
+inline constexpr std::size_t kProfileTextBytes = 48 * 1024;  ///< a longer profile text is refused
+
+/// Reads a profile; keys that are not given have the built-in profile's values. Unknown keys, wrong types and
+/// impossible values (also of several keys together, and of the pin map) are refused: "FILE:LINE: key: what
+/// is wrong; remedy". `file_name` only serves the message.
 Result<Profile> parse_profile(std::string_view toml, std::string_view file_name);
+/// The same for a file; the message names it as `path`.
 Result<Profile> load_profile(const std::string& path);
 
 /// Every key with its value, as TOML that parse_profile reads back to an equal profile, and with comments
@@ -108,7 +125,8 @@ std::string profile_to_toml(const Profile& profile);
 struct ProfileKey {
     std::string path;         ///< "axis.r1.speed_mm_s"
     std::string unit;         ///< "mm/s", empty for none
-    std::string bounds;       ///< "0 < value <= 1000"
+    std::string bounds;       ///< "0.001 <= value <= 10000", "min, max or none"
+    std::string built_in;     ///< default, as TOML
     std::string explanation;  ///< one sentence
     bool matters_to_motion;   ///< a job made for another value is refused by the core
 };
@@ -139,7 +157,7 @@ AxisMotion axis_motion(const Profile& profile, Axis axis);
 
 /// The tick's period in whole nanoseconds.
 std::int64_t tick_period_ns(const Profile& profile) noexcept;
-/// The spec's limits on radii, in pulses of that head.
+/// Least counted position of a head: the core radius with the tip offset taken off, rounded as tables are.
 std::int64_t core_radius_pulses(const Profile& profile, Axis head) noexcept;
 
 }  // namespace psicarve

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+
+#include "shared/job.hpp"
+#include "shared/job_layout.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve {
+namespace {
+
+/// Copies as much of a name as fits, cut between characters of UTF-8, zero-terminated.
+void copy_name(char (&field)[128], const std::string& name) {
+    std::size_t length = std::min(name.size(), sizeof field - 1);
+    const auto continues = [&](std::size_t at) {
+        return at < name.size() && (static_cast<unsigned char>(name[at]) & 0xC0) == 0x80;
+    };
+    while (length > 0 && length < name.size() && continues(length)) --length;
+    std::memcpy(field, name.data(), length);
+}
+
+template <typename Container>
+void copy_part(std::vector<std::byte>& blob, std::uint64_t offset, const Container& part) {
+    if (part.empty()) return;
+    std::memcpy(blob.data() + offset, part.data(), part.size() * sizeof(part[0]));
+}
+
+}  // namespace
+
+std::int64_t table_angle_pulses(Joining joining, std::int64_t psi_sweep_pulses, std::int64_t point_count,
+                                std::int64_t layer, std::int64_t point) noexcept {
+    const std::int64_t within = point_angle_pulses(point, psi_sweep_pulses, point_count);
+    return joining == Joining::continuous ? layer * psi_sweep_pulses + within : within;
+}
+
+std::uint32_t carved_point(Joining joining, std::uint32_t point_count, std::uint32_t layer,
+                           std::uint32_t step) noexcept {
+    const bool backwards = joining == Joining::zigzag && layer % 2 == 1;
+    return backwards ? point_count - 1 - step : step;
+}
+
+std::uint64_t job_blob_bytes(std::uint64_t layer_count, std::uint64_t point_count,
+                             std::uint64_t profile_bytes, std::uint64_t report_bytes) noexcept {
+    return job_layout(layer_count, point_count, profile_bytes, report_bytes).total_bytes;
+}
+
+std::vector<std::byte> job_blob_from_table(const JobTable& table) {
+    const std::size_t cells = std::size_t{table.layer_count} * table.point_count;
+    assert(table.layer_height_pulses.size() == table.layer_count);
+    assert(table.r_left_pulses.size() == cells && table.r_right_pulses.size() == cells);
+    const JobLayout layout =
+        job_layout(table.layer_count, table.point_count, table.profile_toml.size(), table.report_json.size());
+    JobHeader header{};
+    header.magic = kJobMagic;
+    header.total_bytes = layout.total_bytes;
+    header.layer_count = table.layer_count;
+    header.point_count = table.point_count;
+    header.psi_sweep_pulses = table.psi_sweep_pulses;
+    header.joining = static_cast<std::uint32_t>(table.joining);
+    // A text that is no profile is found by job_profile; its signs do not matter then.
+    const Result<Profile> parsed = parse_profile(table.profile_toml, "profile");
+    const Profile profile = parsed ? *parsed : Profile{};
+    for (const Axis axis : kAllAxes) {
+        header.direction_sign[index_of(axis)] = axis_motion(profile, axis).positive_is_high ? 1 : -1;
+    }
+    header.feed_mm_s = table.feed_mm_s;
+    header.source_hash = table.source_hash;
+    copy_name(header.source_name, table.source_name);
+    header.profile_offset = layout.profile_offset;
+    header.profile_bytes = table.profile_toml.size();
+    header.report_offset = layout.report_offset;
+    header.report_bytes = table.report_json.size();
+    header.heights_offset = layout.heights_offset;
+    header.r_left_offset = layout.r_left_offset;
+    header.r_right_offset = layout.r_right_offset;
+
+    std::vector<std::byte> blob(layout.total_bytes);
+    std::memcpy(blob.data(), &header, sizeof header);
+    copy_part(blob, layout.profile_offset, table.profile_toml);
+    copy_part(blob, layout.report_offset, table.report_json);
+    copy_part(blob, layout.heights_offset, table.layer_height_pulses);
+    copy_part(blob, layout.r_left_offset, table.r_left_pulses);
+    copy_part(blob, layout.r_right_offset, table.r_right_pulses);
+    return blob;
+}
+
+}  // namespace psicarve

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <type_traits>
+
+#include "shared/profile_table.hpp"
+
+#define TOML_EXCEPTIONS 0  // errors are values; what is left of exceptions ends in this file
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+namespace psicarve {
+namespace {
+
+using namespace profile_detail;  // NOLINT(google-build-using-namespace): this is one of its source files
+
+constexpr std::size_t kQuotedBytes = 60;  // of foreign text in a message
+
+/// Foreign text made fit for one line of a message.
+std::string printable(std::string_view text, std::size_t most = kQuotedBytes) {
+    std::string result;
+    for (const char c : text.substr(0, most)) {
+        const auto byte = static_cast<unsigned char>(c);
+        result += byte < 0x20 || byte == 0x7f ? '?' : c;
+    }
+    return text.size() > most ? result + "..." : result;
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t above = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            diagonal = above;
+        }
+    }
+    return row[b.size()];
+}
+
+/// The known key that looks most like `path`: in its own table first, then under its own name elsewhere.
+std::string suggestion_for(const std::string& path) {
+    constexpr std::size_t kLongestGuess = 80;
+    if (path.size() > kLongestGuess) return "see profile show for all keys";
+    const KeySpec* best = nullptr;
+    double best_distance = std::numeric_limits<double>::max();
+    for (const KeySpec& key : key_table()) {
+        const auto leaf = static_cast<double>(edit_distance(leaf_of(path), leaf_of(key.path)));
+        const auto table = static_cast<double>(edit_distance(table_of(path), table_of(key.path)));
+        // The name weighs more than the table it was put into.
+        const double distance = 2.0 * leaf + std::min(table, 3.0);
+        if (distance < best_distance) {
+            best_distance = distance;
+            best = &key;
+        }
+    }
+    return "did you mean " + best->path + "?";
+}
+
+bool is_table_path(const std::string& path) {
+    return std::any_of(key_table().begin(), key_table().end(),
+                       [&](const KeySpec& key) { return key.path.starts_with(path + "."); });
+}
+
+const char* type_name(const toml::node& node) {
+    switch (node.type()) {
+        case toml::node_type::table:
+            return "a table";
+        case toml::node_type::array:
+            return "an array";
+        case toml::node_type::string:
+            return "a string";
+        case toml::node_type::integer:
+            return "a whole number";
+        case toml::node_type::floating_point:
+            return "a number with a fraction";
+        case toml::node_type::boolean:
+            return "true or false";
+        case toml::node_type::none:
+            break;
+        default:
+            return "a date or time";
+    }
+    return "nothing";
+}
+
+/// Reads one profile: every problem with its line, so that the first in the file can be told.
+class Reader {
+public:
+    Result<Profile> read(std::string_view text, std::string_view file_name);
+
+private:
+    struct Found {
+        std::int64_t line;
+        Problem problem;
+    };
+    void read_table(const toml::table& table, const std::string& prefix);
+    void read_node(const std::string& path, const toml::node& node);
+    void note(std::int64_t line, const std::string& key, std::string text);
+    Error error_at(std::int64_t line, const std::string& text) const;
+
+    /// What is wrong with the value, or nothing: then it stands in the profile.
+    static std::string store(const KeySpec& key, const toml::node& node, Profile& profile);
+    Found locate(Problem problem) const;
+
+    Profile profile_;
+    std::string file_name_;
+    std::vector<Found> found_;
+    std::map<std::string, std::int64_t> lines_;
+};
+
+void Reader::note(std::int64_t line, const std::string& key, std::string text) {
+    found_.push_back({line, {key, {}, std::move(text)}});
+}
+
+Error Reader::error_at(std::int64_t line, const std::string& text) const {
+    return bad_input(file_name_ + ":" + std::to_string(std::max<std::int64_t>(line, 1)) + ": " + text);
+}
+
+void Reader::read_table(const toml::table& table, const std::string& prefix) {
+    for (const auto& [key, node] : table) {
+        const std::string_view name = key.str();
+        const std::int64_t line = key.source().begin.line;
+        const std::string path = prefix + std::string(name);
+        const bool quoted_dot = name.find('.') != std::string_view::npos;  // "a.b" = 1 is not a.b = 1
+        if (!quoted_dot && find_key(path) != nullptr) {
+            lines_[path] = line;
+            read_node(path, node);
+        } else if (!quoted_dot && is_table_path(path)) {
+            if (const toml::table* inner = node.as_table()) {
+                read_table(*inner, path + ".");
+            } else {
+                note(line, path,
+                     std::string(type_name(node)) + " where the table [" + path +
+                         "] is expected; put its keys below [" + path + "]");
+            }
+        } else {
+            note(line, printable(path), "unknown key; " + suggestion_for(path));
+        }
+    }
+}
+
+void Reader::read_node(const std::string& path, const toml::node& node) {
+    std::string problem = store(*find_key(path), node, profile_);
+    if (!problem.empty()) note(node.source().begin.line, path, std::move(problem));
+}
+
+/// A number of any kind within the key's bounds, or what is wrong.
+std::string number_problem(const KeySpec& key, double value) {
+    const std::string unit = key.unit.empty() || key.unit == "pin" ? "" : " " + key.unit;
+    if (!std::isfinite(value)) return number_text(value) + " is no number to work with; give a finite one";
+    if (value < key.bounds.least || value > key.bounds.greatest) {
+        return number_text(value) + unit + " is impossible; give a value from " +
+               number_text(key.bounds.least) + " to " + number_text(key.bounds.greatest) + unit;
+    }
+    return {};
+}
+
+std::string wrong_type(const toml::node& node, const char* wanted) {
+    return std::string(type_name(node)) + " where " + wanted + " is expected; correct the value";
+}
+
+std::string store_real(const KeySpec& key, const toml::node& node, double& field) {
+    double value = 0.0;
+    if (const auto* real = node.as_floating_point()) {
+        value = real->get();
+    } else if (const auto* integer = node.as_integer()) {
+        value = static_cast<double>(integer->get());
+    } else {
+        return wrong_type(node, "a number");
+    }
+    std::string problem = number_problem(key, value);
+    if (problem.empty()) field = value + 0.0;  // -0.0 becomes 0.0
+    return problem;
+}
+
+template <typename Integer>
+std::string store_integer(const KeySpec& key, const toml::node& node, Integer& field) {
+    const auto* integer = node.as_integer();
+    if (integer == nullptr) return wrong_type(node, "a whole number");
+    std::string problem = number_problem(key, static_cast<double>(integer->get()));
+    if (problem.empty()) field = static_cast<Integer>(integer->get());
+    return problem;
+}
+
+std::string store_text(const KeySpec& key, const toml::node& node, std::string& field) {
+    const auto* text = node.as_string();
+    if (text == nullptr) return wrong_type(node, "a string");
+    const std::string& value = text->get();
+    const auto length = static_cast<double>(value.size());
+    if (length < key.bounds.least || length > key.bounds.greatest) {
+        return "a text of " + std::to_string(value.size()) + " bytes; give " + bounds_text(key);
+    }
+    if (printable(value, value.size()) != value) return "a control character in the text; remove it";
+    field = value;
+    return {};
+}
+
+std::string store_range(const KeySpec& key, const toml::node& node, std::array<double, 2>& field) {
+    const auto* pair = node.as_array();
+    if (pair == nullptr || pair->size() != 2) return wrong_type(node, "an array of two numbers");
+    for (std::size_t i = 0; i < 2; ++i) {
+        std::string problem = store_real(key, (*pair)[i], field[i]);
+        if (!problem.empty()) return problem;
+    }
+    return {};
+}
+
+template <typename T>
+std::string store_word(const KeySpec& key, const toml::node& node, T& field) {
+    const auto* text = node.as_string();
+    if (text == nullptr) return wrong_type(node, bounds_text(key).c_str());
+    for (const Word& word : key.words) {
+        if (word.text != text->get()) continue;
+        field = static_cast<T>(word.value);
+        return {};
+    }
+    return "\"" + printable(text->get()) + "\" is not possible here; give " + bounds_text(key);
+}
+
+std::string Reader::store(const KeySpec& key, const toml::node& node, Profile& profile) {
+    return std::visit(
+        [&](auto* field) -> std::string {
+            using T = std::remove_cvref_t<decltype(*field)>;
+            if constexpr (std::is_same_v<T, double>)
+                return store_real(key, node, *field);
+            else if constexpr (std::is_same_v<T, std::string>)
+                return store_text(key, node, *field);
+            else if constexpr (std::is_same_v<T, std::array<double, 2>>)
+                return store_range(key, node, *field);
+            else if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool>)
+                return store_word(key, node, *field);
+            else
+                return store_integer(key, node, *field);
+        },
+        key.field(profile));
+}
+
+Reader::Found Reader::locate(Problem problem) const {
+    std::vector<std::string> keys{problem.key};
+    keys.insert(keys.end(), problem.also.begin(), problem.also.end());
+    std::int64_t line = 0;
+    for (const std::string& key : keys) {
+        const auto given = lines_.find(key);
+        if (given == lines_.end() || given->second <= line) continue;
+        line = given->second;
+        if (!problem.blame_later) break;
+        problem.key = key;
+    }
+    return {line, std::move(problem)};
+}
+
+Result<Profile> Reader::read(std::string_view text, std::string_view file_name) {
+    file_name_ = printable(file_name, 4096);
+    if (text.size() > kProfileTextBytes) {
+        return error_at(1, "the profile is " + std::to_string(text.size()) + " bytes long; the most is " +
+                               std::to_string(kProfileTextBytes));
+    }
+    const toml::parse_result parsed = toml::parse(text);
+    if (!parsed) {
+        const toml::parse_error& error = parsed.error();
+        return error_at(error.source().begin.line,
+                        "this is not TOML: " + printable(error.description(), 200) + "; correct the line");
+    }
+    read_table(parsed.table(), "");
+    if (found_.empty()) {
+        if (auto problem = check_profile(profile_)) found_.push_back(locate(*std::move(problem)));
+    }
+    if (found_.empty()) return std::move(profile_);
+    const auto first = std::min_element(found_.begin(), found_.end(),
+                                        [](const Found& a, const Found& b) { return a.line < b.line; });
+    return error_at(first->line, first->problem.key + ": " + first->problem.text);
+}
+
+}  // namespace
+
+Result<Profile> parse_profile(std::string_view toml, std::string_view file_name) {
+    return Reader{}.read(toml, file_name);
+}
+
+Result<Profile> load_profile(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return bad_input(path + ": the profile cannot be opened; check the name and its permissions");
+    // One byte more than allowed is enough to be refused; /dev/zero ends too.
+    std::string text(kProfileTextBytes + 1, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (file.bad()) return bad_input(path + ": the profile cannot be read; check the file");
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    return parse_profile(text, path);
+}
+
+}  // namespace psicarve

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/profile_table.hpp"
+
+#include <utility>
+
+namespace psicarve::profile_detail {
+namespace {
+
+constexpr bool kMotion = true;
+constexpr bool kNoMotion = false;  // a job made for another value runs all the same
+
+template <typename T>
+constexpr std::uint8_t number_of(T value) noexcept {
+    return static_cast<std::uint8_t>(value);
+}
+
+const std::vector<Word> kLevelWords{{"high", 1}, {"low", 0}};
+const std::vector<Word> kScheduleWords{{"single", number_of(Schedule::single)},
+                                       {"two-timer", number_of(Schedule::two_timer)}};
+const std::vector<Word> kPlannerWords{{"lookahead", number_of(Planner::lookahead)},
+                                      {"angle", number_of(Planner::angle)}};
+const std::vector<Word> kJoiningWords{{"continuous", number_of(Joining::continuous)},
+                                      {"zigzag", number_of(Joining::zigzag)}};
+const std::vector<Word> kLinearHomeWords{{"min", number_of(HomeSensor::min)},
+                                         {"max", number_of(HomeSensor::max)},
+                                         {"none", number_of(HomeSensor::none)}};
+const std::vector<Word> kRotaryHomeWords{{"index", number_of(HomeSensor::index)},
+                                         {"none", number_of(HomeSensor::none)}};
+
+/// Collects keys; `part` reaches from the profile to the struct that holds them.
+template <typename Part>
+class TableSection {
+public:
+    TableSection(std::vector<KeySpec>& keys, std::string table, std::function<Part&(Profile&)> part)
+        : keys_(keys), table_(std::move(table)), part_(std::move(part)) {}
+
+    template <typename Member>
+    void number(Member Part::*member, const char* leaf, const char* unit, Bounds bounds, bool motion,
+                const char* explanation) {
+        add(member, leaf, unit, bounds, {}, motion, explanation);
+    }
+    template <typename Member>
+    void word(Member Part::*member, const char* leaf, const std::vector<Word>& words, bool motion,
+              const char* explanation) {
+        add(member, leaf, "", {}, words, motion, explanation);
+    }
+
+private:
+    template <typename Member>
+    void add(Member Part::*member, const char* leaf, const char* unit, Bounds bounds,
+             const std::vector<Word>& words, bool motion, const char* explanation) {
+        auto field = [part = part_, member](Profile& profile) -> Field { return &(part(profile).*member); };
+        keys_.push_back({table_.empty() ? leaf : table_ + "." + leaf, unit, bounds, words, explanation,
+                         motion, std::move(field)});
+    }
+
+    std::vector<KeySpec>& keys_;
+    std::string table_;
+    std::function<Part&(Profile&)> part_;
+};
+
+void add_top(std::vector<KeySpec>& keys) {
+    TableSection<Profile> top(keys, "", [](Profile& p) -> Profile& { return p; });
+    top.number(&Profile::name, "name", "", {1, 64}, kNoMotion, "Name of the machine, for people.");
+    top.number(&Profile::core_radius_mm, "core_radius_mm", "mm", {0, 1000}, kMotion,
+               "Nothing is carved closer to the axis.");
+    top.number(&Profile::head_clearance_mm, "head_clearance_mm", "mm", {0, 1000}, kMotion,
+               "Least distance between the two tool tips.");
+}
+
+void add_tick(std::vector<KeySpec>& keys) {
+    TableSection<TickProfile> tick(keys, "tick", [](Profile& p) -> TickProfile& { return p.tick; });
+    tick.number(&TickProfile::period_us, "period_us", "us", {1, 10'000}, kMotion,
+                "Period of the core's base tick; pins change only at ticks.");
+    tick.word(&TickProfile::schedule, "schedule", kScheduleWords, kMotion,
+              "One timer for everything, or the original's two.");
+    tick.number(&TickProfile::interpolation_us, "interpolation_us", "us", {1, 100'000}, kMotion,
+                "Schedule two-timer: period of the interpolation.");
+    tick.number(&TickProfile::io_us, "io_us", "us", {1, 100'000}, kMotion,
+                "Schedule two-timer: period of inputs and pulses, at most one pulse in each.");
+    tick.number(&TickProfile::missed_alarm_per_s, "missed_alarm_per_s", "ticks/s", {0, 1'000'000}, kNoMotion,
+                "Controlled stop above this many missed ticks a second; 0: never.");
+}
+
+void add_linear_axis(std::vector<KeySpec>& keys, const char* table,
+                     std::function<LinearAxisProfile&(Profile&)> part) {
+    using A = LinearAxisProfile;
+    TableSection<A> axis(keys, table, std::move(part));
+    axis.number(&A::pulses_per_mm, "pulses_per_mm", "pulses/mm", {0.1, 100'000}, kMotion,
+                "Motor pulses for one millimetre.");
+    axis.number(&A::travel_mm, "travel_mm", "mm", {-10'000, 10'000}, kMotion, "Lowest and highest position.");
+    axis.number(&A::speed_mm_s, "speed_mm_s", "mm/s", {0.001, 10'000}, kMotion,
+                "Top speed that the motor follows (v_k).");
+    axis.number(&A::accel_mm_s2, "accel_mm_s2", "mm/s^2", {0.001, 1'000'000}, kMotion,
+                "Acceleration that the motor follows (a_k).");
+    axis.number(&A::start_stop_mm_s, "start_stop_mm_s", "mm/s", {0.0001, 10'000}, kMotion,
+                "Pull-in speed: what the motor may jump to from rest (j_k).");
+    axis.word(&A::positive_is_high, "positive", kLevelWords, kMotion,
+              "Level of the direction pin that means positive.");
+    axis.word(&A::home, "home", kLinearHomeWords, kMotion, "End at which the limit sensor stands.");
+    axis.number(&A::home_position_mm, "home_position_mm", "mm", {-10'000, 10'000}, kMotion,
+                "Position at the sensor's edge.");
+    axis.number(&A::home_speed_mm_s, "home_speed_mm_s", "mm/s", {0.001, 10'000}, kNoMotion,
+                "Speed of homing and of backing off.");
+    axis.number(&A::overtravel_mm, "overtravel_mm", "mm", {0, 100}, kNoMotion,
+                "How far past the sensor the mechanics allow.");
+    axis.number(&A::backlash_mm, "backlash_mm", "mm", {0, 10}, kMotion,
+                "Play that a reversal takes up before the axis moves.");
+    axis.number(&A::tip_offset_mm, "tip_offset_mm", "mm", {-100, 100}, kMotion,
+                "Touch-off: the real tip stands this much further out than counted.");
+}
+
+void add_rotary_axis(std::vector<KeySpec>& keys) {
+    using A = RotaryAxisProfile;
+    TableSection<A> psi(keys, "axis.psi", [](Profile& p) -> A& { return p.psi; });
+    psi.number(&A::pulses_per_rev, "pulses_per_rev", "pulses", {2, 100'000'000}, kMotion,
+               "Motor pulses for one turn of the table; even.");
+    psi.number(&A::speed_deg_s, "speed_deg_s", "deg/s", {0.001, 100'000}, kMotion,
+               "Top speed that the motor follows (v_k).");
+    psi.number(&A::accel_deg_s2, "accel_deg_s2", "deg/s^2", {0.001, 10'000'000}, kMotion,
+               "Acceleration that the motor follows (a_k).");
+    psi.number(&A::start_stop_deg_s, "start_stop_deg_s", "deg/s", {0.0001, 100'000}, kMotion,
+               "Pull-in speed: what the motor may jump to from rest (j_k).");
+    psi.word(&A::positive_is_high, "positive", kLevelWords, kMotion,
+             "Level of the direction pin that means positive.");
+    psi.word(&A::home, "home", kRotaryHomeWords, kMotion, "Whether the table has an index sensor.");
+    psi.number(&A::home_position_deg, "home_position_deg", "deg", {-360, 360}, kMotion,
+               "Position at the index.");
+    psi.number(&A::home_speed_deg_s, "home_speed_deg_s", "deg/s", {0.001, 100'000}, kNoMotion,
+               "Speed of homing.");
+    psi.number(&A::index_tolerance_pulses, "index_tolerance_pulses", "pulses", {0, 1'000'000}, kNoMotion,
+               "Greatest difference at an index pass that is not the alarm steps lost.");
+    psi.number(&A::backlash_deg, "backlash_deg", "deg", {0, 10}, kMotion,
+               "Play that a reversal takes up before the table turns.");
+}
+
+void add_head_and_job(std::vector<KeySpec>& keys) {
+    TableSection<Profile> head(keys, "head.r2", [](Profile& p) -> Profile& { return p; });
+    head.number(&Profile::head_r2_angle_error_deg, "angle_error_deg", "deg", {-45, 45}, kMotion,
+                "Direction of R2 minus 180 degrees, measured once.");
+    head.number(&Profile::head_r2_height_error_mm, "height_error_mm", "mm", {-100, 100}, kMotion,
+                "How much higher R2 stands than R1, measured once.");
+
+    using J = JobProfile;
+    TableSection<J> job(keys, "job", [](Profile& p) -> J& { return p.job; });
+    job.number(&J::feed_mm_s, "feed_mm_s", "mm/s", {0.001, 10'000}, kNoMotion,
+               "Tool over surface; a job carries its own.");
+    job.number(&J::plunge_mm_s, "plunge_mm_s", "mm/s", {0.001, 10'000}, kMotion,
+               "A head moving in to its first point.");
+    job.number(&J::clearance_mm, "clearance_mm", "mm", {0, 1000}, kMotion,
+               "Positioning keeps the heads this far outside the blank.");
+    job.number(&J::retract_mm, "retract_mm", "mm", {0, 1000}, kMotion,
+               "Heads move out this far after the last point and on stop.");
+    job.number(&J::spindle_spinup_s, "spindle_spinup_s", "s", {0, 600}, kNoMotion,
+               "Wait from spindle on to the first move inwards.");
+    job.number(&J::base_height_mm, "base_height_mm", "mm", {-10'000, 10'000}, kNoMotion,
+               "Lowest point of the model above the table; baked into a job's heights.");
+    job.word(&J::planner, "planner", kPlannerWords, kMotion,
+             "As fast as every motor can follow, or the original's acceleration segments.");
+    job.number(&J::corner_deg, "corner_deg", "deg", {0.001, 180}, kMotion,
+               "Planner angle: directions that differ by less belong to one segment.");
+    job.number(&J::path_tolerance_mm, "path_tolerance_mm", "mm", {0.000001, 10}, kMotion,
+               "Between two points the path may leave the straight line by this.");
+    job.word(
+        &J::joining, "joining", kJoiningWords, kNoMotion,
+        "Whether the table keeps turning from layer to layer or runs to and fro; a job carries its own.");
+}
+
+void add_port(std::vector<KeySpec>& keys) {
+    using P = PortProfile;
+    TableSection<P> port(keys, "port", [](Profile& p) -> P& { return p.port; });
+    constexpr Bounds kTime{0, 10'000'000};
+    port.number(&P::dir_setup_ns, "dir_setup_ns", "ns", kTime, kMotion,
+                "Direction stands at least this long before a step's edge.");
+    port.number(&P::dir_hold_ns, "dir_hold_ns", "ns", kTime, kMotion,
+                "Direction stands at least this long after a step's edge.");
+    port.number(&P::step_high_ns, "step_high_ns", "ns", {1, kTime.greatest}, kMotion,
+                "A step pulse lasts at least this long.");
+    port.number(&P::step_low_ns, "step_low_ns", "ns", {1, kTime.greatest}, kMotion,
+                "The gap between two step pulses lasts at least this long.");
+    port.number(&P::input_filter_us, "input_filter_us", "us", {0, 100'000}, kNoMotion,
+                "A sensor counts once it has stood this long; the emergency stop is never filtered.");
+}
+
+std::string pin_explanation(Signal signal) {
+    return is_output(signal) ? "Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low."
+                             : "Input pin 10..13 or 15; 0: not wired; minus: active low.";
+}
+
+void add_pins(std::vector<KeySpec>& keys) {
+    using enum Signal;  // the order of the listing in the machine's description
+    constexpr std::array kOrder{r1_step,  r1_dir,  r1_enable,  r2_step,   r2_dir,   r2_enable,
+                                psi_step, psi_dir, psi_enable, y_step,    y_dir,    y_enable,
+                                spindle,  y_limit, r2_limit,   psi_index, r1_limit, estop};
+    static_assert(kOrder.size() == kSignalCount);
+    for (const Signal signal : kOrder) {
+        auto field = [signal](Profile& profile) -> Field { return &profile.port.pins[index_of(signal)]; };
+        keys.push_back({"port.pins." + std::string(name_of(signal)),
+                        "pin",
+                        {-17, 17},
+                        {},
+                        pin_explanation(signal),
+                        kNoMotion,
+                        field});
+    }
+}
+
+std::vector<KeySpec> make_table() {
+    std::vector<KeySpec> keys;
+    add_top(keys);
+    add_tick(keys);
+    add_linear_axis(keys, "axis.r1", [](Profile& p) -> LinearAxisProfile& { return p.r1; });
+    add_linear_axis(keys, "axis.r2", [](Profile& p) -> LinearAxisProfile& { return p.r2; });
+    add_rotary_axis(keys);
+    add_linear_axis(keys, "axis.y", [](Profile& p) -> LinearAxisProfile& { return p.y; });
+    add_head_and_job(keys);
+    add_port(keys);
+    add_pins(keys);
+    return keys;
+}
+
+}  // namespace
+
+const std::vector<KeySpec>& key_table() {
+    static const std::vector<KeySpec> table = make_table();
+    return table;
+}
+
+const KeySpec* find_key(std::string_view path) {
+    for (const KeySpec& key : key_table()) {
+        if (key.path == path) return &key;
+    }
+    return nullptr;
+}
+
+Field field_of(const KeySpec& key, const Profile& profile) {
+    // The accessors only form addresses; this one's callers only read.
+    return key.field(const_cast<Profile&>(profile));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+}
+
+std::string_view table_of(std::string_view path) noexcept {
+    const std::size_t dot = path.rfind('.');
+    return dot == std::string_view::npos ? std::string_view{} : path.substr(0, dot);
+}
+
+std::string_view leaf_of(std::string_view path) noexcept {
+    const std::size_t dot = path.rfind('.');
+    return dot == std::string_view::npos ? path : path.substr(dot + 1);
+}
+
+}  // namespace psicarve::profile_detail

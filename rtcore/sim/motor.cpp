@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/sim/motor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/units.hpp"
+
+namespace psicarve::sim {
+
+Motor::Motor(const MotorConfig& config, std::int64_t start_pulses) noexcept
+    : config_(config),
+      spring_s_(std::sqrt(2.0 * config.slip_pulses / config.accel_pps2) / 4.0),
+      settle_ns_(static_cast<std::int64_t>(std::max(8.0 * spring_s_, 2.0 / config.start_stop_pps) *
+                                           static_cast<double>(kNsPerS))),
+      field_pulses_(start_pulses),
+      rotor_pulses_(static_cast<double>(start_pulses)) {}
+
+Motor::Outcome Motor::pulse(int sign, std::int64_t time_ns) noexcept {
+    if (!at_rest_ && time_ns - last_ns_ > settle_ns_) settle();
+    follow(sign, time_ns);
+    if (out_of_step_) {
+        if (std::abs(field_pps_) > config_.start_stop_pps) return Outcome::lost;
+        out_of_step_ = false;
+    }
+    field_pulses_ += sign;
+    if (std::abs(static_cast<double>(field_pulses_) - rotor_pulses_) <= config_.slip_pulses) {
+        return Outcome::followed;
+    }
+    fall_out_of_step(rotor_pulses_);
+    return Outcome::fell_out_of_step;
+}
+
+void Motor::follow(int sign, std::int64_t time_ns) noexcept {
+    const double dt_s = seconds_from_ns(time_ns - last_ns_);
+    last_ns_ = time_ns;
+    if (at_rest_ || dt_s <= 0.0) {
+        at_rest_ = false;
+        return;
+    }
+    const double pulse = sign;
+    if (speed_known_) {
+        field_pps_ += (pulse - field_pps_ * dt_s) / (spring_s_ / 2.0 + dt_s);
+    } else {
+        field_pps_ = pulse / dt_s;
+        speed_known_ = true;
+    }
+    if (out_of_step_) return;
+
+    // The field jumps a pulse at this edge: half-way is where an even motion would be now.
+    const double aim_pulses = static_cast<double>(field_pulses_) + 0.5 * pulse;
+    const double spring_s = std::max(spring_s_, 2.0 * dt_s);
+    const double lag_pulses = aim_pulses - (rotor_pulses_ + rotor_pps_ * dt_s);
+    const double wanted_pps2 =
+        lag_pulses / (spring_s * spring_s) + 2.0 * (field_pps_ - rotor_pps_) / spring_s;
+
+    const double gain_pps = config_.accel_pps2 * dt_s;
+    double lowest_pps = rotor_pps_ - gain_pps;
+    double highest_pps = rotor_pps_ + gain_pps;
+    // Anything between the two start-stop speeds is free, once the rotor has come down to them.
+    if (lowest_pps < config_.start_stop_pps) lowest_pps = std::min(lowest_pps, -config_.start_stop_pps);
+    if (highest_pps > -config_.start_stop_pps) highest_pps = std::max(highest_pps, config_.start_stop_pps);
+    lowest_pps = std::max(lowest_pps, -config_.speed_pps);
+    highest_pps = std::min(highest_pps, config_.speed_pps);
+
+    const double next_pps = std::clamp(rotor_pps_ + wanted_pps2 * dt_s, lowest_pps, highest_pps);
+    const bool is_jump = std::abs(next_pps - rotor_pps_) > gain_pps;
+    rotor_pulses_ += (is_jump ? next_pps : 0.5 * (rotor_pps_ + next_pps)) * dt_s;
+    rotor_pps_ = next_pps;
+}
+
+bool Motor::settle() noexcept {
+    const double excess_pps = std::abs(rotor_pps_) - config_.start_stop_pps;
+    double rest_pulses = rotor_pulses_;
+    if (!out_of_step_ && excess_pps > 0.0) {
+        const double run_out_pulses =
+            excess_pps * (excess_pps + 2.0 * config_.start_stop_pps) / (2.0 * config_.accel_pps2);
+        rest_pulses += rotor_pps_ > 0.0 ? run_out_pulses : -run_out_pulses;
+    }
+    const bool ran_past = std::abs(rest_pulses - static_cast<double>(field_pulses_)) > config_.slip_pulses;
+    if (ran_past) fall_out_of_step(rest_pulses);
+    put(field_pulses_);
+    return ran_past;
+}
+
+void Motor::put(std::int64_t pulses) noexcept {
+    field_pulses_ = pulses;
+    rotor_pulses_ = static_cast<double>(pulses);
+    rotor_pps_ = 0.0;
+    field_pps_ = 0.0;
+    at_rest_ = true;
+    speed_known_ = false;
+    out_of_step_ = false;
+}
+
+void Motor::fall_out_of_step(double rotor_pulses) noexcept {
+    const std::int64_t rotor = round_to_pulse(rotor_pulses);
+    slipped_pulses_ = static_cast<std::uint64_t>(std::abs(field_pulses_ - rotor));
+    field_pulses_ = rotor;
+    rotor_pulses_ = static_cast<double>(rotor);
+    rotor_pps_ = 0.0;
+    out_of_step_ = true;
+}
+
+}  // namespace psicarve::sim

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "rtcore/sim/sim_config.hpp"
+
+namespace psicarve::sim {
+
+/// A stepper motor that loses steps when it is asked for more than it can.
+///
+/// The pulses move the *field*; the *rotor* follows it with bounded speed and acceleration. Within +-
+/// start_stop_pps it may take any speed at once (what a stepper can jump to from rest or from rest's other
+/// side). Towards the field it is driven like a saturated spring and damper: with T = sqrt(2*slip/accel)/4
+/// the wanted acceleration is lag/T^2 + 2*(field speed - rotor speed)/T, cut to +-accel, the field's speed
+/// being the pulses filtered over T/2. So the spring saturates at an eighth of the slip, far above the pulse
+/// or so that quantised ticks put into the count, and a demand within the limits never builds up more lag
+/// than a few pulses. When the lag exceeds slip_pulses the rotor falls out of step and stands still; pulses
+/// are lost until the field is no faster than start_stop_pps, or has rested: then it pulls in where it is.
+///
+/// Work is done at step edges alone; between them nothing is simulated. RT: yes.
+class Motor {
+public:
+    Motor(const MotorConfig& config, std::int64_t start_pulses) noexcept;
+
+    enum class Outcome : std::uint8_t { followed, fell_out_of_step, lost };
+    /// One pulse towards `sign` (+1 or -1) at `time_ns`, which never goes back.
+    Outcome pulse(int sign, std::int64_t time_ns) noexcept;
+    /// Takes back the pulse just followed: its timing turned out to be wrong.
+    void take_back(int sign) noexcept { field_pulses_ -= sign; }
+
+    /// No pulse has come for settle_ns(): the rotor comes to rest. True when it could not stop with the
+    /// field and ran past it by more than the slip (counts as falling out of step).
+    bool settle() noexcept;
+    std::int64_t settle_ns() const noexcept { return settle_ns_; }
+
+    /// The drive was switched off: a rotor faster than start-stop coasts to rest. True when it ran past.
+    bool release() noexcept { return settle(); }
+    /// It stands here now, at rest: a mechanical stop, or a slip.
+    void put(std::int64_t pulses) noexcept;
+
+    /// Where the motor is, in whole pulses.
+    std::int64_t position_pulses() const noexcept { return field_pulses_; }
+    /// How far count and rotor were apart when it last fell out of step.
+    std::uint64_t slipped_pulses() const noexcept { return slipped_pulses_; }
+
+private:
+    void follow(int sign, std::int64_t time_ns) noexcept;
+    void fall_out_of_step(double rotor_pulses) noexcept;
+
+    MotorConfig config_;
+    double spring_s_;  ///< T
+    std::int64_t settle_ns_;
+    std::int64_t field_pulses_;
+    double rotor_pulses_;
+    double rotor_pps_ = 0.0;
+    double field_pps_ = 0.0;  ///< filtered
+    std::int64_t last_ns_ = 0;
+    std::uint64_t slipped_pulses_ = 0;
+    bool at_rest_ = true;       ///< no pulse since it settled
+    bool speed_known_ = false;  ///< two pulses since it settled
+    bool out_of_step_ = false;
+};
+
+}  // namespace psicarve::sim

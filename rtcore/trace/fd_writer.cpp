@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/trace/fd_writer.hpp"
+
+#include <fcntl.h>
+#include <pthread.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+#include <utility>
+
+namespace psicarve::trace {
+namespace {
+
+/// Keeps SIGPIPE from this thread while it writes to a pipe, whatever the program does about signals.
+class NoPipeSignal {
+public:
+    NoPipeSignal() noexcept {
+        sigemptyset(&pipe_signal_);
+        sigaddset(&pipe_signal_, SIGPIPE);
+        sigset_t pending;
+        sigpending(&pending);
+        was_pending_ = sigismember(&pending, SIGPIPE) == 1;
+        pthread_sigmask(SIG_BLOCK, &pipe_signal_, &mask_before_);
+    }
+    ~NoPipeSignal() {
+        const timespec at_once{};
+        if (!was_pending_) {
+            while (sigtimedwait(&pipe_signal_, nullptr, &at_once) < 0 && errno == EINTR) {
+            }
+        }
+        pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
+    }
+    NoPipeSignal(const NoPipeSignal&) = delete;
+    NoPipeSignal& operator=(const NoPipeSignal&) = delete;
+
+private:
+    sigset_t pipe_signal_;
+    sigset_t mask_before_;
+    bool was_pending_;
+};
+
+Error cannot_open(const std::string& name, const std::string& why) {
+    return bad_input("trace " + name + ": " + why);
+}
+
+std::string words_for(int error) {
+    return std::generic_category().message(error);
+}
+
+Result<int> open_inherited(const std::string& path) {
+    int fd = -1;
+    const char* const end = path.data() + path.size();
+    const auto [stopped, error] = std::from_chars(path.data() + 3, end, fd);
+    if (error != std::errc{} || stopped != end || fd < 0) {
+        return Error{ErrorCode::bad_usage,
+                     "trace " + path + ": write fd:N, N being an open descriptor's number"};
+    }
+    const int flags = fcntl(fd, F_GETFL);
+    if (flags < 0) return cannot_open(path, words_for(errno));
+    if ((flags & O_ACCMODE) == O_RDONLY) return cannot_open(path, "it is open for reading only");
+    if (fcntl(fd, F_SETFD, FD_CLOEXEC) < 0) return cannot_open(path, words_for(errno));
+    return fd;
+}
+
+Result<int> open_any(const std::string& path) {
+    if (path.starts_with("fd:")) return open_inherited(path);
+    const int fd = path == "-"
+                       ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3)
+                       : ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (fd >= 0) return fd;
+    if (errno == ELOOP) return cannot_open(path, "it is a symbolic link; name the file itself");
+    return cannot_open(path, words_for(errno));
+}
+
+}  // namespace
+
+Result<FdWriter> FdWriter::open(const std::string& path) {
+    const Result<int> fd = open_any(path);
+    if (!fd) return fd.error();
+    return FdWriter{*fd, path};
+}
+
+FdWriter::FdWriter(int fd, std::string name)
+    : fd_(fd), name_(std::move(name)), buffer_(std::make_unique<std::uint8_t[]>(kBufferBytes)) {
+    struct stat status {};
+    may_break_ = fstat(fd, &status) != 0 || S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode);
+}
+
+FdWriter::FdWriter(FdWriter&& other) noexcept
+    : fd_(std::exchange(other.fd_, -1)),
+      may_break_(other.may_break_),
+      failed_errno_(other.failed_errno_),
+      error_taken_(other.error_taken_),
+      name_(std::move(other.name_)),
+      buffer_(std::move(other.buffer_)),
+      used_(std::exchange(other.used_, 0)) {}
+
+FdWriter::~FdWriter() {
+    if (fd_ < 0) return;
+    flush();
+    ::close(fd_);
+}
+
+void FdWriter::write(std::string_view text) noexcept {
+    while (!text.empty()) {
+        const std::size_t count = std::min(text.size(), kLongestPiece);
+        std::uint8_t* const place = room(count);
+        std::memcpy(place, text.data(), count);
+        commit(place + count);
+        text.remove_prefix(count);
+    }
+}
+
+void FdWriter::flush() noexcept {
+    const std::size_t count = std::exchange(used_, 0);
+    if (count == 0 || failed_errno_ != 0) return;
+    if (may_break_) {
+        const NoPipeSignal no_signal;
+        write_out(buffer_.get(), count);
+    } else {
+        write_out(buffer_.get(), count);
+    }
+}
+
+void FdWriter::write_out(const std::uint8_t* bytes, std::size_t count) noexcept {
+    while (count > 0) {
+        const ssize_t written = ::write(fd_, bytes, count);
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) {
+            failed_errno_ = written < 0 ? errno : EIO;
+            return;
+        }
+        bytes += written;
+        count -= static_cast<std::size_t>(written);
+    }
+}
+
+std::optional<Error> FdWriter::take_error() {
+    if (failed_errno_ == 0 || error_taken_) return std::nullopt;
+    error_taken_ = true;
+    const bool is_full = failed_errno_ == ENOSPC || failed_errno_ == EDQUOT || failed_errno_ == EFBIG;
+    return Error{is_full ? ErrorCode::out_of_room : ErrorCode::bad_input,
+                 "trace " + name_ + ": " + words_for(failed_errno_) + "; the trace ends here"};
+}
+
+}  // namespace psicarve::trace

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/trace/trace_writer.hpp"
+
+#include <utility>
+
+#include "rtcore/trace/binary_writer.hpp"
+#include "rtcore/trace/fd_writer.hpp"
+#include "rtcore/trace/vcd_writer.hpp"
+
+namespace psicarve::trace {
+
+Result<std::unique_ptr<TraceWriter>> open_trace(const std::string& path, const TraceStart& start) {
+    Result<FdWriter> out = FdWriter::open(path);
+    if (!out) return out.error();
+    std::unique_ptr<TraceWriter> writer;
+    if (path.ends_with(".vcd")) {
+        writer = std::make_unique<VcdWriter>(std::move(*out), start);
+    } else {
+        writer = std::make_unique<BinaryWriter>(std::move(*out), start);
+    }
+    return writer;
+}
+
+}  // namespace psicarve::trace

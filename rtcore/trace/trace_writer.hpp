@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "rtcore/trace/trace_entry.hpp"
+#include "shared/result.hpp"
+#include "shared/signal.hpp"
+
+namespace psicarve::trace {
+
+/// How things stand before the first entry.
+struct TraceStart {
+    std::int64_t period_ns = 0;
+    SignalWord levels = 0;  ///< all signals at tick 0
+    std::array<std::int64_t, kAxisCount> position_pulses{};
+};
+
+/// Writes what the pins do to a file or pipe. One thread's; not for the tick (it may block on the disk).
+/// After the first failed write it writes nothing more and says so once.
+class TraceWriter {
+public:
+    TraceWriter() = default;
+    TraceWriter(const TraceWriter&) = delete;
+    TraceWriter& operator=(const TraceWriter&) = delete;
+    virtual ~TraceWriter() = default;
+
+    /// In the order in which things happened: ticks never go back, nor offsets within a tick.
+    virtual void add(const TraceEntry& entry) noexcept = 0;
+    /// Hands what has gathered to the operating system, so that a reader of a live trace sees it.
+    virtual void flush() noexcept = 0;
+    /// Completes the trace, which covers all ticks before `end_tick`. Without it a trace reads as cut off.
+    virtual void finish(std::uint64_t end_tick) noexcept = 0;
+    /// The first failed write, once; after that, and without one, nothing.
+    virtual std::optional<Error> take_error() = 0;
+};
+
+/// `path` is a file (`.vcd` makes a value-change dump, anything else the compact binary form), "-" for
+/// standard output or "fd:N" for a descriptor that is already open and becomes ours (both binary). An
+/// existing file is overwritten; one that is a symbolic link is refused.
+Result<std::unique_ptr<TraceWriter>> open_trace(const std::string& path, const TraceStart& start);
+
+}  // namespace psicarve::trace

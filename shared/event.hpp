@@ -9,7 +9,8 @@
 namespace psicarve {
 
 /// A cross-process wake-up on a counter in shared memory: a futex without the PRIVATE flag. Needs no owner,
-/// so nobody's death can hang it; every wait has a time limit. Not for the tick.
+/// so nobody's death can hang it; every wait has a time limit. A signal always asks the kernel to wake: a
+/// count of waiters would be one more word that a killed waiter leaves wrong. Not for the tick.
 ///
 /// Use: remember `count()`, look at the data, then `wait_past(seen)`: a signal in between is not lost.
 std::uint32_t event_count(const EventWord& event) noexcept;

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "shared/command.hpp"
+#include "shared/job.hpp"
 #include "shared/status.hpp"
 
 namespace psicarve {
@@ -38,7 +39,7 @@ static_assert(AtomicWord32::is_always_lock_free && AtomicWord64::is_always_lock_
 /// flag).
 struct EventWord {
     AtomicWord32 counter;
-    AtomicWord32 waiters;
+    std::uint32_t reserved;
 };
 
 /// The mutex among publishers and snapshot takers; see robust_mutex.hpp. Never taken by the core.
@@ -48,28 +49,44 @@ struct alignas(64) MutexStorage {
     std::uint32_t reserved;
 };
 
-/// Which job is published, and what the core made of it. Written under the mutex, but for the
-/// acknowledgement.
-struct Publication {
-    AtomicWord64 generation;  ///< 0: nothing published yet; written last
-    AtomicWord32 slot;
-    std::uint32_t reserved;
+/// What stands in one job slot. Written by a publisher under the mutex, only while the slot is not published.
+struct SlotContent {
     AtomicWord64 bytes;
-    AtomicWord64 checksum;      ///< XXH3 over the blob's bytes
-    AtomicWord64 acknowledged;  ///< core: newest generation it has judged; written last
-    AtomicWord32 accepted;      ///< core: 1 accepted, 2 refused
-    std::uint32_t reserved2;
-    AtomicWord64 reason[kReasonBytes / 8];  ///< core: why refused; zero-terminated text, copied word by word
+    AtomicWord64 checksum;  ///< XXH3 over the blob's bytes
+};
+
+/// Which job is published. Generation g stands in slot g % 2, so the one store of `generation` publishes
+/// slot, size and checksum at once: a publisher that dies before it has changed nothing, after it everything.
+struct Publication {
+    AtomicWord64 generation;  ///< 0: nothing published yet; written last, under the mutex
+    SlotContent of_slot[2];
+};
+
+/// What the core made of a published job. Written by the core alone.
+struct JobVerdict {
+    std::uint64_t generation;  ///< newest generation it has judged; 0: none
+    std::uint32_t accepted;    ///< 1 accepted, 2 refused
+    std::uint32_t reserved;
+    char reason[kReasonBytes];  ///< zero-terminated; why refused and what to do
 };
 
 /// Life of a command slot: free -> writing (a sender claimed it) -> pending -> taken (core) -> answered ->
-/// free (sender). A slot whose sender died is freed by the core.
-enum class SlotState : std::uint32_t { free = 0, writing = 1, pending = 2, taken = 3, answered = 4 };
+/// free (sender). A sender that gives up frees a pending slot and leaves a taken one `abandoned`: the core
+/// frees that when it answers. A slot whose sender died is freed by the core.
+enum class SlotState : std::uint32_t {
+    free = 0,
+    writing = 1,
+    pending = 2,
+    taken = 3,
+    answered = 4,
+    abandoned = 5,
+};
 struct CommandSlot {
-    AtomicWord32 state;  ///< SlotState
-    AtomicWord32 sender_pid;
+    /// SlotState in the low half, the sender's pid in the high half: claiming a slot and signing it is one
+    /// step, so a sender that dies at any instant leaves a slot that can be told to be dead.
+    AtomicWord64 state_and_sender;
+    AtomicWord64 sender_start_time;  ///< as in ProcessIdentity; 0: not known (yet)
     AtomicWord64 sequence;
-    AtomicWord64 claimed_ns;  ///< CLOCK_MONOTONIC when claimed
     AtomicWord64 command[sizeof(Command) / 8];
     AtomicWord64 answer[sizeof(Answer) / 8];
 };
@@ -88,8 +105,9 @@ struct SharedRecord {
 template <typename T, std::size_t kEntries>
 struct SharedRing {
     static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 8 == 0 && (kEntries & (kEntries - 1)) == 0);
-    AtomicWord64 claimed;    ///< entries whose writing has begun
+    AtomicWord64 claimed;    ///< entries whose writing has begun, since the segment was made
     AtomicWord64 published;  ///< entries that may be read
+    AtomicWord64 first;      ///< entries before this one belong to a core that is no more
     AtomicWord64 words[kEntries][sizeof(T) / 8];
 };
 using IncrementRing = SharedRing<IncrementEntry, kIncrementRingEntries>;
@@ -126,6 +144,7 @@ struct SegmentHeader {
     Publication publication;
     MutexStorage mutex;
     CommandSlot commands[kCommandSlots];
+    SharedRecord<JobVerdict> verdict;
     SharedRecord<CoreStatus> status;
     IncrementRing increments;
     FlightRecorder recorder;
@@ -134,5 +153,19 @@ static_assert(std::is_standard_layout_v<SegmentHeader>);
 
 /// A hash over the sizes and offsets of everything above.
 std::uint64_t segment_abi_hash() noexcept;
+/// The same over what stands in files: the job's header and, when a status or records are in it, theirs. A
+/// job file thus outlives changes of the segment.
+std::uint64_t snapshot_abi_hash(bool with_status) noexcept;
+
+/// Where everything stands in a segment of this capacity [bytes]. Slots begin at whole pages.
+struct SegmentGeometry {
+    std::uint64_t slot_offset[2];
+    std::uint64_t slot_bytes;
+    std::uint64_t total_bytes;
+};
+inline constexpr std::uint32_t kMaxCapacityLayers = 1'000'000;
+inline constexpr std::uint32_t kMaxCapacityPoints = 1'000'000;
+/// Requires capacities of at least 1 and within kMaxCapacity...; then nothing overflows.
+SegmentGeometry segment_geometry(std::uint32_t capacity_layers, std::uint32_t capacity_points) noexcept;
 
 }  // namespace psicarve

@@ -43,29 +43,39 @@ public:
     SegmentHeader& header() noexcept;
     const SegmentHeader& header() const noexcept;
     const std::string& name() const noexcept;
-    /// Slot 0 or 1, by our own checked offsets (never re-read from shared memory).
-    std::span<std::byte> slot(std::uint32_t index) noexcept;
-    /// Capacities as checked when attached.
+    /// Capacities as checked when attached, never re-read from shared memory.
     std::uint32_t capacity_layers() const noexcept;
     std::uint32_t capacity_points() const noexcept;
+    std::uint64_t slot_bytes() const noexcept;
+    /// What the user should know about what was found, in one line; else empty.
+    const std::string& warning() const noexcept;
 
-    /// False once the name no longer leads to this object (unlinked, replaced) or its size shrank.
+    /// False once the name no longer leads to this object (unlinked, replaced), its size shrank or its first
+    /// bytes were overwritten. A process that touches a truncated segment is not killed by SIGBUS: it goes on
+    /// with zeros of its own (segment_fault_guard.hpp), and this is false from then on.
     bool is_still_linked() const noexcept;
-    /// Makes sure that the slot's first `bytes` exist as memory, so that writing them cannot end in SIGBUS.
+
+    // Slot 0 or 1. Slots are read and written through the file descriptor: a full /dev/shm or an object that
+    // shrank is then an error message, where a mapped page would be a SIGBUS.
+    /// Makes sure that the slot's first `bytes` exist as memory and gives back what lies behind them.
     Result<void> reserve_slot(std::uint32_t index, std::uint64_t bytes);
+    Result<void> write_slot(std::uint32_t index, std::span<const std::byte> bytes);
+    Result<void> read_slot(std::uint32_t index, std::span<std::byte> bytes) const;
 
     // --- core side
     // -------------------------------------------------------------------------------------------
     /// Makes this process the segment's core: held by a lock that dies with the process. Refused with the
-    /// first one's pid. Clears status, commands and acknowledgement that a dead core left behind; the
-    /// published job stays.
+    /// first one's pid. Clears status, verdict, commands and rings that a dead core left behind; the
+    /// published job stays. A child that is forked afterwards must close its copies of our file descriptors,
+    /// or the lock lives as long as the child.
     Result<void> claim_core();
     void release_core() noexcept;
     /// A living core serves the segment: its pid, else nothing. Asks the lock, not the words.
     std::optional<std::uint32_t> core_pid() const noexcept;
 
+    struct Mapping;  ///< segment_mapping.hpp, for the segment's own sources
+
 private:
-    struct Mapping;
     explicit Segment(std::unique_ptr<Mapping> mapping) noexcept;
     std::unique_ptr<Mapping> mapping_;
 };
@@ -75,8 +85,8 @@ private:
 /// Fills the slot that is not in use, under the mutex, then publishes. Returns the generation.
 Result<std::uint64_t> publish_job(Segment& segment, std::span<const std::byte> job_blob,
                                   std::chrono::milliseconds limit = std::chrono::milliseconds{5000});
-/// Waits until the core has judged that generation: success, the core's reason (machine_refused), or
-/// timed_out.
+/// Waits until the core has judged that generation: success, the core's reason (machine_refused), no_core as
+/// soon as none serves, or timed_out.
 Result<void> wait_for_acceptance(Segment& segment, std::uint64_t generation, std::chrono::milliseconds limit);
 /// Copies the published job, under the mutex: for snapshots. Nothing published: empty.
 Result<std::vector<std::byte>> copy_published_job(Segment& segment, std::chrono::milliseconds limit);
@@ -95,8 +105,9 @@ struct PublishedJob {
     std::uint64_t generation;
     std::vector<std::byte> blob;  ///< our own copy, checksum checked
 };
-/// A job newer than `known_generation`, copied and checked; nothing when there is none; an error when what
-/// was published is wrong (the caller refuses it by acknowledge_job). Takes no lock.
+/// A job newer than `known_generation`, copied and checked; nothing when there is none, or when publishers
+/// were faster than the copy (ask again); an error when what was published is wrong (the caller refuses it by
+/// acknowledge_job). Takes no lock. A new segment begins again at generation 1.
 Result<std::optional<PublishedJob>> take_published_job(Segment& segment, std::uint64_t known_generation);
 std::uint64_t published_generation(const Segment& segment) noexcept;
 void acknowledge_job(Segment& segment, std::uint64_t generation, bool accepted, const std::string& reason);
@@ -108,6 +119,7 @@ struct ReceivedCommand {
     Command command;
 };
 /// The pending command with the lowest sequence number, marked taken; also frees slots whose senders died.
+/// Nothing in it is checked: kind, axis and values may be anything.
 std::optional<ReceivedCommand> take_command(Segment& segment);
 void answer_command(Segment& segment, const ReceivedCommand& command, AnswerKind kind,
                     const std::string& reason);

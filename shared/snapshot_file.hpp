@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "shared/atomic_file.hpp"
 #include "shared/job.hpp"
 #include "shared/layout.hpp"
 #include "shared/result.hpp"
@@ -17,13 +18,14 @@ namespace psicarve {
 inline constexpr std::uint64_t kSnapshotMagic = 0x3150414e53435350ULL;  // "PSCSNAP1"
 inline constexpr std::uint32_t kSnapshotVersion = 1;
 
-/// First bytes of a job or snapshot file. Little-endian. Then come, each at a multiple of 8 bytes: the status
-/// (CoreStatus or nothing), the flight recorder (FlightRecord, oldest first), the job blob.
+/// First bytes of a job or snapshot file. Little-endian. Then come, without a gap: the status (CoreStatus or
+/// nothing), the flight recorder (FlightRecord, oldest first), the job blob, zeros up to a multiple of 8
+/// bytes.
 struct SnapshotHeader {
     std::uint64_t magic;
     std::uint32_t version;
-    std::uint32_t layout_version;
-    std::uint64_t abi_hash;
+    std::uint32_t layout_version;  ///< checked where there is a status or a record
+    std::uint64_t abi_hash;        ///< snapshot_abi_hash
     std::uint64_t total_bytes;
     std::uint64_t checksum;  ///< XXH3 over the whole file with this field 0
     std::uint64_t status_offset;
@@ -43,7 +45,8 @@ static_assert(sizeof(SnapshotHeader) == 120);
 struct Snapshot {
     std::optional<CoreStatus> status;
     std::vector<FlightRecord> records;  ///< oldest first
-    std::vector<std::byte> job_blob;    ///< passes JobView::check
+    std::vector<std::byte>
+        job_blob;  ///< passes JobView::check; empty: nothing was published (never in a job file)
     std::uint32_t capacity_layers = 0;
     std::uint32_t capacity_points = 0;
     std::uint64_t generation = 0;
@@ -57,10 +60,11 @@ bool looks_like_snapshot(std::span<const std::byte> first_bytes) noexcept;
 Result<Snapshot> parse_snapshot(std::span<const std::byte> bytes, const std::string& file_name);
 Result<Snapshot> load_snapshot(const std::string& path);
 
+/// The same snapshot gives the same bytes.
 std::vector<std::byte> snapshot_bytes(const Snapshot& snapshot);
-/// Temporary file beside it, fsync, rename, fsync of the folder: the old file stays intact whatever happens.
+/// What the header's checksum must be for these bytes of a file; 0 when they are too few.
+std::uint64_t snapshot_checksum(std::span<const std::byte> bytes);
+/// Written as write_file_atomically does (atomic_file.hpp): the old file stays intact whatever happens.
 Result<void> save_snapshot(const Snapshot& snapshot, const std::string& path);
-/// The same atomic write for any bytes (profiles, pictures).
-Result<void> write_file_atomically(const std::string& path, std::span<const std::byte> bytes);
 
 }  // namespace psicarve

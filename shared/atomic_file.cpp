@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <system_error>
+
+namespace psicarve {
+namespace {
+
+constexpr mode_t kNewFileMode = 0666;  ///< before the umask
+constexpr int kNameAttempts = 100;
+/// Larger than any job can be; a wrong path (/dev/zero, a disk image) is not read into memory.
+constexpr std::uint64_t kLargestFileBytes = std::uint64_t{64} << 30;
+
+Error file_error(const std::string& path, const std::string& what, int error_number) {
+    const bool is_full = error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG;
+    return Error{is_full ? ErrorCode::out_of_room : ErrorCode::bad_input,
+                 path + ": " + what + ": " + std::generic_category().message(error_number)};
+}
+
+/// An open file that closes itself.
+class OpenFile {
+public:
+    explicit OpenFile(int descriptor) noexcept : descriptor_(descriptor) {}
+    ~OpenFile() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    int get() const noexcept { return descriptor_; }
+    /// The error number, or 0. Some file systems tell of a full disk only here.
+    int close() noexcept {
+        const int failed = ::close(descriptor_) == 0 ? 0 : errno;
+        descriptor_ = -1;
+        return failed;
+    }
+
+private:
+    int descriptor_;
+};
+
+/// A name that is taken away again unless the file got its real one.
+class TemporaryName {
+public:
+    explicit TemporaryName(std::string path) : path_(std::move(path)) {}
+    ~TemporaryName() {
+        if (!path_.empty()) ::unlink(path_.c_str());
+    }
+    TemporaryName(const TemporaryName&) = delete;
+    TemporaryName& operator=(const TemporaryName&) = delete;
+    const char* c_str() const noexcept { return path_.c_str(); }
+    void forget() noexcept { path_.clear(); }
+
+private:
+    std::string path_;
+};
+
+std::string folder_of(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    if (slash == std::string::npos) return "./";
+    return path.substr(0, slash + 1);
+}
+
+/// A name that no other process and no other thread of ours uses; short, so that it fits where the real one
+/// does.
+std::string temporary_path(const std::string& path) {
+    static std::atomic<unsigned> s_counter{0};
+    std::array<char, 64> name{};
+    std::snprintf(name.data(), name.size(), ".psicarve-%x-%x.tmp", static_cast<unsigned>(::getpid()),
+                  s_counter.fetch_add(1));
+    return folder_of(path) + name.data();
+}
+
+struct Created {
+    int descriptor;
+    std::string path;
+};
+
+Result<Created> create_temporary(const std::string& path) {
+    for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
+        std::string temporary = temporary_path(path);
+        const int file =
+            ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kNewFileMode);
+        if (file >= 0) return Created{file, std::move(temporary)};
+        // A process that had our pid and was killed may have left one.
+        if (errno != EEXIST) return file_error(path, "cannot be written in this folder", errno);
+    }
+    return file_error(path, "cannot be written in this folder", EEXIST);
+}
+
+/// The mode of the file that is to be replaced, if there is one. Refuses what a rename would destroy.
+Result<std::optional<mode_t>> mode_to_keep(const std::string& path) {
+    struct stat facts {};
+    if (::stat(path.c_str(), &facts) != 0) {
+        if (errno == ENOENT) return std::optional<mode_t>{};
+        return file_error(path, "cannot be written", errno);
+    }
+    if (S_ISDIR(facts.st_mode)) return bad_input(path + ": is a folder, not a file");
+    if (!S_ISREG(facts.st_mode)) return bad_input(path + ": is no regular file: choose a file name");
+    struct stat link {};
+    if (::lstat(path.c_str(), &link) == 0 && S_ISLNK(link.st_mode)) return std::optional<mode_t>{};
+    return std::optional{static_cast<mode_t>(facts.st_mode & 0777)};
+}
+
+int write_all(int file, std::span<const std::byte> bytes) noexcept {
+    while (!bytes.empty()) {
+        const ssize_t put = ::write(file, bytes.data(), bytes.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put <= 0) return put < 0 ? errno : ENOSPC;
+        bytes = bytes.subspan(static_cast<std::size_t>(put));
+    }
+    return 0;
+}
+
+int fill(OpenFile& file, std::optional<mode_t> mode,
+         std::span<const std::span<const std::byte>> parts) noexcept {
+    if (mode && ::fchmod(file.get(), *mode) != 0) return errno;
+    for (const auto part : parts) {
+        if (const int failed = write_all(file.get(), part); failed != 0) return failed;
+    }
+    if (::fsync(file.get()) != 0) return errno;
+    return file.close();
+}
+
+/// So that the new name itself survives a power failure. Some file systems cannot; the file is whole anyway.
+void sync_folder(const std::string& path) noexcept {
+    const OpenFile folder{::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+    if (folder.get() >= 0) ::fsync(folder.get());
+}
+
+}  // namespace
+
+Result<void> write_parts_atomically(const std::string& path,
+                                    std::span<const std::span<const std::byte>> parts) {
+    const auto mode = mode_to_keep(path);
+    if (!mode) return mode.error();
+    const Result<Created> created = create_temporary(path);
+    if (!created) return created.error();
+    TemporaryName name{created->path};
+    OpenFile file{created->descriptor};
+    if (const int failed = fill(file, *mode, parts); failed != 0) {
+        return file_error(path, "cannot be written, what was there before is unchanged", failed);
+    }
+    if (::rename(name.c_str(), path.c_str()) != 0) {
+        return file_error(path, "cannot be replaced, what was there before is unchanged", errno);
+    }
+    name.forget();
+    sync_folder(path);
+    return {};
+}
+
+Result<void> write_file_atomically(const std::string& path, std::span<const std::byte> bytes) {
+    return write_parts_atomically(path, std::array{bytes});
+}
+
+Result<std::vector<std::byte>> read_whole_file(const std::string& path) {
+    // Not blocking: a pipe that nobody writes is refused, not waited for.
+    const OpenFile file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+    if (file.get() < 0) return file_error(path, "cannot be read", errno);
+    struct stat facts {};
+    if (::fstat(file.get(), &facts) != 0) return file_error(path, "cannot be read", errno);
+    if (S_ISDIR(facts.st_mode)) return bad_input(path + ": is a folder, not a file");
+    if (!S_ISREG(facts.st_mode)) return bad_input(path + ": is no regular file");
+    const auto size = static_cast<std::uint64_t>(facts.st_size);
+    if (size > kLargestFileBytes) return file_error(path, "cannot be read", EFBIG);
+    std::vector<std::byte> bytes(size);
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return file_error(path, "cannot be read", errno);
+        if (got == 0) break;
+        done += static_cast<std::size_t>(got);
+    }
+    bytes.resize(done);
+    return bytes;
+}
+
+}  // namespace psicarve

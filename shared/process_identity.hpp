@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace psicarve {
+
+/// Start time of a process [clock ticks since boot], from /proc/PID/stat; 0 when there is no such process, it
+/// is a zombie, or /proc does not say.
+std::uint64_t process_start_time(std::uint32_t pid) noexcept;
+
+std::uint32_t own_pid() noexcept;
+
+/// Whether the process lives that had this pid and start time. Start time 0 means unknown: then the pid alone
+/// decides. A zombie is dead. Pids mean the same to everybody only within one pid namespace.
+bool is_process_alive(std::uint32_t pid, std::uint64_t start_time) noexcept;
+
+/// The kernel's name for this boot (36 characters); empty when /proc does not say.
+std::string current_boot_id();
+
+}  // namespace psicarve

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "shared/process_identity.hpp"
+#include "shared/segment.hpp"
+#include "shared/segment_commands.hpp"
+#include "shared/segment_mapping.hpp"
+#include "shared/shared_record.hpp"
+
+namespace psicarve {
+namespace {
+
+/// How long a core that has just got the lock may take to write its pid.
+constexpr std::chrono::milliseconds kSigningLimit{50};
+
+}  // namespace
+
+Result<void> Segment::claim_core() {
+    if (!mapping_->object.try_lock(LockByte::core)) {
+        const std::uint32_t first = core_pid().value_or(0);
+        return Error{ErrorCode::machine_refused, "segment " + name() + ": a core serves it already (pid " +
+                                                     std::to_string(first) +
+                                                     "): end that one, or choose another --segment"};
+    }
+    mapping_->is_core = true;
+    SegmentHeader& shared = header();
+    shared.core.pid.store(0);
+    shared.core.start_time.store(process_start_time(own_pid()));
+    shared.core.pid.store(own_pid());
+    shared.core_profile_hash.store(0);
+    write_record(shared.verdict, JobVerdict{});
+    write_record(shared.status, CoreStatus{});
+    begin_ring_anew(shared.increments);
+    begin_ring_anew(shared.recorder);
+    clear_commands_of_dead_core(shared);
+    return {};
+}
+
+void Segment::release_core() noexcept {
+    if (!mapping_->is_core) return;
+    header().core.pid.store(0);
+    mapping_->object.unlock(LockByte::core);
+    mapping_->is_core = false;
+}
+
+std::optional<std::uint32_t> Segment::core_pid() const noexcept {
+    if (mapping_->is_core) return own_pid();
+    const auto deadline = std::chrono::steady_clock::now() + kSigningLimit;
+    // The lock says that there is a core; the words say which. Between the two may lie the instant in which a
+    // core has got the lock and the words still name the one before it.
+    while (mapping_->object.is_locked_by_another(LockByte::core)) {
+        const std::uint32_t pid = header().core.pid.load();
+        const bool is_signed = is_process_alive(pid, header().core.start_time.load());
+        if (is_signed || std::chrono::steady_clock::now() >= deadline) return pid;
+        std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    }
+    return std::nullopt;
+}
+
+}  // namespace psicarve

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <boost/interprocess/shared_memory_object.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "shared/result.hpp"
+
+namespace psicarve {
+
+/// What stands at byte N of the object as far as locks are concerned: open-file-description locks, which the
+/// kernel releases however their holder dies.
+enum class LockByte : std::int64_t {
+    creator = 0,  ///< held while the object is being made, or taken away
+    core = 1,     ///< held by the core as long as it serves the segment
+};
+
+/// The shared-memory object as a file: opening, rights, locks, its name. Knows nothing of what is inside.
+/// Exceptions of Boost end here.
+class SegmentObject {
+public:
+    /// "/psicarve" from "psicarve" or "/psicarve"; refuses what is no name of a shared-memory object.
+    static Result<std::string> checked_name(const std::string& name);
+    /// Nothing when the name is free; refuses an object that is not ours or the group's.
+    static Result<std::optional<SegmentObject>> open(const std::string& name, const std::string& group);
+    /// Nothing when somebody else was first.
+    static Result<std::optional<SegmentObject>> create(const std::string& name, const std::string& group);
+    static Result<void> unlink(const std::string& name);
+
+    int descriptor() const noexcept { return shm_.get_mapping_handle().handle; }
+    const boost::interprocess::shared_memory_object& shm() const noexcept { return shm_; }
+
+    bool try_lock(LockByte byte) noexcept;
+    void unlock(LockByte byte) noexcept;
+    /// Held by somebody who opened the object apart from us.
+    bool is_locked_by_another(LockByte byte) const noexcept;
+
+    /// The name still leads to this object.
+    bool is_named(const std::string& name) const noexcept;
+    /// Negative when the kernel does not say.
+    std::int64_t size_bytes() const noexcept;
+    Result<void> resize(const std::string& name, std::uint64_t bytes);
+    /// Makes these bytes exist as memory: an error instead of a SIGBUS when /dev/shm is full.
+    Result<void> reserve(const std::string& name, std::uint64_t offset, std::uint64_t bytes);
+
+private:
+    explicit SegmentObject(boost::interprocess::shared_memory_object shm) noexcept : shm_(std::move(shm)) {}
+    Result<void> give_to_group(const std::string& name, const std::string& group);
+
+    boost::interprocess::shared_memory_object shm_;
+};
+
+}  // namespace psicarve

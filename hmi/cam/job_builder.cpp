@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cam/job_builder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hmi/cam/job_plan.hpp"
+#include "hmi/cam/radius_tables.hpp"
+#include "hmi/cam/slice_report.hpp"
+#include "hmi/model/mesh.hpp"
+#include "hmi/slice/directions.hpp"
+#include "hmi/slice/slicer.hpp"
+#include "shared/job.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::cam {
+namespace {
+
+/// Samples the surface for both heads and fills the tables; R1's pass sees every direction of every layer, so
+/// its totals describe the model. Where R2 stands exactly opposite, one pass serves both.
+Result<std::vector<slice::LayerTotals>> sample(const model::Mesh& mesh, const Profile& profile,
+                                               const JobPlan& plan, const JobOptions& options,
+                                               RadiusTables& tables) {
+    const double angle_error_deg = profile.head_r2_angle_error_deg;
+    const double height_error = profile.head_r2_height_error_mm / plan.scale;
+    const bool one_pass = angle_error_deg == 0.0 && height_error == 0.0;
+    slice::SliceOptions slicing{options.thread_count, options.progress};
+    if (!one_pass && options.progress) {
+        slicing.progress = [&options](double done) { return options.progress(done / 2.0); };
+    }
+    const slice::Directions directions(
+        slice::full_circle_rad(plan.point_count, profile.psi.pulses_per_rev, 0.0));
+    const auto both = [&tables, one_pass](const slice::LayerSection& section) {
+        tables.fill_left(section.layer, section.radius);
+        if (one_pass) tables.fill_right(section.layer, section.radius);
+    };
+    auto totals = slice::slice_layers(mesh, plan.placement, plan.heights, directions, both, slicing);
+    if (!totals || one_pass) return totals;
+
+    std::vector<double> heights = plan.heights;
+    for (double& height : heights) height += height_error;
+    if (options.progress) {
+        slicing.progress = [&options](double done) { return options.progress((1.0 + done) / 2.0); };
+    }
+    const slice::Directions turned(
+        slice::full_circle_rad(plan.point_count, profile.psi.pulses_per_rev, angle_error_deg));
+    const auto right = [&tables](const slice::LayerSection& section) {
+        tables.fill_right(section.layer, section.radius);
+    };
+    auto done = slice::slice_layers(mesh, plan.placement, heights, turned, right, slicing);
+    if (!done) return done.error();
+    return totals;
+}
+
+double ratio(double part, double whole) {
+    return whole > 0.0 ? part / whole : 0.0;
+}
+
+void report_totals(const std::vector<slice::LayerTotals>& totals, SliceReport& report) {
+    double all = 0.0;
+    double outer = 0.0;
+    bool hidden = false;
+    for (const slice::LayerTotals& layer : totals) {
+        report.open_points += layer.open_cells;
+        report.layers_without_axis += layer.contains_axis ? 0 : 1;
+        hidden = hidden || layer.hidden_walls > 0;
+        all += layer.radius_sum;
+        outer += layer.outer_sum;
+    }
+    report.undercut_share = hidden ? std::clamp(ratio(all - outer, all), 0.0, 1.0) : 0.0;
+}
+
+std::string percent(double share) {
+    const auto tenths = static_cast<int>(std::lround(share * 1000.0));
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " %";
+}
+
+void warn_about_losses(SliceReport& report) {
+    const std::string hint = report.axis_choice == "best" ? "" : "; --axis-at best looks for a better axis";
+    if (report.undercut_share >= 0.0005) {
+        report.warnings.push_back(percent(report.undercut_share) +
+                                  " of the surface lies behind another part and cannot be reached" + hint);
+    }
+    if (report.layers_without_axis > 0) {
+        report.warnings.push_back(std::to_string(report.layers_without_axis) + " of " +
+                                  std::to_string(report.layers) + " layers do not contain the axis" + hint);
+    }
+    if (report.open_points > 0) {
+        report.warnings.push_back("the mesh is open at " + std::to_string(report.open_points) +
+                                  " of the samples");
+    }
+}
+
+Result<BuiltJob> build(const model::Mesh& mesh, const Profile& profile, const JobOptions& options) {
+    BuiltJob built;
+    SliceReport& report = built.report;
+    const Result<JobPlan> planned = plan_job(mesh, profile, options, report);
+    if (!planned) return planned.error();
+    const JobPlan& plan = *planned;
+
+    JobTable& table = built.table;
+    table.layer_count = plan.layer_count;
+    table.point_count = plan.point_count;
+    table.psi_sweep_pulses = profile.psi.pulses_per_rev / 2;
+    table.joining = options.joining.value_or(profile.job.joining);
+    table.feed_mm_s = profile.job.feed_mm_s;
+    table.layer_height_pulses = plan.height_pulses;
+    table.source_name = mesh.source_name;
+    table.source_hash = mesh.source_hash;
+
+    RadiusTables tables(profile, table, plan.scale);
+    const auto totals = sample(mesh, profile, plan, options, tables);
+    if (!totals) return totals.error();
+    if (auto fits = tables.check_travel(mesh.source_name); !fits) return fits.error();
+    report_totals(*totals, report);
+    tables.report(report);
+    warn_about_losses(report);
+    table.profile_toml = profile_to_toml(profile);
+    table.report_json = to_json(report);
+    return built;
+}
+
+}  // namespace
+
+Result<BuiltJob> build_job(const model::Mesh& mesh, const Profile& profile, const JobOptions& options) {
+    try {
+        return build(mesh, profile, options);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::out_of_room, "not enough memory for so many layers and points"};
+    }
+}
+
+}  // namespace psicarve::cam

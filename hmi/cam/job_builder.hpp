@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "hmi/cam/slice_report.hpp"
+#include "hmi/model/mesh.hpp"
+#include "hmi/slice/placement.hpp"
+#include "hmi/slice/slicer.hpp"
+#include "shared/job.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::cam {
+
+/// Where the rotation axis passes through the model, seen from above.
+enum class AxisAt : std::uint8_t {
+    centre,  ///< of the bounding box
+    origin,  ///< of the file's coordinates
+    point,   ///< axis_x, axis_y of the turned model, file units
+    best,    ///< where the least is lost, see best_axis.hpp
+};
+
+/// What a user may ask of a job. Defaults as in the command line's promise.
+struct JobOptions {
+    /// Default 500, fewer where the model has fewer pulses of height.
+    std::optional<std::uint32_t> layer_count;
+    /// Per head and layer; default 500, fewer where half a turn has fewer pulses.
+    std::optional<std::uint32_t> point_count;
+    slice::Up up = slice::Up::z;
+    AxisAt axis_at = AxisAt::centre;
+    double axis_x = 0.0;
+    double axis_y = 0.0;
+    std::optional<double> height_mm;  ///< of the whole model; not together with scale
+    std::optional<double> scale;      ///< mm per file unit; default 1
+    std::optional<Joining> joining;   ///< default: the profile's
+    unsigned thread_count = 1;        ///< changes nothing in the job
+    slice::Progress progress;
+};
+
+struct BuiltJob {
+    JobTable table;
+    SliceReport report;  ///< also in table.report_json
+};
+
+/// Slices the mesh into the tables of a job for this machine. Refuses what the machine cannot carve and names
+/// the axis, what is wanted and what is allowed.
+Result<BuiltJob> build_job(const model::Mesh& mesh, const Profile& profile, const JobOptions& options);
+
+}  // namespace psicarve::cam

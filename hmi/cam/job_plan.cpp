@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cam/job_plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hmi/cam/job_builder.hpp"
+#include "hmi/cam/slice_report.hpp"
+#include "hmi/model/mesh.hpp"
+#include "hmi/slice/placement.hpp"
+#include "hmi/slice/slicer.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::cam {
+namespace {
+
+constexpr std::uint32_t kUsualLayers = 500;
+constexpr std::uint32_t kUsualPoints = 500;
+// A model smaller than this in every direction [mm] is more likely in inches, or metres, than meant so.
+constexpr double kSuspiciouslySmall_mm = 3.0;
+
+struct Box {
+    std::array<double, 3> min;
+    std::array<double, 3> max;
+};
+
+std::string fixed(double value) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.2f", value);
+    return text.data();
+}
+
+Result<double> scale_of(const JobOptions& options, const Box& box) {
+    if (options.height_mm && options.scale) {
+        return Error{ErrorCode::bad_usage, "--height and --scale exclude each other: both set the size"};
+    }
+    if (options.height_mm) {
+        if (!(*options.height_mm > 0.0) || !std::isfinite(*options.height_mm)) {
+            return Error{ErrorCode::bad_usage, "--height must be more than 0 mm"};
+        }
+        return *options.height_mm / (box.max[2] - box.min[2]);
+    }
+    const double scale = options.scale.value_or(1.0);
+    if (!(scale > 0.0) || !std::isfinite(scale)) {
+        return Error{ErrorCode::bad_usage, "--scale must be more than 0"};
+    }
+    return scale;
+}
+
+Result<std::uint32_t> points_of(const JobOptions& options, const Profile& profile) {
+    const std::int64_t most = profile.psi.pulses_per_rev / 2 + 1;  // one for each pulse of half a turn
+    if (!options.point_count) return static_cast<std::uint32_t>(std::min<std::int64_t>(kUsualPoints, most));
+    if (*options.point_count < 2) {
+        return Error{ErrorCode::bad_usage, "--points must be at least 2"};
+    }
+    if (*options.point_count > most) {
+        return bad_input("more points than pulses: " + std::to_string(*options.point_count) +
+                         " points a layer, but half a turn of axis psi has " + std::to_string(most - 1) +
+                         " pulses (at most " + std::to_string(most) + " points)");
+    }
+    return *options.point_count;
+}
+
+Result<std::uint32_t> layers_of(const JobOptions& options, const Profile& profile, double height_mm) {
+    const auto most = static_cast<std::int64_t>(height_mm * profile.y.pulses_per_mm);
+    if (!options.layer_count) {
+        return static_cast<std::uint32_t>(std::clamp<std::int64_t>(most, 1, kUsualLayers));
+    }
+    if (*options.layer_count < 1) return Error{ErrorCode::bad_usage, "--layers must be at least 1"};
+    if (*options.layer_count > std::max<std::int64_t>(most, 1)) {
+        return bad_input("more layers than pulses: " + std::to_string(*options.layer_count) +
+                         " layers, but the model is only " + std::to_string(most) + " pulses of axis y high");
+    }
+    return *options.layer_count;
+}
+
+Result<std::vector<std::int64_t>> height_pulses(const JobPlan& plan, const Profile& profile, const Box& box,
+                                                const std::string& source_name) {
+    const AxisMotion motion = axis_motion(profile, Axis::y);
+    std::vector<std::int64_t> pulses;
+    for (const double height : plan.heights) {
+        const double y_mm = profile.job.base_height_mm + (height - box.min[2]) * plan.scale;
+        const std::int64_t y_pulses = pulses_from_mm(y_mm, profile.y.pulses_per_mm);
+        if (y_pulses < motion.travel_min_pulses || y_pulses > motion.travel_max_pulses) {
+            // The whole model says more than the first layer that does not fit.
+            const double top_mm =
+                profile.job.base_height_mm + (plan.heights.back() - box.min[2]) * plan.scale;
+            return too_large(source_name, "y", y_pulses < motion.travel_min_pulses ? y_mm : top_mm, motion);
+        }
+        pulses.push_back(y_pulses);
+    }
+    return pulses;
+}
+
+Result<void> place_axis(const model::Mesh& mesh, const JobOptions& options, const Box& box, JobPlan& plan,
+                        SliceReport& report) {
+    plan.placement.up = options.up;
+    switch (options.axis_at) {
+        case AxisAt::best:
+        case AxisAt::centre:
+            plan.placement.axis_x = box.min[0] + 0.5 * (box.max[0] - box.min[0]);
+            plan.placement.axis_y = box.min[1] + 0.5 * (box.max[1] - box.min[1]);
+            report.axis_choice = "centre";
+            break;
+        case AxisAt::origin:
+            report.axis_choice = "origin";
+            break;
+        case AxisAt::point:
+            if (!std::isfinite(options.axis_x) || !std::isfinite(options.axis_y)) {
+                return Error{ErrorCode::bad_usage, "--axis-at needs two finite numbers"};
+            }
+            plan.placement.axis_x = options.axis_x;
+            plan.placement.axis_y = options.axis_y;
+            report.axis_choice = "point";
+            break;
+    }
+    static_cast<void>(mesh);
+    report.axis = {plan.placement.axis_x, plan.placement.axis_y};
+    return {};
+}
+
+void warn_about_units(const JobOptions& options, SliceReport& report) {
+    if (options.height_mm || options.scale) return;
+    const double largest = *std::max_element(report.box_mm.begin(), report.box_mm.end());
+    if (largest >= kSuspiciouslySmall_mm) return;
+    report.warnings.push_back("the model is only " + fixed(report.box_mm[2]) +
+                              " mm high: are its units inches (--scale 25.4) or metres (--scale 1000)?");
+}
+
+}  // namespace
+
+Error too_large(const std::string& source_name, const std::string& axis_name, double wanted_mm,
+                const AxisMotion& motion) {
+    const auto mm = [&motion](std::int64_t pulses) {
+        return fixed(mm_from_pulses(pulses, motion.pulses_per_unit));
+    };
+    return bad_input(source_name + ": larger than the machine's travel: axis " + axis_name +
+                     " would have to go to " + fixed(wanted_mm) + " mm, allowed are " +
+                     mm(motion.travel_min_pulses) + " to " + mm(motion.travel_max_pulses) +
+                     " mm; --height or --scale make it smaller");
+}
+
+Result<JobPlan> plan_job(const model::Mesh& mesh, const Profile& profile, const JobOptions& options,
+                         SliceReport& report) {
+    const Box box{slice::placed(options.up, mesh.facts.min), slice::placed(options.up, mesh.facts.max)};
+    JobPlan plan;
+    const auto scale = scale_of(options, box);
+    if (!scale) return scale.error();
+    plan.scale = *scale;
+    for (std::size_t k = 0; k < 3; ++k) report.box_mm[k] = (box.max[k] - box.min[k]) * plan.scale;
+    report.format = mesh.format;
+    report.triangles = mesh.triangles.size();
+    report.scale = plan.scale;
+    report.warnings = mesh.warnings;
+    warn_about_units(options, report);
+
+    const double model_height = box.max[2] - box.min[2];
+    const auto points = points_of(options, profile);
+    if (!points) return points.error();
+    // Before anything is counted in pulses: a model of kilometres has more than fit an integer.
+    const AxisMotion y_motion = axis_motion(profile, Axis::y);
+    const double top_mm = profile.job.base_height_mm + report.box_mm[2];
+    const double most_mm = mm_from_pulses(y_motion.travel_max_pulses, profile.y.pulses_per_mm);
+    if (!(top_mm <= 2.0 * std::max(most_mm, 1.0))) return too_large(mesh.source_name, "y", top_mm, y_motion);
+    const auto layers = layers_of(options, profile, report.box_mm[2]);
+    if (!layers) return layers.error();
+    plan.point_count = report.points = *points;
+    plan.layer_count = report.layers = *layers;
+    plan.heights = slice::layer_heights(box.min[2], model_height, plan.layer_count);
+    auto pulses = height_pulses(plan, profile, box, mesh.source_name);
+    if (!pulses) return pulses.error();
+    plan.height_pulses = std::move(*pulses);
+    if (auto done = place_axis(mesh, options, box, plan, report); !done) return done.error();
+    return plan;
+}
+
+}  // namespace psicarve::cam

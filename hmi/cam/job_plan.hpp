@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hmi/cam/job_builder.hpp"
+#include "hmi/cam/slice_report.hpp"
+#include "hmi/model/mesh.hpp"
+#include "hmi/slice/placement.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::cam {
+
+/// Everything about a job that is settled before the first sample: size, place, layers, points.
+struct JobPlan {
+    double scale = 1.0;  ///< mm per file unit
+    slice::Placement placement;
+    std::uint32_t layer_count = 0;
+    std::uint32_t point_count = 0;
+    std::vector<double> heights;              ///< of the layers in the model, file units
+    std::vector<std::int64_t> height_pulses;  ///< Y of the layers
+};
+
+/// Settles the plan and writes what it settled, and its warnings, into the report.
+Result<JobPlan> plan_job(const model::Mesh& mesh, const Profile& profile, const JobOptions& options,
+                         SliceReport& report);
+
+/// "FILE: larger than the machine's travel: axis r1 would have to go to 70.00 mm, allowed are 0.00 to 60.00".
+Error too_large(const std::string& source_name, const std::string& axis_name, double wanted_mm,
+                const AxisMotion& motion);
+
+}  // namespace psicarve::cam

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hmi/cam/slice_report.hpp"
+#include "shared/job.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::cam {
+
+/// Turns sampled radii into a job's two tables: pulses, never inside the core radius, the heads never closer
+/// than their clearance, tip offsets taken off.
+class RadiusTables {
+public:
+    /// Sizes the tables of `table`, whose counts and joining are set. `scale`: mm per file unit.
+    RadiusTables(const Profile& profile, JobTable& table, double scale);
+
+    /// One layer's radii once round from R1's (for the right table: R2's, less half a turn) direction 0, file
+    /// units. Different layers may be filled by different threads.
+    void fill_left(std::size_t layer, std::span<const double> once_round);
+    void fill_right(std::size_t layer, std::span<const double> once_round);
+
+    /// After all layers are filled: whether the heads can go where the tables send them.
+    Result<void> check_travel(const std::string& source_name) const;
+    /// After all layers are filled: keeps the heads apart and counts what was changed.
+    void report(SliceReport& report);
+
+private:
+    struct Head {
+        std::string name;
+        double pulses_per_unit = 0.0;  ///< of the file
+        double pulses_per_mm = 0.0;
+        std::int32_t core_pulses = 0;  ///< of the real tip
+        std::int32_t tip_pulses = 0;   ///< the real tip stands this much further out than counted
+        AxisMotion motion;
+        std::vector<std::int32_t>* radii = nullptr;
+        std::vector<std::uint32_t> core_points;  ///< by layer
+    };
+    static Head make_head(const Profile& profile, Axis axis, double scale, std::size_t layers,
+                          std::vector<std::int32_t>& radii);
+    void fill(Head& head, std::size_t layer, std::span<const double> once_round, std::size_t first);
+    std::size_t first_direction(std::size_t layer) const noexcept;
+    void keep_apart(SliceReport& report);
+
+    JobTable& table_;
+    Head left_;
+    Head right_;
+    double head_clearance_mm_;
+};
+
+}  // namespace psicarve::cam

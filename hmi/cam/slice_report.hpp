@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace psicarve::cam {
+
+/// What an axis position costs, as parts of the whole: 0 nothing, 1 all.
+struct AxisLoss {
+    double undercut_share = 0.0;  ///< surface behind another in the same direction
+    double outside_share = 0.0;   ///< sections that do not contain the axis
+};
+
+/// What the slicer saw and did. Goes into the job as JSON; holds no times and no paths, so that the same
+/// model and options give the same job to the last byte.
+struct SliceReport {
+    std::string format;
+    std::uint64_t triangles = 0;
+    std::array<double, 3> box_mm{};  ///< size of the placed model: along x, y (seen from above), up
+    double scale = 1.0;              ///< mm per file unit
+    std::string axis_choice;         ///< "centre", "at", "origin" or "best"
+    std::array<double, 2> axis{};    ///< in the turned model, file units
+    std::uint32_t layers = 0;
+    std::uint32_t points = 0;            ///< per head and layer
+    double undercut_share = 0.0;         ///< part of the surface behind another in the same direction
+    std::uint64_t open_points = 0;       ///< samples whose wall count says that the mesh is open there
+    std::uint64_t core_points = 0;       ///< table entries set to the core radius: no surface, or inside it
+    std::uint64_t clearance_points = 0;  ///< points where the heads were kept apart by their clearance
+    std::uint32_t layers_without_axis = 0;  ///< sections that do not contain the axis
+    double r_min_mm = 0.0;                  ///< of the tables, core radius included
+    double r_max_mm = 0.0;
+    std::optional<AxisLoss> centre_loss;  ///< with axis choice "best": what the centre would have lost
+    std::optional<AxisLoss> best_loss;    ///< and what the position found loses
+    std::vector<std::string> warnings;
+};
+
+/// One JSON object, keys sorted, no line breaks.
+std::string to_json(const SliceReport& report);
+
+}  // namespace psicarve::cam

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/model/assimp_reader.hpp"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hmi/model/edge_hash.hpp"
+#include "hmi/model/file_bytes.hpp"
+#include "hmi/model/mesh.hpp"
+#include "hmi/model/mesh_check.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::model {
+namespace {
+
+/// Walks Assimp's scene and collects its triangles where their nodes put them.
+class SceneWalk {
+public:
+    SceneWalk(const aiScene& scene, Mesh& mesh) : scene_(scene), mesh_(mesh) {}
+
+    void run() {
+        walk(*scene_.mRootNode, aiMatrix4x4());
+        mesh_.facts = check_.facts(mesh_.origin);
+    }
+
+private:
+    void walk(const aiNode& node, const aiMatrix4x4& parent) {
+        const aiMatrix4x4 placed = parent * node.mTransformation;
+        for (unsigned i = 0; i < node.mNumMeshes; ++i) add(*scene_.mMeshes[node.mMeshes[i]], placed);
+        for (unsigned i = 0; i < node.mNumChildren; ++i) walk(*node.mChildren[i], placed);
+    }
+
+    void add(const aiMesh& part, const aiMatrix4x4& placed) {
+        for (unsigned f = 0; f < part.mNumFaces; ++f) {
+            const aiFace& face = part.mFaces[f];
+            if (face.mNumIndices != 3) continue;  // points and lines have no surface
+            Triangle triangle{};
+            bool whole = true;
+            for (std::size_t v = 0; v < 3; ++v) {
+                const unsigned index = face.mIndices[v];
+                whole = whole && index < part.mNumVertices;
+                if (!whole) break;
+                const aiVector3D at = placed * part.mVertices[index];
+                triangle.vertices[v] = {at.x, at.y, at.z};
+            }
+            if (whole && check_.accept(triangle)) mesh_.triangles.push_back(triangle);
+        }
+    }
+
+    const aiScene& scene_;
+    Mesh& mesh_;
+    MeshCheck check_;
+};
+
+std::string first_line(std::string text) {
+    text.resize(std::min(text.find('\n'), text.size()));
+    return text;
+}
+
+Result<Mesh> import(const InputFile& file, const std::vector<char>& bytes, const std::string& hint) {
+    Assimp::Importer importer;
+    // Geometry only: no normals, colours, materials or textures are looked at.
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS |
+                                                            aiComponent_TANGENTS_AND_BITANGENTS |
+                                                            aiComponent_COLORS | aiComponent_TEXCOORDS |
+                                                            aiComponent_TEXTURES | aiComponent_MATERIALS);
+    const aiScene* scene = importer.ReadFileFromMemory(
+        bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_RemoveComponent, hint.c_str());
+    Mesh mesh;
+    mesh.format = hint;
+    std::transform(mesh.format.begin(), mesh.format.end(), mesh.format.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    if (scene == nullptr || scene->mRootNode == nullptr) {
+        return bad_input(file.path() + ": not a readable " + mesh.format +
+                         " file: " + first_line(importer.GetErrorString()));
+    }
+    SceneWalk(*scene, mesh).run();
+    return mesh;
+}
+
+}  // namespace
+
+Result<Mesh> read_with_assimp(const InputFile& file, const std::string& hint) {
+    const Result<std::vector<char>> bytes = file.read_all();
+    if (!bytes) return bytes.error();
+    try {
+        Result<Mesh> mesh = import(file, *bytes, hint);
+        if (mesh) mesh->source_hash = XXH3_64bits(bytes->data(), bytes->size());
+        return mesh;
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::out_of_room, file.path() + ": too large for this computer's memory"};
+    } catch (const std::exception& problem) {
+        return bad_input(file.path() + ": not a readable " + hint + " file: " + first_line(problem.what()));
+    }
+}
+
+}  // namespace psicarve::model

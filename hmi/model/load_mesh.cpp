@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/model/load_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "hmi/model/assimp_reader.hpp"
+#include "hmi/model/file_bytes.hpp"
+#include "hmi/model/mesh.hpp"
+#include "hmi/model/mesh_check.hpp"
+#include "hmi/model/stl_reader.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::model {
+namespace {
+
+enum class Format { unknown, binary_stl, ascii_stl, obj, ply, three_mf, off };
+
+constexpr std::size_t kHeadBytes = 1024;
+
+std::string lower(std::string_view text) {
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return out;
+}
+
+bool is_text(std::string_view head) noexcept {
+    return std::all_of(head.begin(), head.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte >= 0x20U ? byte != 0x7FU : (byte >= 0x09U && byte <= 0x0DU);
+    });
+}
+
+/// Whether some line of the text begins as a vertex of an OBJ file does.
+bool has_obj_vertex(std::string_view head) noexcept {
+    return head.substr(0, 2) == "v " || head.find("\nv ") != std::string_view::npos;
+}
+
+bool is_off(std::string_view lower_head) noexcept {
+    const std::size_t end = lower_head.find_first_of(" \t\r\n");
+    std::string_view word = lower_head.substr(0, end);
+    if (word.size() < 3 || word.substr(word.size() - 3) != "off") return false;
+    word.remove_suffix(3);
+    return word.size() <= 4 && word.find_first_not_of("stcn4") == std::string_view::npos;
+}
+
+Format format_by_content(std::string_view head, std::uint64_t size_bytes) {
+    if (head.size() >= kStlHeaderBytes &&
+        is_exact_binary_stl(std::span(head.data(), head.size()), size_bytes)) {
+        return Format::binary_stl;
+    }
+    if (head.substr(0, 4) == "PK\x03\x04") return Format::three_mf;
+    std::string start = lower(head);
+    start.erase(0, std::min(start.find_first_not_of(" \t\r\n"), start.size()));
+    if (start.rfind("ply\n", 0) == 0 || start.rfind("ply\r", 0) == 0) return Format::ply;
+    if (!is_text(head)) return Format::unknown;
+    if (start.rfind("solid", 0) == 0) return Format::ascii_stl;
+    if (is_off(start)) return Format::off;
+    return has_obj_vertex(head) ? Format::obj : Format::unknown;
+}
+
+Format format_by_extension(const std::string& path) {
+    const std::string extension = lower(std::filesystem::path(path).extension().string());
+    if (extension == ".stl") return Format::binary_stl;
+    if (extension == ".obj") return Format::obj;
+    if (extension == ".ply") return Format::ply;
+    if (extension == ".3mf") return Format::three_mf;
+    if (extension == ".off") return Format::off;
+    return Format::unknown;
+}
+
+Result<Mesh> read_as(Format format, const InputFile& file) {
+    switch (format) {
+        case Format::binary_stl:
+            return read_binary_stl(file);
+        case Format::ascii_stl:
+            return read_ascii_stl(file);
+        case Format::obj:
+            return read_with_assimp(file, "obj");
+        case Format::ply:
+            return read_with_assimp(file, "ply");
+        case Format::three_mf:
+            return read_with_assimp(file, "3mf");
+        case Format::off:
+            return read_with_assimp(file, "off");
+        case Format::unknown:
+            break;
+    }
+    return bad_input(file.path() + ": not a mesh that can be read here (STL, OBJ, PLY, 3MF or OFF)");
+}
+
+}  // namespace
+
+Result<Mesh> load_mesh(const std::string& path) {
+    const Result<InputFile> file = InputFile::open(path);
+    if (!file) return file.error();
+    if (file->size_bytes() == 0) return bad_input(path + ": the file is empty");
+    std::array<char, kHeadBytes> bytes{};
+    const std::span<char> head = std::span(bytes).first(
+        static_cast<std::size_t>(std::min<std::uint64_t>(kHeadBytes, file->size_bytes())));
+    if (auto done = file->read(0, head); !done) return done.error();
+    Format format = format_by_content({head.data(), head.size()}, file->size_bytes());
+    if (format == Format::unknown) format = format_by_extension(path);
+    Result<Mesh> mesh = read_as(format, *file);
+    if (!mesh) return mesh.error();
+    mesh->source_name = std::filesystem::path(path).filename().string();
+    if (auto good = judge_mesh(*mesh, path); !good) return good.error();
+    return mesh;
+}
+
+}  // namespace psicarve::model

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "hmi/model/mesh.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::model {
+
+/// Reads STL (both kinds), OBJ, PLY, 3MF or OFF; what the file holds decides, then its extension. What cannot
+/// be carved is refused in one line "FILE: what, where"; what can be carved with flaws has warnings.
+Result<Mesh> load_mesh(const std::string& path);
+
+}  // namespace psicarve::model

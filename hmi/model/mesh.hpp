@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace psicarve::model {
+
+/// One facet as files store it: three vertices, in the order that turns counter-clockwise seen from outside.
+/// Coordinates are the file's units, relative to Mesh::origin.
+struct Triangle {
+    std::array<std::array<float, 3>, 3> vertices;
+};
+static_assert(sizeof(Triangle) == 36);
+
+/// Leaves new elements of trivial types unset: the reader writes each of a million facets exactly once.
+template <typename T>
+class UnsetAllocator : public std::allocator<T> {
+public:
+    template <typename U>
+    struct rebind {
+        using other = UnsetAllocator<U>;
+    };
+    template <typename U, typename... Args>
+    void construct(U* place, Args&&... args) {
+        if constexpr (sizeof...(Args) == 0) {
+            ::new (static_cast<void*>(place)) U;
+        } else {
+            ::new (static_cast<void*>(place)) U(std::forward<Args>(args)...);
+        }
+    }
+};
+using TriangleList = std::vector<Triangle, UnsetAllocator<Triangle>>;
+
+/// What was seen in a mesh while it was read. Nothing here is repaired.
+struct MeshFacts {
+    std::uint64_t dropped_count = 0;         ///< facets with a NaN or infinite coordinate, left out
+    std::uint64_t degenerate_count = 0;      ///< facets without area, kept
+    std::uint64_t duplicate_count = 0;       ///< facets that stand there more than once, kept
+    std::uint64_t open_edge_count = 0;       ///< edges with an odd number of facets
+    std::uint64_t turned_edge_count = 0;     ///< edges whose facets disagree about what is outside
+    std::uint64_t doubled_vertex_count = 0;  ///< vertices of an indexed file that stand at the same place
+    bool closed = true;                      ///< every edge belongs to an even number of facets
+    bool same_orientation = true;            ///< along every edge the facets agree about what is outside
+    double signed_volume = 0.0;              ///< cubic file units; negative: inside out
+    std::array<double, 3> min{};             ///< bounding box, file units, origin included
+    std::array<double, 3> max{};
+};
+
+/// A triangle soup and what is known about the file it came from.
+struct Mesh {
+    TriangleList triangles;
+    std::array<double, 3> origin{};  ///< add to every stored coordinate; not zero only far from the origin
+    MeshFacts facts;
+    std::string format;             ///< "binary STL", "OBJ", ...
+    std::string source_name;        ///< file name without folders
+    std::uint64_t source_hash = 0;  ///< XXH3 of the file's bytes
+    std::vector<std::string> warnings;
+};
+
+}  // namespace psicarve::model

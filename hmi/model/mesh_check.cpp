@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/model/mesh_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hmi/model/edge_hash.hpp"
+#include "hmi/model/mesh.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::model {
+namespace {
+
+// More dropped facets than one in this many, and the file is garbage rather than a model with a flaw.
+constexpr std::uint64_t kDroppedFacetsAllowedOneIn = 20;
+// A closed mesh is hollow paper when its volume is this small a part of its box.
+constexpr double kLeastVolumeShare = 1e-9;
+// Counting edges needs 24 bytes a facet; beyond this the warning goes without the count.
+constexpr std::size_t kMostFacetsCounted = 20'000'000;
+
+bool is_finite(const Triangle& t) noexcept {
+    float zero = 0.0F;  // anything times 0 is 0, unless it is NaN or infinite
+    for (const auto& v : t.vertices) zero += v[0] * 0.0F + v[1] * 0.0F + v[2] * 0.0F;
+    return zero == 0.0F;
+}
+
+struct EdgeCounts {
+    std::uint64_t open = 0;
+    std::uint64_t turned = 0;
+};
+
+EdgeCounts count_edges(const TriangleList& triangles) {
+    std::vector<std::uint64_t> edges;  // hash without its lowest bit, which holds the direction
+    edges.reserve(triangles.size() * 3);
+    for (const Triangle& t : triangles) {
+        const std::array<std::uint64_t, 3> h{vertex_hash(t.vertices[0]), vertex_hash(t.vertices[1]),
+                                             vertex_hash(t.vertices[2])};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint64_t from = h[i];
+            const std::uint64_t to = h[(i + 1) % 3];
+            if (from != to) edges.push_back((edge_hash(from, to) & ~1ULL) | (from < to ? 1U : 0U));
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    EdgeCounts counts;
+    for (std::size_t i = 0; i < edges.size();) {
+        std::size_t end = i;
+        std::int64_t balance = 0;
+        for (; end < edges.size() && (edges[end] | 1U) == (edges[i] | 1U); ++end) {
+            balance += (edges[end] & 1U) != 0 ? 1 : -1;
+        }
+        if ((end - i) % 2 != 0) {
+            ++counts.open;
+        } else if (balance != 0) {
+            ++counts.turned;
+        }
+        i = end;
+    }
+    return counts;
+}
+
+std::uint64_t facet_hash(const Triangle& t) noexcept {
+    return vertex_hash(t.vertices[0]) + vertex_hash(t.vertices[1]) + vertex_hash(t.vertices[2]);
+}
+
+/// How often a facet follows an equal one, among the facets whose hash is a multiple of `one_in`.
+std::uint64_t count_duplicates(const TriangleList& triangles, std::uint64_t one_in) {
+    std::vector<std::uint64_t> hashes;
+    for (const Triangle& t : triangles) {
+        const std::uint64_t h = facet_hash(t);
+        if (h % one_in == 0) hashes.push_back(h);
+    }
+    std::sort(hashes.begin(), hashes.end());
+    std::uint64_t count = 0;
+    for (std::size_t i = 1; i < hashes.size(); ++i) count += hashes[i] == hashes[i - 1] ? 1 : 0;
+    return count;
+}
+
+void count_flaws(Mesh& mesh) {
+    MeshFacts& facts = mesh.facts;
+    if (mesh.triangles.size() > kMostFacetsCounted) return;
+    // A mesh that stands there twice is closed too, and one facet in 64 is enough to notice it.
+    constexpr std::uint64_t kSample = 64;
+    const bool suspicious = !facts.closed || !facts.same_orientation;
+    if (suspicious || count_duplicates(mesh.triangles, kSample) > 0) {
+        facts.duplicate_count = count_duplicates(mesh.triangles, 1);
+    }
+    if (suspicious) {
+        const EdgeCounts counts = count_edges(mesh.triangles);
+        facts.open_edge_count = counts.open;
+        facts.turned_edge_count = counts.turned;
+    }
+}
+
+std::string counted(std::uint64_t count, const std::string& one, const std::string& many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+void write_warnings(Mesh& mesh) {
+    const MeshFacts& facts = mesh.facts;
+    std::vector<std::string>& out = mesh.warnings;
+    if (facts.dropped_count > 0) {
+        out.push_back(counted(facts.dropped_count, "facet", "facets") +
+                      " with a NaN or infinite coordinate left out");
+    }
+    if (!facts.closed) {
+        out.push_back("the mesh has holes: " +
+                      (facts.open_edge_count > 0
+                           ? counted(facts.open_edge_count, "edge belongs", "edges belong")
+                           : std::string("some edges belong")) +
+                      " to an odd number of facets; nothing is carved in a hole");
+    }
+    if (facts.turned_edge_count > 0) {
+        out.push_back("some facets are flipped: along " + counted(facts.turned_edge_count, "edge", "edges") +
+                      " the neighbours disagree about what is outside; carved as if they agreed");
+    } else if (facts.closed && facts.same_orientation && facts.signed_volume < 0.0) {
+        out.emplace_back("the mesh is inside out: all facets are flipped; carved as if they were not");
+    }
+    if (facts.degenerate_count > 0) {
+        out.push_back(counted(facts.degenerate_count, "facet", "facets") +
+                      " without area (degenerate), ignored");
+    }
+    if (facts.duplicate_count > 0) {
+        out.push_back(counted(facts.duplicate_count, "facet stands", "facets stand") +
+                      " in the file more than once");
+    }
+    if (facts.doubled_vertex_count > 0) {
+        out.push_back(
+            counted(facts.doubled_vertex_count, "vertex is a duplicate", "vertices are duplicates") +
+            " of another at the same place, taken as one");
+    }
+}
+
+/// Whether all facets lie in one plane (within float rounding), however that plane stands.
+bool lies_in_a_plane(const TriangleList& triangles, const MeshFacts& facts) {
+    std::array<double, 3> normal{};
+    double largest = 0.0;
+    const auto cross_of = [](const Triangle& t) {
+        std::array<double, 3> u{};
+        std::array<double, 3> v{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            u[i] = double{t.vertices[1][i]} - t.vertices[0][i];
+            v[i] = double{t.vertices[2][i]} - t.vertices[0][i];
+        }
+        return std::array<double, 3>{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                     u[0] * v[1] - u[1] * v[0]};
+    };
+    for (const Triangle& t : triangles) {
+        const auto n = cross_of(t);
+        const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+        if (square > largest) {
+            largest = square;
+            normal = n;
+        }
+    }
+    if (largest == 0.0) return true;
+    double size = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        normal[i] /= std::sqrt(largest);
+        size = std::max(size, facts.max[i] - facts.min[i]);
+    }
+    const auto& base = triangles.front().vertices[0];
+    return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+        return std::all_of(t.vertices.begin(), t.vertices.end(), [&](const std::array<float, 3>& v) {
+            double away = 0.0;
+            for (std::size_t i = 0; i < 3; ++i) away += normal[i] * (double{v[i]} - base[i]);
+            return std::abs(away) <= 1e-6 * size;
+        });
+    });
+}
+
+bool has_volume(const Mesh& mesh) {
+    const MeshFacts& facts = mesh.facts;
+    double box_volume = 1.0;
+    for (std::size_t i = 0; i < 3; ++i) box_volume *= facts.max[i] - facts.min[i];
+    if (!(box_volume > 0.0)) return false;
+    if (!facts.closed || !facts.same_orientation) return !lies_in_a_plane(mesh.triangles, facts);
+    return std::abs(facts.signed_volume) > kLeastVolumeShare * box_volume;
+}
+
+}  // namespace
+
+bool MeshCheck::accept(Triangle& triangle) noexcept {
+    if (!is_finite(triangle)) {
+        ++dropped_count_;
+        return false;
+    }
+    if (accepted_count_++ == 0) first_ = min_ = max_ = triangle.vertices[0];
+    std::array<std::uint64_t, 3> h{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        auto& v = triangle.vertices[i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            v[k] += 0.0F;  // -0 becomes 0: one place, one bit pattern
+            min_[k] = std::min(min_[k], v[k]);
+            max_[k] = std::max(max_[k], v[k]);
+        }
+        h[i] = vertex_hash(v);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint64_t from = h[i];
+        const std::uint64_t to = h[(i + 1) % 3];
+        const std::uint64_t edge = edge_hash(from, to);
+        directed_edge_sum_ += directed_edge_hash(from, to, edge);
+        edge_parity_ ^= from == to ? 0 : edge;
+    }
+    const auto& [a, b, c] = triangle.vertices;
+    const double ux = double{b[0]} - a[0];
+    const double uy = double{b[1]} - a[1];
+    const double uz = double{b[2]} - a[2];
+    const double vx = double{c[0]} - a[0];
+    const double vy = double{c[1]} - a[1];
+    const double vz = double{c[2]} - a[2];
+    const double nx = uy * vz - uz * vy;
+    const double ny = uz * vx - ux * vz;
+    const double nz = ux * vy - uy * vx;
+    if (nx == 0.0 && ny == 0.0 && nz == 0.0) ++degenerate_count_;
+    volume_times_6_ +=
+        nx * (double{a[0]} - first_[0]) + ny * (double{a[1]} - first_[1]) + nz * (double{a[2]} - first_[2]);
+    return true;
+}
+
+MeshFacts MeshCheck::facts(const std::array<double, 3>& origin) const noexcept {
+    MeshFacts facts;
+    facts.dropped_count = dropped_count_;
+    facts.degenerate_count = degenerate_count_;
+    facts.closed = edge_parity_ == 0;
+    facts.same_orientation = directed_edge_sum_ == 0;
+    facts.signed_volume = volume_times_6_ / 6.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        facts.min[k] = origin[k] + double{min_[k]};
+        facts.max[k] = origin[k] + double{max_[k]};
+    }
+    return facts;
+}
+
+Result<void> judge_mesh(Mesh& mesh, const std::string& file) {
+    const std::uint64_t dropped = mesh.facts.dropped_count;
+    const std::uint64_t total = dropped + mesh.triangles.size();
+    if (total == 0) return bad_input(file + ": holds no facets (" + mesh.format + ")");
+    if (dropped * kDroppedFacetsAllowedOneIn > total) {
+        return bad_input(file + ": " + std::to_string(dropped) + " of " + std::to_string(total) +
+                         " facets have NaN or infinite coordinates; this is not a usable mesh");
+    }
+    if (!has_volume(mesh)) {
+        return bad_input(file + ": the mesh has no volume (all of it is flat); there is nothing to carve");
+    }
+    count_flaws(mesh);
+    write_warnings(mesh);
+    return {};
+}
+
+}  // namespace psicarve::model

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "hmi/model/mesh.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::model {
+
+/// Looks at every facet once, in constant memory, while a reader makes them.
+/// Whether a mesh is closed is decided by sums over hashed edges: in a closed, consistently turned mesh each
+/// edge comes once in each direction and the sum is zero. A wrong "closed" has a chance of about 2^-64.
+class MeshCheck {
+public:
+    /// False when the facet has a NaN or infinite coordinate: leave it out. Makes -0 to 0.
+    bool accept(Triangle& triangle) noexcept;
+
+    /// Bounding box, volume and closedness of what was accepted.
+    MeshFacts facts(const std::array<double, 3>& origin) const noexcept;
+
+private:
+    std::array<float, 3> first_{};
+    std::array<float, 3> min_{};
+    std::array<float, 3> max_{};
+    double volume_times_6_ = 0.0;
+    std::uint64_t accepted_count_ = 0;
+    std::uint64_t dropped_count_ = 0;
+    std::uint64_t degenerate_count_ = 0;
+    std::uint64_t directed_edge_sum_ = 0;
+    std::uint64_t edge_parity_ = 0;
+};
+
+/// The last step of every reader: refuses meshes nobody can carve ("FILE: what, where"), counts open edges
+/// and duplicate facets where the quick check found something, and writes the warnings.
+Result<void> judge_mesh(Mesh& mesh, const std::string& file);
+
+}  // namespace psicarve::model

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "hmi/model/file_bytes.hpp"
+#include "hmi/model/mesh.hpp"
+#include "hmi/model/mesh_check.hpp"
+#include "hmi/model/stl_reader.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::model {
+namespace {
+
+// Beyond this a float no longer resolves a tenth of a micrometre: coordinates are then stored from an origin.
+constexpr double kFarFromOrigin = 1000.0;
+
+bool is_space(char c) noexcept {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
+}
+
+/// Words of a text, and where they stand.
+class Words {
+public:
+    explicit Words(std::string_view text) : text_(text) {}
+
+    std::string_view next() noexcept {
+        while (position_ < text_.size() && is_space(text_[position_])) ++position_;
+        start_ = position_;
+        while (position_ < text_.size() && !is_space(text_[position_])) ++position_;
+        return text_.substr(start_, position_ - start_);
+    }
+    void skip_line() noexcept {
+        while (position_ < text_.size() && text_[position_] != '\n') ++position_;
+    }
+    std::size_t line() const noexcept {
+        const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(start_, text_.size()));
+        return 1 + static_cast<std::size_t>(std::count(text_.begin(), end, '\n'));
+    }
+
+private:
+    std::string_view text_;
+    std::size_t position_ = 0;
+    std::size_t start_ = 0;
+};
+
+bool is_word(std::string_view word, std::string_view lower_case) noexcept {
+    return std::equal(word.begin(), word.end(), lower_case.begin(), lower_case.end(), [](char a, char b) {
+        return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+    });
+}
+
+std::optional<double> number(std::string_view word) noexcept {
+    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (end != word.data() + word.size()) return std::nullopt;
+    if (error == std::errc::result_out_of_range) return HUGE_VAL;  // dropped and counted like infinity
+    if (error != std::errc{}) return std::nullopt;
+    return value;
+}
+
+std::string quoted(std::string_view word) {
+    std::string text = "'";
+    text += word.substr(0, 20);
+    text += "'";
+    return text;
+}
+
+class AsciiReader {
+public:
+    AsciiReader(std::string_view text, const std::string& path) : words_(text), path_(path) {}
+
+    Result<Mesh> read() {
+        for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+            if (auto done = take(word); !done) return done.error();
+        }
+        if (in_facet_) return wrong("the file ends in the middle of a facet");
+        if (in_solid_)
+            mesh_.warnings.emplace_back("the file ends without endsolid: perhaps a part is missing");
+        mesh_.format = "ASCII STL";
+        mesh_.facts = check_.facts(mesh_.origin);
+        return std::move(mesh_);
+    }
+
+private:
+    Error wrong(const std::string& what) const {
+        return bad_input(path_ + ": line " + std::to_string(words_.line()) + ": " + what);
+    }
+
+    Result<void> take(std::string_view word) {
+        if (is_word(word, "vertex")) return take_vertex();
+        if (is_word(word, "facet")) return begin_facet();
+        if (is_word(word, "endfacet")) return end_facet();
+        if (is_word(word, "outer") || is_word(word, "loop") || is_word(word, "endloop")) return {};
+        if (is_word(word, "solid") || is_word(word, "endsolid")) {
+            if (in_facet_) return wrong("a facet without endfacet");
+            in_solid_ = is_word(word, "solid");
+            words_.skip_line();
+            return {};
+        }
+        return wrong(quoted(word) + " is not a word of ASCII STL");
+    }
+
+    Result<void> begin_facet() {
+        if (in_facet_) return wrong("a facet without endfacet");
+        in_facet_ = true;
+        vertex_count_ = 0;
+        words_.skip_line();  // the normal: the vertices' order says the same, and is more often right
+        return {};
+    }
+
+    Result<void> take_vertex() {
+        if (!in_facet_ || vertex_count_ == 3) return wrong("a vertex too many");
+        for (double& coordinate : facet_[vertex_count_]) {
+            const std::string_view word = words_.next();
+            const std::optional<double> value = number(word);
+            if (!value) {
+                return wrong(word.empty() ? "the file ends in the middle of a facet"
+                                          : quoted(word) + " is not a number");
+            }
+            coordinate = *value;
+        }
+        ++vertex_count_;
+        return {};
+    }
+
+    Result<void> end_facet() {
+        if (!in_facet_ || vertex_count_ != 3) return wrong("a facet needs three vertices");
+        in_facet_ = false;
+        if (mesh_.triangles.empty()) choose_origin();
+        Triangle triangle{};
+        for (std::size_t v = 0; v < 3; ++v) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                triangle.vertices[v][k] = static_cast<float>(facet_[v][k] - mesh_.origin[k]);
+            }
+        }
+        if (check_.accept(triangle)) mesh_.triangles.push_back(triangle);
+        return {};
+    }
+
+    void choose_origin() noexcept {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double first = facet_[0][k];
+            const bool far = std::isfinite(first) && std::abs(first) > kFarFromOrigin;
+            mesh_.origin[k] = far ? std::trunc(first) : 0.0;
+        }
+    }
+
+    Words words_;
+    const std::string& path_;
+    Mesh mesh_;
+    MeshCheck check_;
+    std::array<std::array<double, 3>, 3> facet_{};
+    std::size_t vertex_count_ = 0;
+    bool in_facet_ = false;
+    bool in_solid_ = false;
+};
+
+}  // namespace
+
+Result<Mesh> read_ascii_stl(const InputFile& file) {
+    const Result<std::vector<char>> text = file.read_all();
+    if (!text) return text.error();
+    try {
+        Result<Mesh> mesh = AsciiReader({text->data(), text->size()}, file.path()).read();
+        if (mesh) mesh->source_hash = XXH3_64bits(text->data(), text->size());
+        return mesh;
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::out_of_room, file.path() + ": too large for this computer's memory"};
+    }
+}
+
+}  // namespace psicarve::model

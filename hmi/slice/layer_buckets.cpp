@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/slice/layer_buckets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hmi/model/mesh.hpp"
+#include "hmi/slice/placement.hpp"
+
+namespace psicarve::slice {
+namespace {
+
+/// Finds layers by height: guesses as if they were evenly spaced, then looks.
+class LayerFinder {
+public:
+    explicit LayerFinder(std::span<const double> heights) : heights_(heights) {
+        const double range = heights.back() - heights.front();
+        if (heights.size() > 1 && range > 0.0) {
+            layers_per_unit_ = static_cast<double>(heights.size() - 1) / range;
+        }
+    }
+
+    /// The first layer at or above z; the layer count when there is none.
+    std::uint32_t first_at_or_above(double z) const noexcept {
+        if (z <= heights_.front()) return 0;
+        if (z > heights_.back()) return static_cast<std::uint32_t>(heights_.size());
+        auto i = static_cast<std::size_t>((z - heights_.front()) * layers_per_unit_);
+        i = std::min(i, heights_.size() - 1);
+        while (i > 0 && heights_[i - 1] >= z) --i;
+        while (heights_[i] < z) ++i;
+        return static_cast<std::uint32_t>(i);
+    }
+
+private:
+    std::span<const double> heights_;
+    double layers_per_unit_ = 0.0;
+};
+
+/// Turns a facet upright and sorts its vertices by height.
+CutTriangle sorted_upright(const model::Triangle& t, const std::array<std::size_t, 3>& from,
+                           std::uint32_t end_layer) noexcept {
+    CutTriangle out{};
+    for (std::size_t v = 0; v < 3; ++v) {
+        for (std::size_t k = 0; k < 3; ++k) out.vertices[v][k] = t.vertices[v][from[k]];
+    }
+    auto& [a, b, c] = out.vertices;
+    std::uint32_t swaps = 0;
+    const auto order = [&swaps](std::array<float, 3>& low, std::array<float, 3>& high) {
+        if (low[2] <= high[2]) return;
+        std::swap(low, high);
+        swaps ^= 1U;
+    };
+    order(a, b);
+    order(b, c);
+    order(a, b);
+    out.end_layer = end_layer & 0x7FFFFFFFU;
+    out.turned = swaps & 1U;
+    return out;
+}
+
+}  // namespace
+
+LayerBuckets::LayerBuckets(const model::TriangleList& triangles, Up up, std::span<const double> heights)
+    : starts_(heights.size() + 1, 0), cut_counts_(heights.size(), 0) {
+    if (heights.empty()) return;
+    const LayerFinder finder(heights);
+    const std::array<std::size_t, 3> from = source_coordinate(up);
+    constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+    struct Range {
+        std::uint32_t first;
+        std::uint32_t end;
+    };
+    std::vector<Range, model::UnsetAllocator<Range>> ranges(triangles.size());
+    std::vector<std::int64_t> change(heights.size() + 1, 0);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const auto& v = triangles[i].vertices;
+        const auto [low, high] = std::minmax({v[0][from[2]], v[1][from[2]], v[2][from[2]]});
+        const Range range{finder.first_at_or_above(low), finder.first_at_or_above(high)};
+        ranges[i] = range.first < range.end ? range : Range{kNone, kNone};
+        if (range.first >= range.end) continue;
+        ++starts_[range.first + 1];
+        ++change[range.first];
+        --change[range.end];
+    }
+    std::int64_t cut = 0;
+    for (std::size_t layer = 0; layer < heights.size(); ++layer) {
+        starts_[layer + 1] += starts_[layer];
+        cut += change[layer];
+        cut_counts_[layer] = static_cast<std::uint32_t>(cut);
+    }
+    triangles_.resize(starts_.back());
+    std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (ranges[i].first == kNone) continue;
+        triangles_[next[ranges[i].first]++] = sorted_upright(triangles[i], from, ranges[i].end);
+    }
+}
+
+}  // namespace psicarve::slice

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hmi/slice/directions.hpp"
+#include "hmi/slice/layer_buckets.hpp"
+
+namespace psicarve::slice {
+
+/// Totals of one layer. Radii in file units.
+struct LayerTotals {
+    std::uint32_t open_cells = 0;    ///< directions whose wall count does not fit the layer's: a hole there
+    std::uint32_t empty_cells = 0;   ///< directions that meet no wall
+    std::uint32_t hidden_walls = 0;  ///< walls behind another in the same direction
+    std::uint32_t walls = 0;
+    std::uint32_t turned_cells = 0;  ///< directions where outsides and insides do not alternate
+    bool has_section = false;        ///< the layer cuts the model at all
+    bool contains_axis = false;      ///< the axis is inside the section
+    double radius_sum = 0.0;         ///< over all walls
+    double outer_sum = 0.0;          ///< over the outermost walls
+    double radius_max = 0.0;
+};
+
+/// The section of one layer, seen from the axis.
+struct LayerSection {
+    std::size_t layer = 0;
+    std::span<const double> radius;  ///< outermost wall in each direction, file units; 0: none
+    const LayerTotals* totals = nullptr;
+};
+
+/// Scan-converts the sections of facets in angle, one layer at a time. Cells hold the outermost radius and
+/// how many walls turn their outside to the direction, and how many their inside.
+class LayerScan {
+public:
+    /// `directions` outlives the scan.
+    explicit LayerScan(const Directions& directions);
+
+    /// Cuts the facet at height z (stored coordinates; requires low z <= z < high z) and draws the segment.
+    /// Edges are cut from their lower vertex, so that both facets of an edge get the same point.
+    void add_cut(const CutTriangle& triangle, double z, double shift_x, double shift_y) noexcept;
+
+    /// A segment P -> Q, seen from the axis, the solid on its left. RT: no.
+    void add_segment(double px, double py, double qx, double qy) noexcept;
+
+    /// Ends the layer: its totals and radii, valid until the next segment. Clears the cells for the next.
+    const LayerTotals& finish() noexcept;
+    std::span<const double> radius() const noexcept { return result_; }
+
+private:
+    struct Segment;
+    void draw(const Segment& segment, std::uint32_t first, std::uint32_t end) noexcept;
+    void draw_radial(const Segment& segment, std::uint32_t first, std::uint32_t end) noexcept;
+
+    const Directions& directions_;
+    std::vector<double> outer_;
+    std::vector<std::uint32_t> walls_;  ///< low half: outsides, high half: insides
+    std::vector<double> result_;
+    LayerTotals totals_;
+    double radius_sum_ = 0.0;
+};
+
+}  // namespace psicarve::slice

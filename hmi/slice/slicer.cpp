@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/slice/slicer.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <numeric>
+#include <span>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "hmi/model/mesh.hpp"
+#include "hmi/slice/directions.hpp"
+#include "hmi/slice/layer_buckets.hpp"
+#include "hmi/slice/layer_scan.hpp"
+#include "hmi/slice/placement.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::slice {
+namespace {
+
+/// What the threads share. Layers are split into one range a thread; a layer's cells belong to one thread.
+struct Work {
+    const LayerBuckets& buckets;
+    std::span<const double> heights;  ///< stored coordinates
+    double shift_x;
+    double shift_y;
+    const LayerSink& sink;
+    std::vector<LayerTotals>& totals;
+    std::atomic<std::size_t> layers_done{0};
+    std::atomic<bool> cancelled{false};
+};
+
+/// One thread's range of layers, everything it needs allocated before the thread starts.
+class RangeWorker {
+public:
+    RangeWorker(Work& work, const Directions& directions, std::size_t first, std::size_t end)
+        : work_(work), scan_(directions), first_(first), end_(end) {
+        const auto& counts = work.buckets.cut_counts();
+        const auto begin = counts.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto stop = counts.begin() + static_cast<std::ptrdiff_t>(end);
+        carried_.reserve(first == end ? 0 : *std::max_element(begin, stop));
+    }
+
+    void run(const Progress* progress) noexcept {
+        // Facets that begin below the range and reach into it, in the order a walk from below would have.
+        for (std::size_t layer = 0; layer < first_; ++layer) carry(layer, first_);
+        for (std::size_t layer = first_; layer < end_; ++layer) {
+            if (work_.cancelled.load(std::memory_order_relaxed)) return;
+            cut(layer);
+            const std::size_t done = 1 + work_.layers_done.fetch_add(1, std::memory_order_relaxed);
+            if (progress != nullptr && *progress &&
+                !(*progress)(static_cast<double>(done) / static_cast<double>(work_.heights.size()))) {
+                work_.cancelled.store(true, std::memory_order_relaxed);
+            }
+        }
+    }
+
+private:
+    void carry(std::size_t layer, std::size_t into) noexcept {
+        for (const CutTriangle& t : work_.buckets.starting_in(layer)) {
+            if (t.end_layer > into) carried_.push_back(&t);
+        }
+    }
+
+    void cut(std::size_t layer) noexcept {
+        const double z = work_.heights[layer];
+        for (const CutTriangle* t : carried_) scan_.add_cut(*t, z, work_.shift_x, work_.shift_y);
+        for (const CutTriangle& t : work_.buckets.starting_in(layer)) {
+            scan_.add_cut(t, z, work_.shift_x, work_.shift_y);
+        }
+        work_.totals[layer] = scan_.finish();
+        work_.sink(LayerSection{layer, scan_.radius(), &work_.totals[layer]});
+        std::erase_if(carried_, [layer](const CutTriangle* t) { return t->end_layer <= layer + 1; });
+        carry(layer, layer + 1);
+    }
+
+    Work& work_;
+    LayerScan scan_;
+    std::size_t first_;
+    std::size_t end_;
+    std::vector<const CutTriangle*> carried_;
+};
+
+/// Ends of one range of layers for each thread, about the same number of cuts in each.
+std::vector<std::size_t> split_layers(const std::vector<std::uint32_t>& cut_counts, std::size_t parts,
+                                      std::size_t direction_count) {
+    const std::uint64_t fixed = direction_count / 8;  // clearing and reading a layer's cells
+    std::uint64_t total = fixed * cut_counts.size();
+    total = std::accumulate(cut_counts.begin(), cut_counts.end(), total);
+    std::vector<std::size_t> ends;
+    std::uint64_t sum = 0;
+    for (std::size_t layer = 0; layer < cut_counts.size(); ++layer) {
+        sum += cut_counts[layer] + fixed;
+        while (ends.size() + 1 < parts && sum * parts >= total * (ends.size() + 1)) ends.push_back(layer + 1);
+    }
+    ends.resize(parts, cut_counts.size());
+    return ends;
+}
+
+void run_workers(std::vector<RangeWorker>& workers, const Progress& progress) {
+    std::vector<std::thread> threads;
+    std::vector<RangeWorker*> left;  // a thread the system does not give is work for this one
+    for (std::size_t i = 1; i < workers.size(); ++i) {
+        try {
+            threads.emplace_back([worker = &workers[i]] { worker->run(nullptr); });
+        } catch (const std::system_error&) {
+            left.push_back(&workers[i]);
+        }
+    }
+    workers.front().run(&progress);
+    for (RangeWorker* worker : left) worker->run(&progress);
+    for (std::thread& thread : threads) thread.join();
+}
+
+}  // namespace
+
+Result<std::vector<LayerTotals>> slice_layers(const model::Mesh& mesh, const Placement& placement,
+                                              std::span<const double> heights, const Directions& directions,
+                                              const LayerSink& sink, const SliceOptions& options) {
+    try {
+        const auto origin = placed(placement.up, mesh.origin);
+        std::vector<double> stored_heights(heights.begin(), heights.end());
+        for (double& height : stored_heights) height -= origin[2];
+        const LayerBuckets buckets(mesh.triangles, placement.up, stored_heights);
+        std::vector<LayerTotals> totals(heights.size());
+        Work work{buckets,
+                  stored_heights,
+                  placement.axis_x - origin[0],
+                  placement.axis_y - origin[1],
+                  sink,
+                  totals,
+                  {},
+                  {}};
+        const std::size_t parts =
+            std::clamp<std::size_t>(options.thread_count, 1, std::max<std::size_t>(1, heights.size()));
+        std::vector<RangeWorker> workers;
+        workers.reserve(parts);
+        std::size_t first = 0;
+        for (const std::size_t end : split_layers(buckets.cut_counts(), parts, directions.count())) {
+            workers.emplace_back(work, directions, first, end);
+            first = end;
+        }
+        run_workers(workers, options.progress);
+        if (work.cancelled) return Error{ErrorCode::cancelled, "slicing was cancelled"};
+        return totals;
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::out_of_room, "not enough memory to slice " + mesh.source_name};
+    }
+}
+
+Result<RadialMap> radial_map(const model::Mesh& mesh, const Placement& placement,
+                             std::span<const double> heights, const Directions& directions,
+                             const SliceOptions& options) {
+    RadialMap map;
+    map.direction_count = directions.count();
+    try {
+        map.radius.resize(heights.size() * directions.count());
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::out_of_room, "not enough memory for so many layers and points"};
+    }
+    const auto store = [&map](const LayerSection& section) {
+        std::copy(section.radius.begin(), section.radius.end(),
+                  map.radius.begin() + static_cast<std::ptrdiff_t>(section.layer * map.direction_count));
+    };
+    auto totals = slice_layers(mesh, placement, heights, directions, store, options);
+    if (!totals) return totals.error();
+    map.layers = std::move(*totals);
+    return map;
+}
+
+std::vector<double> layer_heights(double bottom, double height, std::size_t count) {
+    std::vector<double> heights(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        heights[i] = bottom + (static_cast<double>(i) + 0.5) * height / static_cast<double>(count);
+    }
+    return heights;
+}
+
+}  // namespace psicarve::slice

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "hmi/model/mesh.hpp"
+#include "hmi/slice/directions.hpp"
+#include "hmi/slice/layer_scan.hpp"
+#include "hmi/slice/placement.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::slice {
+
+/// Called on the caller's thread with what part of the work is done, 0 to 1; false ends the work.
+using Progress = std::function<bool(double done_ratio)>;
+
+/// Called once for each layer, in no fixed order, from `thread_count` threads.
+using LayerSink = std::function<void(const LayerSection&)>;
+
+struct SliceOptions {
+    unsigned thread_count = 1;  ///< the result is the same, bit for bit, for any number
+    Progress progress;
+};
+
+/// r(theta, h) of a mesh at the given heights (ascending, placed file units) and directions, layer by layer.
+Result<std::vector<LayerTotals>> slice_layers(const model::Mesh& mesh, const Placement& placement,
+                                              std::span<const double> heights, const Directions& directions,
+                                              const LayerSink& sink, const SliceOptions& options);
+
+/// All of r(theta, h) at once: radius[layer * direction_count + direction], file units, 0 where nothing is.
+struct RadialMap {
+    std::size_t direction_count = 0;
+    std::vector<double> radius;
+    std::vector<LayerTotals> layers;
+};
+Result<RadialMap> radial_map(const model::Mesh& mesh, const Placement& placement,
+                             std::span<const double> heights, const Directions& directions,
+                             const SliceOptions& options);
+
+/// Heights of the layers: i at bottom + (i + 1/2) * height / count.
+std::vector<double> layer_heights(double bottom, double height, std::size_t count);
+
+}  // namespace psicarve::slice

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rtcore/cycle/motion_block.hpp"
+#include "rtcore/cycle/sample_record.hpp"
 #include "rtcore/trace/trace_entry.hpp"
 #include "shared/machine_state.hpp"
 #include "shared/spsc_ring.hpp"
@@ -53,7 +55,8 @@ enum class Refusal : std::uint8_t {
 struct Report {
     enum class Kind : std::uint8_t { event, answer };
     FlightRecord record;
-    std::uint64_t sequence;  ///< answer: the request's
+    std::uint64_t sequence;        ///< answer: the request's
+    std::int64_t expected_pulses;  ///< alarm steps_lost: the count expected; record.value is the one seen
     Kind kind;
     Refusal refusal;  ///< answer: none means done
     std::uint8_t reserved[6];
@@ -92,6 +95,19 @@ using IncrementQueue = SpscRing<IncrementEntry, 16384>;
 struct UrgentWords {
     std::atomic<std::uint32_t> stop_requests{0};
     std::atomic<std::uint32_t> estop_requests{0};
+};
+
+/// All of it together, made once before the tick starts; it is large, so not for a stack. The trace ring is
+/// apart: without one nothing is traced.
+struct CycleIo {
+    RequestRing requests;
+    ReportRing reports;
+    IncrementQueue increments;
+    UrgentWords urgent;
+    PlanRequestRing plan_requests;
+    BlockRing blocks;
+    SampleRecord<Sample> sample;
+    trace::TraceRing* trace = nullptr;
 };
 
 }  // namespace psicarve::cycle

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "rtcore/cycle/cycle_config.hpp"
+#include "rtcore/cycle/cycle_io.hpp"
+#include "rtcore/cycle/executor.hpp"
+#include "rtcore/cycle/inputs.hpp"
+#include "rtcore/cycle/pulse_stage.hpp"
+#include "rtcore/port/port.hpp"
+#include "shared/machine_state.hpp"
+
+namespace psicarve::cycle {
+
+/// One tick of the machine: read inputs -> limits, emergency stop, index -> requests -> interpolate -> write
+/// outputs. Holds the one MachineState. All methods belong to the one thread that ticks; everybody else talks
+/// through CycleIo. Port and io outlive it. RT: yes, every method, after construction.
+class Cycle {
+public:
+    /// Writes the safe state to the port at time 0.
+    Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept;
+
+    void tick() noexcept;
+    /// So many ticks' times have passed without a tick: they are counted and never made up for. Call before
+    /// the tick() that comes late.
+    void advance_missed(std::uint64_t ticks) noexcept;
+    /// The end of the core's work, whatever the state: drives and spindle off.
+    void shut_down() noexcept;
+
+    /// The number of the next tick.
+    std::uint64_t next_tick() const noexcept { return tick_; }
+    MachineState state() const noexcept { return state_; }
+    const PulseStage& pulses() const noexcept { return pulses_; }
+    /// What the sample record shows when it is renewed.
+    Sample sample() const noexcept;
+
+    /// For a replay only, before the first tick: every axis counts as homed and stands here.
+    void assume_homed(const std::array<std::int64_t, kAxisCount>& position_pulses) noexcept;
+
+private:
+    // cycle.cpp: the tick
+    void take_inputs(SignalWord raw) noexcept;
+    void check_limits() noexcept;
+    void check_index(SignalWord before) noexcept;
+    void take_urgent_words() noexcept;
+    void after_step(Executor::Progress progress) noexcept;
+    void note_point() noexcept;
+    void note_latch() noexcept;
+    void publish() noexcept;
+    void write_port() noexcept;
+    // cycle_states.cpp: requests, states, alarms
+    void take_request(const Request& request) noexcept;
+    Refusal judge(const Request& request) noexcept;
+    Refusal start_home(bool only_height) noexcept;
+    Refusal start_job() noexcept;
+    Refusal load_job(const Request& request) noexcept;
+    Refusal reset_alarm() noexcept;
+    Refusal back_off(std::uint8_t axis) noexcept;
+    void stop() noexcept;
+    bool apply(MachineEvent event) noexcept;
+    void enter(MachineState state) noexcept;
+    void program_done() noexcept;
+    void came_to_rest() noexcept;
+    void request_plan(PlanKind kind, std::uint8_t axis = kNoAxis) noexcept;
+    void drop_plan() noexcept;
+    void raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expected = 0,
+                     std::int64_t seen = 0) noexcept;
+    std::uint8_t moving_axes() const noexcept;
+    bool is_homed() const noexcept { return homed_mask_ == kAllAxesMask; }
+    void report(const FlightRecord& record, std::int64_t expected = 0) noexcept;
+    void answer(const Request& request, Refusal refusal) noexcept;
+    FlightRecord record_of(RecordKind kind, std::uint16_t code) const noexcept;
+    void trace_position() noexcept;
+
+    static constexpr std::uint8_t kAllAxesMask = 0xF;
+
+    CycleConfig config_;
+    port::Port* port_;
+    CycleIo* io_;
+    PulseStage pulses_;
+    Inputs inputs_;
+    Executor executor_;
+
+    std::uint64_t tick_ = 0;
+    std::int64_t time_ns_ = 0;
+    MachineState state_ = MachineState::off;
+    AlarmCause alarm_cause_ = AlarmCause::none;
+    std::uint8_t alarm_axis_ = kNoAxis;
+    std::uint8_t homed_mask_ = 0;
+    std::uint8_t homing_mask_ = 0;  ///< what the running homing program homes
+    SignalWord limits_exempt_ = 0;  ///< limits that were tripped when homing began and are not homed yet
+    std::uint32_t epoch_ = 0;
+    std::uint32_t stop_seen_ = 0;
+    std::uint32_t estop_seen_ = 0;
+    SignalWord written_ = 0;
+    SignalWord traced_ = 0;
+    std::uint64_t next_publish_tick_ = 0;
+    std::array<std::int64_t, kAxisCount> published_pulses_{};
+
+    std::uint32_t layer_ = 0;
+    std::uint32_t point_ = 0;
+    std::uint64_t points_done_ = 0;
+    std::uint64_t points_total_ = 0;
+    std::uint64_t job_generation_ = 0;
+    std::uint64_t job_start_tick_ = 0;
+    std::uint64_t carve_first_tick_ = 0;
+    std::uint64_t carve_last_tick_ = 0;
+    std::uint64_t job_end_tick_ = 0;
+    std::uint64_t missed_ticks_ = 0;
+    std::uint64_t trace_lost_ = 0;
+    std::uint64_t reports_lost_ = 0;
+    std::uint64_t increments_lost_ = 0;
+};
+
+}  // namespace psicarve::cycle

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "shared/signal.hpp"
+
+namespace psicarve::cycle {
+
+enum class SensorEnd : std::uint8_t { none, low, high, index };
+
+/// One axis as the tick needs it.
+struct AxisConfig {
+    SensorEnd sensor_end = SensorEnd::none;
+    bool has_sensor = false;       ///< wired, and used for homing
+    std::int64_t coast_ticks = 0;  ///< 1/j_k: a longer gap in ticks loses a moving rotor's steps
+    std::int64_t travel_min_pulses = 0;
+    std::int64_t travel_max_pulses = 0;
+};
+
+/// A machine profile in ticks and pulses: all that the tick knows of it.
+struct CycleConfig {
+    std::int64_t period_ns = 50'000;
+    std::array<AxisConfig, kAxisCount> axes;
+    std::int64_t step_high_ticks = 1;  ///< all at least 1: one register write a tick
+    std::int64_t step_low_ticks = 1;
+    std::int64_t dir_setup_ticks = 1;
+    std::int64_t dir_hold_ticks = 1;
+    std::int64_t filter_ticks = 0;  ///< a limit counts when its level stood for so long
+    SignalWord input_mask = 0;      ///< inputs that are wired
+    bool has_index = false;
+    std::int64_t pulses_per_rev = 6400;
+    std::int64_t index_position_pulses = 0;
+    std::int64_t index_tolerance_pulses = 2;
+    std::uint64_t sample_ticks = 20;  ///< the sample is renewed this often, and on every change of state
+};
+
+}  // namespace psicarve::cycle

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "shared/signal.hpp"
+#include "shared/spsc_ring.hpp"
+
+namespace psicarve::cycle {
+
+enum class BlockKind : std::uint8_t {
+    line,         ///< one DDA segment of a table; part of an acceleration group
+    move,         ///< a motion of its own: approach, link, retraction, homing
+    define,       ///< the present position of `axis` is `position_pulses`; nothing moves
+    outputs,      ///< drives and spindle as `enable_mask` and `spindle` say
+    dwell,        ///< `ticks` ticks of rest
+    program_end,  ///< all blocks before it are done
+};
+
+/// What ends a move before its way is done.
+enum class Until : std::uint8_t {
+    none,            ///< the way's end; with a sensor condition below, the way's end means: not found
+    sensor_tripped,  ///< the sensor of `axis` trips: slow down, stop
+    sensor_clear,    ///< it does not trip any more: slow down, stop
+    index_edge,      ///< it begins to trip (an edge): slow down, stop
+};
+
+/// What a sensor's edge means for the position.
+enum class Latch : std::uint8_t {
+    none,
+    at_edge,  ///< where the sensor's edge was seen is `position_pulses`
+};
+
+enum class Spindle : std::uint8_t { keep, on, off };
+
+/// One piece of motion. Written by the planner, read by the tick. Speeds are those of the long axis: DDA
+/// iterations per second, each iteration at least one pulse.
+struct MotionBlock {
+    BlockKind kind;
+    Until until;
+    Latch latch;
+    Spindle spindle;
+    std::uint8_t axis;           ///< Axis of until, latch, define
+    std::uint8_t enable_mask;    ///< outputs: drives on, bit by axis; others off
+    std::uint8_t is_homing;      ///< 1: sensors of `axis` raise no alarm during this block
+    std::uint8_t reaches_point;  ///< 1: at its end the job's `layer`, `point` is reached
+    std::uint32_t epoch;         ///< of the plan request it belongs to; others are dropped
+    std::uint32_t group_blocks;  ///< of the whole acceleration group; 0: not its first block
+    std::array<std::int64_t, kAxisCount> delta_pulses;
+    double start_speed_per_s;  ///< a group's first block only, as the next three
+    double max_speed_per_s;
+    double accel_per_s2;
+    std::uint64_t group_iterations;
+    std::uint32_t layer;
+    std::uint32_t point;
+    std::int64_t position_pulses;  ///< latch, define
+    std::int64_t ticks;            ///< dwell
+};
+static_assert(sizeof(MotionBlock) <= 128 && std::is_trivially_copyable_v<MotionBlock>);
+
+inline constexpr std::size_t kBlockRingEntries = 16384;
+/// A group starts when all of it, or this many blocks, are queued: then it cannot run dry.
+inline constexpr std::size_t kGroupStartBlocks = kBlockRingEntries / 2;
+using BlockRing = SpscRing<MotionBlock, kBlockRingEntries>;
+
+/// What the tick asks of the planner. The newest request replaces all before it.
+enum class PlanKind : std::uint8_t {
+    home,          ///< all four axes
+    reset_height,  ///< Y to its sensor
+    position,      ///< from anywhere to the job's first point, spindle up
+    carve,         ///< from the first point to the last
+    finish,        ///< heads out, spindle off; also after a stop
+    back_off,      ///< `axis` away from its tripped sensor
+};
+struct PlanRequest {
+    std::uint32_t epoch;
+    PlanKind kind;
+    std::uint8_t axis;
+    std::uint8_t homed_mask;    ///< only homed axes have a meaningful position
+    std::uint8_t tripped_mask;  ///< sensors that are tripped now
+    std::array<std::int64_t, kAxisCount> position_pulses;
+    std::uint64_t job_generation;
+};
+using PlanRequestRing = SpscRing<PlanRequest, 16>;
+
+}  // namespace psicarve::cycle

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -DPYTHON= -DEXAMPLES= -DMODEL= -DOPTION= -DWORK= -P this: examples/make_figurine.py makes MODEL.stl as committed.
+cmake_minimum_required(VERSION 3.25)
+set(made "${WORK}/${MODEL}.stl")
+file(REMOVE "${made}")
+execute_process(COMMAND "${PYTHON}" -B "${EXAMPLES}/make_figurine.py" ${OPTION} "${made}" RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+    message(FATAL_ERROR "make_figurine.py ${OPTION} ended with ${result}")
+endif()
+file(SHA256 "${made}" made_hash)
+file(SHA256 "${EXAMPLES}/${MODEL}.stl" committed_hash)
+if(NOT made_hash STREQUAL committed_hash)
+    message(FATAL_ERROR "${made} is not examples/${MODEL}.stl")
+endif()
+file(REMOVE "${made}")

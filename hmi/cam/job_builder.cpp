@@ -16,6 +16,7 @@
 #include "hmi/cam/radius_tables.hpp"
 #include "hmi/cam/slice_report.hpp"
 #include "hmi/model/mesh.hpp"
+#include "hmi/slice/best_axis.hpp"
 #include "hmi/slice/directions.hpp"
 #include "hmi/slice/slicer.hpp"
 #include "shared/job.hpp"
@@ -85,19 +86,43 @@ std::string percent(double share) {
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " %";
 }
 
+// Where the chosen axis loses more than this, a better one is looked for and offered.
+constexpr double kLossWorthASearch = 0.01;
+
+Result<void> offer_axis(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan,
+                        const JobOptions& options, SliceReport& report) {
+    const double outside = ratio(report.layers_without_axis, report.layers);
+    if (report.axis_search || report.undercut_share + outside < kLossWorthASearch) return {};
+    const auto found =
+        slice::search_axis(mesh, plan.placement.up, {plan.placement.axis_x, plan.placement.axis_y},
+                           reachable_radius(profile, plan.scale), options.search_progress);
+    if (!found) return found.error();
+    report.axis_search = *found;
+    return {};
+}
+
+std::string better_axis(const SliceReport& report) {
+    if (report.axis_choice == "best" || !report.axis_search) return "";
+    const slice::AxisSearch& found = *report.axis_search;
+    if (found.best_loss.total() >= found.used_loss.total() - kLossWorthASearch) return "";
+    return "; --axis-at best would lose " + percent(found.best_loss.undercut_share) + " of the surface and " +
+           percent(found.best_loss.outside_share) + " of the layers";
+}
+
 void warn_about_losses(SliceReport& report) {
-    const std::string hint = report.axis_choice == "best" ? "" : "; --axis-at best looks for a better axis";
+    const std::string hint = better_axis(report);
     if (report.undercut_share >= 0.0005) {
         report.warnings.push_back(percent(report.undercut_share) +
                                   " of the surface lies behind another part and cannot be reached" + hint);
     }
     if (report.layers_without_axis > 0) {
         report.warnings.push_back(std::to_string(report.layers_without_axis) + " of " +
-                                  std::to_string(report.layers) + " layers do not contain the axis" + hint);
+                                  std::to_string(report.layers) + " layers do not contain the axis" +
+                                  (report.undercut_share >= 0.0005 ? "" : hint));
     }
     if (report.open_points > 0) {
         report.warnings.push_back("the mesh is open at " + std::to_string(report.open_points) +
-                                  " of the samples");
+                                  " of the samples; what is missing there is not carved");
     }
 }
 
@@ -124,6 +149,7 @@ Result<BuiltJob> build(const model::Mesh& mesh, const Profile& profile, const Jo
     if (auto fits = tables.check_travel(mesh.source_name); !fits) return fits.error();
     report_totals(*totals, report);
     tables.report(report);
+    if (auto done = offer_axis(mesh, profile, plan, options, report); !done) return done.error();
     warn_about_losses(report);
     table.profile_toml = profile_to_toml(profile);
     table.report_json = to_json(report);

@@ -36,7 +36,8 @@ struct JobOptions {
     std::optional<double> scale;      ///< mm per file unit; default 1
     std::optional<Joining> joining;   ///< default: the profile's
     unsigned thread_count = 1;        ///< changes nothing in the job
-    slice::Progress progress;
+    slice::Progress progress;         ///< of the slicing
+    slice::Progress search_progress;  ///< of looking for the best axis
 };
 
 struct BuiltJob {

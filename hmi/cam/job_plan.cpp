@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/cam/slice_report.hpp"
 #include "hmi/model/mesh.hpp"
+#include "hmi/slice/best_axis.hpp"
 #include "hmi/slice/placement.hpp"
 #include "hmi/slice/slicer.hpp"
 #include "shared/profile.hpp"
@@ -101,29 +103,36 @@ Result<std::vector<std::int64_t>> height_pulses(const JobPlan& plan, const Profi
     return pulses;
 }
 
-Result<void> place_axis(const model::Mesh& mesh, const JobOptions& options, const Box& box, JobPlan& plan,
-                        SliceReport& report) {
+/// The search is the longer part of the work with `--axis-at best`; the slicing's progress follows it.
+Result<void> find_best_axis(const model::Mesh& mesh, const Profile& profile, const JobOptions& options,
+                            JobPlan& plan, SliceReport& report) {
+    const auto found = slice::search_axis(mesh, options.up, {plan.placement.axis_x, plan.placement.axis_y},
+                                          reachable_radius(profile, plan.scale), options.search_progress);
+    if (!found) return found.error();
+    plan.placement.axis_x = found->best[0];
+    plan.placement.axis_y = found->best[1];
+    report.axis_search = *found;
+    return {};
+}
+
+Result<void> place_axis(const model::Mesh& mesh, const Profile& profile, const JobOptions& options,
+                        const Box& box, JobPlan& plan, SliceReport& report) {
     plan.placement.up = options.up;
-    switch (options.axis_at) {
-        case AxisAt::best:
-        case AxisAt::centre:
-            plan.placement.axis_x = box.min[0] + 0.5 * (box.max[0] - box.min[0]);
-            plan.placement.axis_y = box.min[1] + 0.5 * (box.max[1] - box.min[1]);
-            report.axis_choice = "centre";
-            break;
-        case AxisAt::origin:
-            report.axis_choice = "origin";
-            break;
-        case AxisAt::point:
-            if (!std::isfinite(options.axis_x) || !std::isfinite(options.axis_y)) {
-                return Error{ErrorCode::bad_usage, "--axis-at needs two finite numbers"};
-            }
-            plan.placement.axis_x = options.axis_x;
-            plan.placement.axis_y = options.axis_y;
-            report.axis_choice = "point";
-            break;
+    if (options.axis_at == AxisAt::centre || options.axis_at == AxisAt::best) {
+        plan.placement.axis_x = box.min[0] + 0.5 * (box.max[0] - box.min[0]);
+        plan.placement.axis_y = box.min[1] + 0.5 * (box.max[1] - box.min[1]);
+    } else if (options.axis_at == AxisAt::point) {
+        if (!std::isfinite(options.axis_x) || !std::isfinite(options.axis_y)) {
+            return Error{ErrorCode::bad_usage, "--axis-at needs two finite numbers"};
+        }
+        plan.placement.axis_x = options.axis_x;
+        plan.placement.axis_y = options.axis_y;
     }
-    static_cast<void>(mesh);
+    constexpr std::array<const char*, 4> kNames{"centre", "origin", "point", "best"};
+    report.axis_choice = kNames[static_cast<std::size_t>(options.axis_at)];
+    if (options.axis_at == AxisAt::best) {
+        if (auto done = find_best_axis(mesh, profile, options, plan, report); !done) return done.error();
+    }
     report.axis = {plan.placement.axis_x, plan.placement.axis_y};
     return {};
 }
@@ -137,6 +146,16 @@ void warn_about_units(const JobOptions& options, SliceReport& report) {
 }
 
 }  // namespace
+
+double reachable_radius(const Profile& profile, double scale) {
+    double least_mm = std::numeric_limits<double>::max();
+    for (const Axis head : {Axis::r1, Axis::r2}) {
+        const LinearAxisProfile& linear = head == Axis::r1 ? profile.r1 : profile.r2;
+        const std::int64_t most = axis_motion(profile, head).travel_max_pulses;
+        least_mm = std::min(least_mm, mm_from_pulses(most, linear.pulses_per_mm) + linear.tip_offset_mm);
+    }
+    return least_mm / scale;
+}
 
 Error too_large(const std::string& source_name, const std::string& axis_name, double wanted_mm,
                 const AxisMotion& motion) {
@@ -179,7 +198,7 @@ Result<JobPlan> plan_job(const model::Mesh& mesh, const Profile& profile, const 
     auto pulses = height_pulses(plan, profile, box, mesh.source_name);
     if (!pulses) return pulses.error();
     plan.height_pulses = std::move(*pulses);
-    if (auto done = place_axis(mesh, options, box, plan, report); !done) return done.error();
+    if (auto done = place_axis(mesh, profile, options, box, plan, report); !done) return done.error();
     return plan;
 }
 

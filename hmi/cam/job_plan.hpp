@@ -28,6 +28,9 @@ struct JobPlan {
 Result<JobPlan> plan_job(const model::Mesh& mesh, const Profile& profile, const JobOptions& options,
                          SliceReport& report);
 
+/// The largest radius both heads can reach, in file units.
+double reachable_radius(const Profile& profile, double scale);
+
 /// "FILE: larger than the machine's travel: axis r1 would have to go to 70.00 mm, allowed are 0.00 to 60.00".
 Error too_large(const std::string& source_name, const std::string& axis_name, double wanted_mm,
                 const AxisMotion& motion);

@@ -7,8 +7,8 @@
 namespace psicarve::cam {
 namespace {
 
-nlohmann::json loss_json(const AxisLoss& loss) {
-    return {{"undercut_share", loss.undercut_share}, {"sections_without_axis_share", loss.outside_share}};
+nlohmann::json loss_json(const slice::AxisLoss& loss) {
+    return {{"undercut_share", loss.undercut_share}, {"layers_without_axis_share", loss.outside_share}};
 }
 
 }  // namespace
@@ -30,8 +30,12 @@ std::string to_json(const SliceReport& report) {
                        {"r_min_mm", report.r_min_mm},
                        {"r_max_mm", report.r_max_mm},
                        {"warnings", report.warnings}};
-    if (report.centre_loss) out["loss_at_centre"] = loss_json(*report.centre_loss);
-    if (report.best_loss) out["loss_at_best"] = loss_json(*report.best_loss);
+    if (report.axis_search) {
+        out["best_axis"] = {{"axis", report.axis_search->best},
+                            {"loss", loss_json(report.axis_search->best_loss)},
+                            {"loss_at_centre", loss_json(report.axis_search->centre_loss)},
+                            {"loss_at_used", loss_json(report.axis_search->used_loss)}};
+    }
     // A file name may hold bytes that are not UTF-8; the report is valid JSON all the same.
     return out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

@@ -7,13 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace psicarve::cam {
+#include "hmi/slice/best_axis.hpp"
 
-/// What an axis position costs, as parts of the whole: 0 nothing, 1 all.
-struct AxisLoss {
-    double undercut_share = 0.0;  ///< surface behind another in the same direction
-    double outside_share = 0.0;   ///< sections that do not contain the axis
-};
+namespace psicarve::cam {
 
 /// What the slicer saw and did. Goes into the job as JSON; holds no times and no paths, so that the same
 /// model and options give the same job to the last byte.
@@ -22,7 +18,7 @@ struct SliceReport {
     std::uint64_t triangles = 0;
     std::array<double, 3> box_mm{};  ///< size of the placed model: along x, y (seen from above), up
     double scale = 1.0;              ///< mm per file unit
-    std::string axis_choice;         ///< "centre", "at", "origin" or "best"
+    std::string axis_choice;         ///< "centre", "point", "origin" or "best"
     std::array<double, 2> axis{};    ///< in the turned model, file units
     std::uint32_t layers = 0;
     std::uint32_t points = 0;            ///< per head and layer
@@ -33,8 +29,8 @@ struct SliceReport {
     std::uint32_t layers_without_axis = 0;  ///< sections that do not contain the axis
     double r_min_mm = 0.0;                  ///< of the tables, core radius included
     double r_max_mm = 0.0;
-    std::optional<AxisLoss> centre_loss;  ///< with axis choice "best": what the centre would have lost
-    std::optional<AxisLoss> best_loss;    ///< and what the position found loses
+    /// What looking for a better axis found: always with axis choice "best", else when much is lost.
+    std::optional<slice::AxisSearch> axis_search;
     std::vector<std::string> warnings;
 };
 

@@ -2,6 +2,7 @@
 #include "hmi/slice/layer_scan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -20,74 +21,7 @@ constexpr double kNarrow = 1e-7;
 
 }  // namespace
 
-/// A wall with its ends in ascending order of angle.
-struct LayerScan::Segment {
-    double px;
-    double py;
-    double dx;  ///< Q - P
-    double dy;
-    std::uint32_t wall;
-};
-
-LayerScan::LayerScan(const Directions& directions)
-    : directions_(directions),
-      outer_(directions.count(), 0.0),
-      walls_(directions.count(), 0U),
-      result_(directions.count(), 0.0) {}
-
-void LayerScan::draw(const Segment& s, std::uint32_t first, std::uint32_t end) noexcept {
-    const double* cosine = directions_.cosine();
-    const double* sine = directions_.sine();
-    const double across = s.px * s.dy - s.py * s.dx;  // = Px*Qy - Py*Qx
-    double sum = 0.0;
-    for (std::uint32_t k = first; k < end; ++k) {
-        const double radius = across / (cosine[k] * s.dy - sine[k] * s.dx);
-        outer_[k] = std::max(outer_[k], radius);
-        walls_[k] += s.wall;
-        sum += radius;
-    }
-    radius_sum_ += sum;
-}
-
-void LayerScan::draw_radial(const Segment& s, std::uint32_t first, std::uint32_t end) noexcept {
-    for (std::uint32_t k = first; k < end; ++k) {
-        const double c = directions_.cosine()[k];
-        const double n = directions_.sine()[k];
-        const double p_aside = c * s.py - n * s.px;
-        const double q_aside = c * (s.py + s.dy) - n * (s.px + s.dx);
-        const double part = p_aside == q_aside ? 1.0 : std::clamp(p_aside / (p_aside - q_aside), 0.0, 1.0);
-        const double radius = std::hypot(s.px + part * s.dx, s.py + part * s.dy);
-        outer_[k] = std::max(outer_[k], radius);
-        walls_[k] += s.wall;
-        radius_sum_ += radius;
-    }
-}
-
-void LayerScan::add_segment(double px, double py, double qx, double qy) noexcept {
-    const double p_angle = diamond_angle(px, py);
-    const double q_angle = diamond_angle(qx, qy);
-    const std::uint32_t p_cell = directions_.count_up_to(p_angle);
-    const std::uint32_t q_cell = directions_.count_up_to(q_angle);
-    if (p_cell == q_cell) return;
-    // The short way round is the way the segment goes: opposite directions are exactly 2 apart.
-    const double turn = q_angle - p_angle;
-    const bool wraps = std::abs(turn) > 2.0;
-    const bool counter_clockwise = (turn > 0.0) != wraps;
-    const Segment segment{px, py, qx - px, qy - py, counter_clockwise ? kOutside : kInside};
-    const std::uint32_t from = counter_clockwise ? p_cell : q_cell;
-    const std::uint32_t to = counter_clockwise ? q_cell : p_cell;
-    const double width = wraps ? 4.0 - std::abs(turn) : std::abs(turn);
-    const auto count = static_cast<std::uint32_t>(directions_.count());
-    const auto paint = width < kNarrow ? &LayerScan::draw_radial : &LayerScan::draw;
-    if (!wraps) {
-        (this->*paint)(segment, from, to);
-    } else {
-        (this->*paint)(segment, from, count);
-        (this->*paint)(segment, 0, to);
-    }
-}
-
-void LayerScan::add_cut(const CutTriangle& triangle, double z, double shift_x, double shift_y) noexcept {
+SectionSegment cut_facet(const CutTriangle& triangle, double z, double shift_x, double shift_y) noexcept {
     const auto& v = triangle.vertices;
     const std::size_t low = z < double{v[1][2]} ? 0 : 1;  // the short edge: low -> middle or middle -> high
     const auto cut = [&](const std::array<float, 3>& a, const std::array<float, 3>& b, double& x, double& y) {
@@ -97,16 +31,82 @@ void LayerScan::add_cut(const CutTriangle& triangle, double z, double shift_x, d
         x = ax + part * ((b[0] - shift_x) - ax);
         y = ay + part * ((b[1] - shift_y) - ay);
     };
-    double long_x = 0.0;
-    double long_y = 0.0;
-    double short_x = 0.0;
-    double short_y = 0.0;
-    cut(v[0], v[2], long_x, long_y);
-    cut(v[low], v[low + 1], short_x, short_y);
+    SectionSegment s{};
     if (triangle.turned != 0) {
-        add_segment(short_x, short_y, long_x, long_y);
+        cut(v[low], v[low + 1], s.px, s.py);
+        cut(v[0], v[2], s.qx, s.qy);
     } else {
-        add_segment(long_x, long_y, short_x, short_y);
+        cut(v[0], v[2], s.px, s.py);
+        cut(v[low], v[low + 1], s.qx, s.qy);
+    }
+    return s;
+}
+
+/// A wall with its ends in ascending order of angle.
+struct LayerScan::Wall {
+    double px;
+    double py;
+    double dx;  ///< Q - P
+    double dy;
+    std::uint32_t count;  ///< kOutside or kInside
+};
+
+LayerScan::LayerScan(const Directions& directions)
+    : directions_(directions),
+      outer_(directions.count(), 0.0),
+      walls_(directions.count(), 0U),
+      result_(directions.count(), 0.0) {}
+
+void LayerScan::draw(const Wall& s, std::uint32_t first, std::uint32_t end) noexcept {
+    const double* cosine = directions_.cosine();
+    const double* sine = directions_.sine();
+    const double across = s.px * s.dy - s.py * s.dx;  // = Px*Qy - Py*Qx
+    double sum = 0.0;
+    for (std::uint32_t k = first; k < end; ++k) {
+        const double radius = across / (cosine[k] * s.dy - sine[k] * s.dx);
+        outer_[k] = std::max(outer_[k], radius);
+        walls_[k] += s.count;
+        sum += radius;
+    }
+    radius_sum_ += sum;
+}
+
+void LayerScan::draw_radial(const Wall& s, std::uint32_t first, std::uint32_t end) noexcept {
+    for (std::uint32_t k = first; k < end; ++k) {
+        const double c = directions_.cosine()[k];
+        const double n = directions_.sine()[k];
+        const double p_aside = c * s.py - n * s.px;
+        const double q_aside = c * (s.py + s.dy) - n * (s.px + s.dx);
+        const double part = p_aside == q_aside ? 1.0 : std::clamp(p_aside / (p_aside - q_aside), 0.0, 1.0);
+        const double radius = std::hypot(s.px + part * s.dx, s.py + part * s.dy);
+        outer_[k] = std::max(outer_[k], radius);
+        walls_[k] += s.count;
+        radius_sum_ += radius;
+    }
+}
+
+void LayerScan::add_segment(const SectionSegment& segment) noexcept {
+    const auto& [px, py, qx, qy] = segment;
+    const double p_angle = diamond_angle(px, py);
+    const double q_angle = diamond_angle(qx, qy);
+    const std::uint32_t p_cell = directions_.count_up_to(p_angle);
+    const std::uint32_t q_cell = directions_.count_up_to(q_angle);
+    if (p_cell == q_cell) return;
+    // The short way round is the way the segment goes: opposite directions are exactly 2 apart.
+    const double turn = q_angle - p_angle;
+    const bool wraps = std::abs(turn) > 2.0;
+    const bool counter_clockwise = (turn > 0.0) != wraps;
+    const Wall wall{px, py, qx - px, qy - py, counter_clockwise ? kOutside : kInside};
+    const std::uint32_t from = counter_clockwise ? p_cell : q_cell;
+    const std::uint32_t to = counter_clockwise ? q_cell : p_cell;
+    const double width = wraps ? 4.0 - std::abs(turn) : std::abs(turn);
+    const auto count = static_cast<std::uint32_t>(directions_.count());
+    const auto paint = width < kNarrow ? &LayerScan::draw_radial : &LayerScan::draw;
+    if (!wraps) {
+        (this->*paint)(wall, from, to);
+    } else {
+        (this->*paint)(wall, from, count);
+        (this->*paint)(wall, 0, to);
     }
 }
 

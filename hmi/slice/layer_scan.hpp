@@ -32,6 +32,18 @@ struct LayerSection {
     const LayerTotals* totals = nullptr;
 };
 
+/// A piece of a section's outline, seen from above: from P to Q the solid lies on the left.
+struct SectionSegment {
+    double px;
+    double py;
+    double qx;
+    double qy;
+};
+
+/// Cuts the facet at height z (stored coordinates; requires lowest z <= z < highest z); the shift is taken
+/// off x and y. Edges are cut from their lower vertex, so that both facets of an edge get the same point.
+SectionSegment cut_facet(const CutTriangle& triangle, double z, double shift_x, double shift_y) noexcept;
+
 /// Scan-converts the sections of facets in angle, one layer at a time. Cells hold the outermost radius and
 /// how many walls turn their outside to the direction, and how many their inside.
 class LayerScan {
@@ -39,21 +51,17 @@ public:
     /// `directions` outlives the scan.
     explicit LayerScan(const Directions& directions);
 
-    /// Cuts the facet at height z (stored coordinates; requires low z <= z < high z) and draws the segment.
-    /// Edges are cut from their lower vertex, so that both facets of an edge get the same point.
-    void add_cut(const CutTriangle& triangle, double z, double shift_x, double shift_y) noexcept;
-
-    /// A segment P -> Q, seen from the axis, the solid on its left. RT: no.
-    void add_segment(double px, double py, double qx, double qy) noexcept;
+    /// Draws a segment as seen from the axis at (0, 0).
+    void add_segment(const SectionSegment& segment) noexcept;
 
     /// Ends the layer: its totals and radii, valid until the next segment. Clears the cells for the next.
     const LayerTotals& finish() noexcept;
     std::span<const double> radius() const noexcept { return result_; }
 
 private:
-    struct Segment;
-    void draw(const Segment& segment, std::uint32_t first, std::uint32_t end) noexcept;
-    void draw_radial(const Segment& segment, std::uint32_t first, std::uint32_t end) noexcept;
+    struct Wall;
+    void draw(const Wall& wall, std::uint32_t first, std::uint32_t end) noexcept;
+    void draw_radial(const Wall& wall, std::uint32_t first, std::uint32_t end) noexcept;
 
     const Directions& directions_;
     std::vector<double> outer_;

@@ -68,9 +68,10 @@ private:
 
     void cut(std::size_t layer) noexcept {
         const double z = work_.heights[layer];
-        for (const CutTriangle* t : carried_) scan_.add_cut(*t, z, work_.shift_x, work_.shift_y);
+        for (const CutTriangle* t : carried_)
+            scan_.add_segment(cut_facet(*t, z, work_.shift_x, work_.shift_y));
         for (const CutTriangle& t : work_.buckets.starting_in(layer)) {
-            scan_.add_cut(t, z, work_.shift_x, work_.shift_y);
+            scan_.add_segment(cut_facet(t, z, work_.shift_x, work_.shift_y));
         }
         work_.totals[layer] = scan_.finish();
         work_.sink(LayerSection{layer, scan_.radius(), &work_.totals[layer]});

@@ -10,14 +10,16 @@
 namespace psicarve {
 namespace {
 
-/// Copies as much of a name as fits, cut between characters of UTF-8, zero-terminated.
+/// Copies as much of a name as fits, cut between characters of UTF-8, zero-terminated, control characters
+/// replaced.
 void copy_name(char (&field)[128], const std::string& name) {
     std::size_t length = std::min(name.size(), sizeof field - 1);
     const auto continues = [&](std::size_t at) {
         return at < name.size() && (static_cast<unsigned char>(name[at]) & 0xC0) == 0x80;
     };
     while (length > 0 && length < name.size() && continues(length)) --length;
-    std::memcpy(field, name.data(), length);
+    const auto shown = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c; };
+    std::transform(name.data(), name.data() + length, static_cast<char*>(field), shown);
 }
 
 template <typename Container>

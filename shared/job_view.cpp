@@ -71,9 +71,11 @@ Result<void> check_values(const JobHeader& header) {
                          " pulses of psi, where 1 to " + std::to_string(kMaxSweepPulses) + " are possible");
     }
     const char* const name = static_cast<const char*>(header.source_name);
-    if (std::find(name, name + sizeof header.source_name, '\0') == name + sizeof header.source_name) {
-        return not_a_job("the source's name does not end");
-    }
+    const char* const end = std::find(name, name + sizeof header.source_name, '\0');
+    if (end == name + sizeof header.source_name) return not_a_job("the source's name does not end");
+    // The name goes to terminals: no escape sequences.
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+    if (std::any_of(name, end, is_control)) return not_a_job("the source's name holds a control character");
     return {};
 }
 

@@ -14,18 +14,18 @@ constexpr std::uint8_t number_of(T value) noexcept {
     return static_cast<std::uint8_t>(value);
 }
 
-const std::vector<Word> kLevelWords{{"high", 1}, {"low", 0}};
-const std::vector<Word> kScheduleWords{{"single", number_of(Schedule::single)},
-                                       {"two-timer", number_of(Schedule::two_timer)}};
-const std::vector<Word> kPlannerWords{{"lookahead", number_of(Planner::lookahead)},
-                                      {"angle", number_of(Planner::angle)}};
-const std::vector<Word> kJoiningWords{{"continuous", number_of(Joining::continuous)},
-                                      {"zigzag", number_of(Joining::zigzag)}};
-const std::vector<Word> kLinearHomeWords{{"min", number_of(HomeSensor::min)},
-                                         {"max", number_of(HomeSensor::max)},
-                                         {"none", number_of(HomeSensor::none)}};
-const std::vector<Word> kRotaryHomeWords{{"index", number_of(HomeSensor::index)},
-                                         {"none", number_of(HomeSensor::none)}};
+constexpr Word kLevelWords[]{{"high", 1}, {"low", 0}};
+constexpr Word kScheduleWords[]{{"single", number_of(Schedule::single)},
+                                {"two-timer", number_of(Schedule::two_timer)}};
+constexpr Word kPlannerWords[]{{"lookahead", number_of(Planner::lookahead)},
+                               {"angle", number_of(Planner::angle)}};
+constexpr Word kJoiningWords[]{{"continuous", number_of(Joining::continuous)},
+                               {"zigzag", number_of(Joining::zigzag)}};
+constexpr Word kLinearHomeWords[]{{"min", number_of(HomeSensor::min)},
+                                  {"max", number_of(HomeSensor::max)},
+                                  {"none", number_of(HomeSensor::none)}};
+constexpr Word kRotaryHomeWords[]{{"index", number_of(HomeSensor::index)},
+                                  {"none", number_of(HomeSensor::none)}};
 
 /// Collects keys; `part` reaches from the profile to the struct that holds them.
 template <typename Part>
@@ -40,7 +40,7 @@ public:
         add(member, leaf, unit, bounds, {}, motion, explanation);
     }
     template <typename Member>
-    void word(Member Part::*member, const char* leaf, const std::vector<Word>& words, bool motion,
+    void word(Member Part::*member, const char* leaf, std::span<const Word> words, bool motion,
               const char* explanation) {
         add(member, leaf, "", {}, words, motion, explanation);
     }
@@ -48,7 +48,7 @@ public:
 private:
     template <typename Member>
     void add(Member Part::*member, const char* leaf, const char* unit, Bounds bounds,
-             const std::vector<Word>& words, bool motion, const char* explanation) {
+             std::span<const Word> words, bool motion, const char* explanation) {
         auto field = [part = part_, member](Profile& profile) -> Field { return &(part(profile).*member); };
         keys_.push_back({table_.empty() ? leaf : table_ + "." + leaf, unit, bounds, words, explanation,
                          motion, std::move(field)});

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -37,7 +38,7 @@ struct KeySpec {
     std::string path;  ///< "axis.r1.speed_mm_s"
     std::string unit;
     Bounds bounds;
-    std::vector<Word> words;  ///< not empty: the value is one of these words
+    std::span<const Word> words;  ///< not empty: the value is one of these words
     std::string explanation;
     bool matters_to_motion = true;
     std::function<Field(Profile&)> field;

@@ -18,7 +18,10 @@ inline constexpr std::int64_t kNsPerMs = 1'000'000;
 /// Nearest whole number, halves away from zero; the same on every machine (no rounding mode, no libm).
 /// Requires |value| < 2^62. RT: yes.
 constexpr std::int64_t round_to_pulse(double value) noexcept {
-    return value < 0.0 ? -static_cast<std::int64_t>(0.5 - value) : static_cast<std::int64_t>(value + 0.5);
+    // Not value + 0.5: that sum itself rounds, just below a half and above 2^52.
+    const auto whole = static_cast<std::int64_t>(value);
+    const double rest = value - static_cast<double>(whole);
+    return rest >= 0.5 ? whole + 1 : (rest <= -0.5 ? whole - 1 : whole);
 }
 
 constexpr std::int64_t pulses_from_mm(double length_mm, double pulses_per_mm) noexcept {

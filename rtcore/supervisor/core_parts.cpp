@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/core_parts.hpp"
+
+#include <algorithm>
+
+#include "rtcore/plan/cycle_config_from_profile.hpp"
+#include "rtcore/port/sim_port.hpp"
+#include "rtcore/sim/sim_config.hpp"
+#include "shared/pin_map.hpp"
+
+namespace psicarve::supervisor {
+namespace {
+
+sim::SimConfig machine_for(const Profile& profile, const HomedStart& homed_start) {
+    sim::SimConfig config = sim::sim_config_from_profile(profile);
+    if (homed_start) {
+        for (const Axis axis : kAllAxes) config.axis(axis).start_pulses = (*homed_start)[index_of(axis)];
+    }
+    return config;
+}
+
+trace::TraceStart trace_start_of(const CoreParts& parts) {
+    trace::TraceStart start;
+    start.period_ns = parts.period_ns;
+    for (const Axis axis : kAllAxes)
+        start.position_pulses[index_of(axis)] = parts.machine->position_pulses(axis);
+    return start;
+}
+
+}  // namespace
+
+std::array<std::int64_t, kAxisCount> home_positions(const Profile& profile) {
+    std::array<std::int64_t, kAxisCount> positions{};
+    for (const Axis axis : kAllAxes) {
+        const AxisMotion motion = axis_motion(profile, axis);
+        std::int64_t& position = positions[index_of(axis)];
+        position = motion.home_position_pulses;
+        if (motion.has_travel)
+            position = std::clamp(position, motion.travel_min_pulses, motion.travel_max_pulses);
+    }
+    return positions;
+}
+
+Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const Profile& profile,
+                                              const PartsRequest& request) {
+    auto parts = std::make_unique<CoreParts>();
+    parts->profile = profile;
+    parts->period_ns = tick_period_ns(profile);
+    const auto pin_map = PinMap::from_profile(profile);
+    if (!pin_map) return pin_map.error();
+    parts->machine = std::make_unique<sim::Machine>(machine_for(profile, request.homed_start));
+    parts->port = std::make_unique<port::SimPort>(*pin_map, *parts->machine);
+    if (request.plays_recorded_inputs) {
+        auto recorded = std::make_unique<RecordedInputsPort>(std::move(parts->port));
+        parts->recorded_inputs = recorded.get();
+        parts->port = std::move(recorded);
+    }
+    if (const auto opened = parts->traces.open(options.trace_paths, trace_start_of(*parts)); !opened) {
+        return opened.error();
+    }
+    parts->io = std::make_unique<cycle::CycleIo>();
+    if (parts->traces.is_open()) {
+        parts->trace_ring = std::make_unique<trace::TraceRing>();
+        parts->io->trace = parts->trace_ring.get();
+    }
+    parts->cycle =
+        std::make_unique<cycle::Cycle>(plan::cycle_config_from_profile(profile), *parts->port, *parts->io);
+    if (request.homed_start) parts->cycle->assume_homed(*request.homed_start);
+    parts->planner = std::make_unique<plan::Planner>(profile, *parts->io);
+    return parts;
+}
+
+}  // namespace psicarve::supervisor

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rtcore/cycle/cycle.hpp"
+#include "rtcore/cycle/cycle_io.hpp"
+#include "rtcore/plan/planner.hpp"
+#include "rtcore/port/port.hpp"
+#include "rtcore/sim/machine.hpp"
+#include "rtcore/supervisor/options.hpp"
+#include "rtcore/supervisor/recorded_inputs_port.hpp"
+#include "rtcore/supervisor/trace_outlet.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::supervisor {
+
+/// Where a replay begins: every axis homed and standing here.
+using HomedStart = std::optional<std::array<std::int64_t, kAxisCount>>;
+
+/// The machine and everything between it and the segment, built in the order in which they depend on each
+/// other. One owner; members are used by the threads that their own headers name.
+struct CoreParts {
+    Profile profile;
+    std::int64_t period_ns = 0;
+    std::unique_ptr<sim::Machine> machine;  ///< behind the simulated port
+    std::unique_ptr<port::Port> port;
+    RecordedInputsPort* recorded_inputs = nullptr;  ///< the port, when a replay plays inputs from a recorder
+    std::unique_ptr<trace::TraceRing> trace_ring;
+    std::unique_ptr<cycle::CycleIo> io;
+    std::unique_ptr<cycle::Cycle> cycle;
+    std::unique_ptr<plan::Planner> planner;
+    TraceOutlet traces;
+};
+
+struct PartsRequest {
+    HomedStart homed_start;
+    bool plays_recorded_inputs = false;
+};
+
+/// Opens the port (its safe state is written first of all) and the traces, and puts the parts together.
+Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const Profile& profile,
+                                              const PartsRequest& request);
+
+/// Where every axis stands when it is homed and at its home position.
+std::array<std::int64_t, kAxisCount> home_positions(const Profile& profile);
+
+}  // namespace psicarve::supervisor

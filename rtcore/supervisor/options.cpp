@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+namespace psicarve::supervisor {
+namespace {
+
+constexpr std::uint32_t kLargestCapacity = 1'000'000;
+constexpr int kExitUsage = 2;
+
+bool parse_count(std::string_view text, std::uint32_t& count) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+    return error == std::errc{} && end == text.data() + text.size() && count >= 1 &&
+           count <= kLargestCapacity;
+}
+
+std::string check_port(const std::string& port) {
+    if (port == "sim") return {};
+    return "this build drives the simulated port only: --port sim";
+}
+
+std::string check_segment_name(const std::string& name) {
+    const bool is_plain = name.size() >= 2 && name.size() <= 200 && name.front() == '/' &&
+                          name.find('/', 1) == std::string::npos;
+    return is_plain ? std::string{} : "a segment's name begins with / and has no other: --segment /psicarve";
+}
+
+void describe(CLI::App& app, CoreOptions& options, std::string& capacity) {
+    app.footer(
+        "Example: psicarve-rtcore --port sim --clock real --profile machine.toml\n"
+        "Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 alarm (replay), 5 no segment.");
+    app.add_option("--segment", options.segment_name, "Shared-memory segment to serve")
+        ->capture_default_str()
+        ->check(check_segment_name);
+    app.add_option("--port", options.port, "Where the signals go: sim (a simulated machine)")
+        ->capture_default_str()
+        ->check(check_port);
+    app.add_option(
+           "--clock", options.clock,
+           "real: ticks by the wall clock; virtual: the same code as fast as it goes, the same every time")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, ClockKind>{
+            {"real", ClockKind::real}, {"virtual", ClockKind::virtual_time}}))
+        ->default_str("real");
+    app.add_option(
+        "--profile", options.profile_path,
+        "Machine profile (TOML), or a job file whose profile is meant; without it the built-in default");
+    app.add_option(
+        "--trace", options.trace_paths,
+        "Record every pin: .vcd is a value-change dump, anything else compact binary; fd:N an open "
+        "descriptor; may be given more than once");
+    app.add_option("--capacity", capacity, "Largest job of a new segment, layers x points")
+        ->default_str("4000x3600");
+    app.add_option("--group", options.group, "Members of this group may use the segment, too (mode 0660)");
+    app.add_option("--replay", options.replay_path,
+                   "Run this job or snapshot file from the home positions, then exit");
+    app.add_flag("--exit-with-parent", options.exit_with_parent, "End in order when the parent process ends");
+    app.set_version_flag("--version", PSICARVE_VERSION);
+}
+
+}  // namespace
+
+Result<void> parse_capacity(const std::string& text, CoreOptions& options) {
+    const std::size_t cross = text.find('x');
+    if (cross == std::string::npos ||
+        !parse_count(std::string_view{text}.substr(0, cross), options.capacity_layers) ||
+        !parse_count(std::string_view{text}.substr(cross + 1), options.capacity_points)) {
+        return Error{ErrorCode::bad_usage,
+                     "--capacity: '" + text + "' is not LAYERSxPOINTS, as in 4000x3600, each 1 to 1000000"};
+    }
+    return {};
+}
+
+std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
+    CoreOptions options;
+    std::string capacity;
+    CLI::App app{"The real-time core of Psicarve: carves what is published in a shared-memory segment.",
+                 "psicarve-rtcore"};
+    describe(app, options, capacity);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : kExitUsage;
+    }
+    if (!capacity.empty()) {
+        if (const auto parsed = parse_capacity(capacity, options); !parsed) {
+            std::fprintf(stderr, "psicarve-rtcore: %s\n", parsed.error().message.c_str());
+            return kExitUsage;
+        }
+    }
+    return options;
+}
+
+}  // namespace psicarve::supervisor

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "shared/layout.hpp"
+#include "shared/result.hpp"
+#include "shared/segment.hpp"
+
+namespace psicarve::supervisor {
+
+enum class ClockKind : std::uint8_t { real, virtual_time };
+
+/// What the command line of psicarve-rtcore says.
+struct CoreOptions {
+    std::string segment_name = kDefaultSegmentName;
+    std::string port = "sim";
+    ClockKind clock = ClockKind::real;
+    std::string profile_path;  ///< TOML, or a job file whose profile is meant; empty: built-in default
+    std::vector<std::string> trace_paths;  ///< file or "fd:N"; ".vcd": value-change dump, else binary
+    std::string replay_path;               ///< job or snapshot file; empty: serve commands
+    std::uint32_t capacity_layers = kDefaultCapacityLayers;
+    std::uint32_t capacity_points = kDefaultCapacityPoints;
+    std::string group;
+    bool exit_with_parent = false;
+};
+
+/// The options, or the exit code of a run that is over (help and version were asked for, or the usage was
+/// wrong: the message has been printed).
+std::variant<CoreOptions, int> parse_options(int argc, char** argv);
+
+/// "LxP", both 1 to 1 000 000.
+Result<void> parse_capacity(const std::string& text, CoreOptions& options);
+
+}  // namespace psicarve::supervisor

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "rtcore/cycle/cycle_io.hpp"
+#include "shared/command.hpp"
+
+namespace psicarve::supervisor {
+
+/// Why a command was refused and what to do, in one sentence that fits into Answer::reason.
+std::string refusal_text(cycle::Refusal refusal, CommandKind command, const cycle::Sample& sample);
+
+}  // namespace psicarve::supervisor

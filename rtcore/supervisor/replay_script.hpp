@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "rtcore/cycle/cycle_io.hpp"
+#include "shared/result.hpp"
+#include "shared/snapshot_file.hpp"
+#include "shared/status.hpp"
+
+namespace psicarve::supervisor {
+
+/// One thing that a recorded run's tick saw from outside.
+struct ReplayStep {
+    enum class Kind : std::uint8_t { request, stop, emergency_stop, inputs };
+    std::uint64_t tick;  ///< counted from the beginning of the replay
+    Kind kind;
+    cycle::RequestKind request;
+    std::uint8_t axis;
+    SignalWord inputs;  ///< kind inputs: all input levels from this tick on
+};
+
+/// What a recorder holds, made ready to be applied again: from the first moment at which the machine was
+/// homed and at rest, to the last entry.
+struct ReplayScript {
+    std::array<std::int64_t, kAxisCount> start_position_pulses{};
+    SignalWord start_inputs = 0;
+    std::vector<ReplayStep> steps;
+    std::uint64_t end_tick = 0;    ///< the last entry's
+    std::uint64_t first_tick = 0;  ///< tick of the recorded run that is tick 0 here
+};
+
+/// Nothing when the recorder never saw a start from rest (the run is then replayed from the job alone).
+std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>& records);
+
+}  // namespace psicarve::supervisor

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/run_core.hpp"
+
+#include <signal.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "rtcore/rt_setup.hpp"
+#include "rtcore/supervisor/core_parts.hpp"
+#include "rtcore/supervisor/core_profile.hpp"
+#include "rtcore/supervisor/end_request.hpp"
+#include "rtcore/supervisor/replay.hpp"
+#include "rtcore/supervisor/replay_script.hpp"
+#include "rtcore/supervisor/run_loops.hpp"
+#include "rtcore/supervisor/supervisor.hpp"
+#include "shared/snapshot_file.hpp"
+
+namespace psicarve::supervisor {
+namespace {
+
+int fail(const Error& error) {
+    std::fprintf(stderr, "psicarve-rtcore: %s\n", error.message.c_str());
+    switch (error.code) {
+        case ErrorCode::bad_usage:
+            return 2;
+        case ErrorCode::machine_refused:
+        case ErrorCode::cancelled:
+            return kExitAlarm;
+        case ErrorCode::no_core:
+        case ErrorCode::timed_out:
+            return kExitNoSegment;
+        default:
+            return kExitBadInput;
+    }
+}
+
+/// What --replay asks for, read before anything is touched.
+struct Replay {
+    Snapshot snapshot;
+    std::optional<ReplayScript> script;
+    std::uint64_t end_tick = 0;
+};
+
+Result<std::optional<Replay>> load_replay(const CoreOptions& options) {
+    if (options.replay_path.empty()) return std::optional<Replay>{};
+    auto snapshot = load_snapshot(options.replay_path);
+    if (!snapshot) return snapshot.error();
+    if (snapshot->job_blob.empty()) return bad_input(options.replay_path + ": holds no job to replay");
+    Replay replay;
+    replay.script = script_from_records(snapshot->records);
+    if (replay.script) {
+        replay.end_tick = replay.script->end_tick;
+        if (snapshot->status && snapshot->status->tick > replay.script->first_tick) {
+            replay.end_tick = std::max(replay.end_tick, snapshot->status->tick - replay.script->first_tick);
+        }
+    }
+    replay.snapshot = std::move(*snapshot);
+    return std::optional<Replay>{std::move(replay)};
+}
+
+/// A job carries the profile it was made for: a replay without --profile runs on that machine.
+std::string profile_path_of(const CoreOptions& options) {
+    return options.profile_path.empty() ? options.replay_path : options.profile_path;
+}
+
+PartsRequest parts_request_of(const std::optional<Replay>& replay, const Profile& profile) {
+    PartsRequest request;
+    if (!replay) return request;
+    request.homed_start = replay->script ? replay->script->start_position_pulses : home_positions(profile);
+    request.plays_recorded_inputs = replay->script.has_value();
+    return request;
+}
+
+SegmentOptions segment_options_of(const CoreOptions& options) {
+    SegmentOptions segment;
+    segment.name = options.segment_name;
+    segment.capacity_layers = options.capacity_layers;
+    segment.capacity_points = options.capacity_points;
+    segment.group = options.group;
+    return segment;
+}
+
+std::uint8_t missing_sensors(const Profile& profile) {
+    unsigned mask = 0;
+    for (const Axis axis : kAllAxes) {
+        if (axis_motion(profile, axis).home == HomeSensor::none) mask |= 1U << index_of(axis);
+    }
+    return static_cast<std::uint8_t>(mask);
+}
+
+/// SIGTERM when the parent ends; a parent that ended before we asked is noticed as well.
+bool tie_to_parent() {
+    const pid_t parent = getppid();
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    return getppid() == parent && parent != 1;
+}
+
+int run_loop(const CoreOptions& options, CoreParts& parts, Supervisor& supervisor,
+             std::optional<Replay>& replay, EndRequest& end) {
+    JobDirector job_director;
+    std::optional<RecordDirector> record_director;
+    Directors directors;
+    if (replay && replay->script) {
+        if (parts.recorded_inputs != nullptr)
+            parts.recorded_inputs->show_inputs(replay->script->start_inputs);
+        record_director.emplace(*replay->script, replay->end_tick);
+        directors.record = &*record_director;
+    } else if (replay) {
+        directors.job = &job_director;
+    }
+    return options.clock == ClockKind::virtual_time ? run_on_virtual_clock(parts, supervisor, directors, end)
+                                                    : run_on_real_clock(parts, supervisor, directors, end);
+}
+
+/// The segment is ours and the port is not touched yet.
+int serve_segment(const CoreOptions& options, const Profile& profile, Segment segment,
+                  std::optional<Replay>& replay) {
+    EndRequest end;
+    if (options.clock == ClockKind::real) rtcore::set_up_process_memory();
+    auto parts = build_core(options, profile, parts_request_of(replay, profile));
+    if (!parts) return fail(parts.error());
+    const CoreFacts facts{.period_ns = (*parts)->period_ns,
+                          .is_simulator = true,
+                          .is_virtual_clock = options.clock == ClockKind::virtual_time,
+                          .has_realtime_rights = false,
+                          .missing_sensors_mask = missing_sensors(profile)};
+    if (replay) {
+        if (const auto published = publish_job(segment, replay->snapshot.job_blob); !published) {
+            return fail(published.error());
+        }
+    }
+    Supervisor supervisor{**parts, segment_options_of(options), std::move(segment), facts};
+    if (replay && replay->script) supervisor.refuse_commands("a recorded run is being replayed");
+    const int exit_code = run_loop(options, **parts, supervisor, replay, end);
+    supervisor.leave();
+    return exit_code;
+}
+
+}  // namespace
+
+int run_core(const CoreOptions& options) {
+    if (options.exit_with_parent && !tie_to_parent()) return kExitDone;
+    auto replay = load_replay(options);
+    if (!replay) return fail(replay.error());
+    const auto profile = load_core_profile(profile_path_of(options));
+    if (!profile) return fail(profile.error());
+    auto segment = Segment::create_or_attach(segment_options_of(options));
+    if (!segment) return fail(segment.error());
+    if (const auto claimed = segment->claim_core(); !claimed) return fail(claimed.error());
+    return serve_segment(options, *profile, std::move(*segment), *replay);
+}
+
+}  // namespace psicarve::supervisor

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "rtcore/supervisor/core_parts.hpp"
+#include "rtcore/supervisor/end_request.hpp"
+#include "rtcore/supervisor/replay.hpp"
+#include "rtcore/supervisor/supervisor.hpp"
+
+namespace psicarve::supervisor {
+
+/// What a run does besides serving commands. At most one of them.
+struct Directors {
+    JobDirector* job = nullptr;
+    RecordDirector* record = nullptr;
+};
+
+/// One thread does everything in turn, as fast as it goes. Time stands still while the machine is at rest
+/// (docs/decisions 0002). Returns the exit code.
+int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors,
+                         EndRequest& end);
+
+/// Three threads: tick, planner, and this one for the segment. Returns the exit code.
+int run_on_real_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors, EndRequest& end);
+
+}  // namespace psicarve::supervisor

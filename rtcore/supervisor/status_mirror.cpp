@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/status_mirror.hpp"
+
+#include <algorithm>
+
+namespace psicarve::supervisor {
+
+void StatusMirror::note_alarm(const FlightRecord& record, std::int64_t expected_pulses) noexcept {
+    AlarmRecord& alarm = alarms_[alarm_count_ % kAlarmHistory];
+    alarm = AlarmRecord{};
+    alarm.tick = record.tick;
+    alarm.cause = static_cast<AlarmCause>(record.code);
+    alarm.axis = static_cast<std::uint8_t>(record.axis);
+    alarm.expected = expected_pulses;
+    alarm.seen = record.value;
+    ++alarm_count_;
+}
+
+CoreStatus StatusMirror::compose(const cycle::Sample& sample, double seconds_left) noexcept {
+    CoreStatus status{};
+    status.tick = sample.tick;
+    status.heartbeat = ++heartbeat_;
+    status.period_ns = facts_.period_ns;
+    status.state = sample.state;
+    status.alarm_cause = sample.alarm_cause;
+    status.alarm_axis = sample.alarm_axis;
+    status.homed_mask = sample.homed_mask;
+    status.is_simulator = facts_.is_simulator ? 1 : 0;
+    status.is_virtual_clock = facts_.is_virtual_clock ? 1 : 0;
+    status.has_realtime_rights = facts_.has_realtime_rights ? 1 : 0;
+    status.missing_sensors_mask = facts_.missing_sensors_mask;
+    std::ranges::copy(sample.position_pulses, status.position_pulses);
+    std::ranges::copy(sample.emitted_pulses, status.emitted_pulses);
+    status.layer = sample.layer;
+    status.point = sample.point;
+    status.points_done = sample.points_done;
+    status.points_total = sample.points_total;
+    status.job_generation = sample.job_generation;
+    status.signals = sample.signals;
+    status.seconds_left = seconds_left;
+    status.job_start_tick = sample.job_start_tick;
+    status.carve_first_tick = sample.carve_first_tick;
+    status.carve_last_tick = sample.carve_last_tick;
+    status.job_end_tick = sample.job_end_tick;
+    status.missed_ticks = sample.missed_ticks;
+    status.trace_lost = sample.trace_lost;
+    status.max_lateness_ns = lateness_.max_ns;
+    std::ranges::copy(lateness_.histogram, status.lateness_histogram);
+    status.alarm_count = alarm_count_;
+    std::ranges::copy(alarms_, status.alarms);
+    std::ranges::copy(sim_.true_position_pulses, status.sim_true_position_pulses);
+    std::ranges::copy(sim_.ignored_pulses, status.sim_ignored_pulses);
+    std::ranges::copy(sim_.timing_lost, status.sim_timing_lost);
+    std::ranges::copy(sim_.stalls, status.sim_stalls);
+    return status;
+}
+
+}  // namespace psicarve::supervisor

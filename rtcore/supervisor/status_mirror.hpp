@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "rtcore/cycle/cycle_io.hpp"
+#include "shared/segment.hpp"
+#include "shared/status.hpp"
+
+namespace psicarve::supervisor {
+
+/// What the supervisor knows of the running core besides the tick's own sample.
+struct CoreFacts {
+    std::int64_t period_ns = 0;
+    bool is_simulator = false;
+    bool is_virtual_clock = false;
+    bool has_realtime_rights = false;
+    std::uint8_t missing_sensors_mask = 0;
+};
+
+/// Lateness as the base thread counted it; zero on the virtual clock.
+struct LatenessFacts {
+    std::int64_t max_ns = 0;
+    std::array<std::uint64_t, kLatenessBins> histogram{};
+};
+
+/// What a simulated machine counted.
+struct SimFacts {
+    std::array<std::int64_t, kAxisCount> true_position_pulses{};
+    std::array<std::uint64_t, kAxisCount> ignored_pulses{};
+    std::array<std::uint64_t, kAxisCount> timing_lost{};
+    std::array<std::uint64_t, kAxisCount> stalls{};
+};
+
+/// Composes CoreStatus from its sources and keeps what lasts longer than a sample: heartbeat and alarm
+/// history.
+class StatusMirror {
+public:
+    explicit StatusMirror(const CoreFacts& facts) noexcept : facts_(facts) {}
+
+    void note_alarm(const FlightRecord& record, std::int64_t expected_pulses) noexcept;
+    void set_lateness(const LatenessFacts& lateness) noexcept { lateness_ = lateness; }
+    void set_realtime_rights(bool has_them) noexcept { facts_.has_realtime_rights = has_them; }
+    void set_sim(const SimFacts& sim) noexcept { sim_ = sim; }
+
+    /// The whole status of this moment; the heartbeat grows by one each time.
+    CoreStatus compose(const cycle::Sample& sample, double seconds_left) noexcept;
+
+private:
+    CoreFacts facts_;
+    LatenessFacts lateness_;
+    SimFacts sim_;
+    std::uint64_t heartbeat_ = 0;
+    std::uint64_t alarm_count_ = 0;
+    std::array<AlarmRecord, kAlarmHistory> alarms_{};
+};
+
+}  // namespace psicarve::supervisor

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/supervisor.hpp"
+
+#include "shared/event.hpp"
+#include "shared/shared_record.hpp"
+
+namespace psicarve::supervisor {
+namespace {
+
+constexpr std::chrono::milliseconds kSegmentCheckInterval{50};
+
+bool may_load_job(MachineState state) noexcept {
+    return state == MachineState::off || state == MachineState::ready || state == MachineState::alarm;
+}
+
+SimFacts sim_facts(const sim::Machine& machine) {
+    const sim::SimReport report = machine.report();
+    SimFacts facts;
+    for (const Axis axis : kAllAxes) {
+        const std::size_t i = index_of(axis);
+        facts.true_position_pulses[i] = report.axis(axis).position_pulses;
+        facts.ignored_pulses[i] = report.axis(axis).pulses_ignored;
+        facts.timing_lost[i] = report.axis(axis).timing_lost();
+        facts.stalls[i] = report.axis(axis).stalls;
+    }
+    return facts;
+}
+
+}  // namespace
+
+Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, Segment segment,
+                       const CoreFacts& facts)
+    : parts_(&parts),
+      segment_options_(segment_options),
+      segment_(std::move(segment)),
+      mirror_(facts),
+      is_virtual_clock_(facts.is_virtual_clock),
+      sample_(read_sample()),
+      stop_seen_(segment_.header().stop_requests.load()),
+      estop_seen_(segment_.header().estop_requests.load()),
+      judged_generation_(0) {
+    publish_status();
+}
+
+bool Supervisor::poll() {
+    const std::uint32_t wake_count = event_count(segment_.header().command_raised);
+    sample_ = read_sample();
+    check_segment();
+    bool handed_on = mirror_urgent_words();
+    const std::size_t requests_before = parts_->io->requests.size();
+    desk_.take_commands(segment_, parts_->io->requests, sample_);
+    handed_on = take_job() || handed_on || parts_->io->requests.size() > requests_before;
+    drain_reports();
+    drain_increments();
+    publish_status();
+    wake_seen_ = wake_count;
+    return handed_on;
+}
+
+void Supervisor::wait(std::chrono::milliseconds limit) noexcept {
+    event_wait_past(segment_.header().command_raised, wake_seen_, limit);
+}
+
+bool Supervisor::request(cycle::RequestKind kind, std::uint64_t value) {
+    cycle::Request request{};
+    request.sequence = kOwnRequest;
+    request.kind = kind;
+    request.value = value;
+    return parts_->io->requests.push(request);
+}
+
+bool Supervisor::mirror_urgent_words() {
+    bool changed = false;
+    const std::uint32_t estops = segment_.header().estop_requests.load(std::memory_order_acquire);
+    if (estops != estop_seen_) {
+        estop_seen_ = estops;
+        request_emergency_stop();
+        changed = true;
+    }
+    const std::uint32_t stops = segment_.header().stop_requests.load(std::memory_order_acquire);
+    if (stops != stop_seen_) {
+        stop_seen_ = stops;
+        request_stop();
+        changed = true;
+    }
+    return changed;
+}
+
+bool Supervisor::take_job() {
+    // One at a time, and never while a request is on its way: a start must find the job it was given for.
+    if (loading_job_ != nullptr || parts_->io->requests.size() > 0) return false;
+    const std::uint64_t generation = published_generation(segment_);
+    if (generation == 0 || generation == judged_generation_) return false;
+    auto taken = take_published_job(segment_, judged_generation_);
+    if (!taken) {
+        judged_generation_ = generation;
+        acknowledge_job(segment_, generation, false, taken.error().message);
+        return false;
+    }
+    if (!taken->has_value()) return false;
+    PublishedJob& published = **taken;
+    judged_generation_ = published.generation;
+    if (!may_load_job(sample_.state)) {
+        acknowledge_job(
+            segment_, published.generation, false,
+            "a job runs (" + std::string{name_of(sample_.state)} + "); stop it or wait for its end");
+        return false;
+    }
+    auto job = load_job(std::move(published.blob), published.generation, parts_->profile);
+    if (!job) {
+        acknowledge_job(segment_, published.generation, false, job.error().message);
+        return false;
+    }
+    loading_job_ = *job;
+    parts_->planner->set_job(std::shared_ptr<const JobView>{loading_job_, &loading_job_->view});
+    cycle::Request request{};
+    request.sequence = kJobRequest;
+    request.kind = cycle::RequestKind::job_loaded;
+    request.value = loading_job_->generation;
+    request.points_total = std::uint64_t{loading_job_->view.layer_count()} * loading_job_->view.point_count();
+    parts_->io->requests.push(request);
+    return true;
+}
+
+void Supervisor::finish_job(const cycle::Report& report) {
+    const bool accepted = report.refusal == cycle::Refusal::none;
+    const std::uint64_t generation = loading_job_->generation;
+    if (accepted) {
+        job_ = std::move(loading_job_);
+    } else if (job_ != nullptr) {
+        parts_->planner->set_job(std::shared_ptr<const JobView>{job_, &job_->view});
+    }
+    loading_job_.reset();
+    acknowledge_job(segment_, generation, accepted, accepted ? "" : "the machine is busy; try again");
+}
+
+cycle::Sample Supervisor::read_sample() const {
+    // On the virtual clock the tick runs in this very thread, and may rest for long with its record not
+    // renewed.
+    return is_virtual_clock_ ? parts_->cycle->sample() : parts_->io->sample.read();
+}
+
+void Supervisor::drain_reports() {
+    while (const cycle::Report* next = parts_->io->reports.front()) {
+        const cycle::Report report = *next;
+        sample_ = read_sample();
+        // Whoever asked for something must see the state it led to no later than the answer: the sample of
+        // that tick is written at its end. It comes; the next round will find it.
+        if (report.kind == cycle::Report::Kind::answer && sample_.tick <= report.record.tick) return;
+        parts_->io->reports.pop();
+        const FlightRecord& record = report.record;
+        if (record.kind != RecordKind::none) append_to_ring(segment_.header().recorder, record);
+        if (record.kind == RecordKind::alarm) mirror_.note_alarm(record, report.expected_pulses);
+        if (record.kind == RecordKind::alarm || record.kind == RecordKind::state_change) ++changes_;
+        if (report.kind != cycle::Report::Kind::answer) continue;
+        if (report.sequence == kOwnRequest) continue;
+        publish_status();
+        if (report.sequence == kJobRequest) {
+            if (loading_job_ != nullptr) finish_job(report);
+        } else {
+            desk_.deliver_answer(segment_, report, sample_);
+        }
+    }
+}
+
+void Supervisor::drain_increments() {
+    IncrementEntry entry;
+    while (parts_->io->increments.pop_into(entry)) append_to_ring(segment_.header().increments, entry);
+}
+
+void Supervisor::publish_status() {
+    if (parts_->machine != nullptr) mirror_.set_sim(sim_facts(*parts_->machine));
+    write_record(segment_.header().status,
+                 mirror_.compose(sample_, parts_->planner->seconds_left(sample_.points_done)));
+    if (changes_ != changes_told_) {
+        changes_told_ = changes_;
+        event_signal(segment_.header().status_changed);
+    }
+}
+
+void Supervisor::check_segment() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_segment_check_) return;
+    next_segment_check_ = now + kSegmentCheckInterval;
+    if (!is_segment_lost_ && segment_.is_still_linked()) return;
+    if (!is_segment_lost_) {
+        is_segment_lost_ = true;
+        request(cycle::RequestKind::fail, static_cast<std::uint64_t>(AlarmCause::segment_lost));
+    }
+    take_new_segment();
+}
+
+void Supervisor::take_new_segment() {
+    auto fresh = Segment::create_or_attach(segment_options_);
+    if (!fresh) {
+        // What stands there is no segment any more (truncated under us, garbage): ours to replace, we served
+        // it.
+        if (!Segment::remove(segment_options_.name)) return;
+        fresh = Segment::create_or_attach(segment_options_);
+        if (!fresh) return;
+    }
+    if (!fresh->claim_core()) return;
+    desk_.forget_all();
+    segment_ = std::move(*fresh);
+    stop_seen_ = segment_.header().stop_requests.load();
+    estop_seen_ = segment_.header().estop_requests.load();
+    judged_generation_ = 0;
+    is_segment_lost_ = false;
+}
+
+void Supervisor::leave() {
+    sample_ = read_sample();
+    drain_reports();
+    drain_increments();
+    publish_status();
+    event_signal(segment_.header().status_changed);
+    segment_.release_core();
+}
+
+}  // namespace psicarve::supervisor

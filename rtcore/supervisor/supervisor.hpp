@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "rtcore/supervisor/command_desk.hpp"
+#include "rtcore/supervisor/core_parts.hpp"
+#include "rtcore/supervisor/loaded_job.hpp"
+#include "rtcore/supervisor/status_mirror.hpp"
+#include "shared/segment.hpp"
+
+namespace psicarve::supervisor {
+
+/// Serves the segment: jobs and commands in, status, increments and flight recorder out, all through the
+/// lock-free rings to the tick. The only part of the core that touches shared memory. One thread's; not for
+/// the tick.
+class Supervisor {
+public:
+    Supervisor(CoreParts& parts, const SegmentOptions& segment_options, Segment segment,
+               const CoreFacts& facts);
+
+    /// One round of everything. True when something was handed to the tick.
+    bool poll();
+    /// Sleeps until a command or job comes, or the limit passes.
+    void wait(std::chrono::milliseconds limit) noexcept;
+
+    void set_lateness(const LatenessFacts& lateness) noexcept { mirror_.set_lateness(lateness); }
+    void set_realtime_rights(bool has_them) noexcept { mirror_.set_realtime_rights(has_them); }
+    /// Asks the tick for something on the supervisor's own account; answers to it go nowhere.
+    bool request(cycle::RequestKind kind, std::uint64_t value = 0);
+    void request_stop() noexcept { parts_->io->urgent.stop_requests.fetch_add(1); }
+    void request_emergency_stop() noexcept { parts_->io->urgent.estop_requests.fetch_add(1); }
+
+    /// From here on every command is refused with this reason, but for shutdown.
+    void refuse_commands(const std::string& reason) { desk_.refuse_all(reason); }
+
+    bool shutdown_requested() const noexcept { return desk_.shutdown_requested(); }
+    const cycle::Sample& sample() const noexcept { return sample_; }
+    Segment& segment() noexcept { return segment_; }
+    /// The last thing: status as it stands, and nobody serves the segment any more.
+    void leave();
+
+private:
+    cycle::Sample read_sample() const;
+    bool mirror_urgent_words();
+    bool take_job();
+    void finish_job(const cycle::Report& report);
+    void drain_reports();
+    void drain_increments();
+    void publish_status();
+    void check_segment();
+    void take_new_segment();
+
+    static constexpr std::uint64_t kOwnRequest = 0;  ///< sequence of requests that nobody waits for
+    static constexpr std::uint64_t kJobRequest = ~std::uint64_t{0};
+
+    CoreParts* parts_;
+    SegmentOptions segment_options_;
+    Segment segment_;
+    CommandDesk desk_;
+    StatusMirror mirror_;
+    bool is_virtual_clock_;
+    cycle::Sample sample_;
+    std::uint32_t stop_seen_;
+    std::uint32_t estop_seen_;
+    std::uint32_t wake_seen_ = 0;
+    std::uint64_t judged_generation_;
+    std::shared_ptr<const LoadedJob> loading_job_;  ///< offered to the tick, not answered yet
+    std::shared_ptr<const LoadedJob> job_;
+    std::uint64_t changes_ = 0;  ///< state changes and alarms mirrored so far
+    std::uint64_t changes_told_ = 0;
+    std::chrono::steady_clock::time_point next_segment_check_{};
+    bool is_segment_lost_ = false;
+};
+
+}  // namespace psicarve::supervisor

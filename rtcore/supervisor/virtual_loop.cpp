@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+
+#include "rtcore/supervisor/run_loops.hpp"
+
+namespace psicarve::supervisor {
+namespace {
+
+constexpr std::uint64_t kTicksPerSlice = 4096;  ///< so few that the trace ring cannot overflow in one
+constexpr std::uint64_t kSettleTicks = 16;      ///< after coming to rest: pins fall, filters settle
+constexpr std::chrono::milliseconds kIdleWait{20};
+static_assert(2 * kTicksPerSlice + kSettleTicks < trace::kTraceRingEntries);
+
+/// Decides which ticks virtual time has. At rest a tick passes only to take a request, so that the moment a
+/// command comes in from another process does not show in the trace.
+class VirtualTime {
+public:
+    VirtualTime(CoreParts& parts, RecordDirector* record) : parts_(&parts), record_(record) {}
+
+    /// Runs one slice, less when the machine comes to rest. False when no tick was due.
+    bool run_slice(bool has_urgent_words) {
+        bool has_run = false;
+        if (has_urgent_words && !has_work()) {
+            tick();
+            has_run = true;
+        }
+        for (std::uint64_t n = 0; (n < kTicksPerSlice || is_settling()) && has_work(); ++n) {
+            tick();
+            has_run = true;
+        }
+        return has_run;
+    }
+
+private:
+    bool is_settling() const { return settle_left_ > 0; }
+    bool has_work() const {
+        if (!is_at_rest(parts_->cycle->state()) || is_settling() || parts_->io->requests.size() > 0)
+            return true;
+        return record_ != nullptr && record_->has_begun() && !record_->is_over(parts_->cycle->next_tick());
+    }
+    void tick() {
+        if (record_ != nullptr) record_->before_tick(parts_->cycle->next_tick(), *parts_);
+        if (parts_->planner->wants_poll()) parts_->planner->poll();
+        parts_->cycle->tick();
+        if (!is_at_rest(parts_->cycle->state())) {
+            settle_left_ = kSettleTicks;
+        } else if (settle_left_ > 0) {
+            --settle_left_;
+        }
+    }
+
+    CoreParts* parts_;
+    RecordDirector* record_;
+    std::uint64_t settle_left_ = kSettleTicks;
+};
+
+void move_traces(CoreParts& parts) {
+    if (parts.trace_ring != nullptr) parts.traces.drain(*parts.trace_ring);
+    for (const std::string& line : parts.traces.take_errors())
+        std::fprintf(stderr, "psicarve-rtcore: %s\n", line.c_str());
+}
+
+}  // namespace
+
+int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors,
+                         EndRequest& end) {
+    VirtualTime time{parts, directors.record};
+    int exit_code = kExitDone;
+    time.run_slice(false);
+    for (;;) {
+        move_traces(parts);
+        const bool has_news = supervisor.poll();
+        if (directors.job != nullptr) {
+            const auto progress = directors.job->poll(supervisor);
+            if (progress == JobDirector::Progress::alarm) exit_code = kExitAlarm;
+            if (progress != JobDirector::Progress::going_on) break;
+        }
+        if (directors.record != nullptr) {
+            const std::uint64_t next_tick = parts.cycle->next_tick();
+            if (!directors.record->has_begun() && supervisor.sample().job_generation != 0) {
+                directors.record->begin(next_tick);
+            } else if (directors.record->is_over(next_tick)) {
+                if (supervisor.sample().state == MachineState::alarm) exit_code = kExitAlarm;
+                break;
+            }
+        }
+        const auto ending = end.poll(supervisor);
+        if (ending == EndRequest::Progress::may_end || supervisor.shutdown_requested()) break;
+        if (!time.run_slice(has_news || ending == EndRequest::Progress::told_tick)) {
+            parts.traces.flush();
+            supervisor.wait(kIdleWait);
+        }
+    }
+    parts.cycle->shut_down();
+    move_traces(parts);
+    parts.traces.finish(parts.cycle->next_tick());
+    move_traces(parts);
+    return exit_code;
+}
+
+}  // namespace psicarve::supervisor

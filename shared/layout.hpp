@@ -25,6 +25,7 @@ inline constexpr std::uint32_t kSegmentReady = 0x52454459;  // written last by t
 inline constexpr std::uint32_t kDefaultCapacityLayers = 4000;
 inline constexpr std::uint32_t kDefaultCapacityPoints = 3600;
 inline constexpr std::uint64_t kJobTextBytes = 64 * 1024;  ///< room for profile and report text in a slot
+static_assert(kProfileTextBytes + kReportTextBytes <= kJobTextBytes);
 inline constexpr std::size_t kCommandSlots = 64;
 inline constexpr std::size_t kIncrementRingEntries = 65536;
 inline constexpr std::size_t kFlightRecords = 8192;
@@ -163,8 +164,8 @@ struct SegmentGeometry {
     std::uint64_t slot_bytes;
     std::uint64_t total_bytes;
 };
-inline constexpr std::uint32_t kMaxCapacityLayers = 1'000'000;
-inline constexpr std::uint32_t kMaxCapacityPoints = 1'000'000;
+inline constexpr std::uint32_t kMaxCapacityLayers = kMaxJobCount;
+inline constexpr std::uint32_t kMaxCapacityPoints = kMaxJobCount;
 /// Requires capacities of at least 1 and within kMaxCapacity...; then nothing overflows.
 SegmentGeometry segment_geometry(std::uint32_t capacity_layers, std::uint32_t capacity_points) noexcept;
 

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstring>
 #include <string>
 
 #include "shared/event.hpp"
 #include "shared/process_identity.hpp"
 #include "shared/segment.hpp"
 #include "shared/shared_record.hpp"
+#include "shared/shared_text.hpp"
 
 namespace psicarve {
 namespace {
@@ -45,7 +45,7 @@ bool free_slot(CommandSlot& slot, std::uint64_t from) noexcept {
 Answer make_answer(AnswerKind kind, const std::string& reason) noexcept {
     Answer answer{};
     answer.kind = kind;
-    reason.copy(answer.reason, sizeof(answer.reason) - 1);
+    text_into_field(answer.reason, reason);
     return answer;
 }
 
@@ -70,7 +70,7 @@ Result<void> read_answer(CommandSlot& slot, std::uint32_t pid) {
     const Answer answer = load_words<Answer>(slot.answer);
     free_slot(slot, pack(SlotState::answered, pid));
     if (answer.kind == AnswerKind::done) return {};
-    const std::string reason{answer.reason, ::strnlen(answer.reason, sizeof(answer.reason))};
+    const std::string reason = text_from_field(answer.reason);
     return Error{ErrorCode::machine_refused,
                  reason.empty() ? "the core refused it without a reason" : reason};
 }

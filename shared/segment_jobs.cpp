@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <boost/interprocess/sync/scoped_lock.hpp>
 #include <chrono>
-#include <cstring>
 #include <string>
 
 #include "shared/event.hpp"
 #include "shared/robust_mutex.hpp"
 #include "shared/segment.hpp"
 #include "shared/shared_record.hpp"
+#include "shared/shared_text.hpp"
 
 namespace psicarve {
 namespace {
@@ -64,7 +64,7 @@ Result<void> judge(const JobVerdict& verdict, std::uint64_t generation) {
                      "another job was published before the core looked at this one"};
     }
     if (verdict.accepted == 1) return {};
-    const std::string reason{verdict.reason, ::strnlen(verdict.reason, sizeof(verdict.reason))};
+    const std::string reason = text_from_field(verdict.reason);
     return Error{ErrorCode::machine_refused,
                  reason.empty() ? "the core refused the job without a reason" : reason};
 }
@@ -147,7 +147,7 @@ void acknowledge_job(Segment& segment, std::uint64_t generation, bool accepted, 
     JobVerdict verdict{};
     verdict.generation = generation;
     verdict.accepted = accepted ? 1 : 2;
-    reason.copy(verdict.reason, sizeof(verdict.reason) - 1);
+    text_into_field(verdict.reason, reason);
     write_record(segment.header().verdict, verdict);
     event_signal(segment.header().status_changed);
 }

@@ -69,7 +69,7 @@ Result<void> check_owner(const std::string& name, const struct stat& facts, cons
     }
     if ((facts.st_mode & (S_IROTH | S_IWOTH)) != 0) {
         return bad_input("segment " + name + ": every user may read or write it: close it with chmod 600 " +
-                         "/dev/shm" + name);
+                         "/dev/shm" + name + ", or choose another name with --segment");
     }
     if (!is_own) {
         const Result<gid_t> wanted = group_id(group);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shared/job.hpp"
+#include "shared/segment.hpp"
+
+namespace psicarve::test {
+
+/// A segment's name that no other test uses; the object is removed at the end, whatever happened.
+class SegmentName {
+public:
+    SegmentName() {
+        static int s_counter = 0;
+        name_ = "/psicarve-test-" + std::to_string(::getpid()) + "-" + std::to_string(s_counter++);
+        owner_ = ::getpid();
+    }
+    ~SegmentName() {
+        if (owner_ == ::getpid()) (void)Segment::remove(name_).has_value();
+    }
+    SegmentName(const SegmentName&) = delete;
+    SegmentName& operator=(const SegmentName&) = delete;
+    const std::string& get() const noexcept { return name_; }
+    /// Room for jobs of up to 500 layers of 500 points.
+    SegmentOptions options() const {
+        SegmentOptions options;
+        options.name = name_;
+        options.capacity_layers = 500;
+        options.capacity_points = 500;
+        return options;
+    }
+
+private:
+    std::string name_;
+    pid_t owner_;
+};
+
+/// A job whose radii all are `mark`: two jobs can be told apart anywhere in their tables.
+inline std::vector<std::byte> make_job(std::int32_t mark, std::uint32_t layers = 4,
+                                       std::uint32_t points = 5) {
+    JobTable table;
+    table.layer_count = layers;
+    table.point_count = points;
+    table.psi_sweep_pulses = 3200;
+    table.feed_mm_s = 20.0;
+    for (std::uint32_t layer = 0; layer < layers; ++layer) table.layer_height_pulses.push_back(layer * 100);
+    table.r_left_pulses.assign(std::size_t{layers} * points, mark);
+    table.r_right_pulses.assign(std::size_t{layers} * points, mark);
+    table.source_name = "test.stl";
+    table.profile_toml = "name = \"default\"\n";
+    table.report_json = "{}";
+    return job_blob_from_table(table);
+}
+
+}  // namespace psicarve::test

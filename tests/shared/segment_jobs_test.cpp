@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "shared/layout.hpp"
+#include "shared/segment.hpp"
+#include "tests/shared/segment_fixture.hpp"
+
+namespace psicarve {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::HasSubstr;
+
+class SegmentJobs : public testing::Test {
+protected:
+    void SetUp() override {
+        auto hmi = Segment::create_or_attach(name_.options());
+        auto core = Segment::attach(name_.get());
+        ASSERT_TRUE(hmi.has_value() && core.has_value());
+        hmi_.emplace(std::move(hmi).value());
+        core_.emplace(std::move(core).value());
+    }
+    test::SegmentName name_;
+    std::optional<Segment> hmi_;
+    std::optional<Segment> core_;
+};
+
+TEST_F(SegmentJobs, NothingIsPublishedAtFirst) {
+    EXPECT_FALSE(take_published_job(*core_, 0).value().has_value());
+    EXPECT_TRUE(copy_published_job(*hmi_, milliseconds{100}).value().empty());
+}
+
+TEST_F(SegmentJobs, CoreTakesWhatWasPublishedOnce) {
+    const auto job = test::make_job(1234, 500, 500);
+
+    const auto generation = publish_job(*hmi_, job);
+
+    ASSERT_TRUE(generation.has_value()) << generation.error().message;
+    const auto taken = take_published_job(*core_, 0).value();
+    ASSERT_TRUE(taken.has_value());
+    EXPECT_EQ(taken->generation, *generation);
+    EXPECT_EQ(taken->blob, job);
+    EXPECT_FALSE(take_published_job(*core_, *generation).value().has_value());
+    EXPECT_EQ(copy_published_job(*hmi_, milliseconds{100}).value(), job);
+}
+
+TEST_F(SegmentJobs, NewerJobReplacesAnOlderWhichMayBeLarger) {
+    ASSERT_TRUE(publish_job(*hmi_, test::make_job(1, 100, 100)).has_value());
+    ASSERT_TRUE(publish_job(*hmi_, test::make_job(2, 50, 50)).has_value());
+    ASSERT_TRUE(publish_job(*hmi_, test::make_job(3, 4, 5)).has_value());
+
+    const auto taken = take_published_job(*core_, 1).value();
+
+    ASSERT_TRUE(taken.has_value());
+    EXPECT_EQ(taken->generation, 3U);
+    EXPECT_EQ(taken->blob, test::make_job(3, 4, 5));
+}
+
+TEST_F(SegmentJobs, JobThatFillsTheCapacityFits) {
+    EXPECT_TRUE(publish_job(*hmi_, test::make_job(1, 500, 500)).has_value());
+}
+
+TEST_F(SegmentJobs, JobLargerThanASlotIsRefusedWithSizesAndRemedy) {
+    const auto refused = publish_job(*hmi_, test::make_job(1, 600, 500));
+
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().code, ErrorCode::bad_input);
+    EXPECT_THAT(refused.error().message, HasSubstr("500 layers x 500 points"));
+    EXPECT_THAT(refused.error().message, HasSubstr("--capacity"));
+    EXPECT_EQ(published_generation(*core_), 0U);
+}
+
+TEST_F(SegmentJobs, DamagedContentIsRefused) {
+    ASSERT_TRUE(publish_job(*hmi_, test::make_job(1)).has_value());
+    auto other = test::make_job(2);
+    ASSERT_TRUE(hmi_->write_slot(1, other).has_value());
+
+    const auto taken = take_published_job(*core_, 0);
+
+    ASSERT_FALSE(taken.has_value());
+    EXPECT_THAT(taken.error().message, HasSubstr("checksum"));
+}
+
+TEST_F(SegmentJobs, SizesThatCannotBeAreRefused) {
+    ASSERT_TRUE(publish_job(*hmi_, test::make_job(1)).has_value());
+    for (const std::uint64_t bytes : {std::uint64_t{0}, hmi_->slot_bytes() + 1, ~std::uint64_t{0}}) {
+        hmi_->header().publication.of_slot[1].bytes.store(bytes);
+
+        EXPECT_FALSE(take_published_job(*core_, 0).has_value()) << bytes;
+    }
+}
+
+TEST_F(SegmentJobs, GarbageInThePublicationNeverBringsTheCoreDown) {
+    ASSERT_TRUE(publish_job(*hmi_, test::make_job(1)).has_value());
+    std::uint64_t word = 0x9E3779B97F4A7C15ULL;
+    for (int round = 0; round < 200; ++round) {
+        word = word * 6364136223846793005ULL + 1442695040888963407ULL;
+        Publication& publication = hmi_->header().publication;
+        publication.generation.store(word);
+        publication.of_slot[round % 2].bytes.store(word >> (round % 60));
+        publication.of_slot[round % 2].checksum.store(~word);
+        const auto taken = take_published_job(*core_, 0);
+        EXPECT_TRUE(!taken.has_value() || !taken->has_value());
+    }
+}
+
+TEST_F(SegmentJobs, PublishingGoesOnAfterTheLastGeneration) {
+    hmi_->header().publication.generation.store(~std::uint64_t{0});
+
+    EXPECT_NE(publish_job(*hmi_, test::make_job(1)).value(), 0U);
+}
+
+TEST_F(SegmentJobs, AcceptanceAndRefusalReachThePublisher) {
+    ASSERT_TRUE(core_->claim_core().has_value());
+    const auto first = publish_job(*hmi_, test::make_job(1)).value();
+    acknowledge_job(*core_, first, true, "");
+    EXPECT_TRUE(wait_for_acceptance(*hmi_, first, milliseconds{1000}).has_value());
+
+    const auto second = publish_job(*hmi_, test::make_job(2)).value();
+    acknowledge_job(*core_, second, false, "layer 3, point 4: \x1b[31mtoo far out");
+    const auto refused = wait_for_acceptance(*hmi_, second, milliseconds{1000});
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().code, ErrorCode::machine_refused);
+    EXPECT_EQ(refused.error().message, "layer 3, point 4: ?[31mtoo far out");
+
+    EXPECT_EQ(wait_for_acceptance(*hmi_, first, milliseconds{1000}).error().code, ErrorCode::machine_refused);
+}
+
+TEST_F(SegmentJobs, WaitingEndsWithItsLimitOrWithTheCore) {
+    const auto generation = publish_job(*hmi_, test::make_job(1)).value();
+    EXPECT_EQ(wait_for_acceptance(*hmi_, generation, milliseconds{5}).error().code, ErrorCode::no_core);
+
+    ASSERT_TRUE(core_->claim_core().has_value());
+    EXPECT_EQ(wait_for_acceptance(*hmi_, generation, milliseconds{5}).error().code, ErrorCode::timed_out);
+}
+
+TEST_F(SegmentJobs, CoreTakesWholeJobsOnlyWhilePublishersAreBusy) {
+    constexpr int kJobs = 200;
+    std::atomic<bool> is_done{false};
+    std::thread publisher{[&] {
+        for (int mark = 1; mark <= kJobs; ++mark) {
+            EXPECT_TRUE(publish_job(*hmi_, test::make_job(mark, 40, 40)).has_value());
+        }
+        is_done.store(true);
+    }};
+
+    std::uint64_t known = 0;
+    while (!is_done.load() || known < kJobs) {
+        const auto taken = take_published_job(*core_, known);
+        ASSERT_TRUE(taken.has_value()) << taken.error().message;
+        if (!taken->has_value()) continue;
+        known = (*taken)->generation;
+        ASSERT_EQ((*taken)->blob, test::make_job(static_cast<std::int32_t>(known), 40, 40));
+    }
+    publisher.join();
+}
+
+}  // namespace
+}  // namespace psicarve

@@ -6,8 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
+#include "hmi/verify/job_geometry.hpp"
 
 namespace psicarve::verify {
 
@@ -19,28 +18,42 @@ namespace psicarve::verify {
 /// its height error. Direction d is the workpiece direction point_angle_pulses(d).
 class CarvedSurface {
 public:
-    /// Requires at least one layer and two points.
-    CarvedSurface(const JobView& job, const Profile& profile);
+    explicit CarvedSurface(const JobGeometry& geometry);
 
-    std::uint32_t layer_count() const noexcept { return layer_count_; }
-    std::uint32_t direction_count() const noexcept { return direction_count_; }
-    double layer_height_mm(std::uint32_t layer) const noexcept { return layer_height_mm_[layer]; }
-    double blank_radius_mm() const noexcept { return blank_radius_mm_; }
-    double pulses_per_mm() const noexcept { return pulses_per_mm_; }  ///< of head R1
+    std::uint32_t layer_count() const noexcept { return geometry_.layer_count(); }
+    std::uint32_t direction_count() const noexcept { return geometry_.direction_count(); }
+    double layer_height_mm(std::uint32_t layer) const noexcept;
+    double blank_radius_mm() const noexcept { return geometry_.blank_radius_mm(); }
+    double pulses_per_mm() const noexcept { return geometry_.head(0).pulses_per_mm; }  ///< of head R1
 
     /// Carved radii of a layer, by direction [mm].
     std::span<const float> radii_mm(std::uint32_t layer) const noexcept {
-        return {radius_mm_.data() + std::size_t{layer} * direction_count_, direction_count_};
+        return {radius_mm_.data() + std::size_t{layer} * direction_count(), direction_count()};
     }
-    /// Carved minus wanted radius of a layer, by direction [pulses]; negative: too deep.
+    /// Carved minus wanted radius at a point of the job [pulses]; negative: too deep. The way between two
+    /// points is rule 1's business and leaves no mark here as long as that rule holds.
     std::int32_t deviation_pulses(std::uint32_t layer, std::uint32_t direction) const noexcept;
+    /// The largest of these, without its sign.
+    std::int64_t max_deviation_pulses() const noexcept;
+
+    // For the verifier as it follows the pins:
+
+    /// A tip stands here.
+    void touch(std::uint32_t layer, std::uint32_t cell, float radius_mm) noexcept {
+        float& radius = radius_mm_[std::size_t{layer} * direction_count() + cell];
+        if (radius_mm < radius) radius = radius_mm;
+        is_touched_ = true;
+    }
+    /// How far from the wanted radius a tip came at a point; the deepest stays.
+    void note_deviation(std::uint32_t layer, std::uint32_t cell, std::int64_t pulses) noexcept;
+    /// A fresh blank.
+    void clear();
 
 private:
-    std::uint32_t layer_count_ = 0;
-    std::uint32_t direction_count_ = 0;
-    double pulses_per_mm_ = 1.0;
-    double blank_radius_mm_ = 0.0;
-    std::vector<double> layer_height_mm_;
+    static constexpr std::int16_t kUntouched = 32767;
+
+    JobGeometry geometry_;
+    bool is_touched_ = false;
     std::vector<float> radius_mm_;
     std::vector<std::int16_t> deviation_;
 };

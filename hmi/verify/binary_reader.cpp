@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/verify/binary_reader.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "shared/trace_format.hpp"
+
+namespace psicarve::verify {
+
+namespace {
+
+constexpr SignalWord kAllSignals = kOutputMask | kInputMask;
+constexpr std::int64_t kLargestPosition = std::int64_t{1} << 52;
+
+/// Walks over the numbers of one record.
+class NumberCursor {
+public:
+    explicit NumberCursor(std::string_view bytes)
+        : at_(reinterpret_cast<const std::uint8_t*>(bytes.data())), end_(at_ + bytes.size()), begin_(at_) {}
+
+    bool next(std::uint64_t& value) {
+        const std::uint8_t* after = decode_leb128(at_, end_, value);
+        if (after == nullptr) return false;
+        at_ = after;
+        return true;
+    }
+    std::size_t used() const { return static_cast<std::size_t>(at_ - begin_); }
+
+private:
+    const std::uint8_t* at_;
+    const std::uint8_t* end_;
+    const std::uint8_t* begin_;
+};
+
+/// Whether tick * period + offset stays a time.
+bool fits(std::int64_t tick, std::uint64_t ticks_passed, std::int64_t period_ns, std::uint64_t offset_ns) {
+    const std::int64_t last_tick = (std::numeric_limits<std::int64_t>::max() / 2) / period_ns;
+    return ticks_passed <= static_cast<std::uint64_t>(last_tick - tick) &&
+           offset_ns <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max() / 2);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<TraceReader>> BinaryReader::open(ByteSource source) {
+    std::unique_ptr<BinaryReader> reader(new BinaryReader(std::move(source)));
+    auto header = reader->read_header();
+    if (!header) return header.error();
+    return std::unique_ptr<TraceReader>(std::move(reader));
+}
+
+Result<void> BinaryReader::read_header() {
+    auto wanted = source_.want(sizeof(TraceHeader));
+    if (!wanted) return wanted;
+    const std::string_view bytes = source_.unread();
+    if (bytes.size() < sizeof(TraceHeader))
+        return source_.bad_at(bytes.size(), "the trace is cut off inside its header");
+    TraceHeader header;
+    std::memcpy(&header, bytes.data(), sizeof header);
+    if (header.magic != kTraceMagic) return source_.bad_at(0, "not a binary pin trace");
+    if (header.version != kTraceVersion)
+        return source_.bad_at(offsetof(TraceHeader, version),
+                              "trace version " + std::to_string(header.version) +
+                                  "; this program reads version " + std::to_string(kTraceVersion));
+    if (header.period_ns <= 0)
+        return source_.bad_at(offsetof(TraceHeader, period_ns), "a tick period of no time");
+    if ((header.initial_levels & ~kAllSignals) != 0)
+        return source_.bad_at(offsetof(TraceHeader, initial_levels), "levels of signals that do not exist");
+    start_.initial_levels = header.initial_levels;
+    start_.present = kAllSignals;
+    start_.has_positions = true;
+    std::copy(std::begin(header.position_pulses), std::end(header.position_pulses),
+              start_.position_pulses.begin());
+    start_.period_ns = header.period_ns;
+    levels_ = header.initial_levels;
+    source_.consume(sizeof(TraceHeader));
+    return {};
+}
+
+BinaryReader::Decoded BinaryReader::fail(const char* text) {
+    garbage_ = text;
+    return Decoded::garbage;
+}
+
+BinaryReader::Decoded BinaryReader::decode(TraceEvent& event) {
+    const std::string_view bytes = source_.unread();
+    // A number that does not end within the longest record is garbage, not a reason to wait for more.
+    const auto incomplete = [&] {
+        return bytes.size() >= kTraceRecordMaxBytes ? fail("a number that does not end")
+                                                    : Decoded::incomplete;
+    };
+    NumberCursor cursor(bytes);
+    std::uint64_t head = 0;
+    if (!cursor.next(head)) return incomplete();
+    const TraceRecordKind kind = trace_record_kind(head);
+    std::uint64_t offset_ns = 0;
+    if (kind == TraceRecordKind::pins_with_offset && !cursor.next(offset_ns)) return incomplete();
+    if (!fits(tick_, trace_record_ticks(head), start_.period_ns, offset_ns))
+        return fail("a time beyond all bounds");
+    const std::int64_t tick = tick_ + static_cast<std::int64_t>(trace_record_ticks(head));
+    const std::int64_t time_ns = tick * start_.period_ns + static_cast<std::int64_t>(offset_ns);
+
+    SignalWord levels = levels_;
+    if (kind == TraceRecordKind::position) {
+        event.kind = TraceEvent::Kind::position;
+        for (std::int64_t& position : event.position_pulses) {
+            std::uint64_t zigzag = 0;
+            if (!cursor.next(zigzag)) return incomplete();
+            position = value_from_zigzag(zigzag);
+            if (std::abs(position) > kLargestPosition) return fail("a position beyond all bounds");
+        }
+    } else if (kind != TraceRecordKind::end) {
+        std::uint64_t changed = 0;
+        if (!cursor.next(changed)) return incomplete();
+        if (changed == 0 || (changed & ~std::uint64_t{kAllSignals}) != 0)
+            return fail("a change of no signal, or of one that does not exist");
+        event.kind = TraceEvent::Kind::pins;
+        levels ^= static_cast<SignalWord>(changed);
+    }
+    if (time_ns < time_ns_) {
+        // A position or the end stands on a whole tick, which an offset inside that tick may have passed.
+        if (tick < tick_ || kind == TraceRecordKind::pins || kind == TraceRecordKind::pins_with_offset)
+            return fail("time runs backwards");
+    } else {
+        time_ns_ = time_ns;
+    }
+    tick_ = tick;
+    levels_ = levels;
+    event.time_ns = time_ns_;
+    event.levels = levels;
+    source_.consume(cursor.used());
+    return kind == TraceRecordKind::end ? Decoded::end : Decoded::event;
+}
+
+Result<std::size_t> BinaryReader::check_nothing_follows() {
+    while (source_.unread().empty()) {
+        auto more = source_.refill();
+        if (!more) return more.error();
+        if (!*more) return std::size_t{0};
+    }
+    return source_.bad_at(0, "bytes after the trace's end record");
+}
+
+Result<std::size_t> BinaryReader::read(std::span<TraceEvent> events) {
+    std::size_t count = 0;
+    while (count < events.size() && !ended_) {
+        const Decoded decoded = decode(events[count]);
+        if (decoded == Decoded::event) {
+            ++count;
+        } else if (decoded == Decoded::end) {
+            // The last event carries the time that the trace covers, so that nobody mistakes silence for an
+            // end.
+            ended_ = true;
+            events[count].kind = TraceEvent::Kind::pins;
+            ++count;
+        } else if (count > 0) {
+            return count;  // what is wrong is told by the next call
+        } else if (decoded == Decoded::garbage) {
+            return source_.bad_at(0, garbage_);
+        } else {
+            auto more = source_.refill();
+            if (!more) return more.error();
+            if (!*more)
+                return source_.bad_at(source_.unread().size(),
+                                      "the trace is cut off: it ends without its end record");
+        }
+    }
+    if (count > 0 || !ended_) return count;
+    return check_nothing_follows();
+}
+
+}  // namespace psicarve::verify

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "hmi/verify/byte_source.hpp"
+#include "hmi/verify/trace_reader.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::verify {
+
+/// Reads the compact binary trace of shared/trace_format.hpp.
+class BinaryReader final : public TraceReader {
+public:
+    /// Waits for the header and checks it.
+    static Result<std::unique_ptr<TraceReader>> open(ByteSource source);
+
+    const TraceStart& start() const noexcept override { return start_; }
+    Result<std::size_t> read(std::span<TraceEvent> events) override;
+
+private:
+    enum class Decoded { event, incomplete, end, garbage };
+
+    explicit BinaryReader(ByteSource source) : source_(std::move(source)) {}
+    Result<void> read_header();
+    Decoded decode(TraceEvent& event);
+    Decoded fail(const char* text);
+    Result<std::size_t> check_nothing_follows();
+
+    ByteSource source_;
+    TraceStart start_;
+    std::int64_t tick_ = 0;
+    std::int64_t time_ns_ = 0;
+    SignalWord levels_ = 0;
+    bool ended_ = false;
+    const char* garbage_ = nullptr;  ///< what is wrong with the record at the source's front
+};
+
+}  // namespace psicarve::verify

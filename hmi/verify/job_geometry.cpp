@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/verify/job_geometry.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "shared/units.hpp"
+
+namespace psicarve::verify {
+
+namespace {
+
+std::int64_t wrapped(std::int64_t angle_pulses, std::int64_t rev_pulses) noexcept {
+    const std::int64_t rest = angle_pulses % rev_pulses;
+    return rest < 0 ? rest + rev_pulses : rest;
+}
+
+Result<void> check_countable(const JobView& job, const Profile& profile) {
+    if (job.layer_count() < 1 || job.point_count() < 2)
+        return bad_input("the job has no points to verify: " + std::to_string(job.layer_count()) +
+                         " layers of " + std::to_string(job.point_count()) + " points");
+    const std::int64_t rev = profile.psi.pulses_per_rev;
+    if (rev < 2 || job.psi_sweep_pulses() * 2 != rev)
+        return bad_input("the job sweeps " + std::to_string(job.psi_sweep_pulses()) +
+                         " psi pulses a layer, but half a revolution of the profile \"" + profile.name +
+                         "\" is " + std::to_string(rev / 2) +
+                         "; verify with the profile that the job was made for");
+    if (profile.r1.pulses_per_mm <= 0.0 || profile.r2.pulses_per_mm <= 0.0 || profile.y.pulses_per_mm <= 0.0)
+        return bad_input("the profile \"" + profile.name + "\" has an axis without pulses per mm");
+    return {};
+}
+
+HeadGeometry head_of(const LinearAxisProfile& axis) {
+    HeadGeometry head;
+    head.pulses_per_mm = axis.pulses_per_mm;
+    head.tip_offset_mm = axis.tip_offset_mm;
+    return head;
+}
+
+}  // namespace
+
+Result<JobGeometry> JobGeometry::make(const JobView& job, const Profile& profile) {
+    auto countable = check_countable(job, profile);
+    if (!countable) return countable.error();
+    JobGeometry g;
+    g.job_ = job;
+    g.heads_ = {head_of(profile.r1), head_of(profile.r2)};
+    g.rev_pulses_ = profile.psi.pulses_per_rev;
+    g.heads_[1].facing_pulses =
+        g.rev_pulses_ / 2 + pulses_from_deg(profile.head_r2_angle_error_deg, g.rev_pulses_);
+    g.heads_[1].height_offset_pulses =
+        pulses_from_mm(profile.head_r2_height_error_mm, profile.y.pulses_per_mm);
+    g.rad_per_pulse_ = rad_from_pulses(1, g.rev_pulses_);
+    g.y_pulses_per_mm_ = profile.y.pulses_per_mm;
+    g.tolerance_mm_ = profile.job.path_tolerance_mm;
+    for (std::size_t h = 0; h < kHeadCount; ++h)
+        g.blank_radius_mm_ =
+            std::max(g.blank_radius_mm_, g.heads_[h].real_mm(job.max_radius_pulses(kHeads[h])));
+    const auto heights = job.layer_heights_pulses();
+    const std::int64_t base = pulses_from_mm(profile.job.base_height_mm, profile.y.pulses_per_mm);
+    const std::int64_t alone = std::max<std::int64_t>(std::abs(heights.front() - base), 1);
+    const bool one = heights.size() == 1;
+    g.outer_margin_low_ = one ? alone : (heights[1] - heights[0] + 1) / 2;
+    g.outer_margin_high_ = one ? alone : (heights.back() - heights[heights.size() - 2] + 1) / 2;
+    return g;
+}
+
+Positions JobGeometry::target(std::uint32_t layer, std::uint32_t step) const noexcept {
+    const std::uint32_t point = carved_point(job_.joining(), point_count(), layer, step);
+    return {job_.r_left_pulses(layer)[point], job_.r_right_pulses(layer)[point],
+            job_.psi_pulses(layer, point), height(layer)};
+}
+
+std::optional<std::uint32_t> JobGeometry::layer_at(std::int64_t height_pulses) const noexcept {
+    const auto heights = job_.layer_heights_pulses();
+    if (height_pulses < heights.front() - outer_margin_low_ ||
+        height_pulses > heights.back() + outer_margin_high_)
+        return std::nullopt;
+    const auto above = std::lower_bound(heights.begin(), heights.end(), height_pulses);
+    if (above == heights.begin()) return 0;
+    auto index = static_cast<std::uint32_t>(above - heights.begin());
+    if (above == heights.end() || height_pulses - *(above - 1) <= *above - height_pulses) --index;
+    return index;
+}
+
+std::int64_t JobGeometry::direction(std::size_t h, std::int64_t psi_pulses) const noexcept {
+    return wrapped(psi_pulses + heads_[h].facing_pulses, rev_pulses_);
+}
+
+std::uint32_t JobGeometry::cell_of(std::int64_t direction_pulses) const noexcept {
+    const auto count = static_cast<std::int64_t>(direction_count());
+    const std::int64_t cell = (2 * direction_pulses * count + rev_pulses_) / (2 * rev_pulses_);
+    return static_cast<std::uint32_t>(cell == count ? 0 : cell);
+}
+
+std::int64_t JobGeometry::direction_of(std::uint32_t cell) const noexcept {
+    const std::uint32_t steps = point_count() - 1;
+    const std::int64_t within = point_angle_pulses(cell % steps, rev_pulses_ / 2, point_count());
+    return cell < steps ? within : within + rev_pulses_ / 2;
+}
+
+std::optional<double> JobGeometry::on_row(std::size_t h, std::uint32_t row,
+                                          std::int64_t direction_pulses) const noexcept {
+    const std::int64_t sweep = job_.psi_sweep_pulses();
+    const std::int64_t start = table_angle_pulses(job_.joining(), sweep, point_count(), row, 0);
+    std::int64_t along = wrapped(direction_pulses - heads_[h].facing_pulses - start, rev_pulses_);
+    // Between the two heads' halves the angle error leaves a gap; the nearer end speaks for it.
+    const std::int64_t gap = std::abs(heads_[1].facing_pulses - rev_pulses_ / 2);
+    if (along > sweep && along <= sweep + gap) along = sweep;
+    if (along >= rev_pulses_ - gap && along > sweep) along = 0;
+    if (along > sweep) return std::nullopt;
+    const auto radii = h == 0 ? job_.r_left_pulses(row) : job_.r_right_pulses(row);
+    const auto steps = static_cast<std::int64_t>(point_count() - 1);
+    std::int64_t j = std::min(along * steps / sweep, steps - 1);
+    if (j > 0 && point_angle_pulses(j, sweep, steps + 1) > along) --j;
+    if (j + 1 < steps && point_angle_pulses(j + 1, sweep, steps + 1) < along) ++j;
+    const std::int64_t a = point_angle_pulses(j, sweep, steps + 1);
+    const std::int64_t b = point_angle_pulses(j + 1, sweep, steps + 1);
+    const double part = b == a ? 0.0 : static_cast<double>(along - a) / static_cast<double>(b - a);
+    const auto near = heads_[h].real_mm(radii[static_cast<std::size_t>(j)]);
+    const auto far = heads_[h].real_mm(radii[static_cast<std::size_t>(j) + 1]);
+    return along == b ? far : near + part * (far - near);
+}
+
+std::optional<double> JobGeometry::wanted_mm(std::uint32_t layer,
+                                             std::int64_t direction_pulses) const noexcept {
+    const auto left = on_row(0, layer, direction_pulses);
+    if (left && heads_[1].facing_pulses == rev_pulses_ / 2) return left;
+    const auto row = heads_[1].height_offset_pulses == 0
+                         ? std::optional<std::uint32_t>(layer)
+                         : layer_at(height(layer) - heads_[1].height_offset_pulses);
+    const auto right = row ? on_row(1, *row, direction_pulses) : std::nullopt;
+    if (left && right) return std::min(*left, *right);
+    return left ? left : right;
+}
+
+}  // namespace psicarve::verify

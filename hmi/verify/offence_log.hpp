@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "hmi/verify/verify_report.hpp"
+#include "shared/signal.hpp"
+
+namespace psicarve::verify {
+
+/// What the carving is at, for messages.
+struct CarvePlace {
+    std::optional<std::uint32_t> layer;
+    std::optional<std::uint32_t> point;
+};
+
+/// Counts breaches and keeps the earliest of each rule. Counting is cheap; words are only made for what is
+/// kept.
+class OffenceLog {
+public:
+    /// Counts one. True when it is the rule's earliest so far: then call describe.
+    bool count(int rule, std::int64_t time_ns) noexcept {
+        RuleResult& result = rules_[static_cast<std::size_t>(rule) - 1];
+        ++result.offences;
+        return !result.first || time_ns < result.first->time_ns;
+    }
+    /// Completes the sentence with the place and time, and keeps it.
+    void describe(Offence offence, const CarvePlace& place);
+
+    void set_judged(int rule) noexcept { rules_[static_cast<std::size_t>(rule) - 1].judged = true; }
+    const RuleResult& result(int rule) const noexcept { return rules_[static_cast<std::size_t>(rule) - 1]; }
+    /// Puts back what a rule's result was: an attempt at carving turned out to be none.
+    void restore(int rule, const RuleResult& earlier) {
+        rules_[static_cast<std::size_t>(rule) - 1] = earlier;
+    }
+    const std::array<RuleResult, kRuleCount>& rules() const noexcept { return rules_; }
+
+private:
+    std::array<RuleResult, kRuleCount> rules_;
+};
+
+/// "r1" as people read it: "R1", "psi", "Y".
+std::string shown_name(Axis axis);
+/// A number without needless digits.
+std::string shown_number(double value);
+
+}  // namespace psicarve::verify

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How rule 1 names what it finds: the part of PathRule that makes words, apart from the part that follows the
+// pins.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "hmi/verify/path_rule.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::verify {
+
+namespace {
+constexpr std::size_t kPsi = index_of(Axis::psi);
+constexpr std::size_t kY = index_of(Axis::y);
+}  // namespace
+
+void PathRule::report(std::int64_t time_ns, Offence offence) {
+    offence.rule = 1;
+    offence.time_ns = time_ns;
+    log_.describe(std::move(offence), place_);
+}
+
+void PathRule::miss(std::int64_t time_ns, const Positions& at) {
+    Axis worst = Axis::psi;
+    std::int64_t worst_off = 0;
+    std::int64_t measured = at[kPsi];
+    const auto consider = [&](Axis axis, std::int64_t value) {
+        const std::int64_t off = std::abs(value - to_[index_of(axis)]);
+        if (off <= worst_off) return;
+        worst = axis;
+        worst_off = off;
+        measured = value;
+    };
+    for (std::size_t h = 0; h < kHeadCount; ++h) {
+        const Heading& heading = headings_[h];
+        const std::int64_t wanted = to_[index_of(kHeads[h])];
+        const std::int64_t closest = heading.closest.value_or(at[index_of(kHeads[h])]);
+        consider(kHeads[h], closest);
+        if (heading.has_surface)
+            surface_.note_deviation(heading.surface_layer,
+                                    geometry_.cell_of(geometry_.direction(h, to_[kPsi])), closest - wanted);
+    }
+    consider(Axis::y, at[kY]);
+    if (log_.count(1, time_ns)) {
+        Offence offence;
+        offence.fault = "point-missed";
+        offence.axis = worst;
+        offence.measured = static_cast<double>(measured);
+        offence.allowed = static_cast<double>(to_[index_of(worst)]);
+        offence.unit = "pulses";
+        offence.sentence = worst_off > 0
+                               ? "a point was not visited: " + shown_name(worst) + " stood elsewhere"
+                               : "a point was not visited by all axes at one instant: psi went past it";
+        report(time_ns, std::move(offence));
+    }
+    advance();
+}
+
+void PathRule::miss_rest_of_layer(std::int64_t time_ns, const Positions& at) {
+    const std::uint32_t layer = layer_;
+    while (phase_ == Phase::segment && layer_ == layer) miss(time_ns, at);
+}
+
+void PathRule::stray(std::int64_t time_ns, std::size_t h, const PathLine::Distance& distance) {
+    if (std::exchange(strayed_, true) || !log_.count(1, time_ns)) return;
+    Offence offence;
+    offence.fault = "off-the-line";
+    offence.axis = kHeads[h];
+    offence.measured = distance.mm;
+    offence.allowed = geometry_.tolerance_mm() + headings_[h].line.pulse_across_mm();
+    offence.unit = "mm";
+    offence.sentence = shown_name(kHeads[h]) + " leaves the straight line to a point";
+    report(time_ns, std::move(offence));
+}
+
+void PathRule::stray_in_height(std::int64_t time_ns, const Positions& at) {
+    if (step_ + 1 == geometry_.point_count()) return miss(time_ns, at);  // Y moves on: it will not come
+    if (!std::exchange(strayed_, true) && log_.count(1, time_ns)) {
+        Offence offence;
+        offence.fault = "height";
+        offence.axis = Axis::y;
+        offence.measured = static_cast<double>(at[kY]);
+        offence.allowed = static_cast<double>(to_[kY]);
+        offence.unit = "pulses";
+        offence.sentence = "Y leaves its layer before the layer's end";
+        report(time_ns, std::move(offence));
+    }
+    const auto layer = geometry_.layer_at(at[kY]);
+    if (!layer || *layer != layer_) miss_rest_of_layer(time_ns, at);
+}
+
+void PathRule::wrong_layer(std::int64_t time_ns, const Positions& at, std::uint32_t layer) {
+    if (!std::exchange(strayed_, true) && log_.count(1, time_ns)) {
+        Offence offence;
+        offence.fault = "layer-order";
+        offence.axis = Axis::y;
+        offence.measured = static_cast<double>(at[kY]);
+        offence.allowed = static_cast<double>(to_[kY]);
+        offence.unit = "pulses";
+        offence.sentence =
+            "Y goes to layer " + std::to_string(layer) + " where layer " + std::to_string(layer_) + " is due";
+        report(time_ns, std::move(offence));
+    }
+    if (layer > layer_) {
+        aim(layer, 0);
+        strayed_ = true;  // the jump is told
+    }
+}
+
+void PathRule::touch(std::int64_t time_ns, const Positions& at) {
+    for (std::size_t h = 0; h < kHeadCount; ++h) touch_head(h, time_ns, at);
+}
+
+/// A tip somewhere off the lines between points: carves, and must not stand deeper than the job asks there.
+void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& at) {
+    const HeadGeometry& head = geometry_.head(h);
+    const std::int64_t radius = at[index_of(kHeads[h])];
+    const double real_mm = head.real_mm(radius);
+    if (real_mm >= geometry_.blank_radius_mm()) return;
+    const auto layer = geometry_.layer_at(at[kY] + head.height_offset_pulses);
+    if (!layer) return;
+    const std::int64_t direction = geometry_.direction(h, at[kPsi]);
+    const std::uint32_t cell = geometry_.cell_of(direction);
+    surface_.touch(*layer, cell, static_cast<float>(real_mm));
+    const auto wanted_mm = geometry_.wanted_mm(*layer, direction);
+    if (!wanted_mm) return;
+    double floor_mm = *wanted_mm;
+    if (direction != geometry_.direction_of(cell)) {
+        // Between two points the path may leave the line; psi is known to a pulse.
+        const std::int64_t rev = geometry_.rev_pulses();
+        const auto before = geometry_.wanted_mm(*layer, (direction + rev - 1) % rev);
+        const auto after = geometry_.wanted_mm(*layer, (direction + 1) % rev);
+        floor_mm = std::min({floor_mm, before.value_or(floor_mm), after.value_or(floor_mm)}) -
+                   geometry_.tolerance_mm() - 1.0 / head.pulses_per_mm;
+    }
+    const std::int64_t off = round_to_pulse((real_mm - *wanted_mm) * head.pulses_per_mm);
+    const std::int64_t too_deep = round_to_pulse((floor_mm - real_mm) * head.pulses_per_mm);
+    if (off >= 0 || too_deep > 0) surface_.note_deviation(*layer, cell, off);
+    if (too_deep <= 0 || !log_.count(1, time_ns)) return;
+    Offence offence;
+    offence.fault = "too-deep";
+    offence.axis = kHeads[h];
+    offence.measured = static_cast<double>(radius);
+    offence.allowed = static_cast<double>(radius + too_deep);
+    offence.unit = "pulses";
+    offence.sentence = shown_name(kHeads[h]) + " stands deeper than layer " + std::to_string(*layer) +
+                       " asks, off the way between two points";
+    report(time_ns, std::move(offence));
+}
+
+void PathRule::end_early(std::int64_t time_ns) {
+    const bool has_begun = ended_at_.has_value();
+    if (has_begun) time_ns = ended_ns_;
+    if (!log_.count(1, time_ns)) return;
+    Offence offence;
+    offence.fault = has_begun ? "ends-early" : "no-carving";
+    offence.measured = static_cast<double>(visited_);
+    offence.allowed = static_cast<double>(geometry_.total_points());
+    offence.unit = "points";
+    offence.sentence = has_begun ? "the carving ends before the job's last point"
+                                 : "nothing was carved: the first point is never reached with the spindle on";
+    place_ = ended_at_.value_or(CarvePlace{});
+    report(time_ns, std::move(offence));
+}
+
+}  // namespace psicarve::verify

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/verify/path_rule.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "shared/units.hpp"
+
+namespace psicarve::verify {
+
+namespace {
+
+constexpr std::size_t kPsi = index_of(Axis::psi);
+constexpr std::size_t kY = index_of(Axis::y);
+constexpr std::int64_t kNearPulses = 64;  // how far off the first point a carving is still recognised
+constexpr std::int64_t kHeightSlackPulses = 1;
+
+}  // namespace
+
+PathRule::PathRule(const JobGeometry& geometry, CarvedSurface& surface, OffenceLog& log)
+    : geometry_(geometry), surface_(surface), log_(log) {
+    log_.set_judged(1);
+}
+
+void PathRule::begin(const Positions& positions, bool spindle_on) {
+    last_ = positions;
+    spindle_on_ = spindle_on;
+    before_attempt_ = log_.result(1);
+    aim(0, 0);
+    phase_ = Phase::approach;
+    place_ = {};
+}
+
+double PathRule::carve_seconds() const noexcept {
+    return phase_ == Phase::done && has_left_ ? seconds_from_ns(arrived_ns_ - left_ns_) : 0.0;
+}
+
+std::int64_t PathRule::forward(std::int64_t psi_pulses) const noexcept {
+    return (psi_pulses - to_[kPsi]) * psi_sign_;
+}
+
+void PathRule::settle(std::int64_t time_ns, const Positions& positions, bool spindle_on) {
+    // Switched off together with the last pulse, the spindle still ran for it.
+    const bool ran = spindle_on || spindle_on_;
+    if (is_guess_ && visited_ == 0 && ran && is_first_point(positions)) {
+        log_.restore(1, before_guess_);
+        phase_ = Phase::approach;
+    }
+    Positions at = positions;
+    at[kPsi] -= psi_offset_;
+    switch (phase_) {
+        case Phase::segment:
+            follow_segment(time_ns, at);
+            break;
+        case Phase::link:
+            follow_link(time_ns, at);
+            break;
+        case Phase::approach:
+            follow_approach(time_ns, positions, ran);
+            break;
+        case Phase::done:
+            touch(time_ns, at);
+            break;
+    }
+    last_ = positions;
+    if (spindle_on_ && !spindle_on && (phase_ == Phase::segment || phase_ == Phase::link))
+        end_attempt(time_ns);
+    spindle_on_ = spindle_on;
+}
+
+void PathRule::redefine(std::int64_t time_ns, const Positions& positions) {
+    if (phase_ == Phase::segment || phase_ == Phase::link) end_attempt(time_ns);
+    if (phase_ == Phase::approach && !ended_at_) {
+        // Whatever was counted before the first homing meant nothing.
+        surface_.clear();
+        log_.restore(1, before_attempt_);
+    }
+    last_ = positions;
+}
+
+bool PathRule::is_first_point(const Positions& at) const noexcept {
+    const Positions first = geometry_.target(0, 0);
+    return at[0] == first[0] && at[1] == first[1] && at[kY] == first[kY] &&
+           (at[kPsi] - first[kPsi]) % geometry_.rev_pulses() == 0;
+}
+
+bool PathRule::was_near_first_point() const noexcept {
+    const Positions first = geometry_.target(0, 0);
+    const std::int64_t rest = std::abs((last_[kPsi] - first[kPsi]) % geometry_.rev_pulses());
+    return std::abs(last_[0] - first[0]) <= kNearPulses && std::abs(last_[1] - first[1]) <= kNearPulses &&
+           std::abs(last_[kY] - first[kY]) <= kNearPulses &&
+           std::min(rest, geometry_.rev_pulses() - rest) <= kNearPulses;
+}
+
+void PathRule::follow_approach(std::int64_t time_ns, const Positions& at, bool spindle_on) {
+    if (spindle_on && is_first_point(at)) {
+        start(at[kPsi]);
+        reach(time_ns);
+        return;
+    }
+    if (!spindle_on || at[kPsi] == last_[kPsi] || !was_near_first_point()) {
+        touch(time_ns, at);
+        return;
+    }
+    // Psi turns away from the first point though it was never quite reached.
+    before_guess_ = log_.result(1);
+    start(last_[kPsi]);
+    is_guess_ = true;
+    Positions left = last_;
+    left[kPsi] -= psi_offset_;
+    note_closest(left);
+    miss(time_ns, left);
+    Positions now = at;
+    now[kPsi] -= psi_offset_;
+    follow_segment(time_ns, now);
+}
+
+void PathRule::start(std::int64_t psi_pulses) {
+    const std::int64_t rev = geometry_.rev_pulses();
+    const std::int64_t first = geometry_.target(0, 0)[kPsi];
+    const double turns = static_cast<double>(psi_pulses - first) / static_cast<double>(rev);
+    psi_offset_ = round_to_pulse(turns) * rev;
+    visited_ = 0;
+    is_guess_ = false;
+    has_left_ = false;
+    ended_at_.reset();
+    aim(0, 0);
+}
+
+void PathRule::end_attempt(std::int64_t time_ns) {
+    ended_at_ = place_;
+    ended_ns_ = time_ns;
+    phase_ = Phase::approach;
+    place_ = {};
+}
+
+/// Makes a point the next one to be visited.
+void PathRule::aim(std::uint32_t layer, std::uint32_t step) {
+    layer_ = layer;
+    step_ = step;
+    strayed_ = false;
+    from_ = to_;
+    to_ = geometry_.target(layer, step);
+    place_ = {layer, carved_point(geometry_.job().joining(), geometry_.point_count(), layer, step)};
+    for (std::size_t h = 0; h < kHeadCount; ++h) {
+        Heading& heading = headings_[h];
+        heading.closest.reset();
+        if (step > 0) heading.line = PathLine::between(geometry_, h, from_, to_);
+        if (step > 1) continue;
+        const auto row = geometry_.layer_at(to_[kY] + geometry_.head(h).height_offset_pulses);
+        heading.has_surface = row.has_value();
+        heading.surface_layer = row.value_or(0);
+    }
+    if (step > 0) {
+        psi_sign_ = to_[kPsi] >= from_[kPsi] ? 1 : -1;
+        phase_ = Phase::segment;
+        cells_at_psi_ = from_[kPsi] - psi_sign_;  // no cell known yet
+    } else {
+        phase_ = Phase::link;
+    }
+}
+
+void PathRule::advance() {
+    if (step_ + 1 < geometry_.point_count()) {
+        aim(layer_, step_ + 1);
+    } else if (layer_ + 1 < geometry_.layer_count()) {
+        aim(layer_ + 1, 0);
+    } else {
+        phase_ = Phase::done;
+        place_ = {};
+    }
+}
+
+void PathRule::reach(std::int64_t time_ns) {
+    ++visited_;
+    arrived_ns_ = time_ns;
+    for (std::size_t h = 0; h < kHeadCount; ++h) {
+        const Heading& heading = headings_[h];
+        if (!heading.has_surface) continue;
+        const std::uint32_t cell = geometry_.cell_of(geometry_.direction(h, to_[kPsi]));
+        const double mm = geometry_.head(h).real_mm(to_[index_of(kHeads[h])]);
+        surface_.touch(heading.surface_layer, cell, static_cast<float>(mm));
+        surface_.note_deviation(heading.surface_layer, cell, 0);
+    }
+    advance();
+}
+
+void PathRule::note_closest(const Positions& at) {
+    for (std::size_t h = 0; h < kHeadCount; ++h) {
+        const std::size_t axis = index_of(kHeads[h]);
+        auto& closest = headings_[h].closest;
+        if (!closest || std::abs(at[axis] - to_[axis]) < std::abs(*closest - to_[axis])) closest = at[axis];
+    }
+}
+
+void PathRule::follow_segment(std::int64_t time_ns, const Positions& at) {
+    if (!has_left_) {
+        has_left_ = true;
+        left_ns_ = time_ns;
+    }
+    const std::int64_t psi_passed = at[kPsi] - from_[kPsi];
+    bool conforms = true;
+    for (std::size_t h = 0; h < kHeadCount; ++h) {
+        const std::size_t axis = index_of(kHeads[h]);
+        const PathLine& line = headings_[h].line;
+        const PathLine::Distance distance = line.distance(psi_passed, at[axis] - from_[axis]);
+        if (distance.mm > max_line_mm_) max_line_mm_ = distance.mm;
+        if (distance.across_mm > max_line_pulses_ * line.pulse_across_mm())
+            max_line_pulses_ = distance.across_mm / line.pulse_across_mm();
+        if (distance.is_allowed) continue;
+        conforms = false;
+        stray(time_ns, h, distance);
+    }
+    if (std::abs(at[kY] - to_[kY]) > kHeightSlackPulses) {
+        conforms = false;
+        stray_in_height(time_ns, at);
+        if (phase_ == Phase::link) return follow_link(time_ns, at);
+        if (phase_ == Phase::done) return touch(time_ns, at);
+    }
+    if (!conforms) touch(time_ns, at);
+    if (conforms) {
+        const bool turned = at[kPsi] != cells_at_psi_;
+        cells_at_psi_ = at[kPsi];
+        for (std::size_t h = 0; h < kHeadCount; ++h) {
+            Heading& heading = headings_[h];
+            if (turned) heading.cell = geometry_.cell_of(geometry_.direction(h, at[kPsi]));
+            if (!heading.has_surface) continue;
+            const double mm = geometry_.head(h).real_mm(at[index_of(kHeads[h])]);
+            surface_.touch(heading.surface_layer, heading.cell, static_cast<float>(mm));
+        }
+    }
+    if (at == to_) return reach(time_ns);
+    if (at[kPsi] == to_[kPsi]) note_closest(at);
+    while (phase_ == Phase::segment && forward(at[kPsi]) > 0) {
+        miss(time_ns, at);
+        if (phase_ == Phase::segment && at == to_) return reach(time_ns);
+    }
+}
+
+void PathRule::follow_link(std::int64_t time_ns, const Positions& at) {
+    touch(time_ns, at);
+    if (at == to_) return reach(time_ns);
+    if (const auto layer = geometry_.layer_at(at[kY]); layer && *layer != layer_ && *layer + 1 != layer_)
+        wrong_layer(time_ns, at, *layer);
+    if (phase_ != Phase::link || at[kY] != to_[kY]) return;
+    if (at[kPsi] == to_[kPsi]) note_closest(at);
+    // The layer goes on without its first point.
+    const Positions second = geometry_.target(layer_, 1);
+    const std::int64_t way = second[kPsi] - to_[kPsi];
+    if ((at[kPsi] - second[kPsi]) * (way > 0 ? 1 : -1) < 0) return;
+    miss(time_ns, at);
+    if (phase_ == Phase::segment) follow_segment(time_ns, at);
+}
+
+void PathRule::finish(std::int64_t time_ns) {
+    if (phase_ == Phase::segment || phase_ == Phase::link) {
+        if (visited_ > 0 || is_guess_) end_attempt(time_ns);
+    }
+    if (phase_ != Phase::done) end_early(time_ns);
+}
+
+}  // namespace psicarve::verify

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "hmi/verify/carved_surface.hpp"
+#include "hmi/verify/job_geometry.hpp"
+#include "hmi/verify/offence_log.hpp"
+#include "hmi/verify/path_segment.hpp"
+
+namespace psicarve::verify {
+
+/// Rule 1: every point of the job is visited, in carving order and exactly; between two points of a layer
+/// each head stays near the straight line; elsewhere (approach, links between layers, finish) no head stands
+/// deeper than the job asks at that place. Carves the surface on the way.
+///
+/// The carving begins where the first point is reached with the spindle on, psi up to whole turns. After a
+/// breach the rule goes on with the next point, so that one lost pulse does not hide all that follows.
+class PathRule {
+public:
+    PathRule(const JobGeometry& geometry, CarvedSurface& surface, OffenceLog& log);
+
+    void begin(const Positions& positions, bool spindle_on);
+    /// After each instant in which an axis stepped or the spindle was switched.
+    void settle(std::int64_t time_ns, const Positions& positions, bool spindle_on);
+    /// Homing defined the positions anew.
+    void redefine(std::int64_t time_ns, const Positions& positions);
+    void finish(std::int64_t time_ns);
+
+    const CarvePlace& place() const noexcept { return place_; }
+    std::uint64_t points_visited() const noexcept { return visited_; }
+    double max_line_deviation_mm() const noexcept { return max_line_mm_; }
+    double max_line_deviation_pulses() const noexcept { return max_line_pulses_; }
+    double carve_seconds() const noexcept;
+
+private:
+    enum class Phase { approach, segment, link, done };
+    struct Heading {
+        PathLine line;
+        std::uint32_t surface_layer = 0;  ///< row of the carved surface that the tip works on
+        bool has_surface = false;
+        std::uint32_t cell = 0;
+        std::optional<std::int64_t>
+            closest;  ///< radius nearest to the wanted one, while psi stood at the point's
+    };
+
+    void follow_segment(std::int64_t time_ns, const Positions& at);
+    void follow_link(std::int64_t time_ns, const Positions& at);
+    void follow_approach(std::int64_t time_ns, const Positions& at, bool spindle_on);
+    bool is_first_point(const Positions& at) const noexcept;
+    bool was_near_first_point() const noexcept;
+    void start(std::int64_t psi_pulses);
+    void end_attempt(std::int64_t time_ns);
+    void aim(std::uint32_t layer, std::uint32_t step);
+    void advance();
+    void reach(std::int64_t time_ns);
+    void miss(std::int64_t time_ns, const Positions& at);
+    void miss_rest_of_layer(std::int64_t time_ns, const Positions& at);
+    void note_closest(const Positions& at);
+    void stray(std::int64_t time_ns, std::size_t h, const PathLine::Distance& distance);
+    void stray_in_height(std::int64_t time_ns, const Positions& at);
+    void wrong_layer(std::int64_t time_ns, const Positions& at, std::uint32_t layer);
+    void touch(std::int64_t time_ns, const Positions& at);
+    void touch_head(std::size_t h, std::int64_t time_ns, const Positions& at);
+    void end_early(std::int64_t time_ns);
+    void report(std::int64_t time_ns, Offence offence);
+    std::int64_t forward(std::int64_t psi_pulses) const noexcept;
+
+    JobGeometry geometry_;
+    CarvedSurface& surface_;
+    OffenceLog& log_;
+    Phase phase_ = Phase::approach;
+    Positions last_{};
+    bool spindle_on_ = false;
+    std::int64_t psi_offset_ = 0;  ///< whole turns between the trace's count and the job's angle
+    Positions from_{};             ///< job's counts
+    Positions to_{};
+    std::uint32_t layer_ = 0;  ///< of the point aimed at
+    std::uint32_t step_ = 0;
+    std::int64_t psi_sign_ = 1;  ///< which way this layer turns
+    std::int64_t cells_at_psi_ = 0;
+    std::array<Heading, kHeadCount> headings_;
+    bool strayed_ = false;   ///< told already for this segment or link
+    bool is_guess_ = false;  ///< the first point was only passed nearby
+    CarvePlace place_;
+    RuleResult before_attempt_;
+    RuleResult before_guess_;
+    std::optional<CarvePlace> ended_at_;  ///< where the last attempt ended before its time
+    std::int64_t ended_ns_ = 0;
+    std::uint64_t visited_ = 0;
+    bool has_left_ = false;
+    std::int64_t left_ns_ = 0;     ///< the first point
+    std::int64_t arrived_ns_ = 0;  ///< at the last
+    double max_line_mm_ = 0.0;
+    double max_line_pulses_ = 0.0;
+};
+
+}  // namespace psicarve::verify

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/verify/verifier.hpp"
+
+#include <bit>
+#include <utility>
+#include <vector>
+
+#include "hmi/verify/offence_log.hpp"
+#include "hmi/verify/path_rule.hpp"
+#include "hmi/verify/permission_rule.hpp"
+#include "hmi/verify/timing_rule.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::verify {
+
+namespace {
+constexpr SignalWord kPermissionMask = kEnableMask | kInputMask | bit_of(Signal::spindle);
+constexpr std::size_t kEventsAtOnce = 1024;
+}  // namespace
+
+/// Turns pins into pulses and positions and hands each to the rules. A rule that judges single pulses (as
+/// rule 3 will) is told in `pulse`; one that judges positions, in `settle`.
+struct Verifier::State {
+    State(const JobGeometry& geometry, const Profile& profile)
+        : surface(geometry),
+          path(geometry, surface, log),
+          timing(profile.port, log),
+          permission(profile, log),
+          points_total(geometry.total_points()) {
+        log.set_judged(2);
+        log.set_judged(4);
+    }
+
+    void pins(const TraceEvent& event);
+    void pulse(Axis axis);
+    void settle();
+    void redefine(const TraceEvent& event);
+    bool spindle_on() const noexcept { return (levels & spindle_bit) != 0 || spindle_bit == 0; }
+
+    OffenceLog log;
+    CarvedSurface surface;
+    PathRule path;
+    TimingRule timing;
+    PermissionRule permission;
+    SignalWord levels = 0;
+    SignalWord spindle_bit = 0;  ///< 0: the trace does not tell
+    std::int64_t instant_ns = 0;
+    bool unsettled = false;  ///< the instant moved an axis or switched the spindle
+    Positions positions{};
+    std::array<std::uint64_t, kAxisCount> pulses{};
+    std::uint64_t events = 0;
+    std::uint64_t points_total = 0;
+};
+
+void Verifier::State::pulse(Axis axis) {
+    const std::size_t a = index_of(axis);
+    const bool positive = (levels & bit_of(dir_of(axis))) != 0;
+    timing.rising(axis, instant_ns, path.place());
+    permission.rising(axis, positive, instant_ns, path.place());
+    positions[a] += positive ? 1 : -1;
+    ++pulses[a];
+    unsettled = true;
+}
+
+void Verifier::State::pins(const TraceEvent& event) {
+    const SignalWord changed = levels ^ event.levels;
+    if (changed == 0) return;
+    ++events;
+    const SignalWord before = std::exchange(levels, event.levels);
+    if ((changed & kPermissionMask) != 0) {
+        permission.levels_changed(before, levels, instant_ns);
+        unsettled = unsettled || (changed & spindle_bit) != 0;
+    }
+    for (SignalWord turned = (changed & kDirMask) >> kAxisCount; turned != 0; turned &= turned - 1)
+        timing.direction_changed(static_cast<Axis>(std::countr_zero(turned)), instant_ns, path.place());
+    for (SignalWord fell = changed & ~levels & kStepMask; fell != 0; fell &= fell - 1)
+        timing.falling(static_cast<Axis>(std::countr_zero(fell)), instant_ns, path.place());
+    for (SignalWord rose = changed & levels & kStepMask; rose != 0; rose &= rose - 1)
+        pulse(static_cast<Axis>(std::countr_zero(rose)));
+}
+
+/// All pulses of one instant belong together: only now are the positions judged.
+void Verifier::State::settle() {
+    if (!std::exchange(unsettled, false)) return;
+    path.settle(instant_ns, positions, spindle_on());
+}
+
+void Verifier::State::redefine(const TraceEvent& event) {
+    settle();
+    positions = event.position_pulses;
+    path.redefine(event.time_ns, positions);
+    permission.positions_redefined();
+}
+
+Result<Verifier> Verifier::make(const JobView& job, const Profile& profile) {
+    auto geometry = JobGeometry::make(job, profile);
+    if (!geometry) return geometry.error();
+    return Verifier(std::make_unique<State>(*geometry, profile));
+}
+
+Verifier::Verifier(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
+Verifier::Verifier(Verifier&&) noexcept = default;
+Verifier& Verifier::operator=(Verifier&&) noexcept = default;
+Verifier::~Verifier() = default;
+
+const CarvedSurface& Verifier::surface() const noexcept {
+    return state_->surface;
+}
+
+void Verifier::begin(const TraceStart& start) {
+    State& s = *state_;
+    s.levels = start.initial_levels;
+    s.spindle_bit = start.present & bit_of(Signal::spindle);
+    s.positions = start.position_pulses;
+    s.permission.begin(start.initial_levels, start.present, start.period_ns);
+    s.path.begin(s.positions, s.spindle_on());
+}
+
+void Verifier::feed(std::span<const TraceEvent> events) {
+    State& s = *state_;
+    for (const TraceEvent& event : events) {
+        if (event.time_ns != s.instant_ns) {
+            s.settle();
+            s.instant_ns = event.time_ns;
+        }
+        if (event.kind == TraceEvent::Kind::pins)
+            s.pins(event);
+        else
+            s.redefine(event);
+    }
+}
+
+VerifyReport Verifier::finish() {
+    State& s = *state_;
+    s.settle();
+    s.path.finish(s.instant_ns);
+    s.permission.finish();
+    VerifyReport report;
+    report.rules = s.log.rules();
+    report.pulses = s.pulses;
+    report.points_visited = s.path.points_visited();
+    report.points_total = s.points_total;
+    report.max_deviation_pulses = s.surface.max_deviation_pulses();
+    report.max_line_deviation_mm = s.path.max_line_deviation_mm();
+    report.max_line_deviation_pulses = s.path.max_line_deviation_pulses();
+    report.carve_seconds = s.path.carve_seconds();
+    report.trace_seconds = seconds_from_ns(s.instant_ns);
+    report.events = s.events;
+    report.ok = report.first_offence() == nullptr && report.points_visited == report.points_total;
+    return report;
+}
+
+Result<VerifyReport> verify_trace(Verifier& verifier, TraceReader& trace) {
+    verifier.begin(trace.start());
+    std::vector<TraceEvent> events(kEventsAtOnce);
+    for (;;) {
+        auto count = trace.read(events);
+        if (!count) return count.error();
+        if (*count == 0) return verifier.finish();
+        verifier.feed(std::span(events).first(*count));
+    }
+}
+
+}  // namespace psicarve::verify

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/verify/verify_report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "hmi/verify/offence_log.hpp"
+
+namespace psicarve::verify {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename T>
+Json or_null(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json offence_json(const Offence& offence) {
+    Json json;
+    json["rule"] = offence.rule;
+    json["fault"] = offence.fault;
+    json["axis"] = offence.axis ? Json(std::string(name_of(*offence.axis))) : Json(nullptr);
+    json["time_ns"] = offence.time_ns;
+    json["layer"] = or_null(offence.layer);
+    json["point"] = or_null(offence.point);
+    json["measured"] = offence.measured;
+    json["allowed"] = offence.allowed;
+    json["unit"] = offence.unit;
+    json["sentence"] = offence.sentence;
+    return json;
+}
+
+Json rules_json(const VerifyReport& report) {
+    Json rules = Json::array();
+    for (std::size_t r = 0; r < kRuleCount; ++r) {
+        const RuleResult& result = report.rules[r];
+        Json rule;
+        rule["rule"] = r + 1;
+        rule["ok"] = result.judged ? Json(result.offences == 0) : Json(nullptr);
+        rule["offences"] = result.offences;
+        rule["first"] = result.first ? offence_json(*result.first) : Json(nullptr);
+        rules.push_back(rule);
+    }
+    return rules;
+}
+
+}  // namespace
+
+const Offence* VerifyReport::first_offence() const noexcept {
+    const Offence* earliest = nullptr;
+    for (const RuleResult& rule : rules) {
+        if (rule.first && (earliest == nullptr || rule.first->time_ns < earliest->time_ns))
+            earliest = &*rule.first;
+    }
+    return earliest;
+}
+
+std::string report_json(const VerifyReport& report) {
+    Json json;
+    json["verified"] = report.ok;
+    json["rules"] = rules_json(report);
+    for (const Axis axis : kAllAxes)
+        json["pulses"][std::string(name_of(axis))] = report.pulses[index_of(axis)];
+    json["points_visited"] = report.points_visited;
+    json["points_total"] = report.points_total;
+    json["max_deviation_pulses"] = report.max_deviation_pulses;
+    json["max_line_deviation_mm"] = report.max_line_deviation_mm;
+    json["max_line_deviation_pulses"] = report.max_line_deviation_pulses;
+    json["carve_seconds"] = report.carve_seconds;
+    json["trace_seconds"] = report.trace_seconds;
+    json["events"] = report.events;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string report_text(const VerifyReport& report) {
+    std::string text = report.ok ? "verified: the pins obey rules 1, 2 and 4 and carve the job\n"
+                                 : "not verified: the pins differ from what the job asks\n";
+    for (std::size_t r = 0; r < kRuleCount; ++r) {
+        const RuleResult& result = report.rules[r];
+        if (!result.first) continue;
+        text += "  " + result.first->sentence;
+        if (result.offences > 1) text += " (the first of " + std::to_string(result.offences) + ")";
+        text += "\n";
+    }
+    text += "  points " + std::to_string(report.points_visited) + " of " +
+            std::to_string(report.points_total) + ", largest deviation " +
+            std::to_string(report.max_deviation_pulses) + " pulses at points, " +
+            shown_number(report.max_line_deviation_mm) + " mm between them\n";
+    text += "  carved in " + shown_number(report.carve_seconds) + " s; pulses";
+    for (const Axis axis : kAllAxes)
+        text += " " + shown_name(axis) + " " + std::to_string(report.pulses[index_of(axis)]);
+    return text + "\n";
+}
+
+}  // namespace psicarve::verify

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/options.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace psicarve::supervisor {
+namespace {
+
+std::variant<CoreOptions, int> parse(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "psicarve-rtcore");
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) pointers.push_back(argument.data());
+    return parse_options(static_cast<int>(pointers.size()), pointers.data());
+}
+
+int exit_code_of(const std::vector<std::string>& arguments) {
+    const auto parsed = parse(arguments);
+    const int* code = std::get_if<int>(&parsed);
+    return code == nullptr ? -1 : *code;
+}
+
+TEST(CoreOptions, DefaultsServeTheUsualSegmentOnTheSimulator) {
+    const auto parsed = parse({});
+    const auto& sut = std::get<CoreOptions>(parsed);
+    EXPECT_EQ(sut.segment_name, "/psicarve");
+    EXPECT_EQ(sut.port, "sim");
+    EXPECT_EQ(sut.clock, ClockKind::real);
+    EXPECT_EQ(sut.capacity_layers, 4000U);
+    EXPECT_EQ(sut.capacity_points, 3600U);
+}
+
+TEST(CoreOptions, TakeEveryOptionAndTwoTraces) {
+    const auto parsed =
+        parse({"--segment", "/x", "--clock", "virtual", "--profile", "p.toml", "--trace", "a.vcd", "--trace",
+               "fd:5", "--capacity", "12x34", "--replay", "j", "--exit-with-parent"});
+    const auto& sut = std::get<CoreOptions>(parsed);
+    EXPECT_EQ(sut.segment_name, "/x");
+    EXPECT_EQ(sut.clock, ClockKind::virtual_time);
+    EXPECT_EQ(sut.trace_paths, (std::vector<std::string>{"a.vcd", "fd:5"}));
+    EXPECT_EQ(sut.capacity_layers, 12U);
+    EXPECT_EQ(sut.capacity_points, 34U);
+    EXPECT_TRUE(sut.exit_with_parent);
+}
+
+TEST(CoreOptions, RefuseWrongUsageWithExitCodeTwo) {
+    EXPECT_EQ(exit_code_of({"--clock", "sundial"}), 2);
+    EXPECT_EQ(exit_code_of({"--port", "usb:1"}), 2);
+    EXPECT_EQ(exit_code_of({"--segment", "noslash"}), 2);
+    EXPECT_EQ(exit_code_of({"--segment", "/a/b"}), 2);
+    EXPECT_EQ(exit_code_of({"--capacity", "0x5"}), 2);
+    EXPECT_EQ(exit_code_of({"--capacity", "5"}), 2);
+    EXPECT_EQ(exit_code_of({"--capacity", "5x5x"}), 2);
+    EXPECT_EQ(exit_code_of({"--no-such-option"}), 2);
+    EXPECT_EQ(exit_code_of({"stray"}), 2);
+}
+
+TEST(CoreOptions, HelpIsNoError) {
+    EXPECT_EQ(exit_code_of({"--help"}), 0);
+}
+
+}  // namespace
+}  // namespace psicarve::supervisor

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/replay_script.hpp"
+
+#include <gtest/gtest.h>
+
+#include "shared/command.hpp"
+
+namespace psicarve::supervisor {
+namespace {
+
+FlightRecord state_change(std::uint64_t tick, MachineState state) {
+    FlightRecord record{};
+    record.tick = tick;
+    record.kind = RecordKind::state_change;
+    record.code = static_cast<std::uint16_t>(state);
+    return record;
+}
+
+FlightRecord command(std::uint64_t tick, CommandKind kind, AnswerKind answer = AnswerKind::done) {
+    FlightRecord record{};
+    record.tick = tick;
+    record.kind = RecordKind::command;
+    record.code = static_cast<std::uint16_t>(kind);
+    record.answer = static_cast<std::uint32_t>(answer);
+    return record;
+}
+
+TEST(ReplayScript, BeginsAtTheFirstHomedRest) {
+    FlightRecord ready = state_change(1000, MachineState::ready);
+    ready.position_pulses[0] = 24000;
+    ready.signals = bit_of(Signal::psi_index);
+    const auto sut =
+        script_from_records({command(10, CommandKind::home), ready, command(1500, CommandKind::start)});
+    ASSERT_TRUE(sut.has_value());
+    EXPECT_EQ(sut->start_position_pulses[0], 24000);
+    EXPECT_EQ(sut->start_inputs, bit_of(Signal::psi_index));
+    ASSERT_EQ(sut->steps.size(), 1U);
+    EXPECT_EQ(sut->steps[0].request, cycle::RequestKind::start);
+    EXPECT_EQ(sut->steps[0].tick, 500U);
+    EXPECT_EQ(sut->end_tick, 500U);
+}
+
+TEST(ReplayScript, LeavesOutWhatTheMachineRefused) {
+    const auto sut = script_from_records({state_change(0, MachineState::ready),
+                                          command(5, CommandKind::resume, AnswerKind::refused),
+                                          command(9, CommandKind::start)});
+    ASSERT_TRUE(sut.has_value());
+    ASSERT_EQ(sut->steps.size(), 1U);
+    EXPECT_EQ(sut->steps[0].tick, 9U);
+}
+
+TEST(ReplayScript, KeepsStopsAndInputEdgesInOrder) {
+    FlightRecord edge{};
+    edge.tick = 20;
+    edge.kind = RecordKind::input_edge;
+    edge.signals = bit_of(Signal::r1_limit) | bit_of(Signal::spindle);
+    FlightRecord stop{};
+    stop.tick = 30;
+    stop.kind = RecordKind::stop;
+    FlightRecord estop{};
+    estop.tick = 31;
+    estop.kind = RecordKind::emergency_stop;
+    const auto sut = script_from_records({state_change(10, MachineState::ready), edge, stop, estop});
+    ASSERT_TRUE(sut.has_value());
+    ASSERT_EQ(sut->steps.size(), 3U);
+    EXPECT_EQ(sut->steps[0].kind, ReplayStep::Kind::inputs);
+    EXPECT_EQ(sut->steps[0].inputs, bit_of(Signal::r1_limit)) << "outputs are the core's own doing";
+    EXPECT_EQ(sut->steps[1].kind, ReplayStep::Kind::stop);
+    EXPECT_EQ(sut->steps[2].kind, ReplayStep::Kind::emergency_stop);
+    EXPECT_EQ(sut->steps[2].tick, 21U);
+}
+
+TEST(ReplayScript, IsNothingWithoutARunFromRest) {
+    EXPECT_FALSE(script_from_records({}).has_value());
+    EXPECT_FALSE(script_from_records({state_change(5, MachineState::ready)}).has_value());
+    EXPECT_FALSE(script_from_records({command(1, CommandKind::home)}).has_value());
+}
+
+}  // namespace
+}  // namespace psicarve::supervisor

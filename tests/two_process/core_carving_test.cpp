@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/two_process/core_rig.hpp"
+
+namespace psicarve::two_process {
+namespace {
+
+class CoreCarving : public CoreRig {};
+
+TEST_F(CoreCarving, CarvesAPublishedJobToTheLastPoint) {
+    start_core();
+    EXPECT_EQ(status().state, MachineState::off);
+    home();
+    EXPECT_EQ(status().homed_mask, 0xF);
+    ASSERT_EQ(publish(lobed_job(4, 33)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
+    const CoreStatus end = status();
+    EXPECT_EQ(end.state, MachineState::ready);
+    EXPECT_EQ(end.points_done, 4U * 33U);
+    EXPECT_LT(end.carve_first_tick, end.carve_last_tick);
+    EXPECT_LT(end.carve_last_tick, end.job_end_tick);
+    for (const Axis axis : kAllAxes) {
+        EXPECT_EQ(end.sim_true_position_pulses[index_of(axis)], end.position_pulses[index_of(axis)])
+            << name_of(axis);
+        EXPECT_EQ(end.sim_ignored_pulses[index_of(axis)] + end.sim_timing_lost[index_of(axis)], 0U)
+            << name_of(axis);
+        EXPECT_EQ(end.sim_stalls[index_of(axis)], 0U) << name_of(axis);
+    }
+    EXPECT_EQ(end.alarm_count, 0U);
+}
+
+TEST_F(CoreCarving, HoldRestsOnThePathAndResumeEndsTheJob) {
+    start_core();
+    home();
+    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
+    ASSERT_EQ(refusal_of(CommandKind::hold), "");
+    ASSERT_TRUE(reaches(MachineState::held));
+    const CoreStatus held = status();
+    EXPECT_NE(held.signals & bit_of(Signal::spindle), 0U) << "the spindle stays on";
+    EXPECT_LT(held.points_done, held.points_total);
+    ASSERT_EQ(refusal_of(CommandKind::resume), "");
+    ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
+    EXPECT_EQ(status().points_done, held.points_total);
+}
+
+TEST_F(CoreCarving, StopEndsTheJobWithTheSpindleOffAndTheMachineHomed) {
+    start_core();
+    home();
+    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
+    request_stop(*segment_);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    const CoreStatus stopped = status();
+    EXPECT_LT(stopped.points_done, stopped.points_total);
+    EXPECT_EQ(stopped.signals & bit_of(Signal::spindle), 0U);
+    EXPECT_EQ(stopped.signals & kEnableMask, kEnableMask) << "drives stay enabled";
+    EXPECT_EQ(stopped.homed_mask, 0xF);
+    EXPECT_EQ(stopped.sim_true_position_pulses[0], stopped.position_pulses[0]);
+}
+
+TEST_F(CoreCarving, EmergencyStopIsAnAlarmThatHomingFollows) {
+    start_core();
+    home();
+    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
+    request_emergency_stop(*segment_);
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    const CoreStatus alarm = status();
+    EXPECT_EQ(alarm.alarm_cause, AlarmCause::emergency_stop);
+    EXPECT_EQ(alarm.signals & (kEnableMask | bit_of(Signal::spindle)), 0U);
+    EXPECT_EQ(alarm.alarm_count, 1U);
+    EXPECT_EQ(alarm.alarms[0].cause, AlarmCause::emergency_stop);
+    EXPECT_NE(refusal_of(CommandKind::start).find("alarm"), std::string::npos);
+    ASSERT_EQ(refusal_of(CommandKind::reset_alarm), "");
+    ASSERT_TRUE(reaches(MachineState::off));
+    home();
+}
+
+TEST_F(CoreCarving, CommandsOutOfPlaceAreRefusedWithTheReason) {
+    start_core();
+    EXPECT_NE(refusal_of(CommandKind::start), "");
+    EXPECT_NE(refusal_of(CommandKind::resume), "");
+    home();
+    EXPECT_NE(refusal_of(CommandKind::start).find("publish"), std::string::npos);
+    EXPECT_NE(refusal_of(CommandKind::back_off, Axis::r1), "");
+    EXPECT_EQ(status().state, MachineState::ready);
+}
+
+TEST_F(CoreCarving, ResetHeightDefinesYByItsSensor) {
+    start_core();
+    home();
+    ASSERT_EQ(refusal_of(CommandKind::reset_height), "");
+    ASSERT_TRUE(reaches(MachineState::ready));
+    EXPECT_EQ(status().sim_true_position_pulses[index_of(Axis::y)],
+              status().position_pulses[index_of(Axis::y)]);
+}
+
+TEST_F(CoreCarving, ShutdownEndsACoreAtRest) {
+    start_core();
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+    EXPECT_FALSE(segment_->core_pid().has_value());
+}
+
+TEST_F(CoreCarving, TerminationStopsTheJobBeforeTheCoreEnds) {
+    start_core();
+    home();
+    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
+    core_->send_signal(SIGTERM);
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+    EXPECT_EQ(status().signals & (kEnableMask | bit_of(Signal::spindle)), 0U);
+}
+
+}  // namespace
+}  // namespace psicarve::two_process

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstring>
+
+#include "shared/robust_mutex.hpp"
+#include "tests/two_process/core_rig.hpp"
+
+namespace psicarve::two_process {
+namespace {
+
+class CoreFault : public CoreRig {
+protected:
+    std::uint64_t steps_of_the_machine() {
+        const CoreStatus now = status();
+        std::uint64_t sum = 0;
+        for (const Axis axis : kAllAxes) sum += now.emitted_pulses[index_of(axis)];
+        return sum;
+    }
+    std::string publish_bytes(const std::vector<std::byte>& blob) {
+        const auto generation = publish_job(*segment_, blob);
+        if (!generation) return generation.error().message;
+        const auto accepted = wait_for_acceptance(*segment_, *generation, kLimit);
+        return accepted ? std::string{} : accepted.error().message;
+    }
+};
+
+TEST_F(CoreFault, ASecondCoreIsRefusedWithThePidOfTheFirst) {
+    start_core();
+    CoreProcess second{{"--segment", segment_name_, "--clock", "virtual"}, file("second.err")};
+    EXPECT_NE(second.wait_for_exit(), 0);
+    EXPECT_NE(text_of(file("second.err")).find(std::to_string(core_->pid())), std::string::npos)
+        << text_of(file("second.err"));
+}
+
+TEST_F(CoreFault, AKilledCoreLeavesTheSegmentToTheNextWhichIsNotHomed) {
+    start_core();
+    home();
+    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
+    core_->send_signal(SIGKILL);
+    core_->wait_for_exit();
+    EXPECT_TRUE(eventually([&] { return !segment_->core_pid().has_value(); }));
+    start_core();
+    EXPECT_EQ(status().state, MachineState::off);
+    EXPECT_EQ(status().homed_mask, 0);
+    EXPECT_NE(refusal_of(CommandKind::start), "");
+    home();
+    ASSERT_TRUE(eventually([&] { return status().job_generation != 0; }))
+        << "the published job is still there";
+    start_carving();
+    request_stop(*segment_);
+    ASSERT_TRUE(reaches(MachineState::ready));
+}
+
+TEST_F(CoreFault, APublisherKilledWithTheMutexHeldDoesNotDisturbTheCarving) {
+    start_core();
+    home();
+    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    start_carving();
+    const pid_t holder = fork();
+    if (holder == 0) {
+        auto own = Segment::attach(segment_name_);
+        if (!own) _exit(1);
+        RobustMutex mutex{own->header().mutex};
+        if (!mutex.lock_within(milliseconds{1000})) _exit(2);
+        kill(getpid(), SIGKILL);
+    }
+    int wait_status = 0;
+    waitpid(holder, &wait_status, 0);
+    ASSERT_TRUE(WIFSIGNALED(wait_status));
+    const auto before = status().points_done;
+    ASSERT_TRUE(eventually([&] { return status().points_done > before || status().job_end_tick != 0; }));
+    request_stop(*segment_);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    EXPECT_EQ(publish(lobed_job(2, 9)), "") << "the next publisher recovers the mutex";
+}
+
+TEST_F(CoreFault, GarbageIsRefusedByNameAndMovesNothing) {
+    start_core();
+    home();
+    const auto steps_before = steps_of_the_machine();
+    std::vector<std::byte> garbage(4096, std::byte{0x5a});
+    EXPECT_NE(publish_bytes(garbage), "");
+    auto blob = job_blob_from_table(lobed_job(3, 9));
+    auto truncated = blob;
+    truncated.resize(blob.size() / 2);
+    EXPECT_NE(publish_bytes(truncated), "");
+    JobTable too_deep = lobed_job(3, 9);
+    too_deep.r_left_pulses[13] = 1;
+    const std::string reason = publish(too_deep);
+    EXPECT_NE(reason.find("layer 1"), std::string::npos) << reason;
+    EXPECT_NE(reason.find("point 4"), std::string::npos) << reason;
+    EXPECT_NE(refusal_of(CommandKind::start), "") << "no job";
+    EXPECT_EQ(status().state, MachineState::ready);
+    EXPECT_EQ(steps_of_the_machine(), steps_before);
+}
+
+TEST_F(CoreFault, AJobForAnotherMachineIsRefusedWithTheKeysThatDiffer) {
+    start_core();
+    Profile other;
+    other.r1.speed_mm_s = 9.0;
+    const std::string reason = publish(lobed_job(3, 9, other));
+    EXPECT_NE(reason.find("axis.r1.speed_mm_s"), std::string::npos) << reason;
+}
+
+TEST_F(CoreFault, AJobPublishedWhileAnotherRunsIsRefused) {
+    start_core();
+    home();
+    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
+    const std::string reason = publish(lobed_job(2, 9));
+    EXPECT_NE(reason.find("runs"), std::string::npos) << reason;
+    request_stop(*segment_);
+    ASSERT_TRUE(reaches(MachineState::ready));
+}
+
+TEST_F(CoreFault, AnUnlinkedSegmentIsAnAlarmOnANewOne) {
+    start_core();
+    home();
+    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
+    ASSERT_TRUE(Segment::remove(segment_name_));
+    attach();
+    ASSERT_TRUE(eventually([&] { return segment_->core_pid() == std::uint32_t(core_->pid()); }));
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    EXPECT_EQ(status().alarm_cause, AlarmCause::segment_lost);
+}
+
+TEST_F(CoreFault, ATruncatedSegmentKillsNobody) {
+    start_core();
+    home();
+    const std::string path = "/dev/shm" + segment_name_;
+    ASSERT_EQ(truncate(path.c_str(), 4096), 0);
+    ASSERT_TRUE(eventually([&] {
+        auto fresh = Segment::attach(segment_name_);
+        if (!fresh || fresh->core_pid() != std::uint32_t(core_->pid())) return false;
+        segment_ = std::make_unique<Segment>(std::move(*fresh));
+        return true;
+    }));
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    EXPECT_EQ(status().alarm_cause, AlarmCause::segment_lost);
+}
+
+}  // namespace
+}  // namespace psicarve::two_process

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+extern char** environ;
+
+namespace psicarve::two_process {
+
+/// A real psicarve-rtcore, started by a test and gone when the object is.
+class CoreProcess {
+public:
+    explicit CoreProcess(const std::vector<std::string>& arguments,
+                         const std::string& error_path = "/dev/null") {
+        std::vector<std::string> words{std::string{PSICARVE_BIN} + "/psicarve-rtcore"};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        std::vector<char*> pointers;
+        for (std::string& word : words) pointers.push_back(word.data());
+        pointers.push_back(nullptr);
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, error_path.c_str(),
+                                         O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        if (posix_spawn(&pid_, words[0].c_str(), &actions, nullptr, pointers.data(), environ) != 0) pid_ = -1;
+        posix_spawn_file_actions_destroy(&actions);
+    }
+    CoreProcess(const CoreProcess&) = delete;
+    CoreProcess& operator=(const CoreProcess&) = delete;
+    ~CoreProcess() {
+        if (pid_ > 0 && !exit_status_) {
+            kill(pid_, SIGKILL);
+            wait_for_exit();
+        }
+    }
+
+    pid_t pid() const noexcept { return pid_; }
+    void send_signal(int number) const { kill(pid_, number); }
+
+    /// Exit code, or 128 + signal.
+    int wait_for_exit() {
+        int status = 0;
+        if (!exit_status_ && waitpid(pid_, &status, 0) == pid_) {
+            exit_status_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+        }
+        return exit_status_.value_or(-1);
+    }
+
+private:
+    pid_t pid_ = -1;
+    std::optional<int> exit_status_;
+};
+
+inline std::string text_of(const std::string& path) {
+    std::ifstream file{path, std::ios::binary};
+    return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+}  // namespace psicarve::two_process

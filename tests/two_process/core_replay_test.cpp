@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/two_process/core_rig.hpp"
+
+namespace psicarve::two_process {
+namespace {
+
+class CoreReplay : public CoreRig {
+protected:
+    void save_job(const JobTable& table, const std::string& path) {
+        Snapshot snapshot;
+        snapshot.job_blob = job_blob_from_table(table);
+        ASSERT_TRUE(save_snapshot(snapshot, path));
+    }
+    int replay(const std::string& job, const std::string& trace) {
+        CoreProcess core{
+            {"--segment", segment_name_, "--clock", "virtual", "--replay", job, "--trace", trace},
+            file("replay.err")};
+        return core.wait_for_exit();
+    }
+};
+
+TEST_F(CoreReplay, TwoReplaysOfAJobGiveTheSameBytes) {
+    save_job(lobed_job(5, 65), file("job"));
+    ASSERT_EQ(replay(file("job"), file("a.vcd")), 0) << text_of(file("replay.err"));
+    ASSERT_EQ(replay(file("job"), file("b.vcd")), 0);
+    ASSERT_EQ(replay(file("job"), file("a.trace")), 0);
+    ASSERT_EQ(replay(file("job"), file("b.trace")), 0);
+    EXPECT_GT(text_of(file("a.vcd")).size(), 10'000U);
+    EXPECT_TRUE(text_of(file("a.vcd")) == text_of(file("b.vcd")));
+    EXPECT_TRUE(text_of(file("a.trace")) == text_of(file("b.trace")));
+}
+
+TEST_F(CoreReplay, CarvingByCommandsTwiceGivesTheSameBytes) {
+    for (const std::string name : {"a.trace", "b.trace"}) {
+        start_core({"--trace", file(name)});
+        ASSERT_EQ(publish(lobed_job(3, 33)), "");
+        home();
+        start_carving();
+        ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
+        ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+        ASSERT_EQ(core_->wait_for_exit(), 0);
+        segment_.reset();
+        ASSERT_TRUE(Segment::remove(segment_name_));
+    }
+    EXPECT_GT(text_of(file("a.trace")).size(), 10'000U);
+    EXPECT_TRUE(text_of(file("a.trace")) == text_of(file("b.trace")));
+}
+
+TEST_F(CoreReplay, ARecordedRunIsAppliedAgainTickByTick) {
+    start_core();
+    ASSERT_EQ(publish(lobed_job(200, 101)), "");
+    home();
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 500; }));
+    ASSERT_EQ(refusal_of(CommandKind::hold), "");
+    ASSERT_TRUE(reaches(MachineState::held));
+    ASSERT_EQ(refusal_of(CommandKind::resume), "");
+    ASSERT_TRUE(eventually([&] { return status().points_done > 1500; }));
+    request_stop(*segment_);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    const CoreStatus end = status();
+
+    Snapshot snapshot;
+    snapshot.status = end;
+    RingReader reader{segment_->header().recorder};
+    while (const auto record = reader.next()) snapshot.records.push_back(*record);
+    snapshot.job_blob = job_blob_from_table(lobed_job(200, 101));
+    ASSERT_TRUE(save_snapshot(snapshot, file("snapshot")));
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    ASSERT_EQ(core_->wait_for_exit(), 0);
+
+    ASSERT_EQ(replay(file("snapshot"), file("replay.trace")), 0) << text_of(file("replay.err"));
+    attach();
+    const CoreStatus again = status();
+    EXPECT_EQ(again.points_done, end.points_done) << "the stop fell on the same tick";
+    for (const Axis axis : kAllAxes) {
+        EXPECT_EQ(again.position_pulses[index_of(axis)], end.position_pulses[index_of(axis)])
+            << name_of(axis);
+        EXPECT_EQ(again.emitted_pulses[index_of(axis)], end.emitted_pulses[index_of(axis)]) << name_of(axis);
+    }
+}
+
+TEST_F(CoreReplay, AFileThatIsNoJobIsRefusedAndNoTraceIsMade) {
+    {
+        std::ofstream garbage{file("garbage")};
+        garbage << "PSCSNAP1 and then nothing that makes sense";
+    }
+    EXPECT_EQ(replay(file("garbage"), file("never.vcd")), 3);
+    EXPECT_NE(text_of(file("replay.err")).find("garbage"), std::string::npos);
+    EXPECT_NE(access(file("never.vcd").c_str(), F_OK), 0);
+    EXPECT_EQ(replay(file("no-such-file"), file("never.vcd")), 3);
+}
+
+}  // namespace
+}  // namespace psicarve::two_process

@@ -6,8 +6,8 @@
 say() { printf '== %s\n' "$*" >&2; }
 fail() { printf '%s: %s\n' "${0##*/}" "$*" >&2; exit 1; }
 
-# build_preset PRESET FOLDER [CMAKE ARGUMENTS...]: configures and builds; quiet but for progress and errors.
-build_preset() {
+# configure_preset PRESET FOLDER [CMAKE ARGUMENTS...]: quiet unless it fails.
+configure_preset() {
     local preset=$1 folder=$2
     shift 2
     mkdir -p "$folder" || return 1
@@ -26,5 +26,11 @@ build_preset() {
         cat "$folder/configure.log" >&2
         return 1
     fi
-    cmake --build "$folder" --parallel "$(nproc)" >&2
+}
+
+# build FOLDER [TARGETS...]: everything, or only these.
+build() {
+    local folder=$1
+    shift
+    cmake --build "$folder" --parallel "$(nproc)" ${1+--target "$@"} >&2
 }

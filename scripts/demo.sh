@@ -5,7 +5,7 @@
 set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
-build="$root/build/demo"
+folder="$root/build/demo"
 
 usage() {
     cat <<END
@@ -37,17 +37,18 @@ source "$root/scripts/build.sh"
 
 "$root/scripts/deps.sh" build || fail "some packages could not be installed"
 say "building (the first time takes a few minutes)"
-build_preset headless "$build" -DPSICARVE_TESTS=OFF || fail "the build failed; its output is above"
+configure_preset headless "$folder" -DPSICARVE_TESTS=OFF || fail "CMake failed; its output is above"
+build "$folder" || fail "the build failed; its output is above"
 
 # A segment of its own: a machine that runs on this computer is not disturbed.
 segment="/psicarve-demo-$$"
 trap 'rm -f "/dev/shm$segment"' EXIT
 
 say "carving ${model#"$root"/} on the simulated machine"
-picture="$build/$name.png"
+picture="$folder/$name.png"
 rm -f -- "$picture"
 status=0
-"$build/bin/psicarve" carve "$model" --segment "$segment" --picture "$picture" || status=$?
+"$folder/bin/psicarve" carve "$model" --segment "$segment" --picture "$picture" || status=$?
 if [[ -f $picture ]]; then say "picture: $picture"; fi
 if ((status != 0)); then say "psicarve carve ended with exit code $status"; fi
 exit "$status"

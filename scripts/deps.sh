@@ -50,19 +50,27 @@ if ((EUID != 0)); then
     as_root=(sudo)
 fi
 
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
 apt() {
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 "$@" >&2
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300 "$@" >>"$log" 2>&1
 }
+refresh_lists() { apt update || give_up; }
 install_missing() { apt install -y --no-install-recommends "${missing[@]}"; }
+give_up() {
+    cat "$log" >&2
+    printf 'deps: apt-get failed; its output is above\n' >&2
+    exit 1
+}
 
 printf 'deps: installing %s\n' "${missing[*]}" >&2
 # A bare system has no package lists yet; others may hold lists so old that their files are gone.
 known=$(apt-cache --quiet=2 --no-all-versions show "${missing[@]}" 2>/dev/null | grep -c '^Package:' || true)
 if ((known < ${#missing[@]})); then
-    apt update
-    install_missing
+    refresh_lists
+    install_missing || give_up
 elif ! install_missing; then
     printf 'deps: trying once more with fresh package lists\n' >&2
-    apt update
-    install_missing
+    refresh_lists
+    install_missing || give_up
 fi

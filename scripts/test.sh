@@ -57,26 +57,27 @@ run_ctest() {
     return "${PIPESTATUS[0]}"
 }
 
-build_and_test() { build_preset "$1" "$root/build/$1" && run_ctest "$1"; }
+build_and_test() { configure_preset "$1" "$root/build/$1" && build "$root/build/$1" && run_ctest "$1"; }
 
 # Each target runs for its share of the time from a fixed seed, on the inputs kept in the tree and on those found so far.
 fuzz() {
-    build_preset fuzz "$root/build/fuzz" -DCMAKE_CXX_COMPILER=clang++-14 || return 1
-    local targets target name share found failed=0
-    mapfile -t targets < <(find "$root/build/fuzz/fuzz" -maxdepth 1 -type f -executable 2>/dev/null | sort)
+    local folder="$root/build/fuzz" targets target name share found failed=0
+    configure_preset fuzz "$folder" -DCMAKE_CXX_COMPILER=clang++-14 || return 1
+    mapfile -t targets < <(ninja -C "$folder" -t targets all | sed -n 's/: CXX_EXECUTABLE_LINKER.*//p' | grep fuzz)
     if ((${#targets[@]} == 0)); then
-        printf 'fuzz: no targets in build/fuzz/fuzz\n' >&2
+        printf 'fuzz: no targets in tests/fuzz\n' >&2
         return 1
     fi
+    build "$folder" "${targets[@]}" || return 1
     share=$(((fuzz_seconds + ${#targets[@]} - 1) / ${#targets[@]}))
     for target in "${targets[@]}"; do
         name=$(basename "$target")
-        found="$root/build/fuzz/corpus/$name"
+        found="$folder/corpus/$name"
         mkdir -p "$found"
         local corpora=("$found")
         if [[ -d $root/tests/fuzz/corpus/$name ]]; then corpora+=("$root/tests/fuzz/corpus/$name"); fi
         say "fuzz: $name, $share s"
-        if ! (cd "$root/build/fuzz" && "$target" -seed=1 -max_total_time="$share" -timeout=10 \
+        if ! (cd "$folder" && "./$target" -seed=1 -max_total_time="$share" -timeout=10 \
             -rss_limit_mb=2048 -print_final_stats=0 -verbosity=0 "${corpora[@]}"); then failed=1; fi
     done
     return "$failed"

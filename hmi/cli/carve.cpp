@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "hmi/cli/commands.hpp"
+#include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/job_source.hpp"
+#include "hmi/cli/run_report.hpp"
+#include "hmi/cli/run_watch.hpp"
+#include "hmi/cli/simulated_run.hpp"
+#include "hmi/machine/job_run.hpp"
+#include "hmi/machine/machine_link.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+constexpr CommandText kText{"carve",
+                            "The main job: slice if needed, publish, home if needed, carve, verify, report",
+                            "Uses the core that serves the segment. When none does, starts one on the "
+                            "simulated machine with the virtual\n"
+                            "clock, verifies its pins while it runs, and ends it. Ctrl-C stops the machine; "
+                            "twice is an emergency stop.",
+                            "psicarve carve figurine.stl --picture carved.png --trace pins.vcd --json"};
+
+struct Options {
+    std::string path;
+    std::string picture;
+    std::string trace;
+    bool real_time = false;
+    ModelOptions model;
+};
+
+/// The segment, if a core serves it. A segment that is not ours to use is an error, none at all is not.
+Result<std::optional<machine::MachineLink>> running_core(const CommonOptions& common) {
+    auto link = machine::MachineLink::attach(common.segment, common.group);
+    if (!link && link.error().code == ErrorCode::no_core) return std::optional<machine::MachineLink>{};
+    if (!link) return link.error();
+    if (!link->core_pid()) return std::optional<machine::MachineLink>{};
+    return std::optional{std::move(link).value()};
+}
+
+Result<void> check_options_for_running_core(const Options& options, const machine::MachineLink& link) {
+    const std::string core = "segment " + link.segment_name() + " is served by a running core (pid " +
+                             std::to_string(link.core_pid().value_or(0)) + "), whose pins only it can see: ";
+    const std::string remedy = "; or carve on a core of our own with another --segment";
+    if (!options.trace.empty()) {
+        return Error{ErrorCode::bad_usage,
+                     core + "give --trace to psicarve-rtcore when you start it" + remedy};
+    }
+    if (!options.picture.empty()) {
+        return Error{ErrorCode::bad_usage,
+                     core + "--picture is drawn from its trace by psicarve verify" + remedy};
+    }
+    if (options.real_time) {
+        return Error{ErrorCode::bad_usage,
+                     core + "--real-time is for a core of our own; this one has its clock" + remedy};
+    }
+    return {};
+}
+
+Result<int> carve_on_running_core(machine::MachineLink& link, const PreparedJob& job,
+                                  const CommonOptions& common) {
+    machine::JobRun run;
+    {
+        RunWatch watch{link};
+        run = machine::run_job(link, job.blob, watch.watch());
+        if (watch.was_stopped() && run.failure) run.failure = watch.stop_error(run.after);
+    }
+    RunReport report = report_of(job.view, run);
+    report.unverified_reason = "the pins of a running core are in the trace that it was started with";
+    return print_run(report, common.json);
+}
+
+Result<int> carve(const CommonOptions& common, const Options& options) {
+    for (const std::string& path : {options.picture, options.trace}) {
+        if (const auto writable = check_output_folder(path); !writable) return writable.error();
+    }
+    auto running = running_core(common);
+    if (!running) return running.error();
+    if (*running) {
+        const auto fits = check_options_for_running_core(options, **running);
+        if (!fits) return fits.error();
+    }
+    const auto job = prepare_job(options.path, options.model, common);
+    if (!job) return job.error();
+    if (*running) return carve_on_running_core(**running, *job, common);
+    machine::CoreLaunch launch;
+    launch.segment_name = common.segment;
+    launch.group = common.group;
+    launch.on_real_clock = options.real_time;
+    launch.capacity_layers = std::max(launch.capacity_layers, job->view.layer_count());
+    launch.capacity_points = std::max(launch.capacity_points, job->view.point_count());
+    if (!options.trace.empty()) launch.trace_paths.push_back(options.trace);
+    const auto run_it = [&job](machine::VerifiedCore& core, const machine::StatusWatch& watch) {
+        return machine::run_job(core.link(), job->blob, watch);
+    };
+    return simulated_run(std::move(launch), *job, {run_it, options.picture, common.json});
+}
+
+}  // namespace
+
+void add_carve(CommandSet& commands) {
+    const auto options = std::make_shared<Options>();
+    Syntax syntax =
+        commands.add(kText, [options](const CommonOptions& common) { return carve(common, *options); });
+    syntax.argument("MODEL|JOB", options->path, "A mesh (STL, OBJ, PLY, 3MF, OFF), or a job or snapshot file")
+        .option("--picture", options->picture, "OUT.png", "Draw the piece as it comes out of the pins")
+        .option("--trace", options->trace, "OUT.vcd", "Record every pin: .vcd, or compact binary")
+        .flag("--real-time", options->real_time, "A core of our own runs by the wall clock");
+    add_model_options(syntax, options->model);
+}
+
+}  // namespace psicarve::cli

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shared/layout.hpp"
+#include "shared/result.hpp"
+#include "shared/segment.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace psicarve::cli {
+
+/// What every command takes.
+struct CommonOptions {
+    std::string segment = kDefaultSegmentName;
+    std::string group;
+    std::string profile;  ///< TOML, or a job file whose profile is meant; empty: none given
+    bool json = false;
+};
+
+/// A command's work: its exit code, or the error that the program reports.
+using CommandBody = std::function<Result<int>(const CommonOptions&)>;
+
+struct CommandText {
+    const char* name;
+    const char* summary;  ///< one line
+    const char* details;  ///< what --help says besides; may be empty
+    const char* example;  ///< one or more lines that can be typed
+};
+
+/// What one command takes: a thin cover over the parser, so that a command's file does not need it. Targets
+/// outlive the parsing and keep their values where the option is not given.
+class Syntax {
+public:
+    explicit Syntax(CLI::App& app) noexcept : app_(&app) {}
+
+    Syntax& argument(const char* name, std::string& target, const char* help);
+    Syntax& optional_argument(const char* name, std::string& target, const char* help);
+    Syntax& option(const char* names, std::string& target, const char* type, const char* help);
+    Syntax& required_option(const char* names, std::string& target, const char* type, const char* help);
+    /// A whole number within the bounds.
+    Syntax& option(const char* names, std::uint32_t& target, std::uint32_t least, std::uint32_t most,
+                   const char* help);
+    /// A number greater than zero.
+    Syntax& option(const char* names, std::optional<double>& target, const char* type, const char* help);
+    Syntax& choice(const char* names, std::string& target, const std::vector<std::string>& words,
+                   const char* help);
+    Syntax& choice_argument(const char* name, std::string& target, const std::vector<std::string>& words,
+                            const char* help);
+    Syntax& flag(const char* names, bool& target, const char* help);
+    Syntax& excludes(const char* one, const char* other);
+
+private:
+    CLI::App* app_;
+};
+
+/// All commands of the program, or those of a group ("snapshot ...").
+class CommandSet {
+public:
+    CommandSet(CLI::App& app, CommonOptions& common, CommandBody& chosen) noexcept
+        : app_(&app), common_(&common), chosen_(&chosen) {}
+
+    /// The body of the command that was typed is chosen when parsing is done.
+    Syntax add(const CommandText& text, CommandBody body);
+    /// For commands whose output is not a report: without --json.
+    Syntax add_plain(const CommandText& text, CommandBody body);
+    CommandSet group(const char* name, const char* summary);
+    /// The common options may also stand before the command's name.
+    void add_common_options();
+
+private:
+    Syntax add_to(const CommandText& text, CommandBody body, bool has_json);
+
+    CLI::App* app_;
+    CommonOptions* common_;
+    CommandBody* chosen_;
+};
+
+}  // namespace psicarve::cli

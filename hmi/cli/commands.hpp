@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "hmi/cli/command_set.hpp"
+
+namespace psicarve::cli {
+
+// One file each, named like the command.
+void add_back_off(CommandSet& commands);
+void add_carve(CommandSet& commands);
+void add_estop(CommandSet& commands);
+void add_hold(CommandSet& commands);
+void add_home(CommandSet& commands);
+void add_profile_check(CommandSet& commands);
+void add_profile_show(CommandSet& commands);
+void add_publish(CommandSet& commands);
+void add_replay(CommandSet& commands);
+void add_reset_alarm(CommandSet& commands);
+void add_reset_height(CommandSet& commands);
+void add_resume(CommandSet& commands);
+void add_slice(CommandSet& commands);
+void add_snapshot_diff(CommandSet& commands);
+void add_snapshot_export(CommandSet& commands);
+void add_snapshot_info(CommandSet& commands);
+void add_snapshot_save(CommandSet& commands);
+void add_start(CommandSet& commands);
+void add_start_interpolation(CommandSet& commands);
+void add_status(CommandSet& commands);
+void add_stop(CommandSet& commands);
+void add_verify(CommandSet& commands);
+
+}  // namespace psicarve::cli

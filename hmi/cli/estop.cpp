@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+
+#include "hmi/cli/commands.hpp"
+#include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/motion_command.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+constexpr CommandText kText{
+    "estop", "Emergency stop: no more pulses, spindle off, drives off, alarm",
+    "Seen at the next tick, never refused. The switch on the machine is faster and needs no computer.",
+    "psicarve estop"};
+constexpr std::chrono::milliseconds kLimit{5000};
+
+Result<int> emergency_stop(const CommonOptions& common) {
+    auto link = link_to_core(common);
+    if (!link) return link.error();
+    link->emergency_stop();
+    const auto give_up = std::chrono::steady_clock::now() + kLimit;
+    while (true) {
+        const auto status = link->status();
+        if (!status) return status.error();
+        if (status->state == MachineState::alarm) {
+            report_motion(common, kText.name, *status);
+            return kExitDone;
+        }
+        if (std::chrono::steady_clock::now() > give_up) {
+            return Error{ErrorCode::timed_out, "the core has not stopped: use the switch on the machine"};
+        }
+    }
+}
+
+}  // namespace
+
+void add_estop(CommandSet& commands) {
+    commands.add(kText, emergency_stop);
+}
+
+}  // namespace psicarve::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "hmi/cli/command_set.hpp"
+#include "hmi/machine/machine_link.hpp"
+
+namespace psicarve::cli {
+
+/// The segment and its core; no_core when there is none of either.
+Result<machine::MachineLink> link_to_core(const CommonOptions& common);
+
+/// One command to the core, answered; then a wait for one of `wanted` (none: no wait).
+struct MotionCommand {
+    CommandKind kind;
+    std::optional<Axis> axis;
+    std::vector<MachineState> wanted;
+};
+/// Ctrl-C while waiting stops the machine. Returns the status at the end.
+Result<CoreStatus> run_motion(machine::MachineLink& link, const MotionCommand& command);
+
+/// run_motion on the common options' segment, then the report: "home: the machine is ready".
+Result<int> motion_body(const CommonOptions& common, const MotionCommand& command);
+
+/// "home: the machine is ready", or {"command": ..., "state": ...}.
+void report_motion(const CommonOptions& common, std::string_view name, const CoreStatus& status);
+
+}  // namespace psicarve::cli

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cli/operator_break.hpp"
+
+#include <atomic>
+
+#include "hmi/cli/exit_code.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+constexpr int kStop = 1;
+constexpr int kEmergencyStop = 2;
+
+// A signal handler can reach nothing else.
+std::atomic<int> break_count{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+
+extern "C" void count_break(int /*signal*/) {
+    break_count.fetch_add(1, std::memory_order_relaxed);
+}
+
+}  // namespace
+
+OperatorBreak::OperatorBreak() {
+    break_count = 0;
+    struct sigaction action {};
+    action.sa_handler = count_break;
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, &old_interrupt_);
+    sigaction(SIGTERM, &action, &old_terminate_);
+}
+
+OperatorBreak::~OperatorBreak() {
+    sigaction(SIGINT, &old_interrupt_, nullptr);
+    sigaction(SIGTERM, &old_terminate_, nullptr);
+}
+
+bool OperatorBreak::was_asked() const noexcept {
+    return break_count.load(std::memory_order_relaxed) > 0;
+}
+
+Result<void> OperatorBreak::pass_on(machine::MachineLink& link) {
+    const int asked = break_count.load(std::memory_order_relaxed);
+    if (passed_on_ < kStop && asked >= kStop) {
+        passed_on_ = kStop;
+        print_note("stopping the machine; once more for an emergency stop");
+        link.stop();
+    }
+    if (passed_on_ < kEmergencyStop && asked >= kEmergencyStop) {
+        passed_on_ = kEmergencyStop;
+        print_note("emergency stop");
+        link.emergency_stop();
+    }
+    if (asked > kEmergencyStop)
+        return Error{ErrorCode::cancelled, "interrupted; the machine was left as it is"};
+    return {};
+}
+
+Error OperatorBreak::error(const CoreStatus& last) const {
+    std::string text =
+        passed_on_ >= kEmergencyStop ? "emergency stop by the operator" : "stopped by the operator";
+    if (last.points_done > 0) {
+        text += " after " + std::to_string(last.points_done) + " of " + std::to_string(last.points_total) +
+                " points (layer " + std::to_string(last.layer) + ", point " + std::to_string(last.point) +
+                ")";
+    }
+    return Error{ErrorCode::cancelled, text};
+}
+
+}  // namespace psicarve::cli

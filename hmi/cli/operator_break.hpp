@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <signal.h>
+
+#include "hmi/machine/machine_link.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::cli {
+
+/// Ctrl-C (SIGINT) and SIGTERM while we wait for a machine: the first asks the core to stop in order, the
+/// second is an emergency stop, the third ends the waiting. One at a time; the old behaviour returns with its
+/// end.
+class OperatorBreak {
+public:
+    OperatorBreak();
+    ~OperatorBreak();
+    OperatorBreak(const OperatorBreak&) = delete;
+    OperatorBreak& operator=(const OperatorBreak&) = delete;
+
+    bool was_asked() const noexcept;
+    /// To be called again and again while waiting: passes what was asked on to the core. `cancelled` once the
+    /// waiting itself is to end.
+    Result<void> pass_on(machine::MachineLink& link);
+    /// What a wait that ended after a break failed with.
+    Error error(const CoreStatus& last) const;
+
+private:
+    int passed_on_ = 0;
+    struct sigaction old_interrupt_ {};
+    struct sigaction old_terminate_ {};
+};
+
+}  // namespace psicarve::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "hmi/cli/commands.hpp"
+#include "hmi/cli/exit_code.hpp"
+#include "shared/profile.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+constexpr CommandText kText{"check", "Whether a machine profile is right",
+                            "Unknown keys, wrong types and impossible values are refused with their line.",
+                            "psicarve profile check machine.toml"};
+
+Result<int> check(const CommonOptions& common, const std::string& path) {
+    const auto profile = load_profile(path);
+    if (!profile) return profile.error();
+    if (common.json) {
+        using Json = nlohmann::ordered_json;
+        const Json object{{"file", path}, {"ok", true}, {"name", profile->name}};
+        std::printf("%s\n", object.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
+    } else {
+        std::printf("%s: OK, profile '%s'\n", path.c_str(), profile->name.c_str());
+    }
+    return kExitDone;
+}
+
+}  // namespace
+
+void add_profile_check(CommandSet& commands) {
+    const auto path = std::make_shared<std::string>();
+    commands.add(kText, [path](const CommonOptions& common) { return check(common, *path); })
+        .argument("FILE", *path, "A machine profile (TOML)");
+}
+
+}  // namespace psicarve::cli

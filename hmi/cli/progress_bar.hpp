@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace psicarve::cli {
+
+/// One line on a terminal: "carving  [######......]  42 %  3:12 left  layer 12/500". Writes nothing at all
+/// when standard error is not a terminal. One at a time.
+class ProgressBar {
+public:
+    explicit ProgressBar(std::string label);
+    ~ProgressBar();
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+    /// `seconds_left`: as a core planned it; without it the time so far tells.
+    void update(double done_ratio, const std::string& detail = {}, std::optional<double> seconds_left = {});
+    /// A new phase: the time so far starts anew.
+    void relabel(const std::string& label);
+
+private:
+    std::string label_;
+    std::chrono::steady_clock::time_point begin_;
+    std::chrono::steady_clock::time_point last_drawn_{};
+    bool is_terminal_ = false;
+};
+
+/// Takes the bar off the line, before something else is written to standard error; the next update draws it
+/// again.
+void clear_progress_line();
+
+/// The line itself, without control characters; `width` columns at most.
+std::string progress_line(const std::string& label, double done_ratio, std::optional<double> seconds_left,
+                          const std::string& detail, int width);
+
+/// "0:07", "3:12", "1:05:00".
+std::string clock_text(double seconds);
+
+}  // namespace psicarve::cli

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <memory>
+#include <utility>
+
+#include "hmi/cli/commands.hpp"
+#include "hmi/cli/job_source.hpp"
+#include "hmi/cli/simulated_run.hpp"
+#include "shared/snapshot_file.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+constexpr CommandText kText{"replay",
+                            "A job or a recorded snapshot again, through a private core on the virtual clock",
+                            "Begins homed at the home positions. A job is run whole; of a snapshot, what its "
+                            "flight recorder holds. The\n"
+                            "same file gives the same pins to the last bit.",
+                            "psicarve replay figurine.job --trace pins.vcd --json"};
+
+struct Options {
+    std::string path;
+    std::string trace;
+    std::string picture;
+    bool real_time = false;
+};
+
+Result<int> replay(const CommonOptions& common, const Options& options) {
+    for (const std::string& path : {options.picture, options.trace}) {
+        if (const auto writable = check_output_folder(path); !writable) return writable.error();
+    }
+    auto snapshot = load_snapshot(options.path);
+    if (!snapshot) return snapshot.error();
+    const auto job = job_of_snapshot(std::move(snapshot).value(), options.path, common);
+    if (!job) return job.error();
+    machine::CoreLaunch launch;
+    // Private: whatever runs on the named segment is not disturbed.
+    launch.segment_name = "/psicarve-replay-" + std::to_string(getpid());
+    launch.is_private = true;
+    launch.on_real_clock = options.real_time;
+    launch.replay_path = options.path;
+    launch.capacity_layers = job->view.layer_count();
+    launch.capacity_points = job->view.point_count();
+    if (!options.trace.empty()) launch.trace_paths.push_back(options.trace);
+    const auto run_it = [](machine::VerifiedCore& core, const machine::StatusWatch& watch) {
+        return machine::follow_replay(core.link(), core.core(), watch);
+    };
+    return simulated_run(std::move(launch), *job, {run_it, options.picture, common.json});
+}
+
+}  // namespace
+
+void add_replay(CommandSet& commands) {
+    const auto options = std::make_shared<Options>();
+    commands.add(kText, [options](const CommonOptions& common) { return replay(common, *options); })
+        .argument("JOB", options->path, "A job or snapshot file")
+        .option("--trace", options->trace, "FILE", "Record every pin: .vcd, or compact binary")
+        .option("--picture", options->picture, "OUT.png", "Draw the piece as it comes out of the pins")
+        .flag("--real-time", options->real_time, "By the wall clock, to watch with psicarve status");
+}
+
+}  // namespace psicarve::cli

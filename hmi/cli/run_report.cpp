@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cli/run_report.hpp"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/progress_bar.hpp"
+#include "hmi/cli/status_text.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename T>
+Json or_null(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+template <typename... Args>
+std::string formatted(const char* format, Args... args) {
+    char text[256];
+    std::snprintf(text, sizeof text, format, args...);
+    return text;
+}
+
+template <typename Values>
+Json by_axis(const Values& values) {
+    Json object;
+    for (const Axis axis : kAllAxes) object[std::string{name_of(axis)}] = values[index_of(axis)];
+    return object;
+}
+
+std::string pulses_text(const std::array<std::uint64_t, kAxisCount>& pulses) {
+    std::string text;
+    for (const Axis axis : kAllAxes) {
+        text += (text.empty() ? "" : ", ") + std::string{name_of(axis)} + " " +
+                std::to_string(pulses[index_of(axis)]);
+    }
+    return text;
+}
+
+std::string alarms_text(const machine::RunFigures& figures) {
+    std::string text;
+    for (const AlarmRecord& alarm : figures.alarms) {
+        text += (text.empty() ? "" : ", ") + std::string{name_of(alarm.cause)};
+        if (alarm.axis < kAxisCount) text += " of " + std::string{name_of(static_cast<Axis>(alarm.axis))};
+        text += " at tick " + std::to_string(alarm.tick);
+    }
+    return text.empty() ? "none" : text;
+}
+
+std::string verification_text(const RunReport& report) {
+    if (!report.verification) return "not verified: " + report.unverified_reason;
+    const verify::VerifyReport& seen = *report.verification;
+    if (!seen.ok) {
+        const verify::Offence* first = seen.first_offence();
+        return "NO: " + (first != nullptr ? first->sentence : "not every point was visited");
+    }
+    return formatted("yes: %llu points visited exactly, largest deviation %lld pulses",
+                     static_cast<unsigned long long>(seen.points_visited),
+                     static_cast<long long>(seen.max_deviation_pulses));
+}
+
+void read_slice_report(const JobView& job, RunReport& report) {
+    const Json slice = Json::parse(job.report_json(), nullptr, false);
+    if (!slice.is_object()) return;
+    if (const auto share = slice.find("undercut_share"); share != slice.end() && share->is_number()) {
+        report.undercut_share = share->get<double>();
+    }
+    if (const auto open = slice.find("open_points"); open != slice.end() && open->is_number_unsigned()) {
+        report.open_points = open->get<std::uint64_t>();
+    }
+}
+
+Json alarms_json(const machine::RunFigures& figures) {
+    auto alarms = Json::array();
+    for (const AlarmRecord& alarm : figures.alarms) alarms.push_back(alarm_json(alarm));
+    return alarms;
+}
+
+std::string model_text(const RunReport& report) {
+    if (!report.undercut_share && !report.open_points) return {};
+    return formatted("model      undercut %.2f %%, open points %llu\n",
+                     100.0 * report.undercut_share.value_or(0.0),
+                     static_cast<unsigned long long>(report.open_points.value_or(0)));
+}
+
+}  // namespace
+
+RunReport report_of(const JobView& job, const machine::JobRun& run) {
+    RunReport report;
+    report.source_name = job.source_name();
+    report.layer_count = job.layer_count();
+    report.point_count = job.point_count();
+    report.figures = machine::figures_of(run);
+    report.wall_seconds = run.wall_seconds;
+    report.failure = run.failure;
+    report.last = run.after;
+    read_slice_report(job, report);
+    return report;
+}
+
+std::optional<Error> verdict_of(const RunReport& report) {
+    if (report.failure) return report.failure;
+    if (!report.verification || report.verification->ok) return std::nullopt;
+    return Error{ErrorCode::difference_found,
+                 "verification found a difference: " + verification_text(report)};
+}
+
+std::string run_text(const RunReport& report) {
+    const machine::RunFigures& figures = report.figures;
+    const double ticks_per_second =
+        report.wall_seconds > 0.0 ? static_cast<double>(figures.ticks) / report.wall_seconds : 0.0;
+    std::string text =
+        formatted("job        %s: %u layers x %u points\n", report.source_name.substr(0, 150).c_str(),
+                  report.layer_count, report.point_count);
+    text += "pulses     " + pulses_text(figures.pulses) + "\n";
+    text += "carving    " + clock_text(figures.carve_seconds) + " of machine time, " +
+            clock_text(figures.total_seconds) + " with approach and retraction\n";
+    if (report.reference_seconds) text += "reference  " + clock_text(*report.reference_seconds) + "\n";
+    text += formatted("run        %.2f s, %llu ticks (%.2f million a second), %llu missed\n",
+                      report.wall_seconds, static_cast<unsigned long long>(figures.ticks),
+                      ticks_per_second / 1e6, static_cast<unsigned long long>(figures.missed_ticks));
+    text += "alarms     " + alarms_text(figures) + "\n";
+    text += "verified   " + verification_text(report) + "\n";
+    text += model_text(report);
+    if (!report.picture_path.empty()) text += "picture    " + report.picture_path + "\n";
+    return text;
+}
+
+std::string run_json(const RunReport& report) {
+    const machine::RunFigures& figures = report.figures;
+    Json object{{"source", report.source_name},
+                {"layers", report.layer_count},
+                {"points", report.point_count},
+                {"pulses", by_axis(figures.pulses)},
+                {"carve_seconds", figures.carve_seconds},
+                {"total_seconds", figures.total_seconds},
+                {"reference_seconds", or_null(report.reference_seconds)},
+                {"wall_seconds", report.wall_seconds},
+                {"ticks", figures.ticks},
+                {"missed_ticks", figures.missed_ticks},
+                {"alarms", alarms_json(figures)},
+                {"verified", report.verification ? Json(report.verification->ok) : Json(nullptr)},
+                {"max_deviation_pulses",
+                 report.verification ? Json(report.verification->max_deviation_pulses) : Json(nullptr)},
+                {"undercut_share", or_null(report.undercut_share)},
+                {"open_points", or_null(report.open_points)},
+                {"state", std::string{name_of(report.last.state)}},
+                {"sim_stalls", by_axis(report.last.sim_stalls)},
+                {"sim_timing_lost", by_axis(report.last.sim_timing_lost)},
+                {"sim_ignored_pulses", by_axis(report.last.sim_ignored_pulses)}};
+    if (report.verification) object["verification"] = Json::parse(verify::report_json(*report.verification));
+    if (!report.picture_path.empty()) object["picture"] = report.picture_path;
+    if (const auto error = verdict_of(report)) object["error"] = Json::parse(error_json(*error));
+    return object.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+int print_run(const RunReport& report, bool as_json) {
+    clear_progress_line();
+    std::printf("%s", (as_json ? run_json(report) + "\n" : run_text(report)).c_str());
+    const auto error = verdict_of(report);
+    if (!error) return kExitDone;
+    std::fflush(stdout);
+    print_error(*error);
+    return exit_code_of(error->code);
+}
+
+}  // namespace psicarve::cli

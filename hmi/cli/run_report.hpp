@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "hmi/machine/job_run.hpp"
+#include "hmi/verify/verify_report.hpp"
+#include "shared/job.hpp"
+
+namespace psicarve::cli {
+
+/// What `carve` and `replay` say in the end.
+struct RunReport {
+    std::string source_name;
+    std::uint32_t layer_count = 0;
+    std::uint32_t point_count = 0;
+    machine::RunFigures figures;
+    double wall_seconds = 0.0;
+    std::optional<double> reference_seconds;
+    std::optional<verify::VerifyReport>
+        verification;  ///< nothing: not verified, `unverified_reason` says why
+    std::string unverified_reason;
+    std::optional<double> undercut_share;  ///< as the slicer saw it; nothing: the job does not say
+    std::optional<std::uint64_t> open_points;
+    std::optional<Error> failure;
+    std::string picture_path;  ///< that was written
+    CoreStatus last{};
+};
+
+/// Takes over what the job says about itself.
+RunReport report_of(const JobView& job, const machine::JobRun& run);
+
+/// The error that ends the command: the failure, else a difference that verification found.
+std::optional<Error> verdict_of(const RunReport& report);
+
+std::string run_text(const RunReport& report);
+std::string run_json(const RunReport& report);
+
+/// Prints the report and returns the exit code; what went wrong is said on standard error too.
+int print_run(const RunReport& report, bool as_json);
+
+}  // namespace psicarve::cli

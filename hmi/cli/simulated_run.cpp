@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cli/simulated_run.hpp"
+
+#include <utility>
+
+#include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/run_report.hpp"
+#include "hmi/cli/run_watch.hpp"
+#include "hmi/verify/picture.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+machine::JobRun watched_run(machine::VerifiedCore& core, const SimulatedRun& what) {
+    RunWatch watch{core.link()};
+    machine::JobRun run = what.run(core, watch.watch());
+    if (watch.was_stopped() && run.failure) run.failure = watch.stop_error(run.after);
+    return run;
+}
+
+/// A job that was not carved to its end is neither right nor wrong.
+void add_verification(RunReport& report, Result<verify::VerifyReport> verification) {
+    if (!verification) {
+        report.unverified_reason = verification.error().message;
+    } else if (!report.figures.is_complete) {
+        report.unverified_reason = "the job was not carved to its end";
+    } else {
+        report.verification = std::move(verification).value();
+    }
+}
+
+}  // namespace
+
+Result<int> simulated_run(machine::CoreLaunch launch, const PreparedJob& job, const SimulatedRun& what) {
+    auto core = machine::VerifiedCore::start(std::move(launch), job.view, job.profile);
+    if (!core) return core.error();
+    RunReport report = report_of(job.view, watched_run(*core, what));
+    add_verification(report, core->finish());
+    if (report.last.trace_lost > 0) {
+        print_warning(std::to_string(report.last.trace_lost) +
+                      " pin changes came faster than the trace could be written and are missing in it");
+    }
+    if (report.verification && !what.picture_path.empty()) {
+        const auto caption = verify::caption_of(job.view, *report.verification);
+        const auto drawn = verify::write_picture(what.picture_path, core->surface(), caption);
+        if (!drawn && !report.failure) report.failure = drawn.error();
+        if (drawn) report.picture_path = what.picture_path;
+    }
+    return print_run(report, what.as_json);
+}
+
+}  // namespace psicarve::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "hmi/cli/job_source.hpp"
+#include "hmi/machine/core_process.hpp"
+#include "hmi/machine/job_run.hpp"
+#include "hmi/machine/verified_core.hpp"
+
+namespace psicarve::cli {
+
+struct SimulatedRun {
+    /// What the core is to do; outcome as far as the core tells it.
+    std::function<machine::JobRun(machine::VerifiedCore&, const machine::StatusWatch&)> run;
+    std::string picture_path;  ///< empty: no picture
+    bool as_json = false;
+};
+
+/// Carves or replays on a core of our own: starts it, runs, ends it, judges its pins, draws the picture,
+/// prints the report. Returns the exit code.
+Result<int> simulated_run(machine::CoreLaunch launch, const PreparedJob& job, const SimulatedRun& what);
+
+}  // namespace psicarve::cli

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "hmi/cli/commands.hpp"
+#include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/record_text.hpp"
+#include "hmi/cli/status_text.hpp"
+#include "shared/job.hpp"
+#include "shared/snapshot_file.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr CommandText kText{
+    "info", "What a snapshot or job file holds",
+    "--records says how much of the flight recorder is listed (the newest), 0 for none.",
+    "psicarve snapshot info before-repair.snap --records 100"};
+constexpr std::uint32_t kMostRecords = 1'000'000;
+
+struct Options {
+    std::string path;
+    std::uint32_t record_count = 20;
+};
+
+struct Extent {
+    std::int32_t least = 0;
+    std::int32_t greatest = 0;
+};
+
+Extent radius_extent(const JobView& job) {
+    Extent extent{job.r_left_pulses(0)[0], job.r_left_pulses(0)[0]};
+    for (std::uint32_t layer = 0; layer < job.layer_count(); ++layer) {
+        for (const auto row : {job.r_left_pulses(layer), job.r_right_pulses(layer)}) {
+            const auto [least, greatest] = std::minmax_element(row.begin(), row.end());
+            extent.least = std::min(extent.least, *least);
+            extent.greatest = std::max(extent.greatest, *greatest);
+        }
+    }
+    return extent;
+}
+
+std::string hash_text(std::uint64_t hash) {
+    char text[24];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+    return text;
+}
+
+Json job_json(const JobView& job) {
+    const Extent extent = radius_extent(job);
+    const auto heights = job.layer_heights_pulses();
+    const auto profile = job_profile(job);
+    const Json slicer = Json::parse(job.report_json(), nullptr, false);
+    return {{"source", std::string{job.source_name()}},
+            {"source_hash", hash_text(job.header().source_hash)},
+            {"layers", job.layer_count()},
+            {"points", job.point_count()},
+            {"psi_sweep_pulses", job.psi_sweep_pulses()},
+            {"joining", job.joining() == Joining::zigzag ? "zigzag" : "continuous"},
+            {"feed_mm_s", job.header().feed_mm_s},
+            {"y_pulses", {heights.front(), heights.back()}},
+            {"r_pulses", {extent.least, extent.greatest}},
+            {"profile_name", profile ? Json(profile->name) : Json(nullptr)},
+            {"profile", std::string{job.profile_toml()}},
+            {"slice_report", slicer.is_discarded() ? Json(nullptr) : slicer}};
+}
+
+Json info_json(const Snapshot& snapshot, const std::optional<JobView>& job, std::size_t first_record) {
+    auto records = Json::array();
+    for (std::size_t i = first_record; i < snapshot.records.size(); ++i) {
+        records.push_back(record_json(snapshot.records[i]));
+    }
+    return {{"kind", snapshot.status || !snapshot.records.empty() ? "snapshot" : "job"},
+            {"generation", snapshot.generation},
+            {"capacity_layers", snapshot.capacity_layers},
+            {"capacity_points", snapshot.capacity_points},
+            {"job", job ? job_json(*job) : Json(nullptr)},
+            {"status", snapshot.status ? status_json(*snapshot.status) : Json(nullptr)},
+            {"record_count", snapshot.records.size()},
+            {"records", records}};
+}
+
+void print_job(const JobView& job) {
+    const Extent extent = radius_extent(job);
+    const auto heights = job.layer_heights_pulses();
+    const auto profile = job_profile(job);
+    std::printf("source     %s (%s)\n", std::string{job.source_name()}.c_str(),
+                hash_text(job.header().source_hash).c_str());
+    std::printf("tables     %u layers x %u points, %s\n", job.layer_count(), job.point_count(),
+                job.joining() == Joining::zigzag ? "zigzag" : "continuous");
+    std::printf("sweep      %lld pulses of psi a layer\n", static_cast<long long>(job.psi_sweep_pulses()));
+    std::printf("heights    %lld to %lld pulses\n", static_cast<long long>(heights.front()),
+                static_cast<long long>(heights.back()));
+    std::printf("radii      %d to %d pulses\n", extent.least, extent.greatest);
+    std::printf("feed       %g mm/s\n", job.header().feed_mm_s);
+    std::printf("profile    %s\n", profile ? profile->name.c_str() : profile.error().message.c_str());
+    std::printf("slicer     %s\n", std::string{job.report_json()}.c_str());
+}
+
+void print_info(const Snapshot& snapshot, const std::optional<JobView>& job, std::size_t first_record) {
+    if (job) {
+        print_job(*job);
+    } else {
+        std::printf("no job\n");
+    }
+    if (snapshot.status) {
+        std::printf("\ngeneration %llu of a segment for %u x %u\n%s",
+                    static_cast<unsigned long long>(snapshot.generation), snapshot.capacity_layers,
+                    snapshot.capacity_points, status_text(*snapshot.status, nullptr).c_str());
+    }
+    if (snapshot.records.empty() || first_record == snapshot.records.size()) return;
+    std::printf("\nflight recorder, the last %zu of %zu entries\n", snapshot.records.size() - first_record,
+                snapshot.records.size());
+    for (std::size_t i = first_record; i < snapshot.records.size(); ++i) {
+        std::printf("%s\n", record_text(snapshot.records[i]).c_str());
+    }
+}
+
+Result<int> info(const CommonOptions& common, const Options& options) {
+    const auto snapshot = load_snapshot(options.path);
+    if (!snapshot) return snapshot.error();
+    std::optional<JobView> job;
+    if (!snapshot->job_blob.empty()) {
+        const auto view = JobView::check(snapshot->job_blob);
+        if (!view) return bad_input(options.path + ": " + view.error().message);
+        job = *view;
+    }
+    const std::size_t shown = std::min<std::size_t>(snapshot->records.size(), options.record_count);
+    const std::size_t first_record = snapshot->records.size() - shown;
+    if (common.json) {
+        const Json object = info_json(*snapshot, job, first_record);
+        std::printf("%s\n", object.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
+    } else {
+        print_info(*snapshot, job, first_record);
+    }
+    return kExitDone;
+}
+
+}  // namespace
+
+void add_snapshot_info(CommandSet& commands) {
+    const auto options = std::make_shared<Options>();
+    commands.add(kText, [options](const CommonOptions& common) { return info(common, *options); })
+        .argument("FILE", options->path, "A snapshot or job file")
+        .option("--records", options->record_count, 0, kMostRecords,
+                "Entries of the flight recorder to list");
+}
+
+}  // namespace psicarve::cli

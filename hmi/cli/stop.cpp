@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cli/commands.hpp"
+#include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/motion_command.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+constexpr CommandText kText{
+    "stop", "Slow down on the path, retract, spindle off: the job ends",
+    "Never waits behind anything and is never refused. Drives stay on. Waits until the machine is at rest.",
+    "psicarve stop"};
+
+Result<int> stop(const CommonOptions& common) {
+    auto link = link_to_core(common);
+    if (!link) return link.error();
+    link->stop();
+    using S = MachineState;
+    const auto rest = link->wait_for_state({S::ready, S::off, S::alarm}, {});
+    if (!rest) return rest.error();
+    report_motion(common, kText.name, *rest);
+    return kExitDone;
+}
+
+}  // namespace
+
+void add_stop(CommandSet& commands) {
+    commands.add(kText, stop);
+}
+
+}  // namespace psicarve::cli

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "shared/result.hpp"
+
+namespace psicarve::cli {
+
+/// Shows a text five times a second until Ctrl-C (then exit code 0) or an error: redrawn in place on a
+/// terminal, else only when it changed. `show` is told whether one line is wanted.
+Result<int> watch_loop(const std::function<Result<std::string>(bool as_line)>& show, bool as_json);
+
+}  // namespace psicarve::cli

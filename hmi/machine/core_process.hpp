@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hmi/machine/unique_fd.hpp"
+#include "shared/layout.hpp"
+#include "shared/result.hpp"
+#include "shared/segment.hpp"
+
+namespace psicarve::machine {
+
+/// How to start a core of our own, on the simulated machine.
+struct CoreLaunch {
+    std::string segment_name = kDefaultSegmentName;
+    bool on_real_clock = false;
+    std::string profile_path;              ///< TOML or a job file; empty: the built-in profile
+    std::vector<std::string> trace_paths;  ///< files, or fd:N of an inherited descriptor
+    std::string replay_path;  ///< job or snapshot to run from the home positions; empty: serve commands
+    std::uint32_t capacity_layers = kDefaultCapacityLayers;
+    std::uint32_t capacity_points = kDefaultCapacityPoints;
+    std::string group;
+    std::vector<int> inherited_fds;  ///< keep their numbers in the child
+    bool is_private = false;         ///< the segment is removed when the core has ended
+};
+
+/// The path of psicarve-rtcore: beside the running program, else in PATH. Nothing when there is none.
+std::optional<std::string> find_core_program();
+
+/// A core that is our child. It has a process group of its own: Ctrl-C in the terminal reaches us alone, and
+/// we end it in order. It also ends by itself when we die, whatever kills us.
+///
+/// The child watches the *thread* that started it: call start() on a thread that lives as long as the core.
+class CoreProcess {
+public:
+    /// Starts it and waits until it serves its segment. Fails with what it said on its standard error.
+    static Result<CoreProcess> start(const CoreLaunch& launch);
+
+    CoreProcess(CoreProcess&& other) noexcept;
+    CoreProcess& operator=(CoreProcess&&) = delete;
+    ~CoreProcess() { end(); }
+
+    pid_t pid() const noexcept { return pid_; }
+    bool is_running() { return !exit_code_ && !poll_exit(); }
+    /// Nothing when it still runs after `limit`. 128 + the signal's number when a signal ended it.
+    std::optional<int> wait_exit(std::chrono::milliseconds limit);
+    /// Asks it by a signal to end in order; does not wait.
+    void terminate() noexcept;
+    /// Ends it: by command, else SIGTERM, else SIGKILL, each with a time limit. Removes a private segment.
+    void end() noexcept;
+    /// What it said on standard error, at most the last few kilobytes, without the final line end.
+    std::string messages() const;
+
+private:
+    CoreProcess(pid_t pid, UniqueFd output, const CoreLaunch& launch);
+    bool poll_exit();
+    Result<void> wait_until_it_serves();
+    Error failure() const;
+
+    pid_t pid_ = -1;
+    std::optional<int> exit_code_;
+    UniqueFd output_;
+    std::string segment_name_;
+    bool is_private_ = false;
+    bool is_replay_ = false;
+};
+
+}  // namespace psicarve::machine

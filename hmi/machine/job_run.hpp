@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hmi/machine/core_process.hpp"
+#include "hmi/machine/machine_link.hpp"
+
+namespace psicarve::machine {
+
+/// What a job's run on a core came to.
+struct JobRun {
+    CoreStatus before{};  ///< as the run found the core; zero when it began with the run
+    CoreStatus after{};   ///< the last status that was seen
+    double wall_seconds = 0.0;
+    std::optional<Error> failure;  ///< alarm, refusal, a stop, a core that is gone
+};
+
+/// The figures that two statuses and a tick's length tell.
+struct RunFigures {
+    std::array<std::uint64_t, kAxisCount> pulses{};
+    double carve_seconds = 0.0;  ///< machine time from leaving the first point to reaching the last
+    double total_seconds = 0.0;  ///< machine time of everything, approach and retraction included
+    std::uint64_t ticks = 0;
+    std::uint64_t missed_ticks = 0;
+    std::vector<AlarmRecord> alarms;  ///< oldest first; no more than the core remembers
+    bool is_complete = false;         ///< every point reached, and retracted
+};
+RunFigures figures_of(const JobRun& run);
+
+/// Homes if needed, publishes, starts, carves, and waits until the core is ready again. A core that is busy
+/// or in alarm is left alone and the reason is the run's failure.
+JobRun run_job(MachineLink& link, std::span<const std::byte> job_blob, const StatusWatch& watch);
+
+/// Follows a core that replays by itself until it ends.
+JobRun follow_replay(MachineLink& link, CoreProcess& core, const StatusWatch& watch);
+
+}  // namespace psicarve::machine

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/machine/machine_link.hpp"
+
+#include <algorithm>
+
+#include "shared/event.hpp"
+#include "shared/shared_record.hpp"
+
+namespace psicarve::machine {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds kPoll{50};
+// One status may have been sampled before our command was seen and be written after it; the one after that
+// not.
+constexpr std::uint64_t kFreshAfter = 2;
+
+std::uint64_t heartbeat_of(const std::optional<CoreStatus>& status) {
+    return status ? status->heartbeat : 0;
+}
+
+/// At rest, and no command that is under way will change that.
+bool is_dead_end(MachineState state) {
+    return state == MachineState::off || state == MachineState::ready || state == MachineState::waiting;
+}
+
+std::string words_of(const std::vector<MachineState>& states) {
+    std::string words;
+    for (const MachineState state : states) {
+        words += (words.empty() ? "" : " or ");
+        words += name_of(state);
+    }
+    return words;
+}
+
+}  // namespace
+
+Error alarm_error(const CoreStatus& status) {
+    std::string text = "alarm: ";
+    text += name_of(status.alarm_cause);
+    if (status.alarm_axis != kNoAxis && status.alarm_axis < kAxisCount) {
+        text += " of " + std::string{name_of(static_cast<Axis>(status.alarm_axis))};
+    }
+    const std::string remedy{remedy_of(status.alarm_cause)};
+    if (!remedy.empty()) text += "; " + remedy;
+    return Error{ErrorCode::machine_refused, text};
+}
+
+Result<MachineLink> MachineLink::attach(const std::string& segment_name, const std::string& group) {
+    auto segment = Segment::attach(segment_name, group);
+    if (!segment) return segment.error();
+    return MachineLink{std::move(segment).value()};
+}
+
+Result<MachineLink> MachineLink::create_or_attach(const SegmentOptions& options) {
+    auto segment = Segment::create_or_attach(options);
+    if (!segment) return segment.error();
+    return MachineLink{std::move(segment).value()};
+}
+
+Result<void> MachineLink::require_core() const {
+    if (core_pid()) return {};
+    return Error{ErrorCode::no_core,
+                 "no core serves segment " + segment_name() + "; start one: psicarve-rtcore"};
+}
+
+Error MachineLink::silent_core() const {
+    const auto pid = core_pid();
+    if (!pid) return require_core().error();
+    return Error{ErrorCode::no_core, "the core of segment " + segment_name() + " (pid " +
+                                         std::to_string(*pid) +
+                                         ") is silent: its heartbeat stands still; is it stopped?"};
+}
+
+std::optional<CoreStatus> MachineLink::last_status() const noexcept {
+    auto status = read_record(segment_.header().status);
+    if (!status || status->heartbeat == 0) return std::nullopt;
+    return status;
+}
+
+std::optional<CoreStatus> MachineLink::next_status(std::uint64_t seen_heartbeat) {
+    EventWord& changed = segment_.header().status_changed;
+    const std::uint32_t seen_count = event_count(changed);
+    auto status = last_status();
+    if (heartbeat_of(status) != seen_heartbeat) return status;
+    event_wait_past(changed, seen_count, kPoll);
+    return last_status();
+}
+
+Result<CoreStatus> MachineLink::status() {
+    if (const auto core = require_core(); !core) return core.error();
+    const std::uint64_t first = heartbeat_of(last_status());
+    const auto give_up = Clock::now() + kSilenceLimit;
+    while (true) {
+        const auto now_there = next_status(first);
+        if (now_there && now_there->heartbeat != first) return *now_there;
+        if (!core_pid() || Clock::now() >= give_up) return silent_core();
+    }
+}
+
+Result<void> MachineLink::send(CommandKind kind, std::optional<Axis> axis) {
+    if (const auto core = require_core(); !core) return core;
+    const Command command{kind, axis ? static_cast<std::uint32_t>(index_of(*axis)) : 0U, 0.0, 0};
+    return send_command(segment_, command, kCommandLimit);
+}
+
+Result<std::uint64_t> MachineLink::publish(std::span<const std::byte> job_blob) {
+    const auto generation = publish_job(segment_, job_blob);
+    if (!generation || !core_pid()) return generation;
+    const auto accepted = wait_for_acceptance(segment_, *generation, kCommandLimit);
+    if (!accepted) return accepted.error();
+    return generation;
+}
+
+Result<CoreStatus> MachineLink::wait_for_state(const std::vector<MachineState>& wanted,
+                                               std::optional<std::chrono::milliseconds> limit,
+                                               const StatusWatch& watch) {
+    const auto begin = Clock::now();
+    auto last_change = begin;
+    std::uint64_t heartbeat = heartbeat_of(last_status());
+    const std::uint64_t fresh_from = heartbeat + kFreshAfter;
+    while (true) {
+        const auto status = next_status(heartbeat);
+        const auto now = Clock::now();
+        if (heartbeat_of(status) != heartbeat) last_change = now;
+        heartbeat = heartbeat_of(status);
+        const bool is_silent = now - last_change > kSilenceLimit;
+        if (!core_pid() || is_silent) return silent_core();
+        if (!status) continue;
+        if (watch) {
+            if (const auto go_on = watch(*status); !go_on) return go_on.error();
+        }
+        if (heartbeat >= fresh_from) {
+            if (std::find(wanted.begin(), wanted.end(), status->state) != wanted.end()) return *status;
+            if (status->state == MachineState::alarm) return alarm_error(*status);
+            if (is_dead_end(status->state)) {
+                return Error{ErrorCode::machine_refused, "the machine came to rest in state '" +
+                                                             std::string{name_of(status->state)} + "', not " +
+                                                             words_of(wanted) + ": somebody stopped it"};
+            }
+        }
+        if (limit && now - begin > *limit) {
+            return Error{ErrorCode::timed_out, "the machine is still in state '" +
+                                                   std::string{name_of(status->state)} + "', not " +
+                                                   words_of(wanted)};
+        }
+    }
+}
+
+}  // namespace psicarve::machine

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shared/command.hpp"
+#include "shared/result.hpp"
+#include "shared/segment.hpp"
+#include "shared/status.hpp"
+
+namespace psicarve::machine {
+
+/// A core that keeps its lock but writes no status for this long is stopped or hangs.
+inline constexpr std::chrono::milliseconds kSilenceLimit{3000};
+inline constexpr std::chrono::milliseconds kCommandLimit{5000};
+
+/// Called with every new status while a wait goes on (at least every 100 ms); an error ends the wait.
+using StatusWatch = std::function<Result<void>(const CoreStatus&)>;
+
+/// "alarm: limit of r1 (tick 123): what to do". Requires an alarm in the status.
+Error alarm_error(const CoreStatus& status);
+
+/// The segment seen from the operator's side. One thread.
+class MachineLink {
+public:
+    /// no_core when there is no such segment.
+    static Result<MachineLink> attach(const std::string& segment_name, const std::string& group = {});
+    static Result<MachineLink> create_or_attach(const SegmentOptions& options);
+
+    Segment& segment() noexcept { return segment_; }
+    const std::string& segment_name() const noexcept { return segment_.name(); }
+    std::optional<std::uint32_t> core_pid() const noexcept { return segment_.core_pid(); }
+    /// Success when a living core serves the segment.
+    Result<void> require_core() const;
+
+    /// What the core, or a dead one, wrote last; nothing when none ever did.
+    std::optional<CoreStatus> last_status() const noexcept;
+    /// A status that the living core wrote after this call began. no_core when none serves or it is silent.
+    Result<CoreStatus> status();
+
+    /// Sends one command and waits for the answer: done, or the core's reason (machine_refused).
+    Result<void> send(CommandKind kind, std::optional<Axis> axis = {});
+    void stop() noexcept { request_stop(segment_); }
+    void emergency_stop() noexcept { request_emergency_stop(segment_); }
+
+    /// Publishes a job and, when a core serves, waits until it has judged it. Returns the generation.
+    Result<std::uint64_t> publish(std::span<const std::byte> job_blob);
+
+    /// Waits for one of `wanted`, judged by a status written after this call began. Ends early with an error
+    /// when the core is gone or silent (no_core), in alarm or at rest in another state (machine_refused) or
+    /// when `watch` says so. No `limit`: as long as it takes.
+    Result<CoreStatus> wait_for_state(const std::vector<MachineState>& wanted,
+                                      std::optional<std::chrono::milliseconds> limit,
+                                      const StatusWatch& watch = {});
+
+private:
+    explicit MachineLink(Segment segment) noexcept : segment_(std::move(segment)) {}
+    /// Sleeps until a status newer than `seen_heartbeat` is there, or a while has passed.
+    std::optional<CoreStatus> next_status(std::uint64_t seen_heartbeat);
+    Error silent_core() const;
+
+    Segment segment_;
+};
+
+}  // namespace psicarve::machine

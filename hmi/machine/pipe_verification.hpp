@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "hmi/machine/unique_fd.hpp"
+#include "hmi/verify/verifier.hpp"
+#include "shared/job.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::machine {
+
+/// Verifies a pin trace while a core writes it into a pipe, on a thread of its own: the trace never becomes a
+/// file. The core waits on the pipe when the verifier is slower (virtual clock).
+class PipeVerification {
+public:
+    /// The job's blob outlives this. Takes the pipe's read end.
+    static Result<std::unique_ptr<PipeVerification>> start(const JobView& job, const Profile& profile,
+                                                           UniqueFd read_end);
+    ~PipeVerification();
+    PipeVerification(const PipeVerification&) = delete;
+    PipeVerification& operator=(const PipeVerification&) = delete;
+
+    /// Waits for the trace's end; every other descriptor of the pipe's write end must be closed. An error
+    /// when the trace was cut off: then nothing was verified.
+    Result<verify::VerifyReport> finish();
+    /// After finish(): the piece as it came out of the pins, as far as they were seen.
+    const verify::CarvedSurface& surface() const noexcept { return verifier_.surface(); }
+
+private:
+    explicit PipeVerification(verify::Verifier verifier) noexcept : verifier_(std::move(verifier)) {}
+    void run(UniqueFd read_end);
+
+    verify::Verifier verifier_;
+    std::optional<Result<verify::VerifyReport>> report_;  // written by the thread, read after join
+    std::thread thread_;
+};
+
+}  // namespace psicarve::machine

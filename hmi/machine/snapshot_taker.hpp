@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+
+#include "hmi/machine/machine_link.hpp"
+#include "shared/snapshot_file.hpp"
+
+namespace psicarve::machine {
+
+/// Copies job, status and flight recorder out of the segment, with a living core or without. The mutex is
+/// held while the job is copied, no longer than `limit` waited for.
+Result<Snapshot> take_snapshot(MachineLink& link, std::chrono::milliseconds limit);
+
+}  // namespace psicarve::machine

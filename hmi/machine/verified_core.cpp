@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/machine/verified_core.hpp"
+
+#include <span>
+#include <utility>
+
+namespace psicarve::machine {
+
+Result<VerifiedCore> VerifiedCore::start(CoreLaunch launch, const JobView& job, const Profile& profile) {
+    const std::string toml = profile_to_toml(profile);
+    const auto profile_file = open_memory_file("profile", std::as_bytes(std::span{toml}));
+    if (!profile_file) return profile_file.error();
+    auto pipe = open_pipe();
+    if (!pipe) return pipe.error();
+    // The child sees both under the same numbers.
+    launch.profile_path = "/proc/self/fd/" + std::to_string(profile_file->get());
+    launch.trace_paths.push_back("fd:" + std::to_string(pipe->write_end.get()));
+    launch.inherited_fds = {profile_file->get(), pipe->write_end.get()};
+    auto core = CoreProcess::start(launch);
+    if (!core) return core.error();
+    pipe->write_end.reset();
+    auto link = MachineLink::attach(launch.segment_name, launch.group);
+    if (!link) return link.error();
+    auto verification = PipeVerification::start(job, profile, std::move(pipe->read_end));
+    if (!verification) return verification.error();
+    return VerifiedCore{std::move(verification).value(), std::move(core).value(), std::move(link).value()};
+}
+
+Result<verify::VerifyReport> VerifiedCore::finish() {
+    core_.end();
+    return verification_->finish();
+}
+
+}  // namespace psicarve::machine

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <exception>
+
+#include "hmi/cli/program.hpp"
+
+int main(int argc, char** argv) {
+    try {
+        return psicarve::cli::run(argc, argv);
+    } catch (const std::exception& error) {
+        // Only what nobody can foresee comes here: memory that is not there, above all.
+        std::fprintf(stderr, "psicarve: %s\n", error.what());
+        return 3;
+    }
+}

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several processes that make, take over and share one segment.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/mount.h>
+#include <unistd.h>
+
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "shared/segment.hpp"
+#include "shared/segment_object.hpp"
+#include "tests/shared/segment_fixture.hpp"
+#include "tests/two_process/child_process.hpp"
+
+namespace psicarve {
+namespace {
+
+using std::chrono::milliseconds;
+using test::ChildProcess;
+using testing::HasSubstr;
+
+constexpr milliseconds kLong{60'000};
+
+class SegmentCreation : public testing::Test {
+protected:
+    Result<Segment> create() const { return Segment::create_or_attach(name_.options()); }
+    test::SegmentName name_;
+};
+
+TEST_F(SegmentCreation, ProcessesThatComeAtOnceShareOneObject) {
+    constexpr int kProcesses = 6;
+    for (int round = 0; round < 20; ++round) {
+        std::vector<std::unique_ptr<ChildProcess>> children;
+        for (int index = 0; index < kProcesses; ++index) {
+            children.push_back(std::make_unique<ChildProcess>([this](const ChildProcess::Signal&) {
+                auto segment = create();
+                ASSERT_TRUE(segment.has_value()) << segment.error().message;
+                segment->header().stop_requests.fetch_add(1);
+                EXPECT_TRUE(segment->is_still_linked());
+            }));
+        }
+        for (auto& child : children) EXPECT_TRUE(child->ends_well());
+
+        EXPECT_EQ(create().value().header().stop_requests.load(), std::uint32_t{kProcesses});
+        ASSERT_TRUE(Segment::remove(name_.get()).has_value());
+    }
+}
+
+TEST_F(SegmentCreation, CreatorKilledAtAnyInstantIsFollowedByAnother) {
+    std::mt19937 random{20240611};
+    std::uniform_int_distribution<useconds_t> life_us{0, 2000};
+    for (int round = 0; round < 200; ++round) {
+        ChildProcess creator{[this](const ChildProcess::Signal& began) {
+            began.raise();
+            for (;;) {
+                (void)create().has_value();
+                (void)Segment::remove(name_.get()).has_value();
+            }
+        }};
+        ASSERT_TRUE(creator.wait_for_signal());
+        ::usleep(life_us(random));
+        creator.kill();
+
+        const auto segment = create();
+        ASSERT_TRUE(segment.has_value()) << round << ": " << segment.error().message;
+        ASSERT_TRUE(segment->is_still_linked());
+    }
+}
+
+TEST_F(SegmentCreation, ObjectWhoseCreatorIsStillAtWorkIsWaitedFor) {
+    ChildProcess creator{[this](const ChildProcess::Signal& began) {
+        auto object = SegmentObject::create(name_.get(), "");
+        ASSERT_TRUE((*object)->try_lock(LockByte::creator));
+        began.raise();
+        ::pause();
+    }};
+    ASSERT_TRUE(creator.wait_for_signal());
+    ChildProcess second{[this](const ChildProcess::Signal& began) {
+        began.raise();
+        EXPECT_TRUE(create().has_value());
+    }};
+    ASSERT_TRUE(second.wait_for_signal());
+    ::usleep(20'000);
+    EXPECT_EQ(SegmentObject::open(name_.get(), "").value()->size_bytes(), 0);
+
+    creator.kill();
+
+    EXPECT_TRUE(second.ends_well());
+}
+
+TEST_F(SegmentCreation, PublishersOfSeveralProcessesTakeTurns) {
+    constexpr int kProcesses = 3;
+    constexpr int kJobs = 40;
+    const Segment segment = create().value();
+    std::vector<std::unique_ptr<ChildProcess>> children;
+    for (int index = 0; index < kProcesses; ++index) {
+        children.push_back(std::make_unique<ChildProcess>([this, index](const ChildProcess::Signal&) {
+            Segment own = create().value();
+            for (int job = 0; job < kJobs; ++job) {
+                EXPECT_TRUE(publish_job(own, test::make_job(index * kJobs + job, 60, 60), kLong).has_value());
+            }
+        }));
+    }
+    for (auto& child : children) EXPECT_TRUE(child->ends_well());
+
+    EXPECT_EQ(published_generation(segment), std::uint64_t{kProcesses} * kJobs);
+}
+
+constexpr int kNotAllowedHere = 77;
+
+/// Runs in a child: gives it a small /dev/shm of its own; ends it where the system does not allow that.
+void get_small_shm(const char* size_option) {
+    const bool is_done = ::unshare(CLONE_NEWNS) == 0 &&
+                         ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+                         ::mount("tmpfs", "/dev/shm", "tmpfs", 0, size_option) == 0;
+    if (!is_done) ::_exit(kNotAllowedHere);
+}
+
+void expect_end_of(ChildProcess& child) {
+    const int code = child.exit_code();
+    if (code == kNotAllowedHere) GTEST_SKIP() << "this system lets nobody mount a small /dev/shm";
+    EXPECT_EQ(code, 0);
+}
+
+TEST_F(SegmentCreation, FullSharedMemoryIsAnErrorMessageAndLeavesNoObject) {
+    ChildProcess child{[this](const ChildProcess::Signal&) {
+        get_small_shm("size=1M");
+        const auto made = create();
+        ASSERT_FALSE(made.has_value());
+        EXPECT_EQ(made.error().code, ErrorCode::out_of_room);
+        EXPECT_THAT(made.error().message, HasSubstr("/dev/shm is full"));
+        EXPECT_LT(::shm_open(name_.get().c_str(), O_RDONLY, 0), 0);
+    }};
+    expect_end_of(child);
+}
+
+TEST_F(SegmentCreation, FullSharedMemoryWhilePublishingKeepsTheOldJob) {
+    ChildProcess child{[this](const ChildProcess::Signal&) {
+        get_small_shm("size=6M");
+        Segment segment = create().value();
+        ASSERT_TRUE(publish_job(segment, test::make_job(1, 500, 500)).has_value());
+
+        const auto published = publish_job(segment, test::make_job(2, 500, 500));
+
+        ASSERT_FALSE(published.has_value());
+        EXPECT_EQ(published.error().code, ErrorCode::out_of_room);
+        EXPECT_EQ(take_published_job(segment, 0).value().value().blob, test::make_job(1, 500, 500));
+        EXPECT_TRUE(publish_job(segment, test::make_job(3, 50, 50)).has_value());
+    }};
+    expect_end_of(child);
+}
+
+}  // namespace
+}  // namespace psicarve

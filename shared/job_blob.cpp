@@ -48,7 +48,7 @@ std::uint64_t job_blob_bytes(std::uint64_t layer_count, std::uint64_t point_coun
 }
 
 std::vector<std::byte> job_blob_from_table(const JobTable& table) {
-    const std::size_t cells = std::size_t{table.layer_count} * table.point_count;
+    [[maybe_unused]] const std::size_t cells = std::size_t{table.layer_count} * table.point_count;
     assert(table.layer_height_pulses.size() == table.layer_count);
     assert(table.r_left_pulses.size() == cells && table.r_right_pulses.size() == cells);
     const JobLayout layout =

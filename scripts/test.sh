@@ -1,36 +1,43 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every test, from a bare Debian 12. Later parts run even when an earlier one has failed.
-# shellcheck disable=SC2317  # part() calls the functions by name
+# shellcheck disable=SC2317  # the parts are called by name
 set -uo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 logs="$root/build/logs"
+all_parts="format dev asan tsan fuzz tidy"
 fuzz_seconds=${PSICARVE_FUZZ_SECONDS:-20}
 
 usage() {
     cat <<END
-usage: ${0##*/} [--quick]
+usage: ${0##*/} [--quick | PART...]
 
 Installs the Debian packages that are missing, then checks the formatting, builds and runs the suite in dev
 and under AddressSanitizer and UndefinedBehaviorSanitizer, runs the parts with threads under ThreadSanitizer,
 fuzzes the parsers for $fuzz_seconds s in all, and runs clang-tidy over the sources. Closes with ctest's summaries.
 
-  --quick   formatting and dev only
+  PART      only these, of: $all_parts (tidy needs the build of dev)
+  --quick   format and dev
 
 Exit codes: 0 all passed; 1 something failed (the closing lines say what); 2 wrong usage.
 Builds are kept in build/; a second run does only what has changed.
 END
 }
 
-quick=0
+parts=()
 for argument in "$@"; do
+    case " $all_parts --quick --help -h " in
+        *" $argument "*) ;;
+        *) printf '%s: unknown argument: %s\n' "${0##*/}" "$argument" >&2; usage >&2; exit 2 ;;
+    esac
     case "$argument" in
         -h | --help) usage; exit 0 ;;
-        --quick) quick=1 ;;
-        *) printf '%s: unknown option %s\n' "${0##*/}" "$argument" >&2; usage >&2; exit 2 ;;
+        --quick) parts+=(format dev) ;;
+        *) parts+=("$argument") ;;
     esac
 done
+if ((${#parts[@]} == 0)); then read -ra parts <<<"$all_parts"; fi
 
 # Sanitizers of this age stumble over kernels that spread addresses wide: switch that off where we may.
 if [[ -z ${PSICARVE_STILL-} ]] && setarch "$(uname -m)" -R true 2>/dev/null; then
@@ -42,7 +49,7 @@ source "$root/scripts/build.sh"
 mkdir -p "$logs" || fail "cannot write to $logs"
 rm -f "$logs"/ctest-*.log
 
-check_format() {
+run_format() {
     if [[ ! -d $root/.git ]]; then
         say "format: not a git checkout, nothing to compare with"
         return 0
@@ -57,11 +64,14 @@ run_ctest() {
     return "${PIPESTATUS[0]}"
 }
 
+run_dev() { build_and_test dev; }
+run_asan() { build_and_test asan; }
+run_tsan() { build_and_test tsan; }
 build_and_test() { configure_preset "$1" "$root/build/$1" && build "$root/build/$1" && run_ctest "$1"; }
 
 # Each target runs for its share of the time from a fixed seed, on the inputs kept in the tree and on those found so far.
-fuzz() {
-    local folder="$root/build/fuzz" targets target name share found failed=0
+run_fuzz() {
+    local folder="$root/build/fuzz" targets target name share found kept failed=0
     configure_preset fuzz "$folder" -DCMAKE_CXX_COMPILER=clang++-14 || return 1
     mapfile -t targets < <(ninja -C "$folder" -t targets all | sed -n 's/: CXX_EXECUTABLE_LINKER.*//p' | grep fuzz)
     if ((${#targets[@]} == 0)); then
@@ -75,7 +85,8 @@ fuzz() {
         found="$folder/corpus/$name"
         mkdir -p "$found"
         local corpora=("$found")
-        if [[ -d $root/tests/fuzz/corpus/$name ]]; then corpora+=("$root/tests/fuzz/corpus/$name"); fi
+        kept="$root/tests/fuzz/corpus/${name%_fuzz}"
+        if [[ -d $kept ]]; then corpora+=("$kept"); fi
         say "fuzz: $name, $share s"
         if ! (cd "$folder" && "./$target" -seed=1 -max_total_time="$share" -timeout=10 \
             -rss_limit_mb=2048 -print_final_stats=0 -verbosity=0 "${corpora[@]}"); then failed=1; fi
@@ -95,31 +106,26 @@ summary_of() {
     fi
 }
 
+"$root/scripts/deps.sh" test || fail "some packages could not be installed"
+
 verdicts=()
 failed_parts=()
-part() {
-    local name=$1 begin=$SECONDS
-    shift
-    say "$name"
-    if "$@"; then
-        verdicts+=("$(printf '%-8s passed  %4d s' "$name" $((SECONDS - begin)))")
-    else
-        verdicts+=("$(printf '%-8s FAILED  %4d s' "$name" $((SECONDS - begin)))")
-        failed_parts+=("$name")
+presets=()
+for part in "${parts[@]}"; do
+    begin=$SECONDS
+    verdict=passed
+    say "$part"
+    if ! "run_$part"; then
+        verdict=FAILED
+        failed_parts+=("$part")
     fi
-}
-
-"$root/scripts/deps.sh" test || fail "some packages could not be installed"
-part format check_format
-part dev build_and_test dev
-presets=(dev)
-if ((!quick)); then
-    presets=(tsan asan dev)
-    part asan build_and_test asan
-    part tsan build_and_test tsan
-    part fuzz fuzz
-    part tidy run_tidy
-fi
+    verdicts+=("$(printf '%-8s %s  %4d s' "$part" "$verdict" $((SECONDS - begin)))")
+    # dev, which has all tests, is to close the output.
+    case "$part" in
+        dev) presets+=(dev) ;;
+        asan | tsan) presets=("$part" "${presets[@]}") ;;
+    esac
+done
 
 printf '\n'
 printf '== %s\n' "${verdicts[@]}"

@@ -69,14 +69,19 @@ void RadiusTables::fill(Head& head, std::size_t layer, std::span<const double> o
     const std::size_t points = table_.point_count;
     std::int32_t* row = head.radii->data() + layer * points;
     std::uint32_t at_core = 0;
-    for (std::size_t j = 0; j < points; ++j) {
-        std::size_t direction = first + j;
-        if (direction >= once_round.size()) direction -= once_round.size();
-        const double radius = std::min(once_round[direction] * head.pulses_per_unit, kUnreachablePulses);
-        const auto pulses = static_cast<std::int32_t>(round_to_pulse(radius));
-        at_core += pulses < head.core_pulses || radius == 0.0 ? 1 : 0;
-        row[j] = std::max(pulses, head.core_pulses) - head.tip_pulses;
-    }
+    // From the first direction to the end of the turn, then on from its beginning.
+    const std::size_t before_wrap = std::min(points, once_round.size() - first);
+    const auto convert = [&head, &at_core](std::span<const double> radii, std::int32_t* out) {
+        const double core = static_cast<double>(head.core_pulses);
+        for (const double radius : radii) {
+            // Never negative: adding a half and cutting off rounds as round_to_pulse does.
+            const double pulses = std::min(radius * head.pulses_per_unit + 0.5, kUnreachablePulses);
+            at_core += pulses < core || radius == 0.0 ? 1U : 0U;
+            *out++ = static_cast<std::int32_t>(std::max(pulses, core)) - head.tip_pulses;
+        }
+    };
+    convert(once_round.subspan(first, before_wrap), row);
+    convert(once_round.first(points - before_wrap), row + before_wrap);
     head.core_points[layer] = at_core;
 }
 

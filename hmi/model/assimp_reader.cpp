@@ -57,7 +57,7 @@ private:
                 const aiVector3D at = placed * part.mVertices[index];
                 triangle.vertices[v] = {at.x, at.y, at.z};
             }
-            if (whole && check_.accept(triangle)) mesh_.triangles.push_back(triangle);
+            if (whole) check_.add_to(mesh_.triangles, triangle);
         }
     }
 

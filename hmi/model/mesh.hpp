@@ -2,12 +2,11 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <new>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "hmi/model/large_memory.hpp"
 
 namespace psicarve::model {
 
@@ -18,23 +17,6 @@ struct Triangle {
 };
 static_assert(sizeof(Triangle) == 36);
 
-/// Leaves new elements of trivial types unset: the reader writes each of a million facets exactly once.
-template <typename T>
-class UnsetAllocator : public std::allocator<T> {
-public:
-    template <typename U>
-    struct rebind {
-        using other = UnsetAllocator<U>;
-    };
-    template <typename U, typename... Args>
-    void construct(U* place, Args&&... args) {
-        if constexpr (sizeof...(Args) == 0) {
-            ::new (static_cast<void*>(place)) U;
-        } else {
-            ::new (static_cast<void*>(place)) U(std::forward<Args>(args)...);
-        }
-    }
-};
 using TriangleList = std::vector<Triangle, UnsetAllocator<Triangle>>;
 
 /// What was seen in a mesh while it was read. Nothing here is repaired.
@@ -45,6 +27,7 @@ struct MeshFacts {
     std::uint64_t open_edge_count = 0;       ///< edges with an odd number of facets
     std::uint64_t turned_edge_count = 0;     ///< edges whose facets disagree about what is outside
     std::uint64_t doubled_vertex_count = 0;  ///< vertices of an indexed file that stand at the same place
+    bool saw_duplicates = false;             ///< among one facet in 64: enough to notice a doubled mesh
     bool closed = true;                      ///< every edge belongs to an even number of facets
     bool same_orientation = true;            ///< along every edge the facets agree about what is outside
     double signed_volume = 0.0;              ///< cubic file units; negative: inside out

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/model/mesh_check.hpp"
 
+#include <emmintrin.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,11 +27,8 @@ constexpr double kLeastVolumeShare = 1e-9;
 // Counting edges needs 24 bytes a facet; beyond this the warning goes without the count.
 constexpr std::size_t kMostFacetsCounted = 20'000'000;
 
-bool is_finite(const Triangle& t) noexcept {
-    float zero = 0.0F;  // anything times 0 is 0, unless it is NaN or infinite
-    for (const auto& v : t.vertices) zero += v[0] * 0.0F + v[1] * 0.0F + v[2] * 0.0F;
-    return zero == 0.0F;
-}
+// One facet in so many is looked at for duplicates while reading.
+constexpr std::uint64_t kSampledFacetsOneIn = 64;
 
 struct EdgeCounts {
     std::uint64_t open = 0;
@@ -64,32 +65,29 @@ EdgeCounts count_edges(const TriangleList& triangles) {
     return counts;
 }
 
-std::uint64_t facet_hash(const Triangle& t) noexcept {
-    return vertex_hash(t.vertices[0]) + vertex_hash(t.vertices[1]) + vertex_hash(t.vertices[2]);
-}
-
-/// How often a facet follows an equal one, among the facets whose hash is a multiple of `one_in`.
-std::uint64_t count_duplicates(const TriangleList& triangles, std::uint64_t one_in) {
-    std::vector<std::uint64_t> hashes;
-    for (const Triangle& t : triangles) {
-        const std::uint64_t h = facet_hash(t);
-        if (h % one_in == 0) hashes.push_back(h);
-    }
+/// How often a hash follows an equal one.
+std::uint64_t count_equal(std::vector<std::uint64_t>& hashes) {
     std::sort(hashes.begin(), hashes.end());
     std::uint64_t count = 0;
     for (std::size_t i = 1; i < hashes.size(); ++i) count += hashes[i] == hashes[i - 1] ? 1 : 0;
     return count;
 }
 
+std::uint64_t count_duplicates(const TriangleList& triangles) {
+    std::vector<std::uint64_t> hashes;
+    hashes.reserve(triangles.size());
+    for (const Triangle& t : triangles) {
+        hashes.push_back(vertex_hash(t.vertices[0]) + vertex_hash(t.vertices[1]) +
+                         vertex_hash(t.vertices[2]));
+    }
+    return count_equal(hashes);
+}
+
 void count_flaws(Mesh& mesh) {
     MeshFacts& facts = mesh.facts;
     if (mesh.triangles.size() > kMostFacetsCounted) return;
-    // A mesh that stands there twice is closed too, and one facet in 64 is enough to notice it.
-    constexpr std::uint64_t kSample = 64;
     const bool suspicious = !facts.closed || !facts.same_orientation;
-    if (suspicious || count_duplicates(mesh.triangles, kSample) > 0) {
-        facts.duplicate_count = count_duplicates(mesh.triangles, 1);
-    }
+    if (suspicious || facts.saw_duplicates) facts.duplicate_count = count_duplicates(mesh.triangles);
     if (suspicious) {
         const EdgeCounts counts = count_edges(mesh.triangles);
         facts.open_edge_count = counts.open;
@@ -185,30 +183,23 @@ bool has_volume(const Mesh& mesh) {
 
 }  // namespace
 
-bool MeshCheck::accept(Triangle& triangle) noexcept {
-    if (!is_finite(triangle)) {
-        ++dropped_count_;
-        return false;
-    }
-    if (accepted_count_++ == 0) first_ = min_ = max_ = triangle.vertices[0];
-    std::array<std::uint64_t, 3> h{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        auto& v = triangle.vertices[i];
-        for (std::size_t k = 0; k < 3; ++k) {
-            v[k] += 0.0F;  // -0 becomes 0: one place, one bit pattern
-            min_[k] = std::min(min_[k], v[k]);
-            max_[k] = std::max(max_[k], v[k]);
-        }
-        h[i] = vertex_hash(v);
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint64_t from = h[i];
-        const std::uint64_t to = h[(i + 1) % 3];
-        const std::uint64_t edge = edge_hash(from, to);
-        directed_edge_sum_ += directed_edge_hash(from, to, edge);
-        edge_parity_ ^= from == to ? 0 : edge;
-    }
-    const auto& [a, b, c] = triangle.vertices;
+bool MeshCheck::accept(const char* coordinates, Triangle& out) {
+    // Three overlapping loads hold all nine coordinates; adding 0 makes -0 to 0: one place, one bit pattern.
+    const auto load = [coordinates](std::size_t index) {
+        const char* from = coordinates + index * sizeof(float);
+        const __m128i bits = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+        return _mm_add_ps(_mm_castsi128_ps(bits), _mm_setzero_ps());
+    };
+    const __m128 a4 = load(0);  // ax ay az bx
+    const __m128 b4 = load(3);  // bx by bz cx
+    const __m128 z4 = load(5);  // bz cx cy cz
+    const __m128 c4 = _mm_shuffle_ps(z4, z4, _MM_SHUFFLE(3, 3, 2, 1));
+    float* v = out.vertices[0].data();
+    _mm_storeu_ps(v, a4);
+    _mm_storeu_ps(v + 3, b4);
+    _mm_storeu_ps(v + 5, z4);
+
+    const auto& [a, b, c] = out.vertices;
     const double ux = double{b[0]} - a[0];
     const double uy = double{b[1]} - a[1];
     const double uz = double{b[2]} - a[2];
@@ -218,18 +209,56 @@ bool MeshCheck::accept(Triangle& triangle) noexcept {
     const double nx = uy * vz - uz * vy;
     const double ny = uz * vx - ux * vz;
     const double nz = ux * vy - uy * vx;
-    if (nx == 0.0 && ny == 0.0 && nz == 0.0) ++degenerate_count_;
+    // A NaN or infinite coordinate always shows in the normal: infinity less itself, or times 0, is NaN.
+    const double size = std::abs(nx) + std::abs(ny) + std::abs(nz);
+    if (!(size <= std::numeric_limits<double>::max())) {
+        ++dropped_count_;
+        return false;
+    }
+    if (size == 0.0) ++degenerate_count_;
+    const __m128 low = _mm_min_ps(_mm_min_ps(a4, b4), c4);
+    const __m128 high = _mm_max_ps(_mm_max_ps(a4, b4), c4);
+    if (accepted_count_++ == 0) {
+        first_ = a;
+        _mm_storeu_ps(min_.data(), low);
+        _mm_storeu_ps(max_.data(), high);
+    }
+    _mm_storeu_ps(min_.data(), _mm_min_ps(_mm_loadu_ps(min_.data()), low));
+    _mm_storeu_ps(max_.data(), _mm_max_ps(_mm_loadu_ps(max_.data()), high));
     volume_times_6_ +=
         nx * (double{a[0]} - first_[0]) + ny * (double{a[1]} - first_[1]) + nz * (double{a[2]} - first_[2]);
+    hash_edges(out);
     return true;
 }
 
-MeshFacts MeshCheck::facts(const std::array<double, 3>& origin) const noexcept {
+void MeshCheck::add_to(TriangleList& list, const Triangle& triangle) {
+    std::array<char, sizeof(Triangle)> bytes{};
+    std::memcpy(bytes.data(), &triangle, sizeof(Triangle));
+    Triangle accepted;
+    if (accept(bytes.data(), accepted)) list.push_back(accepted);
+}
+
+void MeshCheck::hash_edges(const Triangle& triangle) {
+    const std::uint64_t a = vertex_hash(triangle.vertices[0]);
+    const std::uint64_t b = vertex_hash(triangle.vertices[1]);
+    const std::uint64_t c = vertex_hash(triangle.vertices[2]);
+    const std::uint64_t ab = edge_hash(a, b);
+    const std::uint64_t bc = edge_hash(b, c);
+    const std::uint64_t ca = edge_hash(c, a);
+    directed_edge_sum_ +=
+        directed_edge_hash(a, b, ab) + directed_edge_hash(b, c, bc) + directed_edge_hash(c, a, ca);
+    edge_parity_ ^= (a == b ? 0 : ab) ^ (b == c ? 0 : bc) ^ (c == a ? 0 : ca);
+    const std::uint64_t facet = a + b + c;
+    if (facet % kSampledFacetsOneIn == 0) sampled_facets_.push_back(facet);
+}
+
+MeshFacts MeshCheck::facts(const std::array<double, 3>& origin) {
     MeshFacts facts;
     facts.dropped_count = dropped_count_;
     facts.degenerate_count = degenerate_count_;
     facts.closed = edge_parity_ == 0;
     facts.same_orientation = directed_edge_sum_ == 0;
+    facts.saw_duplicates = count_equal(sampled_facets_) > 0;
     facts.signed_volume = volume_times_6_ / 6.0;
     for (std::size_t k = 0; k < 3; ++k) {
         facts.min[k] = origin[k] + double{min_[k]};

@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <string>
+#include <vector>
 
 #include "hmi/model/mesh.hpp"
 #include "shared/result.hpp"
@@ -16,22 +16,29 @@ namespace psicarve::model {
 /// edge comes once in each direction and the sum is zero. A wrong "closed" has a chance of about 2^-64.
 class MeshCheck {
 public:
-    /// False when the facet has a NaN or infinite coordinate: leave it out. Makes -0 to 0.
-    bool accept(Triangle& triangle) noexcept;
+    /// Takes nine coordinates as a file holds them (36 bytes, any alignment) into `out`, -0 made to 0. False
+    /// when one of them is NaN or infinite: leave that facet out.
+    bool accept(const char* coordinates, Triangle& out);
+
+    /// Appends the facet unless accept says no.
+    void add_to(TriangleList& list, const Triangle& triangle);
 
     /// Bounding box, volume and closedness of what was accepted.
-    MeshFacts facts(const std::array<double, 3>& origin) const noexcept;
+    MeshFacts facts(const std::array<double, 3>& origin);
 
 private:
+    void hash_edges(const Triangle& triangle);
+
     std::array<float, 3> first_{};
-    std::array<float, 3> min_{};
-    std::array<float, 3> max_{};
+    std::array<float, 4> min_{};  ///< the fourth is whatever follows a vertex in memory
+    std::array<float, 4> max_{};
     double volume_times_6_ = 0.0;
     std::uint64_t accepted_count_ = 0;
     std::uint64_t dropped_count_ = 0;
     std::uint64_t degenerate_count_ = 0;
     std::uint64_t directed_edge_sum_ = 0;
     std::uint64_t edge_parity_ = 0;
+    std::vector<std::uint64_t> sampled_facets_;
 };
 
 /// The last step of every reader: refuses meshes nobody can carve ("FILE: what, where"), counts open edges

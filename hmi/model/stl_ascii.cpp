@@ -146,7 +146,7 @@ private:
                 triangle.vertices[v][k] = static_cast<float>(facet_[v][k] - mesh_.origin[k]);
             }
         }
-        if (check_.accept(triangle)) mesh_.triangles.push_back(triangle);
+        check_.add_to(mesh_.triangles, triangle);
         return {};
     }
 

@@ -66,9 +66,8 @@ Result<Mesh> read_facets(const InputFile& file, std::uint64_t facet_count) {
             return done.error();
         XXH3_64bits_update(hash.get(), bytes.data(), bytes.size());
         for (std::size_t i = 0; i < facets; ++i) {
-            Triangle& triangle = mesh.triangles[kept];
-            std::memcpy(&triangle, bytes.data() + i * kStlFacetBytes + kNormalBytes, sizeof(Triangle));
-            kept += check.accept(triangle) ? 1 : 0;
+            const char* coordinates = bytes.data() + i * kStlFacetBytes + kNormalBytes;
+            kept += check.accept(coordinates, mesh.triangles[kept]) ? 1 : 0;
         }
     }
     mesh.triangles.resize(kept);

@@ -3,6 +3,9 @@
 
 #include <span>
 
+#include <cstdint>
+#include <span>
+
 #include "hmi/model/file_bytes.hpp"
 #include "hmi/model/mesh.hpp"
 #include "shared/result.hpp"

@@ -34,13 +34,14 @@ public:
         const auto origin = placed(up, mesh.origin);
         const std::vector<double> heights = layer_heights(bottom - origin[2], height, kSections);
         const LayerBuckets buckets(mesh.triangles, up, heights);
-        std::vector<const CutTriangle*> reaching;
+        const FacetCutter cutter(up, -origin[0], -origin[1]);
+        std::vector<CutFacet> reaching;
         for (std::size_t layer = 0; layer < heights.size(); ++layer) {
-            for (const CutTriangle& t : buckets.starting_in(layer)) reaching.push_back(&t);
-            for (const CutTriangle* t : reaching) {
-                segments_.push_back(cut_facet(*t, heights[layer], -origin[0], -origin[1]));
+            for (const CutFacet& t : buckets.starting_in(layer)) reaching.push_back(t);
+            for (const CutFacet& t : reaching) {
+                segments_.push_back(cutter.cut(mesh.triangles[t.facet], heights[layer]));
             }
-            std::erase_if(reaching, [layer](const CutTriangle* t) { return t->end_layer <= layer + 1; });
+            std::erase_if(reaching, [layer](const CutFacet& t) { return t.end_layer <= layer + 1; });
             ends_.push_back(segments_.size());
         }
     }

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "hmi/model/large_memory.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/slice/placement.hpp"
 
@@ -29,7 +29,7 @@ public:
     std::uint32_t first_at_or_above(double z) const noexcept {
         if (z <= heights_.front()) return 0;
         if (z > heights_.back()) return static_cast<std::uint32_t>(heights_.size());
-        auto i = static_cast<std::size_t>((z - heights_.front()) * layers_per_unit_);
+        auto i = static_cast<std::size_t>((z - heights_.front()) * layers_per_unit_) + 1;
         i = std::min(i, heights_.size() - 1);
         while (i > 0 && heights_[i - 1] >= z) --i;
         while (heights_[i] < z) ++i;
@@ -40,28 +40,6 @@ private:
     std::span<const double> heights_;
     double layers_per_unit_ = 0.0;
 };
-
-/// Turns a facet upright and sorts its vertices by height.
-CutTriangle sorted_upright(const model::Triangle& t, const std::array<std::size_t, 3>& from,
-                           std::uint32_t end_layer) noexcept {
-    CutTriangle out{};
-    for (std::size_t v = 0; v < 3; ++v) {
-        for (std::size_t k = 0; k < 3; ++k) out.vertices[v][k] = t.vertices[v][from[k]];
-    }
-    auto& [a, b, c] = out.vertices;
-    std::uint32_t swaps = 0;
-    const auto order = [&swaps](std::array<float, 3>& low, std::array<float, 3>& high) {
-        if (low[2] <= high[2]) return;
-        std::swap(low, high);
-        swaps ^= 1U;
-    };
-    order(a, b);
-    order(b, c);
-    order(a, b);
-    out.end_layer = end_layer & 0x7FFFFFFFU;
-    out.turned = swaps & 1U;
-    return out;
-}
 
 }  // namespace
 
@@ -79,7 +57,11 @@ LayerBuckets::LayerBuckets(const model::TriangleList& triangles, Up up, std::spa
     std::vector<std::int64_t> change(heights.size() + 1, 0);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto& v = triangles[i].vertices;
-        const auto [low, high] = std::minmax({v[0][from[2]], v[1][from[2]], v[2][from[2]]});
+        const float z0 = v[0][from[2]];
+        const float z1 = v[1][from[2]];
+        const float z2 = v[2][from[2]];
+        const float low = std::min(std::min(z0, z1), z2);
+        const float high = std::max(std::max(z0, z1), z2);
         const Range range{finder.first_at_or_above(low), finder.first_at_or_above(high)};
         ranges[i] = range.first < range.end ? range : Range{kNone, kNone};
         if (range.first >= range.end) continue;
@@ -93,11 +75,11 @@ LayerBuckets::LayerBuckets(const model::TriangleList& triangles, Up up, std::spa
         cut += change[layer];
         cut_counts_[layer] = static_cast<std::uint32_t>(cut);
     }
-    triangles_.resize(starts_.back());
+    facets_.resize(starts_.back());
     std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (ranges[i].first == kNone) continue;
-        triangles_[next[ranges[i].first]++] = sorted_upright(triangles[i], from, ranges[i].end);
+        facets_[next[ranges[i].first]++] = {static_cast<std::uint32_t>(i), ranges[i].end};
     }
 }
 

@@ -7,8 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hmi/model/mesh.hpp"
 #include "hmi/slice/directions.hpp"
-#include "hmi/slice/layer_buckets.hpp"
+#include "hmi/slice/placement.hpp"
 
 namespace psicarve::slice {
 namespace {
@@ -19,26 +20,42 @@ constexpr std::uint32_t kInside = 1U << 16U;  // a wall seen from inside
 // its digits where segment and direction are nearly parallel.
 constexpr double kNarrow = 1e-7;
 
+/// The two edges a facet is cut at, each with its lower vertex, in the order that has the solid on the left.
+struct CutEdges {
+    std::uint8_t p_low;
+    std::uint8_t p_high;
+    std::uint8_t q_low;
+    std::uint8_t q_high;
+};
+// By which vertices lie above the cut, bit n for vertex n: one vertex is alone on its side, and both edges
+// meet there. A table, since facets come in every order and branches would be guesses. 0 and 7 cannot be.
+constexpr std::array<CutEdges, 8> kCutEdges{{{0, 0, 0, 0},
+                                             {1, 0, 2, 0},
+                                             {2, 1, 0, 1},
+                                             {2, 1, 2, 0},
+                                             {0, 2, 1, 2},
+                                             {1, 0, 1, 2},
+                                             {0, 2, 0, 1},
+                                             {0, 0, 0, 0}}};
+
 }  // namespace
 
-SectionSegment cut_facet(const CutTriangle& triangle, double z, double shift_x, double shift_y) noexcept {
-    const auto& v = triangle.vertices;
-    const std::size_t low = z < double{v[1][2]} ? 0 : 1;  // the short edge: low -> middle or middle -> high
-    const auto cut = [&](const std::array<float, 3>& a, const std::array<float, 3>& b, double& x, double& y) {
-        const double part = (z - a[2]) / (double{b[2]} - a[2]);
-        const double ax = a[0] - shift_x;
-        const double ay = a[1] - shift_y;
-        x = ax + part * ((b[0] - shift_x) - ax);
-        y = ay + part * ((b[1] - shift_y) - ay);
+SectionSegment FacetCutter::cut(const model::Triangle& facet, double z) const noexcept {
+    const auto& v = facet.vertices;
+    const std::size_t up = from_[2];
+    const auto above = [z](float vertex_z) { return z < double{vertex_z} ? 1U : 0U; };
+    const CutEdges& edges = kCutEdges[above(v[0][up]) + 2 * above(v[1][up]) + 4 * above(v[2][up])];
+    const auto point = [&](const std::array<float, 3>& low, const std::array<float, 3>& high, double& x,
+                           double& y) {
+        const double part = (z - low[up]) / (double{high[up]} - low[up]);
+        const double low_x = low[from_[0]] - shift_x_;
+        const double low_y = low[from_[1]] - shift_y_;
+        x = low_x + part * ((high[from_[0]] - shift_x_) - low_x);
+        y = low_y + part * ((high[from_[1]] - shift_y_) - low_y);
     };
     SectionSegment s{};
-    if (triangle.turned != 0) {
-        cut(v[low], v[low + 1], s.px, s.py);
-        cut(v[0], v[2], s.qx, s.qy);
-    } else {
-        cut(v[0], v[2], s.px, s.py);
-        cut(v[low], v[low + 1], s.qx, s.qy);
-    }
+    point(v[edges.p_low], v[edges.p_high], s.px, s.py);
+    point(v[edges.q_low], v[edges.q_high], s.qx, s.qy);
     return s;
 }
 

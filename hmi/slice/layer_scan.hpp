@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "hmi/model/mesh.hpp"
 #include "hmi/slice/directions.hpp"
-#include "hmi/slice/layer_buckets.hpp"
+#include "hmi/slice/placement.hpp"
 
 namespace psicarve::slice {
 
@@ -40,9 +42,22 @@ struct SectionSegment {
     double qy;
 };
 
-/// Cuts the facet at height z (stored coordinates; requires lowest z <= z < highest z); the shift is taken
-/// off x and y. Edges are cut from their lower vertex, so that both facets of an edge get the same point.
-SectionSegment cut_facet(const CutTriangle& triangle, double z, double shift_x, double shift_y) noexcept;
+/// Cuts facets of a mesh at a height.
+class FacetCutter {
+public:
+    /// `shift_x`, `shift_y` are taken off the stored coordinates once they are turned upright.
+    FacetCutter(Up up, double shift_x, double shift_y) noexcept
+        : from_(source_coordinate(up)), shift_x_(shift_x), shift_y_(shift_y) {}
+
+    /// Requires lowest z <= z < highest z (stored coordinates). Edges are cut from their lower vertex, so
+    /// that both facets of an edge get the same point, bit for bit.
+    SectionSegment cut(const model::Triangle& facet, double z) const noexcept;
+
+private:
+    std::array<std::size_t, 3> from_;
+    double shift_x_;
+    double shift_y_;
+};
 
 /// Scan-converts the sections of facets in angle, one layer at a time. Cells hold the outermost radius and
 /// how many walls turn their outside to the direction, and how many their inside.

@@ -24,10 +24,10 @@ namespace {
 
 /// What the threads share. Layers are split into one range a thread; a layer's cells belong to one thread.
 struct Work {
+    const model::TriangleList& triangles;
     const LayerBuckets& buckets;
     std::span<const double> heights;  ///< stored coordinates
-    double shift_x;
-    double shift_y;
+    FacetCutter cutter;
     const LayerSink& sink;
     std::vector<LayerTotals>& totals;
     std::atomic<std::size_t> layers_done{0};
@@ -61,21 +61,26 @@ public:
 
 private:
     void carry(std::size_t layer, std::size_t into) noexcept {
-        for (const CutTriangle& t : work_.buckets.starting_in(layer)) {
-            if (t.end_layer > into) carried_.push_back(&t);
+        for (const CutFacet& t : work_.buckets.starting_in(layer)) {
+            if (t.end_layer > into) carried_.push_back(t);
+        }
+    }
+
+    void add(std::span<const CutFacet> facets, double z) noexcept {
+        constexpr std::size_t kAhead = 8;  // facets of a layer lie anywhere in the mesh's memory
+        for (std::size_t i = 0; i < facets.size(); ++i) {
+            if (i + kAhead < facets.size()) __builtin_prefetch(&work_.triangles[facets[i + kAhead].facet]);
+            scan_.add_segment(work_.cutter.cut(work_.triangles[facets[i].facet], z));
         }
     }
 
     void cut(std::size_t layer) noexcept {
         const double z = work_.heights[layer];
-        for (const CutTriangle* t : carried_)
-            scan_.add_segment(cut_facet(*t, z, work_.shift_x, work_.shift_y));
-        for (const CutTriangle& t : work_.buckets.starting_in(layer)) {
-            scan_.add_segment(cut_facet(t, z, work_.shift_x, work_.shift_y));
-        }
+        add(carried_, z);
+        add(work_.buckets.starting_in(layer), z);
         work_.totals[layer] = scan_.finish();
         work_.sink(LayerSection{layer, scan_.radius(), &work_.totals[layer]});
-        std::erase_if(carried_, [layer](const CutTriangle* t) { return t->end_layer <= layer + 1; });
+        std::erase_if(carried_, [layer](const CutFacet& t) { return t.end_layer <= layer + 1; });
         carry(layer, layer + 1);
     }
 
@@ -83,7 +88,7 @@ private:
     LayerScan scan_;
     std::size_t first_;
     std::size_t end_;
-    std::vector<const CutTriangle*> carried_;
+    std::vector<CutFacet> carried_;
 };
 
 /// Ends of one range of layers for each thread, about the same number of cuts in each.
@@ -128,14 +133,8 @@ Result<std::vector<LayerTotals>> slice_layers(const model::Mesh& mesh, const Pla
         for (double& height : stored_heights) height -= origin[2];
         const LayerBuckets buckets(mesh.triangles, placement.up, stored_heights);
         std::vector<LayerTotals> totals(heights.size());
-        Work work{buckets,
-                  stored_heights,
-                  placement.axis_x - origin[0],
-                  placement.axis_y - origin[1],
-                  sink,
-                  totals,
-                  {},
-                  {}};
+        const FacetCutter cutter(placement.up, placement.axis_x - origin[0], placement.axis_y - origin[1]);
+        Work work{mesh.triangles, buckets, stored_heights, cutter, sink, totals, {}, {}};
         const std::size_t parts =
             std::clamp<std::size_t>(options.thread_count, 1, std::max<std::size_t>(1, heights.size()));
         std::vector<RangeWorker> workers;

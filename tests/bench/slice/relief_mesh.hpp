@@ -44,8 +44,8 @@ inline model::Mesh relief_mesh(std::size_t triangle_count) {
     model::MeshCheck check;
     const auto add = [&](const std::array<float, 3>& a, const std::array<float, 3>& b,
                          const std::array<float, 3>& c) {
-        model::Triangle triangle{{a, b, c}};
-        if (check.accept(triangle)) mesh.triangles.push_back(triangle);
+        const model::Triangle triangle{{a, b, c}};
+        check.add_to(mesh.triangles, triangle);
     };
     const std::array<float, 3> foot{0.0F, 1.0F, 0.0F};
     const std::array<float, 3> head{static_cast<float>(1.5 * std::sin(4.0)),

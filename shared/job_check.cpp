@@ -29,7 +29,7 @@ struct HeadLimits {
     std::string text(std::int64_t counted) const {
         return mm_text(real_mm(counted)) + " (" + std::to_string(counted) + " pulses)";
     }
-    bool allows(std::int64_t counted) const { return counted >= least && counted <= most; }
+    bool allows(std::int64_t counted) const noexcept { return counted >= least && counted <= most; }
 };
 
 HeadLimits limits_of(const Profile& profile, Axis axis) {
@@ -69,14 +69,10 @@ public:
           least_sum_mm_(clearance_mm_ - left_.tip_offset_mm - right_.tip_offset_mm -
                         0.5 * (left_mm_ + right_mm_) * (1.0 + 1e-9)) {}
 
-    /// The usual case costs one pass without a branch per point.
+    /// The usual case costs a few passes over rows that stay in the cache, without a branch per point.
     bool layer_is_fine(std::span<const std::int32_t> left,
                        std::span<const std::int32_t> right) const noexcept {
-        bool fine = true;
-        for (std::size_t i = 0; i < left.size(); ++i) {
-            fine = fine & left_.allows(left[i]) & right_.allows(right[i]) & are_apart(left[i], right[i]);
-        }
-        return fine;
+        return row_is_fine(left_, left) && row_is_fine(right_, right) && rows_are_apart(left, right);
     }
 
     Error first_problem(std::uint32_t layer, std::span<const std::int32_t> left,
@@ -92,6 +88,23 @@ public:
     }
 
 private:
+    static bool row_is_fine(const HeadLimits& head, std::span<const std::int32_t> row) noexcept {
+        std::int32_t least = row[0];
+        std::int32_t most = row[0];
+        for (const std::int32_t radius : row) {
+            least = std::min(least, radius);
+            most = std::max(most, radius);
+        }
+        return head.allows(least) && head.allows(most);
+    }
+    bool rows_are_apart(std::span<const std::int32_t> left,
+                        std::span<const std::int32_t> right) const noexcept {
+        unsigned close = 0;
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            close |= static_cast<unsigned>(!are_apart(left[i], right[i]));
+        }
+        return close == 0;
+    }
     bool are_apart(std::int32_t left, std::int32_t right) const noexcept {
         return static_cast<double>(left) * left_mm_ + static_cast<double>(right) * right_mm_ >= least_sum_mm_;
     }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "shared/pin_map.hpp"
+#include "shared/profile.hpp"
+
+namespace {
+
+void require(bool holds, const char* what) {
+    if (holds) return;
+    std::fprintf(stderr, "broken: %s\n", what);
+    std::abort();
+}
+
+}  // namespace
+
+// Any text: refused in one line, or a profile that prints, reads back equal and can be worked with.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace psicarve;
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    const auto profile = parse_profile(text, "f.toml");
+    if (!profile) {
+        const std::string& message = profile.error().message;
+        require(message.starts_with("f.toml:"), "a refusal names file and line");
+        require(message.find('\n') == std::string::npos, "a refusal is one line");
+        return 0;
+    }
+    const auto again = parse_profile(profile_to_toml(*profile), "printed");
+    require(again && *again == *profile, "what parses prints and reads back equal");
+    require(PinMap::from_profile(*profile).has_value(), "an accepted profile has a pin map");
+    for (const Axis axis : kAllAxes) {
+        const AxisMotion motion = axis_motion(*profile, axis);
+        require(motion.travel_min_pulses <= motion.travel_max_pulses, "travel is not empty");
+        require(motion.start_stop_pps > 0.0 && motion.start_stop_pps <= motion.speed_pps, "speeds in order");
+    }
+    require(tick_period_ns(*profile) > 0, "time goes on");
+    return 0;
+}

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/verify/picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "hmi/verify/canvas.hpp"
+#include "hmi/verify/deviation_map.hpp"
+#include "hmi/verify/piece_grid.hpp"
+#include "hmi/verify/piece_view.hpp"
+#include "shared/snapshot_file.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::verify {
+
+namespace {
+
+using Align = Canvas::Align;
+
+constexpr int kWidth = 800;
+constexpr int kHeight = 540;
+constexpr Rgb kPaper{0.985, 0.985, 0.980};
+constexpr Rgb kInk{0.13, 0.15, 0.18};
+constexpr Rgb kFaint{0.42, 0.45, 0.49};
+constexpr Rgb kGreen{0.11, 0.52, 0.27};
+constexpr Rgb kRed{0.75, 0.13, 0.12};
+constexpr Canvas::Font kTitle{21.0, true, kInk};
+constexpr Canvas::Font kText{13.0, false, kFaint};
+constexpr Canvas::Font kLabel{11.0, false, kFaint};
+constexpr Canvas::Font kHeading{13.0, true, kInk};
+
+constexpr Box kFirstView{20.0, 78.0, 216.0, 404.0};
+constexpr Box kSecondView{246.0, 78.0, 216.0, 404.0};
+constexpr Box kMap{512.0, 100.0, 180.0, 360.0};
+constexpr Box kBar{706.0, 100.0, 12.0, 360.0};
+constexpr double kElevation_rad = 0.36;
+constexpr double kFirstAzimuth_deg = 30.0;
+constexpr double kSecondAzimuth_deg = 210.0;
+
+template <typename... Values>
+std::string format(const char* pattern, Values... values) {
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(), pattern, values...);
+    return text.data();
+}
+
+/// 1, 2 or 5 times a power of ten, at most `most`.
+double round_length(double most) {
+    const double power = std::pow(10.0, std::floor(std::log10(most)));
+    for (const double factor : {5.0, 2.0}) {
+        if (factor * power <= most) return factor * power;
+    }
+    return power;
+}
+
+void draw_title(Canvas& canvas, const PieceGrid& grid, const CarvedSurface& surface,
+                const PictureCaption& caption) {
+    const Canvas::Font badge{13.0, true, {1.0, 1.0, 1.0}};
+    const std::string verdict = caption.verified ? "verified on the pins" : "NOT verified";
+    const double badge_width = canvas.text_width(verdict, badge) + 22.0;
+    canvas.fill({kWidth - 20.0 - badge_width, 18.0, badge_width, 25.0}, caption.verified ? kGreen : kRed,
+                12.5);
+    canvas.text(kWidth - 20.0 - badge_width / 2.0, 35.0, verdict, badge, Align::centre);
+    canvas.text(20.0, 38.0, caption.model_name.empty() ? "unnamed job" : caption.model_name, kTitle,
+                Align::left, kWidth - 60.0 - badge_width);
+    const double diameter_mm = 2.0 * static_cast<double>(grid.radius_mm);
+    const double height_mm = static_cast<double>(grid.top_mm - grid.bottom_mm);
+    const double pulse_mm = 1.0 / surface.pulses_per_mm();
+    canvas.text(20.0, 60.0,
+                format("%u layers \u00d7 %u points a head    \u2300 %.1f mm, %.1f mm high    ",
+                       caption.layers, caption.points, diameter_mm, height_mm) +
+                    format("max deviation %lld pulses (%.3f mm)",
+                           static_cast<long long>(caption.max_deviation_pulses),
+                           static_cast<double>(caption.max_deviation_pulses) * pulse_mm),
+                kText);
+}
+
+void draw_view(Canvas& canvas, const Box& box, const PieceGrid& grid, double azimuth_deg, double px_per_mm) {
+    canvas.shade(box, {0.87, 0.89, 0.91}, {0.73, 0.76, 0.79}, 8.0);
+    const double half_height_mm = static_cast<double>(grid.top_mm - grid.bottom_mm) / 2.0;
+    const double foot_mm = static_cast<double>(grid.radius_mm);
+    const double foot_y = box.y + box.height / 2.0 + half_height_mm * std::cos(kElevation_rad) * px_per_mm;
+    canvas.shadow(box.x + box.width / 2.0, foot_y + 2.0, 1.12 * foot_mm * px_per_mm,
+                  1.25 * foot_mm * px_per_mm * std::sin(kElevation_rad));
+    const PieceCamera camera{.azimuth_rad = rad_from_deg(azimuth_deg),
+                             .elevation_rad = kElevation_rad,
+                             .px_per_mm = px_per_mm,
+                             .width_px = static_cast<std::size_t>(box.width),
+                             .height_px = static_cast<std::size_t>(box.height)};
+    canvas.image(box.x, box.y, draw_piece(grid, camera));
+    canvas.text(box.x + box.width / 2.0, box.y + box.height + 17.0,
+                format("seen from %.0f\u00b0", azimuth_deg), kLabel, Align::centre);
+}
+
+void draw_scale_bar(Canvas& canvas, double px_per_mm) {
+    const double length_mm = round_length(80.0 / px_per_mm);
+    const double length_px = length_mm * px_per_mm;
+    const double x = (kFirstView.x + kSecondView.x + kSecondView.width - length_px) / 2.0;
+    const double y = kHeight - 18.0;
+    canvas.line(x, y, x + length_px, y, kInk, 2.0);
+    canvas.line(x, y - 4.0, x, y + 4.0, kInk, 2.0);
+    canvas.line(x + length_px, y - 4.0, x + length_px, y + 4.0, kInk, 2.0);
+    canvas.text(x + length_px + 8.0, y + 4.0, format("%g mm", length_mm), kLabel);
+}
+
+void draw_map_axes(Canvas& canvas, const PieceGrid& grid) {
+    canvas.frame(kMap, kFaint);
+    for (const int degrees : {0, 90, 180, 270, 360}) {
+        const double x = kMap.x + kMap.width * degrees / kDegPerRev;
+        canvas.line(x, kMap.y + kMap.height, x, kMap.y + kMap.height + 4.0, kFaint);
+        canvas.text(x, kMap.y + kMap.height + 17.0, format("%d\u00b0", degrees), kLabel, Align::centre);
+    }
+    canvas.text(kMap.x + kMap.width / 2.0, kMap.y + kMap.height + 33.0, "direction \u03c8", kLabel,
+                Align::centre);
+    const double bottom_mm = static_cast<double>(grid.bottom_mm);
+    const double height_mm = static_cast<double>(grid.top_mm) - bottom_mm;
+    const double step_mm = round_length(height_mm / 3.0);
+    for (double mm = std::ceil(bottom_mm / step_mm) * step_mm; mm <= bottom_mm + height_mm + 1e-9;
+         mm += step_mm) {
+        const double y = kMap.y + kMap.height * (1.0 - (mm - bottom_mm) / height_mm);
+        canvas.line(kMap.x - 4.0, y, kMap.x, y, kFaint);
+        canvas.text(kMap.x - 7.0, y + 4.0, format("%g", mm), kLabel, Align::right);
+    }
+    canvas.text(kMap.x - 7.0, kMap.y - 8.0, "Y mm", kLabel, Align::right);
+}
+
+void draw_colour_bar(Canvas& canvas, const DeviationScale& scale, double pulse_mm) {
+    const auto reach = static_cast<double>(scale.reach_pulses());
+    const auto steps = static_cast<int>(kBar.height);
+    for (int row = 0; row < steps; ++row) {
+        const double pulses = reach * (1.0 - 2.0 * (row + 0.5) / steps);
+        canvas.fill({kBar.x, kBar.y + row, kBar.width, 1.0}, scale.colour(pulses));
+    }
+    canvas.frame(kBar, kFaint);
+    for (const double part : {1.0, 0.5, 0.0, -0.5, -1.0}) {
+        if (std::abs(part) == 0.5 && reach < 2.0) continue;
+        const double y = kBar.y + kBar.height * (1.0 - part) / 2.0;
+        canvas.line(kBar.x + kBar.width, y, kBar.x + kBar.width + 4.0, y, kFaint);
+        canvas.text(kBar.x + kBar.width + 7.0, y + 1.0, format(part == 0.0 ? "%g" : "%+g", part * reach),
+                    kLabel);
+        canvas.text(kBar.x + kBar.width + 7.0, y + 12.0, format("%.3g mm", part * reach * pulse_mm),
+                    {9.0, false, kFaint});
+    }
+    canvas.text(kBar.x + 6.0, kBar.y + kBar.height + 24.0, "pulses", kLabel, Align::left);
+    canvas.text(kBar.x - 2.0, kBar.y - 8.0, "left on", kLabel);
+    canvas.text(kBar.x - 2.0, kBar.y + kBar.height + 12.0, "too deep", kLabel);
+}
+
+}  // namespace
+
+PictureCaption caption_of(const JobView& job, const VerifyReport& report) {
+    PictureCaption caption;
+    caption.model_name = std::string(job.source_name());
+    caption.layers = job.layer_count();
+    caption.points = job.point_count();
+    caption.verified = report.ok;
+    caption.max_deviation_pulses = report.max_deviation_pulses;
+    return caption;
+}
+
+Result<std::vector<std::byte>> picture_png(const CarvedSurface& surface, const PictureCaption& caption) {
+    const PieceGrid grid = make_piece_grid(surface);
+    Canvas canvas(kWidth, kHeight, kPaper);
+    draw_title(canvas, grid, surface, caption);
+    const double px_per_mm = fitting_px_per_mm(grid, kElevation_rad, kFirstView.width, kFirstView.height);
+    draw_view(canvas, kFirstView, grid, kFirstAzimuth_deg, px_per_mm);
+    draw_view(canvas, kSecondView, grid, kSecondAzimuth_deg, px_per_mm);
+    draw_scale_bar(canvas, px_per_mm);
+    const DeviationScale scale(caption.max_deviation_pulses);
+    canvas.text(kMap.x, kMap.y - 8.0, "deviation from the job", kHeading);
+    canvas.image(kMap.x, kMap.y,
+                 draw_deviation_map(surface, scale, static_cast<std::size_t>(kMap.width),
+                                    static_cast<std::size_t>(kMap.height)));
+    draw_map_axes(canvas, grid);
+    draw_colour_bar(canvas, scale, 1.0 / surface.pulses_per_mm());
+    return canvas.png();
+}
+
+Result<void> write_picture(const std::string& path, const CarvedSurface& surface,
+                           const PictureCaption& caption) {
+    auto png = picture_png(surface, caption);
+    if (!png) return png.error();
+    return write_file_atomically(path, *png);
+}
+
+}  // namespace psicarve::verify

@@ -15,6 +15,16 @@
 
 namespace psicarve::cycle {
 
+/// A set of machine states, one bit each.
+constexpr std::uint32_t state_bit(MachineState state) noexcept {
+    return std::uint32_t{1} << static_cast<unsigned>(state);
+}
+/// The states in which motion blocks are executed.
+inline constexpr std::uint32_t kExecutingStates =
+    state_bit(MachineState::homing) | state_bit(MachineState::moving) | state_bit(MachineState::positioning) |
+    state_bit(MachineState::carving) | state_bit(MachineState::holding) | state_bit(MachineState::finishing) |
+    state_bit(MachineState::stopping) | state_bit(MachineState::backing_off);
+
 /// One tick of the machine: read inputs -> limits, emergency stop, index -> requests -> interpolate -> write
 /// outputs. Holds the one MachineState. All methods belong to the one thread that ticks; everybody else talks
 /// through CycleIo. Port and io outlive it. RT: yes, every method, after construction.
@@ -44,36 +54,50 @@ private:
     // cycle.cpp: the tick
     void take_inputs(SignalWord raw) noexcept;
     void check_limits() noexcept;
-    void check_index(SignalWord before) noexcept;
+    void check_index() noexcept;
     void take_urgent_words() noexcept;
     void after_step(Executor::Progress progress) noexcept;
-    void note_point() noexcept;
-    void note_latch() noexcept;
-    void publish() noexcept;
+    void note_new_position(bool by_sensor) noexcept;
     void write_port() noexcept;
-    // cycle_states.cpp: requests, states, alarms
-    void take_request(const Request& request) noexcept;
-    Refusal judge(const Request& request) noexcept;
-    Refusal start_home(bool only_height) noexcept;
-    Refusal start_job() noexcept;
-    Refusal load_job(const Request& request) noexcept;
-    Refusal reset_alarm() noexcept;
-    Refusal back_off(std::uint8_t axis) noexcept;
-    void stop() noexcept;
+    void trace_pins() noexcept;
+    void publish() noexcept;
+    // cycle_states.cpp: states and alarms
     bool apply(MachineEvent event) noexcept;
     void enter(MachineState state) noexcept;
     void program_done() noexcept;
     void came_to_rest() noexcept;
+    void end_after_stop() noexcept;
+    void stop() noexcept;
+    void fail_controlled(AlarmCause cause) noexcept;
+    void raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expected_pulses = 0,
+                     std::int64_t seen_pulses = 0) noexcept;
+    std::uint8_t moving_axes() const noexcept;
     void request_plan(PlanKind kind, std::uint8_t axis = kNoAxis) noexcept;
     void drop_plan() noexcept;
-    void raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expected = 0,
-                     std::int64_t seen = 0) noexcept;
-    std::uint8_t moving_axes() const noexcept;
-    bool is_homed() const noexcept { return homed_mask_ == kAllAxesMask; }
-    void report(const FlightRecord& record, std::int64_t expected = 0) noexcept;
+    // cycle_requests.cpp: what the supervisor asks
+    void take_request(const Request& request) noexcept;
+    Refusal judge(const Request& request) noexcept;
+    Refusal start_home(bool only_height) noexcept;
+    Refusal start_job() noexcept;
+    Refusal start_interpolation() noexcept;
+    Refusal hold() noexcept;
+    Refusal resume() noexcept;
+    Refusal load_job(const Request& request) noexcept;
+    Refusal reset_alarm() noexcept;
+    Refusal back_off(std::uint8_t axis) noexcept;
+    // cycle_reports.cpp
+    void report(const FlightRecord& record, std::int64_t expected_pulses = 0) noexcept;
     void answer(const Request& request, Refusal refusal) noexcept;
-    FlightRecord record_of(RecordKind kind, std::uint16_t code) const noexcept;
+    void push_report(const Report& report) noexcept;
+    FlightRecord record_of(RecordKind kind, std::uint16_t code, std::uint8_t axis = kNoAxis,
+                           std::int64_t value = 0) const noexcept;
     void trace_position() noexcept;
+
+    bool executes() const noexcept { return (kExecutingStates >> static_cast<unsigned>(state_) & 1U) != 0; }
+    bool is_homed() const noexcept { return homed_mask_ == kAllAxesMask; }
+    bool cause_remains() const noexcept {
+        return ((inputs_.raw() | inputs_.accepted()) & (kLimitMask | kEstopBit)) != 0;
+    }
 
     static constexpr std::uint8_t kAllAxesMask = 0xF;
 
@@ -90,19 +114,18 @@ private:
     AlarmCause alarm_cause_ = AlarmCause::none;
     std::uint8_t alarm_axis_ = kNoAxis;
     std::uint8_t homed_mask_ = 0;
-    std::uint8_t homing_mask_ = 0;  ///< what the running homing program homes
-    SignalWord limits_exempt_ = 0;  ///< limits that were tripped when homing began and are not homed yet
+    AlarmCause pending_fail_ = AlarmCause::none;  ///< raised once the controlled stop came to rest
+    /// Limits that were tripped when homing or backing off began, until they clear.
+    SignalWord limits_exempt_ = 0;
     std::uint32_t epoch_ = 0;
     std::uint32_t stop_seen_ = 0;
     std::uint32_t estop_seen_ = 0;
     SignalWord written_ = 0;
     SignalWord traced_ = 0;
+    bool has_new_position_ = false;  ///< of this tick, not traced yet
     std::uint64_t next_publish_tick_ = 0;
     std::array<std::int64_t, kAxisCount> published_pulses_{};
 
-    std::uint32_t layer_ = 0;
-    std::uint32_t point_ = 0;
-    std::uint64_t points_done_ = 0;
     std::uint64_t points_total_ = 0;
     std::uint64_t job_generation_ = 0;
     std::uint64_t job_start_tick_ = 0;

@@ -38,7 +38,6 @@ private:
     void take_requests();
     std::unique_ptr<Program> program_for(const cycle::PlanRequest& request);
 
-    Profile profile_;
     MachineLimits limits_;
     cycle::CycleIo* io_;
     std::mutex job_mutex_;

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/cycle/cycle.hpp"
+
+namespace psicarve::cycle {
+
+Cycle::Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept
+    : config_(config),
+      port_(&port),
+      io_(&io),
+      pulses_(config),
+      inputs_(config),
+      executor_(config, io.blocks, pulses_, inputs_) {
+    port_->write_outputs(written_, 0);
+    io_->sample.write(sample());
+}
+
+void Cycle::tick() noexcept {
+    // The machine's answer to the last tick's pulses comes before this tick's: so positions and levels agree.
+    const SignalWord raw = port_->read_inputs(time_ns_);
+    if (inputs_.needs(raw)) take_inputs(raw);
+    pulses_.begin_tick(tick_);
+    if ((inputs_.accepted() & kLimitMask) != 0) check_limits();
+    take_urgent_words();
+    if (const Request* request = io_->requests.front(); request != nullptr) {
+        const Request copy = *request;
+        io_->requests.pop();
+        take_request(copy);
+    }
+    if (executes()) {
+        const Executor::Progress progress = executor_.step(tick_);
+        if (progress != Executor::kNothing) after_step(progress);
+    }
+    if (pulses_.levels() != written_) write_port();
+    if (io_->trace != nullptr && (written_ | inputs_.raw()) != traced_) trace_pins();
+    if (has_new_position_) trace_position();
+    if (tick_ >= next_publish_tick_) publish();
+    ++tick_;
+    time_ns_ += config_.period_ns;
+}
+
+void Cycle::advance_missed(std::uint64_t ticks) noexcept {
+    missed_ticks_ += ticks;
+    const auto gap_ticks = static_cast<std::int64_t>(ticks) + 1;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        const std::int64_t coast_ticks = config_.axes[k].coast_ticks;
+        if (gap_ticks > coast_ticks && pulses_.stepped_within(k, coast_ticks, tick_)) {
+            raise_alarm(AlarmCause::tick_gap, static_cast<std::uint8_t>(k));
+        }
+    }
+    tick_ += ticks;
+    time_ns_ += static_cast<std::int64_t>(ticks) * config_.period_ns;
+}
+
+void Cycle::take_inputs(SignalWord raw) noexcept {
+    const SignalWord before = inputs_.raw();
+    inputs_.take(raw, tick_, pulses_.positions());
+    limits_exempt_ &= inputs_.accepted();
+    const SignalWord changed = before ^ inputs_.raw();
+    for (std::size_t k = 0; changed != 0 && k <= kAxisCount; ++k) {
+        const SignalWord input = bit_of(Signal::r1_limit) << k;
+        if ((changed & input) == 0) continue;
+        report(record_of(RecordKind::input_edge, (inputs_.raw() & input) != 0 ? 1 : 0,
+                         k < kAxisCount ? static_cast<std::uint8_t>(k) : kNoAxis));
+    }
+    if ((changed & kIndexBit) != 0) check_index();
+    if ((inputs_.raw() & kEstopBit) != 0 && state_ != MachineState::alarm) {
+        raise_alarm(AlarmCause::emergency_stop, kNoAxis);
+    }
+}
+
+void Cycle::check_limits() noexcept {
+    if (state_ == MachineState::off || state_ == MachineState::alarm) return;
+    SignalWord tripped = inputs_.accepted() & kLimitMask & ~limits_exempt_;
+    if (executor_.homing_axis() != kNoAxis) tripped &= ~(bit_of(Signal::r1_limit) << executor_.homing_axis());
+    for (std::size_t k = 0; tripped != 0 && k < kAxisCount; ++k) {
+        if ((tripped & (bit_of(Signal::r1_limit) << k)) == 0) continue;
+        raise_alarm(AlarmCause::limit, static_cast<std::uint8_t>(k));
+        return;
+    }
+}
+
+// The index is tripped from its position on. Turning positive it begins to trip there; turning negative it
+// ceases one pulse below.
+void Cycle::check_index() noexcept {
+    constexpr std::size_t kPsi = index_of(Axis::psi);
+    const bool is_positive = pulses_.is_positive(kPsi);
+    const bool is_tripped = inputs_.is_tripped(kPsi);
+    if (!config_.has_index || (homed_mask_ >> kPsi & 1U) == 0 || is_positive != is_tripped) return;
+    const std::int64_t seen = pulses_.positions()[kPsi] + (is_positive ? 0 : 1);
+    std::int64_t off = (seen - config_.index_position_pulses) % config_.pulses_per_rev;
+    if (off > config_.pulses_per_rev / 2) off -= config_.pulses_per_rev;
+    if (off < -config_.pulses_per_rev / 2) off += config_.pulses_per_rev;
+    if (off > config_.index_tolerance_pulses || off < -config_.index_tolerance_pulses) {
+        raise_alarm(AlarmCause::steps_lost, static_cast<std::uint8_t>(kPsi), seen - off, seen);
+    }
+}
+
+void Cycle::take_urgent_words() noexcept {
+    const std::uint32_t estops = io_->urgent.estop_requests.load(std::memory_order_acquire);
+    if (estops != estop_seen_) {
+        estop_seen_ = estops;
+        report(record_of(RecordKind::emergency_stop, 0));
+        raise_alarm(AlarmCause::emergency_stop, kNoAxis);
+    }
+    const std::uint32_t stops = io_->urgent.stop_requests.load(std::memory_order_acquire);
+    if (stops != stop_seen_) {
+        stop_seen_ = stops;
+        report(record_of(RecordKind::stop, 0));
+        stop();
+    }
+}
+
+void Cycle::after_step(Executor::Progress progress) noexcept {
+    using E = Executor;
+    if ((progress & E::kGroupStarted) != 0 && state_ == MachineState::carving && carve_first_tick_ == 0) {
+        carve_first_tick_ = tick_;
+    }
+    if ((progress & E::kPoint) != 0 && executor_.points_reached() == points_total_) carve_last_tick_ = tick_;
+    if ((progress & (E::kLatched | E::kDefined)) != 0) note_new_position((progress & E::kLatched) != 0);
+    if ((progress & E::kNotFound) != 0) raise_alarm(AlarmCause::home_failed, executor_.latch_axis());
+    if ((progress & E::kStarved) != 0) raise_alarm(AlarmCause::plan_starved, kNoAxis);
+    if ((progress & E::kAtRest) != 0) came_to_rest();
+    if ((progress & E::kProgramEnd) != 0) program_done();
+}
+
+// Homing defines positions, by a sensor or (home = none) as they are; positioning drops whole turns of psi.
+void Cycle::note_new_position(bool by_sensor) noexcept {
+    const std::uint8_t axis = executor_.latch_axis();
+    if (by_sensor || state_ == MachineState::homing) {
+        homed_mask_ = static_cast<std::uint8_t>(homed_mask_ | 1U << axis);
+        report(record_of(RecordKind::home_latch, 0, axis, executor_.latch_correction()));
+    }
+    has_new_position_ = true;
+}
+
+void Cycle::write_port() noexcept {
+    written_ = pulses_.levels();
+    port_->write_outputs(written_, time_ns_);
+    if (!port_->is_healthy()) raise_alarm(AlarmCause::port_error, kNoAxis);
+}
+
+void Cycle::trace_pins() noexcept {
+    const SignalWord levels = written_ | inputs_.raw();
+    trace::TraceEntry entry{};
+    entry.tick = tick_;
+    entry.levels = levels;
+    entry.kind = trace::TraceEntry::Kind::pins;
+    if (io_->trace->push(entry)) {
+        traced_ = levels;
+    } else {
+        ++trace_lost_;
+    }
+}
+
+void Cycle::publish() noexcept {
+    if (!port_->is_healthy()) raise_alarm(AlarmCause::port_error, kNoAxis);
+    next_publish_tick_ = tick_ + config_.sample_ticks;
+    const auto& now = pulses_.positions();
+    if (now != published_pulses_) {
+        published_pulses_ = now;
+        const IncrementEntry entry{.tick = tick_,
+                                   .r1_pulses = static_cast<std::int32_t>(now[0]),
+                                   .r2_pulses = static_cast<std::int32_t>(now[1]),
+                                   .psi_pulses = now[2],
+                                   .y_pulses = now[3]};
+        if (!io_->increments.push(entry)) ++increments_lost_;
+    }
+    io_->sample.write(sample());
+}
+
+void Cycle::shut_down() noexcept {
+    drop_plan();
+    pulses_.make_safe();
+    write_port();
+}
+
+}  // namespace psicarve::cycle

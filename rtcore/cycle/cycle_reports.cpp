@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "rtcore/cycle/cycle.hpp"
+#include "shared/command.hpp"
+
+namespace psicarve::cycle {
+namespace {
+
+CommandKind command_of(RequestKind kind) noexcept {
+    switch (kind) {
+        case RequestKind::home:
+            return CommandKind::home;
+        case RequestKind::start:
+            return CommandKind::start;
+        case RequestKind::start_interpolation:
+            return CommandKind::start_interpolation;
+        case RequestKind::hold:
+            return CommandKind::hold;
+        case RequestKind::resume:
+            return CommandKind::resume;
+        case RequestKind::reset_alarm:
+            return CommandKind::reset_alarm;
+        case RequestKind::back_off:
+            return CommandKind::back_off;
+        case RequestKind::reset_height:
+            return CommandKind::reset_height;
+        case RequestKind::job_loaded:
+        case RequestKind::fail:
+            break;
+    }
+    return CommandKind::none;
+}
+
+}  // namespace
+
+Sample Cycle::sample() const noexcept {
+    Sample sample{};
+    sample.tick = tick_;
+    sample.state = state_;
+    sample.alarm_cause = alarm_cause_;
+    sample.alarm_axis = alarm_axis_;
+    sample.homed_mask = homed_mask_;
+    sample.signals = pulses_.levels() | inputs_.raw();
+    sample.position_pulses = pulses_.positions();
+    sample.emitted_pulses = pulses_.emitted();
+    sample.layer = executor_.layer();
+    sample.point = executor_.point();
+    sample.points_done = executor_.points_reached();
+    sample.points_total = points_total_;
+    sample.job_generation = job_generation_;
+    sample.job_start_tick = job_start_tick_;
+    sample.carve_first_tick = carve_first_tick_;
+    sample.carve_last_tick = carve_last_tick_;
+    sample.job_end_tick = job_end_tick_;
+    sample.missed_ticks = missed_ticks_;
+    sample.trace_lost = trace_lost_;
+    sample.reports_lost = reports_lost_;
+    sample.increments_lost = increments_lost_;
+    return sample;
+}
+
+FlightRecord Cycle::record_of(RecordKind kind, std::uint16_t code, std::uint8_t axis,
+                              std::int64_t value) const noexcept {
+    FlightRecord record{};
+    record.tick = tick_;
+    record.kind = kind;
+    record.code = code;
+    record.axis = axis;
+    record.signals = pulses_.levels() | inputs_.raw();
+    record.value = value;
+    std::ranges::copy(pulses_.positions(), record.position_pulses);
+    return record;
+}
+
+void Cycle::report(const FlightRecord& record, std::int64_t expected_pulses) noexcept {
+    Report entry{};
+    entry.record = record;
+    entry.expected_pulses = expected_pulses;
+    entry.kind = Report::Kind::event;
+    push_report(entry);
+}
+
+void Cycle::answer(const Request& request, Refusal refusal) noexcept {
+    Report entry{};
+    const bool is_job = request.kind == RequestKind::job_loaded;
+    entry.record = record_of(is_job ? RecordKind::job : RecordKind::command,
+                             static_cast<std::uint16_t>(command_of(request.kind)), kNoAxis,
+                             static_cast<std::int64_t>(request.value));
+    if (request.kind == RequestKind::back_off) entry.record.axis = request.axis;
+    if (request.kind == RequestKind::fail) entry.record.kind = RecordKind::none;
+    entry.record.answer =
+        static_cast<std::uint32_t>(refusal == Refusal::none ? AnswerKind::done : AnswerKind::refused);
+    entry.sequence = request.sequence;
+    entry.kind = Report::Kind::answer;
+    entry.refusal = refusal;
+    push_report(entry);
+}
+
+void Cycle::push_report(const Report& report) noexcept {
+    if (!io_->reports.push(report)) ++reports_lost_;
+}
+
+// After the pins of the same tick: what is counted from here on includes their pulses.
+void Cycle::trace_position() noexcept {
+    has_new_position_ = false;
+    if (io_->trace == nullptr) return;
+    trace::TraceEntry entry{};
+    entry.tick = tick_;
+    entry.levels = written_ | inputs_.raw();
+    entry.kind = trace::TraceEntry::Kind::position;
+    entry.position_pulses = pulses_.positions();
+    if (!io_->trace->push(entry)) ++trace_lost_;
+}
+
+}  // namespace psicarve::cycle

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/cycle/cycle.hpp"
+
+namespace psicarve::cycle {
+
+void Cycle::take_request(const Request& request) noexcept {
+    answer(request, judge(request));
+}
+
+Refusal Cycle::judge(const Request& request) noexcept {
+    switch (request.kind) {
+        case RequestKind::home:
+            return start_home(false);
+        case RequestKind::reset_height:
+            return start_home(true);
+        case RequestKind::start:
+            return start_job();
+        case RequestKind::start_interpolation:
+            return start_interpolation();
+        case RequestKind::hold:
+            return hold();
+        case RequestKind::resume:
+            return resume();
+        case RequestKind::reset_alarm:
+            return reset_alarm();
+        case RequestKind::back_off:
+            return back_off(request.axis);
+        case RequestKind::job_loaded:
+            return load_job(request);
+        case RequestKind::fail:
+            break;
+    }
+    fail_controlled(static_cast<AlarmCause>(request.value));
+    return Refusal::none;
+}
+
+Refusal Cycle::start_home(bool only_height) noexcept {
+    constexpr std::size_t kY = index_of(Axis::y);
+    const MachineEvent event = only_height ? MachineEvent::reset_height : MachineEvent::home;
+    if (!next_state(state_, event).has_value()) return Refusal::not_in_this_state;
+    if (only_height && !config_.axes[kY].has_sensor) return Refusal::no_sensor;
+    const std::uint32_t axes = only_height ? 1U << kY : kAllAxesMask;
+    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~axes);
+    limits_exempt_ = inputs_.accepted() & kLimitMask;
+    apply(event);
+    request_plan(only_height ? PlanKind::reset_height : PlanKind::home);
+    return Refusal::none;
+}
+
+Refusal Cycle::start_job() noexcept {
+    if (state_ == MachineState::off) return Refusal::not_homed;
+    if (!next_state(state_, MachineEvent::start).has_value()) return Refusal::not_in_this_state;
+    if (points_total_ == 0) return Refusal::no_job;
+    if (!is_homed()) return Refusal::not_homed;
+    pulses_.clear_emitted();
+    executor_.clear_points();
+    job_start_tick_ = tick_;
+    carve_first_tick_ = 0;
+    carve_last_tick_ = 0;
+    job_end_tick_ = 0;
+    apply(MachineEvent::start);
+    request_plan(PlanKind::position);
+    return Refusal::none;
+}
+
+Refusal Cycle::start_interpolation() noexcept {
+    return apply(MachineEvent::start_interpolation) ? Refusal::none : Refusal::not_in_this_state;
+}
+
+Refusal Cycle::hold() noexcept {
+    if (!apply(MachineEvent::hold)) return Refusal::not_in_this_state;
+    executor_.slow_down();
+    return Refusal::none;
+}
+
+Refusal Cycle::resume() noexcept {
+    if (!apply(MachineEvent::resume)) return Refusal::not_in_this_state;
+    executor_.go_on();
+    return Refusal::none;
+}
+
+Refusal Cycle::load_job(const Request& request) noexcept {
+    if (state_ != MachineState::off && state_ != MachineState::ready && state_ != MachineState::alarm &&
+        state_ != MachineState::homing) {
+        return Refusal::not_in_this_state;
+    }
+    job_generation_ = request.value;
+    points_total_ = request.points_total;
+    executor_.clear_points();
+    next_publish_tick_ = tick_;
+    return Refusal::none;
+}
+
+Refusal Cycle::reset_alarm() noexcept {
+    if (state_ != MachineState::alarm) return Refusal::not_in_this_state;
+    if (cause_remains() || !port_->is_healthy()) return Refusal::still_tripped;
+    alarm_cause_ = AlarmCause::none;
+    alarm_axis_ = kNoAxis;
+    apply(is_homed() ? MachineEvent::reset_alarm_homed : MachineEvent::reset_alarm_unhomed);
+    return Refusal::none;
+}
+
+Refusal Cycle::back_off(std::uint8_t axis) noexcept {
+    if (state_ != MachineState::alarm) return Refusal::not_in_this_state;
+    if (axis >= kAxisCount || axis == index_of(Axis::psi) || !config_.axes[axis].has_sensor) {
+        return Refusal::no_sensor;
+    }
+    if (!inputs_.is_tripped(axis)) return Refusal::sensor_not_tripped;
+    if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
+    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~(1U << axis));
+    limits_exempt_ = inputs_.accepted() & kLimitMask;
+    apply(MachineEvent::back_off);
+    request_plan(PlanKind::back_off, axis);
+    return Refusal::none;
+}
+
+}  // namespace psicarve::cycle

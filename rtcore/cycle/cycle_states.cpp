@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/cycle/cycle.hpp"
+
+namespace psicarve::cycle {
+
+bool Cycle::apply(MachineEvent event) noexcept {
+    const std::optional<MachineState> next = next_state(state_, event);
+    if (!next.has_value()) return false;
+    if (*next != state_) enter(*next);
+    return true;
+}
+
+void Cycle::enter(MachineState state) noexcept {
+    state_ = state;
+    if (state == MachineState::off || state == MachineState::alarm) pulses_.make_safe();
+    if (state == MachineState::ready) pulses_.set_enables(kAllAxesMask, tick_);
+    report(record_of(RecordKind::state_change, static_cast<std::uint16_t>(state)));
+    next_publish_tick_ = tick_;
+}
+
+void Cycle::program_done() noexcept {
+    using S = MachineState;
+    using E = MachineEvent;
+    switch (state_) {
+        case S::homing:
+            apply(is_homed() ? E::home_done : E::home_done_unhomed);
+            break;
+        case S::moving:
+            apply(E::move_done);
+            break;
+        case S::positioning:
+            apply(E::positioned);
+            // Planned now, so that the first pulse comes at once when interpolation starts.
+            request_plan(PlanKind::carve);
+            break;
+        case S::carving:
+            apply(E::last_point_done);
+            request_plan(PlanKind::finish);
+            break;
+        case S::finishing:
+            job_end_tick_ = tick_;
+            apply(E::finished);
+            break;
+        case S::stopping:
+            end_after_stop();
+            break;
+        case S::backing_off:
+            apply(E::back_off_done);
+            break;
+        case S::off:
+        case S::ready:
+        case S::waiting:
+        case S::holding:
+        case S::held:
+        case S::alarm:
+            break;
+    }
+}
+
+void Cycle::came_to_rest() noexcept {
+    if (pending_fail_ != AlarmCause::none) {
+        raise_alarm(pending_fail_, kNoAxis);
+        return;
+    }
+    apply(MachineEvent::at_rest);
+    if (state_ != MachineState::stopping) return;
+    // An axis that was stopped on its sensor while being homed is no new limit.
+    if (executor_.homing_axis() != kNoAxis) {
+        limits_exempt_ |= inputs_.accepted() & (bit_of(Signal::r1_limit) << executor_.homing_axis());
+    }
+    constexpr std::uint8_t kHeads = 0b11;
+    if ((homed_mask_ & kHeads) == kHeads) {
+        request_plan(PlanKind::finish);
+    } else {
+        end_after_stop();
+    }
+}
+
+void Cycle::end_after_stop() noexcept {
+    drop_plan();
+    pulses_.set_spindle(false);
+    job_end_tick_ = tick_;
+    apply(is_homed() ? MachineEvent::stopped : MachineEvent::stopped_unhomed);
+}
+
+void Cycle::stop() noexcept {
+    const MachineState before = state_;
+    apply(MachineEvent::stop);
+    if (state_ == before) return;
+    if (state_ == MachineState::stopping) {
+        executor_.slow_down();
+    } else {
+        drop_plan();
+    }
+}
+
+void Cycle::fail_controlled(AlarmCause cause) noexcept {
+    const bool can_slow_down = executes() && state_ != MachineState::backing_off;
+    if (!can_slow_down) {
+        raise_alarm(cause, kNoAxis);
+        return;
+    }
+    pending_fail_ = cause;
+    apply(MachineEvent::stop);
+    executor_.slow_down();
+}
+
+void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expected_pulses,
+                        std::int64_t seen_pulses) noexcept {
+    if (state_ == MachineState::alarm) return;
+    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~moving_axes());
+    if (cause == AlarmCause::steps_lost || cause == AlarmCause::home_failed) {
+        homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~(1U << axis));
+    }
+    alarm_cause_ = cause;
+    alarm_axis_ = axis;
+    drop_plan();
+    report(record_of(RecordKind::alarm, static_cast<std::uint16_t>(cause), axis, seen_pulses),
+           expected_pulses);
+    apply(MachineEvent::fail);
+    if (pulses_.levels() != written_) {
+        written_ = pulses_.levels();
+        port_->write_outputs(written_, time_ns_);
+    }
+}
+
+// Those that have stepped so recently that their rotor may still turn, and those on their way.
+std::uint8_t Cycle::moving_axes() const noexcept {
+    std::uint32_t axes = state_ == MachineState::held ? 0 : executor_.axes_in_motion();
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        if (pulses_.stepped_within(k, config_.axes[k].coast_ticks, tick_)) axes |= 1U << k;
+    }
+    return static_cast<std::uint8_t>(axes);
+}
+
+void Cycle::drop_plan() noexcept {
+    ++epoch_;
+    executor_.reset(epoch_);
+    pending_fail_ = AlarmCause::none;
+}
+
+void Cycle::request_plan(PlanKind kind, std::uint8_t axis) noexcept {
+    drop_plan();
+    PlanRequest request{};
+    request.epoch = epoch_;
+    request.kind = kind;
+    request.axis = axis;
+    request.homed_mask = homed_mask_;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        request.tripped_mask = static_cast<std::uint8_t>(request.tripped_mask |
+                                                         static_cast<unsigned>(inputs_.is_tripped(k)) << k);
+    }
+    request.position_pulses = pulses_.positions();
+    request.job_generation = job_generation_;
+    if (!io_->plan_requests.push(request)) raise_alarm(AlarmCause::plan_starved, kNoAxis);
+}
+
+void Cycle::assume_homed(const std::array<std::int64_t, kAxisCount>& position_pulses) noexcept {
+    for (std::size_t k = 0; k < kAxisCount; ++k) pulses_.set_position(k, position_pulses[k]);
+    homed_mask_ = kAllAxesMask;
+    apply(MachineEvent::home);
+    apply(MachineEvent::home_done);
+    has_new_position_ = true;
+}
+
+}  // namespace psicarve::cycle

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/cycle/executor.hpp"
+
+#include <algorithm>
+
+#include "shared/status.hpp"
+
+namespace psicarve::cycle {
+namespace {
+
+// Dropping a whole queue of another epoch in one tick would take too long.
+constexpr int kDropsPerTick = 64;
+// Lines without any pulse end at once; so many of them in one tick, the rest in the next.
+constexpr int kEmptyLinesPerTick = 8;
+
+}  // namespace
+
+void Executor::reset(std::uint32_t epoch) noexcept {
+    epoch_ = epoch;
+    in_motion_ = false;
+    slowing_ = false;
+    next_axes_ = 0;
+    dwell_left_ = 0;
+    homing_axis_ = kNoAxis;
+    pulses_->forget_directions();
+}
+
+void Executor::clear_points() noexcept {
+    layer_ = 0;
+    point_ = 0;
+    points_reached_ = 0;
+}
+
+std::uint32_t Executor::axes_in_motion() const noexcept {
+    if (!in_motion_) return 0;
+    std::uint32_t axes = 0;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        axes |= static_cast<std::uint32_t>(block_.delta_pulses[k] != 0) << k;
+    }
+    return axes;
+}
+
+Executor::Progress Executor::advance(std::uint64_t tick) noexcept {
+    Progress progress = kNothing;
+    bool must_slow = slowing_;
+    if (block_.until != Until::none) {
+        progress = watch_sensor();
+        must_slow = must_slow || sensor_done_ || must_wait_for_sensor();
+    }
+    if (must_slow && profile_.is_slowest()) {
+        profile_.rest();
+        if (sensor_done_) return progress | end_of_line(tick);
+        return slowing_ ? progress | kAtRest : progress;
+    }
+    if (dda_.iterations_left() == 0) return progress | end_of_way(tick);
+    if (!profile_.is_due()) profile_.advance(must_slow);
+    return profile_.is_due() ? progress | emit(tick) : progress;
+}
+
+Executor::Progress Executor::emit(std::uint64_t tick) noexcept {
+    if (next_axes_ == 0) next_axes_ = dda_.iterate();
+    if (!pulses_->may_step(next_axes_, tick)) return kNothing;
+    pulses_->step(next_axes_, tick);
+    next_axes_ = 0;
+    profile_.take();
+    return dda_.iterations_left() == 0 ? end_of_way(tick) : kNothing;
+}
+
+// A move that looks for a sensor has not found it by the end of its way, unless the filter still thinks.
+Executor::Progress Executor::end_of_way(std::uint64_t tick) noexcept {
+    if (block_.until == Until::none || sensor_done_) return end_of_line(tick);
+    if (must_wait_for_sensor()) return kNothing;
+    in_motion_ = false;
+    return kNotFound;
+}
+
+Executor::Progress Executor::end_of_line(std::uint64_t tick) noexcept {
+    Progress progress = reached();
+    for (int i = 0; group_blocks_left_ > 0 && i < kEmptyLinesPerTick; ++i) {
+        const MotionBlock* next = blocks_->front();
+        if (next == nullptr || next->epoch != epoch_ || next->kind != BlockKind::line) {
+            in_motion_ = false;
+            return progress | kStarved;
+        }
+        block_ = *next;
+        blocks_->pop();
+        --group_blocks_left_;
+        dda_.start(block_.delta_pulses);
+        if (dda_.iterations_left() > 0) {
+            pulses_->want_directions(block_.delta_pulses, tick);
+            return progress;
+        }
+        progress |= reached();
+    }
+    in_motion_ = group_blocks_left_ > 0;
+    return progress;
+}
+
+Executor::Progress Executor::reached() noexcept {
+    if (block_.reaches_point == 0) return kNothing;
+    layer_ = block_.layer;
+    point_ = block_.point;
+    ++points_reached_;
+    block_.reaches_point = 0;
+    return kPoint;
+}
+
+bool Executor::drop_foreign_blocks() noexcept {
+    for (int i = 0; i < kDropsPerTick; ++i) {
+        const MotionBlock* front = blocks_->front();
+        if (front == nullptr) return false;
+        if (front->epoch == epoch_) return true;
+        blocks_->pop();
+    }
+    return false;
+}
+
+Executor::Progress Executor::next_block(std::uint64_t tick) noexcept {
+    if (dwell_left_ > 0) {
+        --dwell_left_;
+        return kNothing;
+    }
+    if (!drop_foreign_blocks()) return kNothing;
+    const MotionBlock& front = *blocks_->front();
+    if (front.kind == BlockKind::line &&
+        blocks_->size() < std::min<std::size_t>(front.group_blocks, kGroupStartBlocks)) {
+        return kNothing;
+    }
+    block_ = front;
+    blocks_->pop();
+    return begin(tick);
+}
+
+Executor::Progress Executor::begin(std::uint64_t tick) noexcept {
+    switch (block_.kind) {
+        case BlockKind::line:
+        case BlockKind::move:
+            return begin_motion(tick);
+        case BlockKind::define:
+            return define(block_.position_pulses - pulses_->positions()[block_.axis], kDefined);
+        case BlockKind::outputs:
+            pulses_->set_enables(block_.enable_mask, tick);
+            if (block_.spindle != Spindle::keep) pulses_->set_spindle(block_.spindle == Spindle::on);
+            return kNothing;
+        case BlockKind::dwell:
+            dwell_left_ = block_.ticks;
+            return kNothing;
+        case BlockKind::program_end:
+            break;
+    }
+    homing_axis_ = kNoAxis;
+    return kProgramEnd;
+}
+
+Executor::Progress Executor::begin_motion(std::uint64_t tick) noexcept {
+    group_blocks_left_ = block_.group_blocks > 0 ? block_.group_blocks - 1 : 0;
+    homing_axis_ = block_.is_homing != 0 ? block_.axis : kNoAxis;
+    sensor_done_ = false;
+    index_before_ = inputs_->is_tripped(block_.axis);
+    next_axes_ = 0;
+    dda_.start(block_.delta_pulses);
+    profile_.start(block_.start_speed_per_s * period_s_, block_.max_speed_per_s * period_s_,
+                   block_.accel_per_s2 * period_s_ * period_s_, block_.group_iterations);
+    in_motion_ = true;
+    if (dda_.iterations_left() == 0) return kGroupStarted | end_of_line(tick);
+    pulses_->want_directions(block_.delta_pulses, tick);
+    return kGroupStarted;
+}
+
+Executor::Progress Executor::define(std::int64_t correction, Progress what) noexcept {
+    latch_correction_ = correction;
+    pulses_->set_position(block_.axis, pulses_->positions()[block_.axis] + correction);
+    return what;
+}
+
+bool Executor::must_wait_for_sensor() const noexcept {
+    return block_.until == Until::sensor_tripped && inputs_->is_raw_tripped(block_.axis);
+}
+
+Executor::Progress Executor::watch_sensor() noexcept {
+    const bool is_tripped = inputs_->is_tripped(block_.axis);
+    const bool was_tripped = index_before_;
+    index_before_ = is_tripped;
+    if (sensor_done_) return kNothing;
+    switch (block_.until) {
+        case Until::none:
+            return kNothing;
+        case Until::sensor_tripped:
+            sensor_done_ = is_tripped;
+            break;
+        case Until::sensor_clear:
+            sensor_done_ = !is_tripped && !inputs_->is_raw_tripped(block_.axis);
+            break;
+        case Until::index_edge:
+            sensor_done_ = is_tripped && !was_tripped;
+            break;
+    }
+    if (!sensor_done_ || block_.latch == Latch::none) return kNothing;
+    return define(block_.position_pulses - inputs_->edge_position(block_.axis), kLatched);
+}
+
+}  // namespace psicarve::cycle

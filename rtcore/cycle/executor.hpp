@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "rtcore/cycle/cycle_config.hpp"
+#include "rtcore/cycle/dual_head_dda.hpp"
+#include "rtcore/cycle/inputs.hpp"
+#include "rtcore/cycle/linear_profile.hpp"
+#include "rtcore/cycle/motion_block.hpp"
+#include "rtcore/cycle/pulse_stage.hpp"
+
+namespace psicarve::cycle {
+
+/// Walks the motion blocks: at most one DDA iteration a tick, emitted whole once every axis in it may step.
+///
+///     profile -> an iteration is due -> DDA says which axes -> pulse stage says when -> pins
+///
+/// While the pins keep an iteration waiting the profile's time stands still, so that a delay is never made up
+/// for by a burst. Knows nothing of machine states. RT: yes.
+class Executor {
+public:
+    /// What happened in a tick, as bits.
+    using Progress = std::uint32_t;
+    static constexpr Progress kNothing = 0;
+    static constexpr Progress kGroupStarted = 1;  ///< a motion begins: its time runs from this tick on
+    static constexpr Progress kPoint = 2;         ///< a point was reached: layer(), point()
+    static constexpr Progress kLatched = 4;       ///< an axis' position was defined anew: latch_axis()
+    static constexpr Progress kDefined = 8;       ///< the same, without a sensor
+    static constexpr Progress kAtRest = 16;       ///< slowed down as asked; motion stands on an iteration
+    static constexpr Progress kProgramEnd = 32;
+    static constexpr Progress kNotFound = 64;  ///< the sensor of latch_axis() did not do what it should
+    static constexpr Progress kStarved = 128;  ///< a group's next line is not there
+
+    Executor(const CycleConfig& config, BlockRing& blocks, PulseStage& pulses, const Inputs& inputs) noexcept
+        : blocks_(&blocks),
+          pulses_(&pulses),
+          inputs_(&inputs),
+          period_s_(static_cast<double>(config.period_ns) * 1e-9) {}
+
+    Progress step(std::uint64_t tick) noexcept {
+        if (in_motion_) return advance(tick);
+        if (slowing_) return kAtRest;
+        return next_block(tick);
+    }
+
+    /// From the next step on: slow down and come to rest on the path / go on.
+    void slow_down() noexcept { slowing_ = true; }
+    void go_on() noexcept { slowing_ = false; }
+    /// Forgets the motion at hand; blocks of other epochs are dropped from now on.
+    void reset(std::uint32_t epoch) noexcept;
+
+    /// Axes (bit by axis) with a way to go in the block at hand.
+    std::uint32_t axes_in_motion() const noexcept;
+    /// The axis whose sensor may trip without an alarm, or kNoAxis: from its first homing block until another
+    /// axis' block or the program's end, so that no tick between two blocks sees it as a limit.
+    std::uint8_t homing_axis() const noexcept { return homing_axis_; }
+
+    std::uint32_t layer() const noexcept { return layer_; }
+    std::uint32_t point() const noexcept { return point_; }
+    std::uint64_t points_reached() const noexcept { return points_reached_; }
+    void clear_points() noexcept;
+    std::uint8_t latch_axis() const noexcept { return block_.axis; }
+    /// How far the last latch or definition moved the count [pulses].
+    std::int64_t latch_correction() const noexcept { return latch_correction_; }
+
+private:
+    Progress advance(std::uint64_t tick) noexcept;
+    Progress emit(std::uint64_t tick) noexcept;
+    Progress end_of_way(std::uint64_t tick) noexcept;
+    Progress end_of_line(std::uint64_t tick) noexcept;
+    Progress next_block(std::uint64_t tick) noexcept;
+    Progress begin(std::uint64_t tick) noexcept;
+    Progress begin_motion(std::uint64_t tick) noexcept;
+    Progress reached() noexcept;
+    Progress define(std::int64_t correction, Progress what) noexcept;
+    bool drop_foreign_blocks() noexcept;
+    Progress watch_sensor() noexcept;
+    bool must_wait_for_sensor() const noexcept;
+
+    BlockRing* blocks_;
+    PulseStage* pulses_;
+    const Inputs* inputs_;
+    double period_s_;
+
+    MotionBlock block_{};
+    DualHeadDda dda_;
+    LinearProfile profile_;
+    std::uint32_t epoch_ = 0;
+    std::uint32_t group_blocks_left_ = 0;
+    std::uint32_t next_axes_ = 0;  ///< of the iteration that is due; 0: not made yet
+    bool in_motion_ = false;
+    bool slowing_ = false;
+    bool sensor_done_ = false;  ///< the condition of `until` came true
+    bool index_before_ = false;
+    std::uint8_t homing_axis_ = 255;
+    std::int64_t dwell_left_ = 0;
+    std::int64_t latch_correction_ = 0;
+    std::uint32_t layer_ = 0;
+    std::uint32_t point_ = 0;
+    std::uint64_t points_reached_ = 0;
+};
+
+}  // namespace psicarve::cycle

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "rtcore/cycle/cycle_config.hpp"
+#include "shared/signal.hpp"
+
+namespace psicarve::cycle {
+
+/// The pins' levels and the positions they stand for. Step pulses over whole ticks:
+///
+///     dir   ____/~~~~~~~~~~~~~~~~~~~~\____
+///     step  _________/~~~~\_________/~~~~\     the rising edge is the pulse
+///               |-1--|-2--|----3----|
+///                    |---4---| then dir may change
+///     1 dir_setup_ticks   2 step_high_ticks   3 step_low_ticks   4 dir_hold_ticks, each at least 1
+///
+/// RT: yes.
+class PulseStage {
+public:
+    explicit PulseStage(const CycleConfig& config) noexcept
+        : high_ticks_(ticks(config.step_high_ticks)),
+          low_ticks_(ticks(config.step_low_ticks)),
+          setup_ticks_(ticks(config.dir_setup_ticks)),
+          hold_ticks_(ticks(config.dir_hold_ticks)) {}
+
+    /// First thing of a tick: pulses end, directions that waited for their hold time turn.
+    void begin_tick(std::uint64_t tick) noexcept {
+        if ((levels_ & kStepMask) != 0) end_pulses(tick);
+        if (dir_waiting_ != 0) turn_directions(tick);
+    }
+
+    /// The next pulses of these axes go the way of their delta's sign (0: as it is); the pins follow as soon
+    /// as hold allows.
+    void want_directions(const std::array<std::int64_t, kAxisCount>& delta_pulses,
+                         std::uint64_t tick) noexcept;
+
+    /// No pulse waits for a turn of direction any more.
+    void forget_directions() noexcept { dir_waiting_ = 0; }
+
+    /// Whether all these axes (bit by axis) may step at this tick.
+    bool may_step(std::uint32_t axes, std::uint64_t tick) const noexcept {
+        if ((dir_waiting_ & axes) != 0) return false;
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            if ((axes >> k & 1U) != 0 && tick < step_from_[k]) return false;
+        }
+        return true;
+    }
+
+    /// One pulse of each of these axes begins. Requires may_step().
+    void step(std::uint32_t axes, std::uint64_t tick) noexcept {
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            if ((axes >> k & 1U) == 0) continue;
+            position_[k] += (levels_ >> (kDirShift + k) & 1U) != 0 ? 1 : -1;
+            ++emitted_[k];
+            last_step_[k] = tick;
+            step_from_[k] = tick + high_ticks_ + low_ticks_;
+        }
+        levels_ |= axes;
+    }
+
+    /// Steps low, drives and spindle off, at once.
+    void make_safe() noexcept {
+        levels_ &= kDirMask;
+        dir_waiting_ = 0;
+    }
+    void set_enables(std::uint32_t axes, std::uint64_t tick) noexcept;
+    void set_spindle(bool on) noexcept {
+        levels_ = on ? levels_ | bit_of(Signal::spindle) : levels_ & ~bit_of(Signal::spindle);
+    }
+
+    SignalWord levels() const noexcept { return levels_; }
+    const std::array<std::int64_t, kAxisCount>& positions() const noexcept { return position_; }
+    const std::array<std::uint64_t, kAxisCount>& emitted() const noexcept { return emitted_; }
+    void clear_emitted() noexcept { emitted_.fill(0); }
+    void set_position(std::size_t axis, std::int64_t position_pulses) noexcept {
+        position_[axis] = position_pulses;
+    }
+    /// Has it stepped within the last `ticks` ticks?
+    bool stepped_within(std::size_t axis, std::int64_t within_ticks, std::uint64_t tick) const noexcept {
+        return emitted_ever(axis) && tick - last_step_[axis] <= ticks(within_ticks);
+    }
+    /// The direction pin's level: is it positive?
+    bool is_positive(std::size_t axis) const noexcept { return (levels_ >> (kDirShift + axis) & 1U) != 0; }
+
+private:
+    static constexpr std::size_t kDirShift = index_of(Signal::r1_dir);
+    static constexpr std::size_t kEnableShift = index_of(Signal::r1_enable);
+    static constexpr std::uint64_t kNever = ~std::uint64_t{0};
+    static std::uint64_t ticks(std::int64_t count) noexcept { return static_cast<std::uint64_t>(count); }
+    bool emitted_ever(std::size_t axis) const noexcept { return last_step_[axis] != kNever; }
+
+    void end_pulses(std::uint64_t tick) noexcept {
+        if (high_ticks_ == 1) {
+            levels_ &= ~kStepMask;
+            return;
+        }
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            if ((levels_ >> k & 1U) != 0 && tick >= last_step_[k] + high_ticks_) {
+                levels_ &= ~(SignalWord{1} << k);
+            }
+        }
+    }
+    void turn_directions(std::uint64_t tick) noexcept;
+
+    std::uint64_t high_ticks_;
+    std::uint64_t low_ticks_;
+    std::uint64_t setup_ticks_;
+    std::uint64_t hold_ticks_;
+    SignalWord levels_ = 0;
+    std::uint32_t dir_waiting_ = 0;  ///< axes whose direction pin must turn before they step
+    std::array<std::uint64_t, kAxisCount> step_from_{};
+    std::array<std::uint64_t, kAxisCount> last_step_{kNever, kNever, kNever, kNever};
+    std::array<std::int64_t, kAxisCount> position_{};
+    std::array<std::uint64_t, kAxisCount> emitted_{};
+};
+
+}  // namespace psicarve::cycle

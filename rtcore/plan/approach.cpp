@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/approach.hpp"
+
+#include <algorithm>
+
+namespace psicarve::plan {
+namespace {
+
+using cycle::Spindle;
+
+constexpr std::size_t kPsi = index_of(Axis::psi);
+constexpr std::size_t kY = index_of(Axis::y);
+constexpr std::size_t kHeads = 2;
+
+SpeedCaps heads_at(const MachineLimits& limits, double speed_mm_s) {
+    SpeedCaps caps{};
+    for (std::size_t head = 0; head < kHeads; ++head) {
+        caps[head] = speed_mm_s * limits.axes[head].pulses_per_unit;
+    }
+    return caps;
+}
+
+/// Whole turns that the count is off, so that the way left is at most half a turn.
+std::int64_t turns_to_drop(std::int64_t from_pulses, std::int64_t to_pulses, std::int64_t pulses_per_rev) {
+    const std::int64_t ahead = from_pulses - to_pulses + pulses_per_rev / 2;
+    const std::int64_t turns = ahead / pulses_per_rev;
+    return ahead % pulses_per_rev < 0 ? turns - 1 : turns;
+}
+
+/// The heads' part of a way, of those that move outwards (or inwards) only.
+Pulses4 heads_way(const Pulses4& from, const Pulses4& to, bool outwards) {
+    Pulses4 way{};
+    for (std::size_t head = 0; head < kHeads; ++head) {
+        const std::int64_t delta = to[head] - from[head];
+        if ((delta > 0) == outwards) way[head] = delta;
+    }
+    return way;
+}
+
+Pulses4 first_point(const JobView& job) {
+    const std::uint32_t point = carved_point(job.joining(), job.point_count(), 0, 0);
+    return {job.r_left_pulses(0)[point], job.r_right_pulses(0)[point], job.psi_pulses(0, point),
+            job.layer_heights_pulses()[0]};
+}
+
+}  // namespace
+
+std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, const JobView& job,
+                                                const Pulses4& from_pulses) {
+    const Pulses4 first = first_point(job);
+    Pulses4 from = from_pulses;
+    Pulses4 outside = from;
+    for (const Axis head : {Axis::r1, Axis::r2}) {
+        const std::size_t k = index_of(head);
+        outside[k] = std::min(job.max_radius_pulses(head) + limits.clearance_pulses[k],
+                              limits.axes[k].travel_max_pulses);
+    }
+    BlockList list(limits);
+    list.outputs(kAllDrives, Spindle::off);
+    list.move(heads_way(from, outside, true));
+    const std::int64_t turns = turns_to_drop(from[kPsi], first[kPsi], limits.pulses_per_rev);
+    if (turns != 0) {
+        from[kPsi] -= turns * limits.pulses_per_rev;
+        list.define(Axis::psi, from[kPsi]);
+    }
+    list.move({0, 0, first[kPsi] - from[kPsi], 0});
+    list.move({0, 0, 0, first[kY] - from[kY]});
+    list.move(heads_way(from, outside, false));
+    list.outputs(kAllDrives, Spindle::on);
+    list.dwell(limits.spinup_ticks);
+    Pulses4 plunge{};
+    for (std::size_t k = 0; k < kHeads; ++k) plunge[k] = first[k] - outside[k];
+    list.move(plunge, heads_at(limits, limits.plunge_mm_s));
+    list.reach(0, carved_point(job.joining(), job.point_count(), 0, 0));
+    list.end();
+    return std::move(list.blocks());
+}
+
+std::vector<cycle::MotionBlock> finish_blocks(const MachineLimits& limits, const Pulses4& from_pulses) {
+    Pulses4 way{};
+    for (std::size_t k = 0; k < kHeads; ++k) {
+        const std::int64_t out =
+            std::min(from_pulses[k] + limits.retract_pulses[k], limits.axes[k].travel_max_pulses);
+        way[k] = std::max<std::int64_t>(0, out - from_pulses[k]);
+    }
+    BlockList list(limits);
+    list.move(way);
+    list.outputs(kAllDrives, Spindle::off);
+    list.end();
+    return std::move(list.blocks());
+}
+
+void add_link(BlockList& list, const MachineLimits& limits, const Pulses4& from_pulses,
+              const Pulses4& to_pulses, std::uint32_t layer, std::uint32_t point) {
+    SpeedCaps caps = heads_at(limits, limits.feed_mm_s);
+    caps[kY] = limits.feed_mm_s * limits.axes[kY].pulses_per_unit;
+    list.move(heads_way(from_pulses, to_pulses, true), caps);
+    list.move({0, 0, to_pulses[kPsi] - from_pulses[kPsi], to_pulses[kY] - from_pulses[kY]}, caps);
+    list.move(heads_way(from_pulses, to_pulses, false), caps);
+    list.reach(layer, point);
+}
+
+}  // namespace psicarve::plan

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rtcore/cycle/motion_block.hpp"
+#include "rtcore/plan/block_list.hpp"
+#include "rtcore/plan/machine_limits.hpp"
+#include "shared/job.hpp"
+
+namespace psicarve::plan {
+
+/// From anywhere to the job's first point: heads out to the table's largest radius and the clearance, psi the
+/// short way, Y, spindle up to speed, heads in at plunge speed. Whole turns of psi are dropped from the
+/// count, so that the first point's angle in the table is the count; the index compares modulo a turn.
+std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, const JobView& job,
+                                                const Pulses4& from_pulses);
+
+/// Heads out by the retraction, as far as travel goes; spindle off.
+std::vector<cycle::MotionBlock> finish_blocks(const MachineLimits& limits, const Pulses4& from_pulses);
+
+/// Between two layers, never deeper than both neighbours ask: axes that move outwards, then Y and psi, then
+/// those that move inwards. Ends in the point (layer, point).
+void add_link(BlockList& list, const MachineLimits& limits, const Pulses4& from_pulses,
+              const Pulses4& to_pulses, std::uint32_t layer, std::uint32_t point);
+
+}  // namespace psicarve::plan

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/cycle_config_from_profile.hpp"
+
+#include <algorithm>
+
+#include "shared/units.hpp"
+
+namespace psicarve::plan {
+namespace {
+
+// Pins change once a tick, so that every part of a pulse lasts at least one.
+std::int64_t ticks_for(std::int64_t time_ns, std::int64_t period_ns) {
+    return std::max<std::int64_t>(1, ticks_covering_ns(time_ns, period_ns));
+}
+
+cycle::SensorEnd sensor_end(HomeSensor home) {
+    switch (home) {
+        case HomeSensor::none:
+            break;
+        case HomeSensor::min:
+            return cycle::SensorEnd::low;
+        case HomeSensor::max:
+            return cycle::SensorEnd::high;
+        case HomeSensor::index:
+            return cycle::SensorEnd::index;
+    }
+    return cycle::SensorEnd::none;
+}
+
+constexpr std::int64_t kSamplePeriodNs = kNsPerMs;
+
+}  // namespace
+
+cycle::CycleConfig cycle_config_from_profile(const Profile& profile) {
+    cycle::CycleConfig config;
+    const std::int64_t period_ns = tick_period_ns(profile);
+    config.period_ns = period_ns;
+    for (const Axis axis : kAllAxes) {
+        const AxisMotion motion = axis_motion(profile, axis);
+        cycle::AxisConfig& to = config.axes[index_of(axis)];
+        to.sensor_end = sensor_end(motion.home);
+        to.has_sensor = to.sensor_end != cycle::SensorEnd::none;
+        to.coast_ticks =
+            static_cast<std::int64_t>(1.0 / (motion.start_stop_pps * seconds_from_ns(period_ns)));
+        to.travel_min_pulses = motion.travel_min_pulses;
+        to.travel_max_pulses = motion.travel_max_pulses;
+    }
+    config.step_high_ticks = ticks_for(profile.port.step_high_ns, period_ns);
+    config.step_low_ticks = ticks_for(profile.port.step_low_ns, period_ns);
+    config.dir_setup_ticks = ticks_for(profile.port.dir_setup_ns, period_ns);
+    config.dir_hold_ticks = ticks_for(profile.port.dir_hold_ns, period_ns);
+    const std::int64_t filter_ns =
+        round_to_pulse(profile.port.input_filter_us * static_cast<double>(kNsPerUs));
+    config.filter_ticks = ticks_covering_ns(filter_ns, period_ns);
+    for (std::size_t signal = kOutputSignalCount; signal < kSignalCount; ++signal) {
+        if (profile.port.pins[signal] != 0) config.input_mask |= SignalWord{1} << signal;
+    }
+    config.has_index = profile.psi.home == HomeSensor::index;
+    config.pulses_per_rev = profile.psi.pulses_per_rev;
+    config.index_position_pulses = config.axes[index_of(Axis::psi)].has_sensor
+                                       ? axis_motion(profile, Axis::psi).home_position_pulses
+                                       : 0;
+    config.index_tolerance_pulses = profile.psi.index_tolerance_pulses;
+    config.sample_ticks = static_cast<std::uint64_t>(std::max<std::int64_t>(1, kSamplePeriodNs / period_ns));
+    return config;
+}
+
+}  // namespace psicarve::plan

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "rtcore/cycle/cycle_config.hpp"
+#include "shared/profile.hpp"
+#include "shared/signal.hpp"
+
+namespace psicarve::plan {
+
+using Pulses4 = std::array<std::int64_t, kAxisCount>;
+
+/// Speed of the long axis over one acceleration group: DDA iterations per second.
+struct GroupLimits {
+    double start_per_s;
+    double max_per_s;
+    double accel_per_s2;
+};
+
+/// A profile as the planners need it: pulses and seconds, and what the ticks allow.
+struct MachineLimits {
+    std::array<AxisMotion, kAxisCount> axes;
+    cycle::CycleConfig tick;
+    double max_iterations_per_s = 0.0;  ///< one axis' step high and low over whole ticks
+    double feed_mm_s = 0.0;
+    double plunge_mm_s = 0.0;
+    std::int64_t pulses_per_rev = 6400;
+    double sin_corner = 0.0;  ///< of corner_deg
+    double cos_corner = 1.0;
+    std::array<double, 2> tip_offset_mm{};           ///< by head: the tip stands this much further out
+    std::array<std::int64_t, 2> clearance_pulses{};  ///< by head
+    std::array<std::int64_t, 2> retract_pulses{};
+    std::int64_t spinup_ticks = 0;
+};
+MachineLimits machine_limits(const Profile& profile);
+
+/// What every axis' own limits make of a straight line: the least of limit_k * S / |delta_k|, and what the
+/// ticks allow. `speed_cap_pps` lowers an axis' top speed (0: as it is).
+GroupLimits line_limits(const MachineLimits& limits, const Pulses4& delta_pulses,
+                        const std::array<double, kAxisCount>& speed_cap_pps = {});
+
+/// Seconds that so many iterations take from start speed to start speed.
+double group_seconds(const GroupLimits& limits, std::uint64_t iterations);
+
+}  // namespace psicarve::plan

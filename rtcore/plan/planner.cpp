@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/planner.hpp"
+
+#include <utility>
+
+#include "rtcore/plan/approach.hpp"
+#include "rtcore/plan/carve_program.hpp"
+#include "rtcore/plan/homing.hpp"
+
+namespace psicarve::plan {
+
+using cycle::MotionBlock;
+using cycle::PlanKind;
+using cycle::PlanRequest;
+
+Planner::Planner(const Profile& profile, cycle::CycleIo& io) : limits_(machine_limits(profile)), io_(&io) {}
+
+void Planner::set_job(std::shared_ptr<const JobView> job) {
+    const std::lock_guard<std::mutex> lock(job_mutex_);
+    next_job_ = std::move(job);
+}
+
+bool Planner::wants_poll() const noexcept {
+    if (io_->plan_requests.size() > 0) return true;
+    return program_ != nullptr && io_->blocks.size() <= cycle::kGroupStartBlocks;
+}
+
+void Planner::poll() {
+    take_requests();
+    while (program_ != nullptr) {
+        if (!has_pending_) {
+            has_pending_ = program_->next(pending_);
+            const PlannedSoFar planned = program_->planned();
+            points_planned_.store(planned.points, std::memory_order_relaxed);
+            seconds_planned_.store(planned.seconds, std::memory_order_relaxed);
+        }
+        if (!has_pending_) {
+            program_.reset();
+            return;
+        }
+        pending_.epoch = epoch_;
+        if (!io_->blocks.push(pending_)) return;
+        has_pending_ = false;
+    }
+}
+
+void Planner::take_requests() {
+    PlanRequest request{};
+    bool has_request = false;
+    // Every one but the newest has been overtaken: its epoch is gone. But a job is fixed by its approach.
+    while (io_->plan_requests.pop_into(request)) {
+        has_request = true;
+        if (request.kind != PlanKind::position) continue;
+        const std::lock_guard<std::mutex> lock(job_mutex_);
+        job_ = next_job_;
+    }
+    if (!has_request) return;
+    epoch_ = request.epoch;
+    has_pending_ = false;
+    program_ = program_for(request);
+}
+
+std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
+    const auto list = [](std::vector<MotionBlock> blocks) {
+        return std::make_unique<ListProgram>(std::move(blocks));
+    };
+    points_total_.store(0, std::memory_order_relaxed);
+    switch (request.kind) {
+        case PlanKind::home:
+            return list(homing_blocks(limits_));
+        case PlanKind::reset_height:
+            return list(reset_height_blocks(limits_));
+        case PlanKind::finish:
+            return list(finish_blocks(limits_, request.position_pulses));
+        case PlanKind::back_off:
+            return list(back_off_blocks(limits_, static_cast<Axis>(request.axis)));
+        case PlanKind::position:
+            return job_ == nullptr ? nullptr : list(approach_blocks(limits_, *job_, request.position_pulses));
+        case PlanKind::carve:
+            break;
+    }
+    if (job_ == nullptr) return nullptr;
+    points_total_.store(std::uint64_t{job_->layer_count()} * job_->point_count(), std::memory_order_relaxed);
+    return std::make_unique<CarveProgram>(limits_, job_);
+}
+
+double Planner::seconds_left(std::uint64_t points_done) const noexcept {
+    const std::uint64_t total = points_total_.load(std::memory_order_relaxed);
+    const std::uint64_t planned = points_planned_.load(std::memory_order_relaxed);
+    if (total == 0 || planned == 0) return -1.0;
+    if (points_done >= total) return 0.0;
+    // What is not planned yet takes as long a point as what is.
+    return seconds_planned_.load(std::memory_order_relaxed) / static_cast<double>(planned) *
+           static_cast<double>(total - points_done);
+}
+
+}  // namespace psicarve::plan

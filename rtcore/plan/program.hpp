@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "rtcore/cycle/motion_block.hpp"
+
+namespace psicarve::plan {
+
+/// How much of a table has been planned: for estimates of the time left.
+struct PlannedSoFar {
+    std::uint64_t points = 0;
+    double seconds = 0.0;
+};
+
+/// Motion blocks in order, made as they are asked for. The last one is program_end.
+class Program {
+public:
+    virtual ~Program() = default;
+    /// The next block but for its epoch; false when there is none.
+    virtual bool next(cycle::MotionBlock& block) = 0;
+    virtual PlannedSoFar planned() const { return {}; }
+};
+
+/// A short program, made at once.
+class ListProgram final : public Program {
+public:
+    explicit ListProgram(std::vector<cycle::MotionBlock> blocks) : blocks_(std::move(blocks)) {}
+    bool next(cycle::MotionBlock& block) override {
+        if (next_ == blocks_.size()) return false;
+        block = blocks_[next_++];
+        return true;
+    }
+
+private:
+    std::vector<cycle::MotionBlock> blocks_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace psicarve::plan

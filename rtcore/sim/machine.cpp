@@ -18,6 +18,10 @@ Machine::Machine(const SimConfig& config)
         }
         input_faults_.push_back(running);
     }
+    outputs_ = wiring_.always_on();
+    for (const Axis axis : kAllAxes) {
+        if ((outputs_ & bit_of(enable_of(axis))) != 0) axes_[index_of(axis)].set_enabled(true);
+    }
     has_triggers_ = !slip_faults_.empty() || !input_faults_.empty();
     run_events(0);
 }

@@ -39,20 +39,29 @@ void Motor::follow(int sign, std::int64_t time_ns) noexcept {
         return;
     }
     const double pulse = sign;
-    if (speed_known_) {
-        field_pps_ += (pulse - field_pps_ * dt_s) / (spring_s_ / 2.0 + dt_s);
-    } else {
+    // Pulses no faster than start-stop are followed one by one; others are seen through the rotor's inertia.
+    const double slow_pps = config_.start_stop_pps;
+    const bool is_slow = 1.0 <= slow_pps * dt_s && std::abs(field_pps_) <= slow_pps;
+    if (!speed_known_ || is_slow) {
         field_pps_ = pulse / dt_s;
         speed_known_ = true;
+    } else {
+        field_pps_ += (pulse - field_pps_ * dt_s) / (spring_s_ / 2.0 + dt_s);
     }
     if (out_of_step_) return;
 
     // The field jumps a pulse at this edge: half-way is where an even motion would be now.
     const double aim_pulses = static_cast<double>(field_pulses_) + 0.5 * pulse;
-    const double spring_s = std::max(spring_s_, 2.0 * dt_s);
-    const double lag_pulses = aim_pulses - (rotor_pulses_ + rotor_pps_ * dt_s);
-    const double wanted_pps2 =
-        lag_pulses / (spring_s * spring_s) + 2.0 * (field_pps_ - rotor_pps_) / spring_s;
+    double wanted_pps;
+    if (is_slow) {
+        wanted_pps = (aim_pulses - rotor_pulses_) / dt_s;
+    } else {
+        const double spring_s = std::max(spring_s_, 2.0 * dt_s);
+        const double lag_pulses = aim_pulses - (rotor_pulses_ + rotor_pps_ * dt_s);
+        const double wanted_pps2 =
+            lag_pulses / (spring_s * spring_s) + 2.0 * (field_pps_ - rotor_pps_) / spring_s;
+        wanted_pps = rotor_pps_ + wanted_pps2 * dt_s;
+    }
 
     const double gain_pps = config_.accel_pps2 * dt_s;
     double lowest_pps = rotor_pps_ - gain_pps;
@@ -63,7 +72,7 @@ void Motor::follow(int sign, std::int64_t time_ns) noexcept {
     lowest_pps = std::max(lowest_pps, -config_.speed_pps);
     highest_pps = std::min(highest_pps, config_.speed_pps);
 
-    const double next_pps = std::clamp(rotor_pps_ + wanted_pps2 * dt_s, lowest_pps, highest_pps);
+    const double next_pps = std::clamp(wanted_pps, lowest_pps, highest_pps);
     const bool is_jump = std::abs(next_pps - rotor_pps_) > gain_pps;
     rotor_pulses_ += (is_jump ? next_pps : 0.5 * (rotor_pps_ + next_pps)) * dt_s;
     rotor_pps_ = next_pps;

@@ -70,6 +70,8 @@ Wiring::Wiring(const WiringConfig& config) noexcept {
             if (place.reg != Register::status) continue;
             inputs_[i] = {.mask = static_cast<std::uint8_t>(1U << place.bit),
                           .register_is_inverted = place.is_inverted != active_low};
+        } else if (config.pins[i] == 0) {
+            always_on_ |= bit_of(signal) & kEnableMask;
         } else if (place.reg == Register::data) {
             wire_output(from_data_, place, signal, active_low);
         } else if (place.reg == Register::control) {

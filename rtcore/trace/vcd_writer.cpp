@@ -30,10 +30,13 @@ void write_number(FdWriter& out, std::int64_t number) noexcept {
 }  // namespace
 
 VcdWriter::VcdWriter(FdWriter out, const TraceStart& start) noexcept
-    : out_(std::move(out)), period_ns_(start.period_ns), levels_(start.levels) {
+    : out_(std::move(out)),
+      period_ns_(start.period_ns),
+      levels_(start.levels),
+      counted_(start.position_pulses) {
     write_definitions();
     write_positions(start.position_pulses);
-    out_.write("#0\n$dumpvars\n");
+    out_.write("$enddefinitions $end\n#0\n$dumpvars\n");
     write_levels(kAllSignals, levels_);
     out_.write("$end\n");
 }
@@ -48,7 +51,9 @@ void VcdWriter::write_definitions() noexcept {
         out_.write(name_of(static_cast<Signal>(i)));
         out_.write(" $end\n");
     }
-    out_.write("$upscope $end\n$enddefinitions $end\n");
+    out_.write("$upscope $end\n$comment period_ns ");
+    write_number(out_, period_ns_);
+    out_.write(" $end\n");
 }
 
 void VcdWriter::write_positions(const Positions& pulses) noexcept {
@@ -60,6 +65,16 @@ void VcdWriter::write_positions(const Positions& pulses) noexcept {
         write_number(out_, pulses[index_of(axis)]);
     }
     out_.write(" $end\n");
+}
+
+/// What a reader of the pins alone counts: a step edge of an enabled drive.
+void VcdWriter::count_pulses(SignalWord levels) noexcept {
+    SignalWord edges = levels & ~levels_ & kStepMask;
+    for (; edges != 0; edges &= edges - 1) {
+        const auto axis = static_cast<Axis>(std::countr_zero(edges));
+        if ((levels & bit_of(enable_of(axis))) == 0) continue;
+        counted_[index_of(axis)] += (levels & bit_of(dir_of(axis))) != 0 ? 1 : -1;
+    }
 }
 
 void VcdWriter::write_time(std::int64_t time_ns) noexcept {
@@ -84,12 +99,15 @@ void VcdWriter::write_levels(SignalWord which, SignalWord levels) noexcept {
 void VcdWriter::add(const TraceEntry& entry) noexcept {
     const std::int64_t tick_ns = static_cast<std::int64_t>(entry.tick) * period_ns_;
     if (entry.kind == TraceEntry::Kind::position) {
+        if (entry.position_pulses == counted_) return;
+        counted_ = entry.position_pulses;
         write_time(tick_ns);
         write_positions(entry.position_pulses);
         return;
     }
     const SignalWord changed = (entry.levels ^ levels_) & kAllSignals;
     if (changed == 0) return;
+    count_pulses(entry.levels);
     levels_ = entry.levels;
     write_time(tick_ns + entry.offset_ns);
     write_levels(changed, levels_);

@@ -11,7 +11,11 @@
 namespace psicarve::trace {
 
 /// A value-change dump (IEEE 1364-2005, 18.2) of logical levels, one scalar wire a signal, timescale 1 ns,
-/// without a date. Positions stand in $comment lines. GTKWave and PulseView/sigrok read it.
+/// without a date. GTKWave and PulseView/sigrok read it.
+///
+/// Positions stand in $comment sections: the first among the definitions, and one more where homing found
+/// positions that differ from what the pulses since then add up to. Only there: libsigrok 0.5.2 stops reading
+/// at a $comment among the values.
 class VcdWriter final : public TraceWriter {
 public:
     VcdWriter(FdWriter out, const TraceStart& start) noexcept;
@@ -25,6 +29,7 @@ private:
     using Positions = std::array<std::int64_t, kAxisCount>;
     void write_definitions() noexcept;
     void write_positions(const Positions& pulses) noexcept;
+    void count_pulses(SignalWord levels) noexcept;
     void write_time(std::int64_t time_ns) noexcept;
     void write_levels(SignalWord which, SignalWord levels) noexcept;
 
@@ -32,6 +37,7 @@ private:
     std::int64_t period_ns_;
     std::int64_t time_ns_ = 0;
     SignalWord levels_;
+    Positions counted_;
 };
 
 }  // namespace psicarve::trace

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/trace/fd_writer.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+#include "tests/rtcore/trace/trace_files.hpp"
+
+namespace psicarve::trace {
+namespace {
+
+using FdWriterTest = TraceFolder;
+
+TEST_F(FdWriterTest, GathersAndWritesOutAtTheEnd) {
+    const std::string file = path("out");
+    std::string expected;
+    {
+        FdWriter sut = FdWriter::open(file).value();
+        for (int i = 0; i < 100'000; ++i) {
+            const std::string line = "line " + std::to_string(i) + "\n";
+            sut.write(line);
+            expected += line;
+        }
+        EXPECT_FALSE(sut.take_error());
+    }
+    EXPECT_EQ(content(file), expected);
+}
+
+TEST_F(FdWriterTest, RefusesToFollowALink) {
+    const std::string victim = path("victim");
+    { FdWriter::open(victim).value().write("precious"); }
+    std::filesystem::create_symlink(victim, path("link"));
+    const Result<FdWriter> sut = FdWriter::open(path("link"));
+    ASSERT_FALSE(sut);
+    EXPECT_NE(sut.error().message.find("symbolic link"), std::string::npos) << sut.error().message;
+    EXPECT_EQ(content(victim), "precious");
+}
+
+TEST_F(FdWriterTest, NamesAFolderThatIsNotThere) {
+    const Result<FdWriter> sut = FdWriter::open(path("nowhere/out"));
+    ASSERT_FALSE(sut);
+    EXPECT_NE(sut.error().message.find("nowhere/out"), std::string::npos);
+    EXPECT_EQ(sut.error().code, ErrorCode::bad_input);
+}
+
+TEST_F(FdWriterTest, FullDiskIsOneErrorAndNothingElse) {
+    FdWriter sut = FdWriter::open("/dev/full").value();
+    for (int round = 0; round < 5; ++round) {
+        sut.write(std::string(4'000, 'x'));
+        sut.flush();
+    }
+    const auto error = sut.take_error();
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->code, ErrorCode::out_of_room);
+    EXPECT_NE(error->message.find("/dev/full"), std::string::npos);
+    EXPECT_FALSE(sut.take_error()) << "said once";
+}
+
+TEST_F(FdWriterTest, WritesToAPipeThatAParentReads) {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(pipe(ends.data()), 0);
+    {
+        FdWriter sut = FdWriter::open("fd:" + std::to_string(ends[1])).value();
+        EXPECT_TRUE((fcntl(ends[1], F_GETFD) & FD_CLOEXEC) != 0);
+        sut.write("through");
+    }
+    std::array<char, 16> text{};
+    EXPECT_EQ(read(ends[0], text.data(), text.size()), 7);
+    EXPECT_EQ(read(ends[0], text.data(), text.size()), 0) << "closed with the writer";
+    close(ends[0]);
+}
+
+TEST_F(FdWriterTest, ReaderThatGoesAwayIsAnErrorAndNoSignal) {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(pipe(ends.data()), 0);
+    std::signal(SIGPIPE, SIG_DFL);  // it would end this test
+    FdWriter sut = FdWriter::open("fd:" + std::to_string(ends[1])).value();
+    close(ends[0]);
+    sut.write("to nobody");
+    sut.flush();
+    ASSERT_TRUE(sut.take_error());
+    sigset_t pending;
+    sigpending(&pending);
+    EXPECT_EQ(sigismember(&pending, SIGPIPE), 0);
+}
+
+TEST_F(FdWriterTest, RefusesDescriptorsThatCannotBeWritten) {
+    for (const char* const name : {"fd:", "fd:x", "fd:1x", "fd:-1"}) {
+        const Result<FdWriter> sut = FdWriter::open(name);
+        ASSERT_FALSE(sut) << name;
+        EXPECT_EQ(sut.error().code, ErrorCode::bad_usage) << name;
+    }
+    EXPECT_FALSE(FdWriter::open("fd:987"));
+    const int read_only = open("/dev/null", O_RDONLY | O_CLOEXEC);
+    EXPECT_FALSE(FdWriter::open("fd:" + std::to_string(read_only)));
+    close(read_only);
+}
+
+}  // namespace
+}  // namespace psicarve::trace

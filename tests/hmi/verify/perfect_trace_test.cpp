@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "shared/units.hpp"
+#include "tests/hmi/verify/verify_fixture.hpp"
+
+namespace psicarve::verify {
+namespace {
+
+void expect_perfect(const SampleJob& job, const PerfectMachine& machine) {
+    const VerifyReport report = verified(job, machine);
+    EXPECT_TRUE(report.ok) << report_text(report);
+    EXPECT_EQ(report.points_visited, report.points_total);
+    EXPECT_EQ(report.max_deviation_pulses, 0);
+    EXPECT_LE(report.max_line_deviation_pulses, 1.0);
+}
+
+TEST(PerfectTrace, OfAContinuousJobIsVerified) {
+    const SampleJob job = wavy_job();
+    PerfectMachine machine(job);
+    machine.carve_job();
+    expect_perfect(job, machine);
+}
+
+TEST(PerfectTrace, OfAZigzagJobIsVerified) {
+    const SampleJob job = wavy_job(Joining::zigzag);
+    PerfectMachine machine(job);
+    machine.carve_job();
+    expect_perfect(job, machine);
+}
+
+TEST(PerfectTrace, OfASingleLayerOfTwoPointsIsVerified) {
+    const SampleJob job = wavy_job(Joining::continuous, 1, 2);
+    PerfectMachine machine(job);
+    machine.carve_job();
+    expect_perfect(job, machine);
+}
+
+TEST(PerfectTrace, WithPointsOnUnevenPulsesIsVerified) {
+    const SampleJob job = wavy_job(Joining::continuous, 3, 98);
+    PerfectMachine machine(job);
+    machine.carve_job();
+    expect_perfect(job, machine);
+}
+
+TEST(PerfectTrace, WithAPointOnEveryPulseIsVerified) {
+    Profile machine_profile;
+    machine_profile.psi.pulses_per_rev = 400;
+    const SampleJob job(machine_profile, 3, 201, Joining::continuous,
+                        [](double angle, std::uint32_t) { return 8.0 + 0.3 * std::sin(3.0 * angle); });
+    PerfectMachine machine(job);
+    machine.carve_job();
+    expect_perfect(job, machine);
+}
+
+TEST(PerfectTrace, OfSteepFlanksIsVerified) {
+    const SampleJob job(Profile{}, 2, 161, Joining::continuous,
+                        [](double angle, std::uint32_t) { return std::sin(6.0 * angle) > 0.0 ? 9.0 : 7.0; });
+    PerfectMachine machine(job);
+    machine.carve_job();
+    expect_perfect(job, machine);
+}
+
+TEST(PerfectTrace, WithHeadErrorsAndTipOffsetsIsVerified) {
+    Profile machine_profile;
+    machine_profile.head_r2_angle_error_deg = 0.7;
+    machine_profile.head_r2_height_error_mm = 0.03;
+    machine_profile.r1.tip_offset_mm = 0.11;
+    machine_profile.r2.tip_offset_mm = -0.07;
+    const SampleJob job(machine_profile, 3, 33, Joining::continuous,
+                        [](double angle, std::uint32_t) { return 8.0 + 0.3 * std::sin(3.0 * angle); });
+    PerfectMachine machine(job);
+    machine.carve_job();
+    expect_perfect(job, machine);
+}
+
+TEST(PerfectTrace, MayCountPsiWholeTurnsOff) {
+    const SampleJob job = wavy_job();
+    PerfectMachine machine(job);
+    machine.start.position_pulses[2] = machine.position[2] = 0;
+    machine.carve_job();
+    machine.start.position_pulses[2] = -3 * job.profile.psi.pulses_per_rev;
+    expect_perfect(job, machine);
+}
+
+TEST(PerfectTrace, MayBeginWithHomingBeforeWhichPositionsMeanNothing) {
+    const SampleJob job = wavy_job();
+    PerfectMachine machine(job);
+    machine.start.position_pulses = machine.position = {0, 0, 0, 140};
+    for (const Axis axis : kAllAxes) machine.set(enable_of(axis), true);
+    machine.move(Axis::r1, 300).move(Axis::r2, 200).move(Axis::psi, 300).move(Axis::y, -40);
+    machine.define_positions({24000, 24000, 10, 0}).carve_job();
+    expect_perfect(job, machine);
+}
+
+TEST(PerfectTrace, CountsEachAxisPulses) {
+    const SampleJob job = wavy_job(Joining::continuous, 1, 5);
+    PerfectMachine machine(job);
+    machine.carve_job();
+    const VerifyReport report = verified(job, machine);
+    EXPECT_EQ(report.pulses[index_of(Axis::psi)], 3200U);
+    EXPECT_EQ(report.pulses[index_of(Axis::y)], 100U);
+}
+
+TEST(PerfectTrace, CarveSecondsRunFromLeavingTheFirstPointToReachingTheLast) {
+    const SampleJob job(Profile{}, 1, 5, Joining::continuous, [](double, std::uint32_t) { return 8.0; });
+    PerfectMachine machine(job);
+    machine.approach().wait(5 * kNsPerS).layer(0).wait(5 * kNsPerS).finish();
+    EXPECT_DOUBLE_EQ(verified(job, machine).carve_seconds, 3.199);  // 3200 pulses, one a millisecond
+}
+
+TEST(PerfectTrace, ComesOutAsTheWantedSurface) {
+    const SampleJob job = wavy_job(Joining::continuous, 2, 321);
+    PerfectMachine machine(job);
+    machine.carve_job();
+    auto sut = Verifier::make(job.view(), job.profile);
+    ASSERT_TRUE(sut);
+    sut->begin(machine.start);
+    sut->feed(machine.events);
+    sut->finish();
+    // Layer 1 is carved in the second half turn: R1 faces directions 180 to 360 degrees there.
+    EXPECT_NEAR(sut->surface().radii_mm(1)[320], job.view().r_left_pulses(1)[0] / 400.0, 0.01);
+    EXPECT_NEAR(sut->surface().radii_mm(0)[80], job.view().r_left_pulses(0)[80] / 400.0, 0.01);
+    EXPECT_NEAR(sut->surface().radii_mm(0)[400], job.view().r_right_pulses(0)[80] / 400.0, 0.01);
+}
+
+}  // namespace
+}  // namespace psicarve::verify

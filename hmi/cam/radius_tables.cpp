@@ -22,7 +22,7 @@ namespace psicarve::cam {
 namespace {
 
 // A radius that no machine's travel allows, still far from the end of int32: refused when travel is checked.
-constexpr double kUnreachablePulses = 2.0e9;
+constexpr double kUnreachablePulses = 1.0e9;
 
 }  // namespace
 
@@ -42,9 +42,12 @@ RadiusTables::Head RadiusTables::make_head(const Profile& profile, Axis axis, do
     head.name = name_of(axis);
     head.pulses_per_mm = linear.pulses_per_mm;
     head.pulses_per_unit = linear.pulses_per_mm * scale;
-    head.core_pulses = static_cast<std::int32_t>(core_radius_pulses(profile, axis));
-    head.tip_pulses = static_cast<std::int32_t>(pulses_from_mm(linear.tip_offset_mm, linear.pulses_per_mm));
+    head.tip_offset_pulses = linear.tip_offset_mm * linear.pulses_per_mm;
     head.motion = axis_motion(profile, axis);
+    // A tip that stands far out reaches the core radius only where the axis cannot go: it stops at the end of
+    // its travel and leaves a little more of the core.
+    head.least_pulses =
+        static_cast<std::int32_t>(std::max(core_radius_pulses(profile, axis), head.motion.travel_min_pulses));
     head.radii = &radii;
     head.core_points.resize(layers);
     return head;
@@ -72,12 +75,13 @@ void RadiusTables::fill(Head& head, std::size_t layer, std::span<const double> o
     // From the first direction to the end of the turn, then on from its beginning.
     const std::size_t before_wrap = std::min(points, once_round.size() - first);
     const auto convert = [&head, &at_core](std::span<const double> radii, std::int32_t* out) {
-        const double core = static_cast<double>(head.core_pulses);
+        const double least = static_cast<double>(head.least_pulses);
         for (const double radius : radii) {
-            // Never negative: adding a half and cutting off rounds as round_to_pulse does.
-            const double pulses = std::min(radius * head.pulses_per_unit + 0.5, kUnreachablePulses);
-            at_core += pulses < core || radius == 0.0 ? 1U : 0U;
-            *out++ = static_cast<std::int32_t>(std::max(pulses, core)) - head.tip_pulses;
+            // Counted from the least radius it is never negative: adding a half and cutting off rounds then.
+            const double counted = radius * head.pulses_per_unit - head.tip_offset_pulses;
+            const double above = std::min(counted - least + 0.5, kUnreachablePulses);
+            at_core += above < 0.5 || radius == 0.0 ? 1U : 0U;
+            *out++ = static_cast<std::int32_t>(std::max(above, 0.0)) + head.least_pulses;
         }
     };
     convert(once_round.subspan(first, before_wrap), row);
@@ -95,15 +99,18 @@ Result<void> RadiusTables::check_travel(const std::string& source_name) const {
     return {};
 }
 
+double RadiusTables::real_mm(const Head& head, std::int32_t counted_pulses) noexcept {
+    return (static_cast<double>(counted_pulses) + head.tip_offset_pulses) / head.pulses_per_mm;
+}
+
 void RadiusTables::keep_apart(SliceReport& report) {
-    const double least_mm = head_clearance_mm_;
+    // Each radius stands at its nearest pulse: half a pulse of each head is no fault.
+    const double rounding_mm = 0.5 / left_.pulses_per_mm + 0.5 / right_.pulses_per_mm;
     for (std::size_t i = 0; i < left_.radii->size(); ++i) {
         std::int32_t& l = (*left_.radii)[i];
         std::int32_t& r = (*right_.radii)[i];
-        const double l_mm = mm_from_pulses(l + left_.tip_pulses, left_.pulses_per_mm);
-        const double r_mm = mm_from_pulses(r + right_.tip_pulses, right_.pulses_per_mm);
-        const double missing_mm = least_mm - l_mm - r_mm;
-        if (missing_mm <= 0.0) continue;
+        const double missing_mm = head_clearance_mm_ - real_mm(left_, l) - real_mm(right_, r);
+        if (missing_mm <= rounding_mm) continue;
         // Half of what is missing each; rounding up keeps the sum above the clearance.
         l += static_cast<std::int32_t>(std::ceil(0.5 * missing_mm * left_.pulses_per_mm));
         r += static_cast<std::int32_t>(std::ceil(0.5 * missing_mm * right_.pulses_per_mm));
@@ -118,9 +125,8 @@ void RadiusTables::report(SliceReport& report) {
         report.core_points =
             std::accumulate(head->core_points.begin(), head->core_points.end(), report.core_points);
         const auto [least, most] = std::minmax_element(head->radii->begin(), head->radii->end());
-        const std::int64_t tip = head->tip_pulses;
-        report.r_min_mm = std::min(report.r_min_mm, mm_from_pulses(*least + tip, head->pulses_per_mm));
-        report.r_max_mm = std::max(report.r_max_mm, mm_from_pulses(*most + tip, head->pulses_per_mm));
+        report.r_min_mm = std::min(report.r_min_mm, real_mm(*head, *least));
+        report.r_max_mm = std::max(report.r_max_mm, real_mm(*head, *most));
     }
 }
 

@@ -36,8 +36,8 @@ private:
         std::string name;
         double pulses_per_unit = 0.0;  ///< of the file
         double pulses_per_mm = 0.0;
-        std::int32_t core_pulses = 0;  ///< of the real tip
-        std::int32_t tip_pulses = 0;   ///< the real tip stands this much further out than counted
+        double tip_offset_pulses = 0.0;  ///< the real tip stands this much further out than counted
+        std::int32_t least_pulses = 0;   ///< core radius and travel, counted
         AxisMotion motion;
         std::vector<std::int32_t>* radii = nullptr;
         std::vector<std::uint32_t> core_points;  ///< by layer
@@ -47,6 +47,7 @@ private:
     void fill(Head& head, std::size_t layer, std::span<const double> once_round, std::size_t first);
     std::size_t first_direction(std::size_t layer) const noexcept;
     void keep_apart(SliceReport& report);
+    static double real_mm(const Head& head, std::int32_t counted_pulses) noexcept;
 
     JobTable& table_;
     Head left_;

@@ -40,6 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Refusal{"name = \"x\"\ncore_radius_mm = = 2\n", "m.toml:2: ", "not TOML"},
         Refusal{"name = \"x\"\nname = \"y\"\n", "m.toml:2: ", "not TOML"},
+        Refusal{"\n[!\n", "m.toml:2: ", "not TOML"}, Refusal{"\n[[ \x07]]\n", "m.toml:2: ", "not TOML"},
         Refusal{"\n[axis.r1]\nspeed_mms = 3\n", "m.toml:3: axis.r1.speed_mms: unknown key",
                 "did you mean axis.r1.speed_mm_s?"},
         Refusal{"[axis.x]\n", "m.toml:1: axis.x: unknown key", "did you mean"},

@@ -135,6 +135,24 @@ TEST_P(MotorTest, StallsWhenStartedAtTopSpeed) {
     EXPECT_GE(ride(sut, pulse_times(move, 1'000, 0.0, 1)).stalls, 1);
 }
 
+TEST(Motor, NoAxisOfAnExampleStallsAtItsProfilesLimits) {
+    for (const char* const name : {"original.toml", "fine.toml"}) {
+        const Profile profile = load_profile(std::string(PSICARVE_EXAMPLES "/") + name).value();
+        const SimConfig machine = sim_config_from_profile(profile);
+        for (const Axis axis : kAllAxes) {
+            const AxisMotion limits = axis_motion(profile, axis);
+            for (const double length : {30.0, 300.0, 3'000.0, 30'000.0}) {
+                const Trapezoid move{limits.start_stop_pps, limits.speed_pps, limits.accel_pps2, length};
+                const auto times = pulse_times(move, tick_period_ns(profile), kDdaJitter_pulses, 1);
+                Motor sut(machine.axis(axis).motor, 0);
+                const Ride there = ride(sut, times);
+                EXPECT_EQ(there.stalls, 0) << name << ' ' << name_of(axis) << ", " << length << " pulses";
+                EXPECT_EQ(there.end, there.pulses);
+            }
+        }
+    }
+}
+
 Motor default_motor() {
     return Motor(sim_config_from_profile(Profile{}).axis(Axis::r1).motor, 0);
 }

@@ -32,7 +32,7 @@ Result<int> back_off(const CommonOptions& common, const std::string& axis_name) 
 void add_back_off(CommandSet& commands) {
     const auto axis = std::make_shared<std::string>();
     commands.add(kText, [axis](const CommonOptions& common) { return back_off(common, *axis); })
-        .choice_argument("AXIS", *axis, {"r1", "r2", "psi", "y"}, "The axis: r1, r2, psi or y");
+        .choice_argument("AXIS", *axis, {"r1", "r2", "psi", "y"}, "The axis whose sensor is tripped");
 }
 
 }  // namespace psicarve::cli

@@ -26,6 +26,13 @@ void add_common(CLI::App& app, CommonOptions& common, bool has_json) {
     if (has_json) app.add_flag("--json", common.json, "Report as one JSON object on standard output");
 }
 
+/// "x|y|z"
+std::string one_of(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : "|") + word;
+    return text;
+}
+
 }  // namespace
 
 Syntax& Syntax::argument(const char* name, std::string& target, const char* help) {
@@ -50,27 +57,31 @@ Syntax& Syntax::required_option(const char* names, std::string& target, const ch
 
 Syntax& Syntax::option(const char* names, std::uint32_t& target, std::uint32_t least, std::uint32_t most,
                        const char* help) {
-    app_->add_option(names, target, help)
-        ->type_name("N")
-        ->capture_default_str()
-        ->check(CLI::Range(least, most));
+    app_->add_option(names, target, help)->type_name("N")->check(CLI::Range(least, most).description(""));
     return *this;
 }
 
 Syntax& Syntax::option(const char* names, std::optional<double>& target, const char* type, const char* help) {
-    app_->add_option(names, target, help)->type_name(type)->check(CLI::PositiveNumber);
+    app_->add_option(names, target, help)
+        ->type_name(type)
+        ->check(CLI::Validator{CLI::PositiveNumber}.description(""));
     return *this;
 }
 
 Syntax& Syntax::choice(const char* names, std::string& target, const std::vector<std::string>& words,
                        const char* help) {
-    app_->add_option(names, target, help)->capture_default_str()->type_name("")->check(CLI::IsMember(words));
+    app_->add_option(names, target, help)
+        ->type_name(one_of(words))
+        ->check(CLI::IsMember(words).description(""));
     return *this;
 }
 
 Syntax& Syntax::choice_argument(const char* name, std::string& target, const std::vector<std::string>& words,
                                 const char* help) {
-    app_->add_option(name, target, help)->required()->type_name("")->check(CLI::IsMember(words));
+    app_->add_option(name, target, help)
+        ->required()
+        ->type_name(one_of(words))
+        ->check(CLI::IsMember(words).description(""));
     return *this;
 }
 

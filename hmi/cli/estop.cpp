@@ -18,18 +18,10 @@ Result<int> emergency_stop(const CommonOptions& common) {
     auto link = link_to_core(common);
     if (!link) return link.error();
     link->emergency_stop();
-    const auto give_up = std::chrono::steady_clock::now() + kLimit;
-    while (true) {
-        const auto status = link->status();
-        if (!status) return status.error();
-        if (status->state == MachineState::alarm) {
-            report_motion(common, kText.name, *status);
-            return kExitDone;
-        }
-        if (std::chrono::steady_clock::now() > give_up) {
-            return Error{ErrorCode::timed_out, "the core has not stopped: use the switch on the machine"};
-        }
-    }
+    const auto rest = link->wait_after_stop({MachineState::alarm}, kLimit);
+    if (!rest) return rest.error();
+    report_motion(common, kText.name, *rest);
+    return kExitDone;
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ Result<CoreStatus> run_motion(machine::MachineLink& link, const MotionCommand& c
         bar.update(0.0, std::string{name_of(status.state)});
         return operator_break.pass_on(link);
     };
-    auto reached = link.wait_for_state(command.wanted, {}, watch);
+    auto reached = link.wait_for_state(command.wanted, watch);
     if (!operator_break.was_asked()) return reached;
     return operator_break.error(link.last_status().value_or(CoreStatus{}));
 }

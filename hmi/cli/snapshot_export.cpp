@@ -41,7 +41,7 @@ void add_snapshot_export(CommandSet& commands) {
     const auto options = std::make_shared<Options>();
     commands.add_plain(kText, [options](const CommonOptions&) { return export_job(*options); })
         .argument("FILE", options->path, "A snapshot or job file")
-        .choice("--format", options->format, {"csv", "json"}, "csv or json");
+        .choice("--format", options->format, {"csv", "json"}, "Default csv");
 }
 
 }  // namespace psicarve::cli

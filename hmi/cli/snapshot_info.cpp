@@ -148,7 +148,7 @@ void add_snapshot_info(CommandSet& commands) {
     commands.add(kText, [options](const CommonOptions& common) { return info(common, *options); })
         .argument("FILE", options->path, "A snapshot or job file")
         .option("--records", options->record_count, 0, kMostRecords,
-                "Entries of the flight recorder to list");
+                "Entries of the flight recorder to list (default 20)");
 }
 
 }  // namespace psicarve::cli

@@ -35,12 +35,12 @@ Result<void> carve(MachineLink& link, const CoreStatus& before, std::span<const 
     if (const auto published = link.publish(job_blob); !published) return published.error();
     if (before.state == S::off) {
         if (const auto sent = link.send(CommandKind::home); !sent) return sent;
-        if (const auto homed = link.wait_for_state({S::ready}, {}, watch); !homed) return homed.error();
+        if (const auto homed = link.wait_for_state({S::ready}, watch); !homed) return homed.error();
     }
     if (const auto sent = link.send(CommandKind::start); !sent) return sent;
-    if (const auto there = link.wait_for_state({S::waiting}, {}, watch); !there) return there.error();
+    if (const auto there = link.wait_for_state({S::waiting}, watch); !there) return there.error();
     if (const auto sent = link.send(CommandKind::start_interpolation); !sent) return sent;
-    if (const auto done = link.wait_for_state({S::ready}, {}, watch); !done) return done.error();
+    if (const auto done = link.wait_for_state({S::ready}, watch); !done) return done.error();
     return {};
 }
 

@@ -10,7 +10,7 @@ namespace psicarve::machine {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds kPoll{50};
+constexpr std::chrono::milliseconds kPoll{10};
 // One status may have been sampled before our command was seen and be written after it; the one after that
 // not.
 constexpr std::uint64_t kFreshAfter = 2;
@@ -113,35 +113,41 @@ Result<std::uint64_t> MachineLink::publish(std::span<const std::byte> job_blob) 
 }
 
 Result<CoreStatus> MachineLink::wait_for_state(const std::vector<MachineState>& wanted,
-                                               std::optional<std::chrono::milliseconds> limit,
                                                const StatusWatch& watch) {
-    const auto begin = Clock::now();
-    auto last_change = begin;
-    std::uint64_t heartbeat = heartbeat_of(last_status());
-    const std::uint64_t fresh_from = heartbeat + kFreshAfter;
+    auto last_change = Clock::now();
+    std::uint64_t heartbeat = 0;
     while (true) {
         const auto status = next_status(heartbeat);
-        const auto now = Clock::now();
-        if (heartbeat_of(status) != heartbeat) last_change = now;
+        if (heartbeat_of(status) != heartbeat) last_change = Clock::now();
         heartbeat = heartbeat_of(status);
-        const bool is_silent = now - last_change > kSilenceLimit;
-        if (!core_pid() || is_silent) return silent_core();
+        if (!core_pid() || Clock::now() - last_change > kSilenceLimit) return silent_core();
         if (!status) continue;
         if (watch) {
             if (const auto go_on = watch(*status); !go_on) return go_on.error();
         }
-        if (heartbeat >= fresh_from) {
-            if (std::find(wanted.begin(), wanted.end(), status->state) != wanted.end()) return *status;
-            if (status->state == MachineState::alarm) return alarm_error(*status);
-            if (is_dead_end(status->state)) {
-                return Error{ErrorCode::machine_refused, "the machine came to rest in state '" +
-                                                             std::string{name_of(status->state)} + "', not " +
-                                                             words_of(wanted) + ": somebody stopped it"};
-            }
+        if (std::find(wanted.begin(), wanted.end(), status->state) != wanted.end()) return *status;
+        if (status->state == MachineState::alarm) return alarm_error(*status);
+        if (is_dead_end(status->state)) {
+            return Error{ErrorCode::machine_refused, "the machine came to rest in state '" +
+                                                         std::string{name_of(status->state)} + "', not " +
+                                                         words_of(wanted) + ": somebody stopped it"};
         }
-        if (limit && now - begin > *limit) {
+    }
+}
+
+Result<CoreStatus> MachineLink::wait_after_stop(const std::vector<MachineState>& wanted,
+                                                std::chrono::milliseconds rest_limit) {
+    auto last_motion = Clock::now();
+    while (true) {
+        auto now_there = status();
+        if (!now_there) return now_there;
+        const MachineState state = now_there->state;
+        if (std::find(wanted.begin(), wanted.end(), state) != wanted.end()) return now_there;
+        const auto now = Clock::now();
+        if (!is_at_rest(state)) last_motion = now;
+        if (now - last_motion > rest_limit) {
             return Error{ErrorCode::timed_out, "the machine is still in state '" +
-                                                   std::string{name_of(status->state)} + "', not " +
+                                                   std::string{name_of(state)} + "', not " +
                                                    words_of(wanted)};
         }
     }

@@ -53,12 +53,14 @@ public:
     /// Publishes a job and, when a core serves, waits until it has judged it. Returns the generation.
     Result<std::uint64_t> publish(std::span<const std::byte> job_blob);
 
-    /// Waits for one of `wanted`, judged by a status written after this call began. Ends early with an error
-    /// when the core is gone or silent (no_core), in alarm or at rest in another state (machine_refused) or
-    /// when `watch` says so. No `limit`: as long as it takes.
-    Result<CoreStatus> wait_for_state(const std::vector<MachineState>& wanted,
-                                      std::optional<std::chrono::milliseconds> limit,
-                                      const StatusWatch& watch = {});
+    /// After a command's answer: waits for one of `wanted`, as long as it takes. Ends early with an error
+    /// when the core is gone or silent (no_core), in alarm or at rest in another state (machine_refused), or
+    /// when `watch` says so.
+    Result<CoreStatus> wait_for_state(const std::vector<MachineState>& wanted, const StatusWatch& watch = {});
+    /// After stop or emergency stop, which have no answer: waits for one of `wanted`, no longer than
+    /// `rest_limit` (timed_out) while the machine rests in another state.
+    Result<CoreStatus> wait_after_stop(const std::vector<MachineState>& wanted,
+                                       std::chrono::milliseconds rest_limit);
 
 private:
     explicit MachineLink(Segment segment) noexcept : segment_(std::move(segment)) {}

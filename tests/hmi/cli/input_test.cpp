@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstring>
+#include <functional>
+
+#include "tests/hmi/cli/program_run.hpp"
+
+namespace psicarve::test {
+namespace {
+
+struct BrokenFile {
+    const char* name;
+    std::function<std::string()> bytes;
+};
+
+/// A binary STL that promises `count` facets and holds `held`, all of them the same but for a shift.
+std::string binary_stl(std::uint32_t count, std::uint32_t held, float first = 0.0F) {
+    std::string bytes(80, ' ');
+    bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+    for (std::uint32_t i = 0; i < held; ++i) {
+        std::array<float, 12> facet{0, 0, 0, first, 0, 0, 1, 0, float(i), 0, 1, 0};
+        bytes.append(reinterpret_cast<const char*>(facet.data()), sizeof facet);
+        bytes.append(2, '\0');
+    }
+    return bytes;
+}
+
+const std::vector<BrokenFile>& broken_models() {
+    static const std::vector<BrokenFile> files{
+        {"empty.stl", [] { return std::string{}; }},
+        {"words.stl", [] { return std::string{"this is a letter to my aunt, not a mesh\n"}; }},
+        {"truncated.stl", [] { return binary_stl(1000, 10); }},
+        {"nan.stl", [] { return binary_stl(50, 50, std::numeric_limits<float>::quiet_NaN()); }},
+        {"infinite.stl", [] { return binary_stl(50, 50, std::numeric_limits<float>::infinity()); }},
+        {"no_facets.stl", [] { return std::string{"solid nothing\nendsolid nothing\n"}; }},
+        {"flat.stl", [] { return binary_stl(1, 1); }},
+        {"garbage.obj", [] { return std::string{"\x01\x02\x03 v v v f f f\n"}; }},
+        {"unknown.xyz", [] { return std::string{"1 2 3\n4 5 6\n"}; }},
+    };
+    return files;
+}
+
+class BrokenInput : public CliTest {
+protected:
+    /// Exit code 3, one line that names the file, and nothing new in the folder.
+    void expect_refused(const std::vector<std::string>& arguments, const std::string& name) {
+        const auto before = files_in_folder();
+        const Outcome outcome = psicarve(arguments);
+        EXPECT_EQ(outcome.exit_code, 3) << name << ": " << outcome.error;
+        EXPECT_EQ(outcome.out, "") << name;
+        EXPECT_EQ(outcome.error_lines(), 1U) << name << ": " << outcome.error;
+        EXPECT_TRUE(outcome.error.starts_with("psicarve: ")) << outcome.error;
+        EXPECT_NE(outcome.error.find(name), std::string::npos) << outcome.error;
+        EXPECT_EQ(files_in_folder(), before) << name;
+    }
+};
+
+TEST_F(BrokenInput, ModelsAreRefusedBySlice) {
+    for (const BrokenFile& model : broken_models()) {
+        write(model.name, model.bytes());
+        expect_refused({"slice", file(model.name), "-o", file("out.job")}, model.name);
+    }
+}
+
+TEST_F(BrokenInput, ModelsAreRefusedByCarveAndPublishBeforeAnythingIsMade) {
+    for (const BrokenFile& model : broken_models()) {
+        write(model.name, model.bytes());
+        expect_refused({"carve", file(model.name), "--segment", segment_, "--picture", file("out.png"),
+                        "--trace", file("out.vcd")},
+                       model.name);
+        expect_refused({"publish", file(model.name), "--segment", segment_}, model.name);
+    }
+    EXPECT_FALSE(Segment::attach(segment_).has_value());
+}
+
+TEST_F(BrokenInput, MissingFilesAreRefusedByEveryCommandThatReads) {
+    const std::string gone = file("gone");
+    const std::vector<std::vector<std::string>> commands{{"slice", gone, "-o", file("out.job")},
+                                                         {"carve", gone, "--segment", segment_},
+                                                         {"publish", gone, "--segment", segment_},
+                                                         {"replay", gone},
+                                                         {"verify", gone, gone},
+                                                         {"snapshot", "info", gone},
+                                                         {"snapshot", "export", gone},
+                                                         {"snapshot", "diff", gone, gone},
+                                                         {"profile", "check", gone},
+                                                         {"profile", "show", gone}};
+    for (const auto& command : commands) expect_refused(command, "gone");
+}
+
+TEST_F(BrokenInput, AModelThatIsTooTallNamesTheAxis) {
+    const Outcome outcome = psicarve({"slice", box_stl("tall.stl", 400.0), "-o", file("out.job")});
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_NE(outcome.error.find("axis y"), std::string::npos) << outcome.error;
+    EXPECT_EQ(files_in_folder(), std::vector<std::string>{"tall.stl"});
+}
+
+TEST_F(BrokenInput, DamagedJobsAreRefusedByName) {
+    const std::string job = file("box.job");
+    ASSERT_EQ(psicarve({"slice", box_stl("box.stl"), "-o", job, "--layers", "3", "--points", "5"}).exit_code,
+              0);
+    const std::string whole = text_of(job);
+    std::string flipped = whole;
+    flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 1);
+    std::string other_version = whole;
+    other_version[8] = static_cast<char>(other_version[8] + 1);
+    const std::vector<std::pair<const char*, std::string>> damaged{
+        {"cut.job", whole.substr(0, whole.size() - 1)},
+        {"head.job", whole.substr(0, 100)},
+        {"longer.job", whole + "x"},
+        {"flipped.job", flipped},
+        {"version.job", other_version}};
+    for (const auto& [name, bytes] : damaged) {
+        write(name, bytes);
+        expect_refused({"snapshot", "info", file(name)}, name);
+        expect_refused({"snapshot", "export", file(name)}, name);
+        expect_refused({"publish", file(name), "--segment", segment_}, name);
+        expect_refused({"replay", file(name), "--trace", file("out.vcd")}, name);
+        expect_refused({"carve", file(name), "--segment", segment_, "--picture", file("out.png")}, name);
+    }
+}
+
+TEST_F(BrokenInput, TracesThatAreNoneAreRefused) {
+    const std::string job = file("box.job");
+    ASSERT_EQ(psicarve({"slice", box_stl("box.stl"), "-o", job, "--layers", "3", "--points", "5"}).exit_code,
+              0);
+    write("words.vcd", "this is no trace\n");
+    write("cut.bin", "PSCATRC1");
+    expect_refused({"verify", job, file("words.vcd")}, "words.vcd");
+    expect_refused({"verify", job, file("cut.bin")}, "cut.bin");
+}
+
+TEST_F(BrokenInput, ASegmentOfGarbageIsRefusedByName) {
+    const std::string path = "/dev/shm" + segment_;
+    std::ofstream{path} << std::string(100'000, 'x');
+    std::filesystem::permissions(path, std::filesystem::perms{0600});
+    for (const std::string command : {"status", "home", "stop", "publish", "carve"}) {
+        std::vector<std::string> arguments{command, "--segment", segment_};
+        if (command == "publish" || command == "carve") arguments.push_back(box_stl("box.stl"));
+        const Outcome outcome = psicarve(arguments);
+        EXPECT_EQ(outcome.exit_code, 3) << command << ": " << outcome.error;
+        EXPECT_NE(outcome.error.find(segment_), std::string::npos) << outcome.error;
+    }
+}
+
+TEST_F(BrokenInput, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork) {
+    const std::string model = box_stl("box.stl");
+    const std::string nowhere = file("no/such/folder/out");
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"slice", model, "-o", nowhere},
+          {"carve", model, "--segment", segment_, "--picture", nowhere},
+          {"carve", model, "--segment", segment_, "--trace", nowhere}}) {
+        expect_refused(arguments, nowhere);
+    }
+    EXPECT_FALSE(Segment::attach(segment_).has_value());
+}
+
+TEST_F(BrokenInput, OptionsForModelsDoNotGoWithJobs) {
+    const std::string job = file("box.job");
+    ASSERT_EQ(psicarve({"slice", box_stl("box.stl"), "-o", job, "--layers", "3", "--points", "5"}).exit_code,
+              0);
+    EXPECT_EQ(psicarve({"carve", job, "--layers", "5", "--segment", segment_}).exit_code, 2);
+    EXPECT_EQ(psicarve({"slice", job, "-o", file("again.job")}).exit_code, 3);
+}
+
+}  // namespace
+}  // namespace psicarve::test

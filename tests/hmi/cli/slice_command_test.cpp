@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/job.hpp"
+#include "shared/snapshot_file.hpp"
+#include "tests/hmi/cli/program_run.hpp"
+
+namespace psicarve::test {
+namespace {
+
+class SliceCommand : public CliTest {};
+
+TEST_F(SliceCommand, WritesAJobThatHoldsTheWholeProfile) {
+    const std::string job_path = file("box.job");
+    const Outcome outcome =
+        psicarve({"slice", box_stl("box.stl"), "-o", job_path, "--layers", "4", "--points", "9"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    EXPECT_NE(outcome.out.find("4 layers x 9 points"), std::string::npos) << outcome.out;
+    const auto file_read = load_snapshot(job_path);
+    ASSERT_TRUE(file_read.has_value()) << file_read.error().message;
+    EXPECT_FALSE(file_read->status.has_value());
+    const auto job = JobView::check(file_read->job_blob);
+    ASSERT_TRUE(job.has_value());
+    EXPECT_EQ(job->layer_count(), 4U);
+    EXPECT_EQ(job->point_count(), 9U);
+    EXPECT_EQ(job->profile_toml(), profile_to_toml(Profile{}));
+    // Direction 0 looks along x, where the box ends at 10 mm: 4000 pulses.
+    EXPECT_EQ(job->r_left_pulses(0)[0], 4000);
+}
+
+TEST_F(SliceCommand, ReportsInJsonWithNothingElseOnStandardOutput) {
+    const Outcome outcome = psicarve(
+        {"slice", box_stl("box.stl"), "-o", file("box.job"), "--layers", "4", "--points", "9", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    const auto report = outcome.json();
+    ASSERT_TRUE(report.is_object()) << outcome.out;
+    EXPECT_EQ(report["layers"], 4);
+    EXPECT_EQ(report["points"], 9);
+    EXPECT_TRUE(report["undercut_share"].is_number());
+    EXPECT_TRUE(report["open_points"].is_number_integer());
+    EXPECT_EQ(outcome.error.find('\r'), std::string::npos) << "a progress bar into a pipe";
+}
+
+TEST_F(SliceCommand, GivesTheSameBytesForAnyNumberOfThreads) {
+    const std::string model = box_stl("box.stl");
+    for (const std::string threads : {"1", "3"}) {
+        ASSERT_EQ(psicarve({"slice", model, "-o", file(threads), "--layers", "20", "--points", "50",
+                            "--threads", threads})
+                      .exit_code,
+                  0);
+    }
+    EXPECT_EQ(text_of(file("1")), text_of(file("3")));
+}
+
+TEST_F(SliceCommand, OptionsReachTheSlicer) {
+    const std::string model = box_stl("box.stl");
+    const auto first_radius = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"slice",    model, "-o",       file("box.job"),
+                                           "--layers", "2",   "--points", "5"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = psicarve(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+        const auto read = load_snapshot(file("box.job"));
+        return JobView::check(read->job_blob)->r_left_pulses(0)[0];
+    };
+    EXPECT_EQ(first_radius({"--scale", "0.5"}), 2000);
+    EXPECT_EQ(first_radius({"--height", "12"}), 8000);
+    EXPECT_EQ(first_radius({"--axis-at", "-1.5,0"}), 4600);
+    EXPECT_EQ(first_radius({"--axis-at=origin"}), 4000);
+    EXPECT_EQ(first_radius({"--up", "x"}), 2800);  // (x, y, z) to (y, z, x): 7 mm of y along direction 0
+    EXPECT_EQ(first_radius({"--up", "y"}), 1200);  // to (z, x, y): 3 mm of z
+    EXPECT_EQ(first_radius({"--joining", "zigzag"}), 4000);
+    EXPECT_EQ(JobView::check(load_snapshot(file("box.job"))->job_blob)->joining(), Joining::zigzag);
+}
+
+TEST_F(SliceCommand, WarningsGoToStandardErrorAndTheJobIsMade) {
+    const Outcome outcome = psicarve({"slice", box_stl("flat.stl", 0.8), "-o", file("flat.job"), "--layers",
+                                      "2", "--points", "5", "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+    EXPECT_NE(outcome.error.find("psicarve: warning: "), std::string::npos) << outcome.error;
+    EXPECT_TRUE(outcome.json().is_object()) << outcome.out;
+}
+
+}  // namespace
+}  // namespace psicarve::test

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/job.hpp"
+#include "shared/snapshot_file.hpp"
+#include "tests/hmi/cli/program_run.hpp"
+
+namespace psicarve::test {
+namespace {
+
+/// Two layers of three points, every number another.
+JobTable small_table(Joining joining = Joining::continuous) {
+    JobTable table;
+    table.layer_count = 2;
+    table.point_count = 3;
+    table.psi_sweep_pulses = 3200;
+    table.joining = joining;
+    table.feed_mm_s = 20.0;
+    table.layer_height_pulses = {100, 300};
+    table.r_left_pulses = {4001, 4002, 4003, 4004, 4005, 4006};
+    table.r_right_pulses = {5001, 5002, 5003, 5004, 5005, 5006};
+    table.source_name = "small.stl";
+    table.source_hash = 0x1234;
+    table.profile_toml = profile_to_toml(Profile{});
+    table.report_json = R"({"undercut_share":0.25,"open_points":7})";
+    return table;
+}
+
+class SnapshotCommand : public CliTest {
+protected:
+    std::string save(const std::string& name, const JobTable& table, const Snapshot& rest = {}) {
+        Snapshot snapshot = rest;
+        snapshot.job_blob = job_blob_from_table(table);
+        const auto saved = save_snapshot(snapshot, file(name));
+        EXPECT_TRUE(saved.has_value()) << saved.error().message;
+        return file(name);
+    }
+};
+
+TEST_F(SnapshotCommand, ExportsCsvWithOneRowAPoint) {
+    const Outcome outcome = psicarve({"snapshot", "export", save("a.job", small_table()), "--format", "csv"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+    EXPECT_EQ(outcome.error, "");
+    EXPECT_EQ(outcome.out,
+              "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses\n"
+              "0,0,100,0,4001,5001\n"
+              "0,1,100,1600,4002,5002\n"
+              "0,2,100,3200,4003,5003\n"
+              "1,0,300,3200,4004,5004\n"
+              "1,1,300,4800,4005,5005\n"
+              "1,2,300,6400,4006,5006\n");
+}
+
+TEST_F(SnapshotCommand, ExportsZigzagWithinOneSweep) {
+    const Outcome outcome = psicarve({"snapshot", "export", save("a.job", small_table(Joining::zigzag))});
+    EXPECT_NE(outcome.out.find("1,0,300,0,4004,5004\n1,1,300,1600,4005,5005\n1,2,300,3200,4006,5006\n"),
+              std::string::npos)
+        << outcome.out;
+}
+
+TEST_F(SnapshotCommand, ExportsJsonWithTheSameNumbers) {
+    const Outcome outcome =
+        psicarve({"snapshot", "export", save("a.job", small_table()), "--format", "json"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    const auto job = outcome.json();
+    ASSERT_TRUE(job.is_object()) << outcome.out;
+    EXPECT_EQ(job["layers"], 2);
+    EXPECT_EQ(job["points"], 3);
+    EXPECT_EQ(job["joining"], "continuous");
+    EXPECT_EQ(job["y_pulses"], nlohmann::json::parse("[100,300]"));
+    EXPECT_EQ(job["r_left_pulses"], nlohmann::json::parse("[[4001,4002,4003],[4004,4005,4006]]"));
+    EXPECT_EQ(job["r_right_pulses"], nlohmann::json::parse("[[5001,5002,5003],[5004,5005,5006]]"));
+    EXPECT_EQ(job["slice_report"]["open_points"], 7);
+}
+
+TEST_F(SnapshotCommand, DiffFindsNothingBetweenTheSame) {
+    const std::string a = save("a.job", small_table());
+    const std::string b = save("b.job", small_table());
+    const Outcome outcome = psicarve({"snapshot", "diff", a, b});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out, "no difference\n");
+    EXPECT_EQ(psicarve({"snapshot", "diff", a, b, "--json"}).json()["same"], true);
+}
+
+TEST_F(SnapshotCommand, DiffNamesPointsProfileKeysAndHowMany) {
+    JobTable changed = small_table();
+    changed.r_right_pulses[4] += 1;
+    changed.r_right_pulses[5] += 2;
+    Profile profile;
+    profile.r1.speed_mm_s = 8.5;
+    changed.profile_toml = profile_to_toml(profile);
+    const std::string a = save("a.job", small_table());
+    const std::string b = save("b.job", changed);
+    const Outcome outcome = psicarve({"snapshot", "diff", a, b});
+    EXPECT_EQ(outcome.exit_code, 6);
+    EXPECT_NE(
+        outcome.out.find("r_right_pulses (2 points differ, the first of layer 1, point 1): 5005 | 5006"),
+        std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("profile axis.r1.speed_mm_s: 10.0 | 8.5"), std::string::npos) << outcome.out;
+    EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 2);
+    EXPECT_EQ(psicarve({"snapshot", "diff", a, b, "--json"}).json()["differences"].size(), 2U);
+}
+
+TEST_F(SnapshotCommand, DiffComparesStatusAndRecorder) {
+    Snapshot before;
+    before.status = CoreStatus{};
+    before.status->state = MachineState::ready;
+    before.status->heartbeat = 1;
+    FlightRecord record{};
+    record.tick = 12;
+    record.kind = RecordKind::command;
+    record.code = static_cast<std::uint16_t>(CommandKind::home);
+    before.records = {record};
+    Snapshot after = before;
+    after.status->state = MachineState::alarm;
+    after.status->alarm_cause = AlarmCause::limit;
+    after.records[0].tick = 13;
+    const Outcome outcome = psicarve(
+        {"snapshot", "diff", save("a.snap", small_table(), before), save("b.snap", small_table(), after)});
+    EXPECT_EQ(outcome.exit_code, 6);
+    EXPECT_NE(outcome.out.find("status state: \"ready\" | \"alarm\""), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("flight recorder entry 0: tick 12  command home"), std::string::npos)
+        << outcome.out;
+}
+
+TEST_F(SnapshotCommand, InfoTellsJobStatusAndTheNewestRecords) {
+    Snapshot rest;
+    rest.status = CoreStatus{};
+    rest.status->state = MachineState::held;
+    rest.status->heartbeat = 1;
+    for (std::uint64_t tick = 1; tick <= 30; ++tick) {
+        FlightRecord record{};
+        record.tick = tick;
+        record.kind = RecordKind::state_change;
+        record.code = static_cast<std::uint16_t>(MachineState::held);
+        record.axis = kNoAxis;
+        rest.records.push_back(record);
+    }
+    const std::string path = save("a.snap", small_table(), rest);
+    const auto info = psicarve({"snapshot", "info", path, "--json", "--records", "5"}).json();
+    ASSERT_TRUE(info.is_object());
+    EXPECT_EQ(info["kind"], "snapshot");
+    EXPECT_EQ(info["job"]["layers"], 2);
+    EXPECT_EQ(info["job"]["r_pulses"], nlohmann::json::parse("[4001,5006]"));
+    EXPECT_EQ(info["job"]["profile_name"], "default");
+    EXPECT_EQ(info["status"]["state"], "held");
+    EXPECT_EQ(info["record_count"], 30);
+    ASSERT_EQ(info["records"].size(), 5U);
+    EXPECT_EQ(info["records"][0]["tick"], 26);
+    EXPECT_EQ(info["records"][4]["code"], "held");
+    const Outcome plain = psicarve({"snapshot", "info", path});
+    EXPECT_EQ(plain.exit_code, 0);
+    EXPECT_NE(plain.out.find("the last 20 of 30 entries"), std::string::npos) << plain.out;
+    EXPECT_NE(plain.out.find("small.stl"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace psicarve::test

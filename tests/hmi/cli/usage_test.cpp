@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/hmi/cli/program_run.hpp"
+
+namespace psicarve::test {
+namespace {
+
+using ::testing::TestWithParam;
+
+const std::vector<std::string> kCommands{"carve",
+                                         "slice",
+                                         "publish",
+                                         "status",
+                                         "home",
+                                         "start",
+                                         "start-interpolation",
+                                         "hold",
+                                         "resume",
+                                         "stop",
+                                         "estop",
+                                         "reset-alarm",
+                                         "back-off",
+                                         "reset-height",
+                                         "snapshot save",
+                                         "snapshot info",
+                                         "snapshot export",
+                                         "snapshot diff",
+                                         "replay",
+                                         "verify",
+                                         "profile check",
+                                         "profile show"};
+
+class EachCommand : public TestWithParam<std::string> {};
+
+TEST_P(EachCommand, ExplainsItselfWithAnExample) {
+    auto arguments = words_of(GetParam());
+    arguments.push_back("--help");
+    const Outcome help = psicarve(arguments);
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_EQ(help.error, "");
+    EXPECT_NE(help.out.find("Example:\n  psicarve " + GetParam()), std::string::npos) << help.out;
+    EXPECT_NE(help.out.find("--segment"), std::string::npos);
+    EXPECT_NE(help.out.find("--profile"), std::string::npos);
+}
+
+TEST_P(EachCommand, RefusesAnUnknownOptionAndSuggestsTheNearest) {
+    auto arguments = words_of(GetParam());
+    arguments.push_back("--segmnet=/x");
+    const Outcome outcome = psicarve(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.error_lines(), 1U) << outcome.error;
+    EXPECT_NE(outcome.error.find("'--segmnet'; did you mean '--segment'?"), std::string::npos)
+        << outcome.error;
+}
+
+TEST_P(EachCommand, StandsInTheDocumentationWithAnExample) {
+    std::ifstream stream{PSICARVE_DOCS "/commands.md"};
+    const std::string page{std::istreambuf_iterator<char>{stream}, {}};
+    EXPECT_NE(page.find("\npsicarve " + GetParam()), std::string::npos);
+}
+
+std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
+    std::string name = info.param;
+    std::replace_if(
+        name.begin(), name.end(), [](char letter) { return letter == ' ' || letter == '-'; }, '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Usage, EachCommand, ::testing::ValuesIn(kCommands), test_name);
+
+TEST(Commands, AreExactlyThoseOfTheList) {
+    const auto listed = [](const std::vector<std::string>& arguments) {
+        const std::string help = psicarve(arguments).out;
+        std::vector<std::string> names;
+        std::istringstream lines{help.substr(std::min(help.size(), help.find("Subcommands:")))};
+        std::string line;
+        std::getline(lines, line);
+        while (std::getline(lines, line) && line.starts_with("  ")) {
+            if (line[2] != ' ') names.push_back(line.substr(2, line.find(' ', 2) - 2));
+        }
+        return names;
+    };
+    std::vector<std::string> expected;
+    for (const std::string& command : kCommands) {
+        const std::string first = words_of(command)[0];
+        if (std::find(expected.begin(), expected.end(), first) == expected.end()) expected.push_back(first);
+    }
+    EXPECT_EQ(listed({"--help"}), expected);
+    EXPECT_EQ(listed({"snapshot", "--help"}), (std::vector<std::string>{"save", "info", "export", "diff"}));
+    EXPECT_EQ(listed({"profile", "--help"}), (std::vector<std::string>{"check", "show"}));
+}
+
+struct WrongUsage {
+    const char* arguments;
+    const char* said;
+};
+class WrongUsages : public TestWithParam<WrongUsage> {};
+
+TEST_P(WrongUsages, EndWithExitCodeTwoAndOneLine) {
+    const Outcome outcome = psicarve(words_of(GetParam().arguments));
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.error;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.error_lines(), 1U) << outcome.error;
+    EXPECT_NE(outcome.error.find(GetParam().said), std::string::npos) << outcome.error;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Usage, WrongUsages,
+    ::testing::Values(
+        WrongUsage{"", "subcommand is required"}, WrongUsage{"slcie m.stl", "did you mean 'slice'?"},
+        WrongUsage{"snapshot infoo f", "did you mean 'info'?"}, WrongUsage{"snapshot", "required"},
+        WrongUsage{"slice m.stl --outptu j", "did you mean '--output'?"},
+        WrongUsage{"slice m.stl", "--output is required"}, WrongUsage{"slice", "required"},
+        WrongUsage{"slice m.stl -o j --up q", "--up"}, WrongUsage{"slice m.stl -o j --layers 0", "--layers"},
+        WrongUsage{"slice m.stl -o j --layers many", "--layers"},
+        WrongUsage{"slice m.stl -o j --points 1", "--points"},
+        WrongUsage{"slice m.stl -o j --height 10 --scale 2", "--scale"},
+        WrongUsage{"slice m.stl -o j --height -3", "--height"},
+        WrongUsage{"slice m.stl -o j --axis-at middle", "--axis-at"},
+        WrongUsage{"slice m.stl -o j --axis-at 1,2,3", "--axis-at"},
+        WrongUsage{"slice m.stl -o j --joining snake", "--joining"}, WrongUsage{"back-off", "AXIS"},
+        WrongUsage{"back-off z", "z"}, WrongUsage{"status --segment psicarve", "--segment"},
+        WrongUsage{"status now", "unexpected argument 'now'"},
+        WrongUsage{"snapshot export f --format xml", "--format"}, WrongUsage{"snapshot diff f", "B"},
+        WrongUsage{"profile show --json", "--json"}));
+
+TEST(Usage, AnErrorIsAnObjectForProgramsThatRead) {
+    const Outcome outcome = psicarve({"status", "--json", "--wtch"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    ASSERT_TRUE(outcome.json().is_object()) << outcome.out;
+    EXPECT_EQ(outcome.json()["error"]["code"], "bad_usage");
+    EXPECT_EQ(outcome.json()["error"]["exit_code"], 2);
+}
+
+TEST(Usage, CommonOptionsMayStandBeforeTheCommand) {
+    const Outcome outcome = psicarve({"--segment", "/psicarve-no-such-segment", "status"});
+    EXPECT_EQ(outcome.exit_code, 5);
+    EXPECT_NE(outcome.error.find("/psicarve-no-such-segment"), std::string::npos) << outcome.error;
+}
+
+TEST(Usage, AFullDiskBehindStandardOutputIsAnError) {
+    const int status = std::system(PSICARVE_BIN "/psicarve profile show > /dev/full 2>/dev/null");
+    EXPECT_EQ(WEXITSTATUS(status), 3);
+}
+
+/// Every command that needs the machine says that there is none.
+class WithoutSegment : public TestWithParam<std::string> {};
+
+TEST_P(WithoutSegment, EndsWithExitCodeFiveAndOneLine) {
+    auto arguments = words_of(GetParam());
+    arguments.insert(arguments.end(), {"--segment", "/psicarve-no-such-segment", "--json"});
+    const Outcome outcome = psicarve(arguments);
+    EXPECT_EQ(outcome.exit_code, 5) << outcome.error;
+    EXPECT_EQ(outcome.error_lines(), 1U) << outcome.error;
+    EXPECT_EQ(outcome.json()["error"]["code"], "no_core") << outcome.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Usage, WithoutSegment,
+                         ::testing::Values("status", "home", "start", "start --carve", "start-interpolation",
+                                           "hold", "resume", "stop", "estop", "reset-alarm", "back-off r1",
+                                           "reset-height", "snapshot save /dev/null", "status --watch"));
+
+}  // namespace
+}  // namespace psicarve::test

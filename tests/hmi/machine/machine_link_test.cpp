@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/machine/machine_link.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "hmi/machine/snapshot_taker.hpp"
+#include "shared/shared_record.hpp"
+#include "tests/two_process/child_process.hpp"
+
+namespace psicarve::machine {
+namespace {
+
+using std::chrono::milliseconds;
+using test::ChildProcess;
+
+/// A process that serves a segment: writes a status again and again, answers every command by `act`.
+class ScriptedCore {
+public:
+    using Act = std::function<std::string(const Command&, CoreStatus&)>;  // the reason of a refusal, or empty
+
+    ScriptedCore(const std::string& segment_name, MachineState state, Act act)
+        : child_([=](ChildProcess::Signal serving) {
+              SegmentOptions options;
+              options.name = segment_name;
+              options.capacity_layers = 4;
+              options.capacity_points = 8;
+              auto segment = Segment::create_or_attach(options);
+              if (!segment || !segment->claim_core()) return;
+              CoreStatus status{};
+              status.state = state;
+              status.period_ns = 50'000;
+              bool is_serving = false;
+              for (;;) {
+                  if (const auto command = take_command(*segment)) {
+                      const std::string reason = act(command->command, status);
+                      write(*segment, status);
+                      answer_command(*segment, *command,
+                                     reason.empty() ? AnswerKind::done : AnswerKind::refused, reason);
+                  }
+                  if (segment->header().stop_requests.load() > 0) status.state = MachineState::ready;
+                  write(*segment, status);
+                  if (!is_serving) serving.raise();
+                  is_serving = true;
+                  std::this_thread::sleep_for(milliseconds{2});
+              }
+          }) {
+        EXPECT_TRUE(child_.wait_for_signal());
+    }
+    ChildProcess& process() { return child_; }
+
+private:
+    static void write(Segment& segment, CoreStatus& status) {
+        ++status.heartbeat;
+        write_record(segment.header().status, status);
+    }
+    ChildProcess child_;
+};
+
+class MachineLinkTest : public ::testing::Test {
+protected:
+    MachineLinkTest() {
+        static std::atomic<int> count{0};
+        name_ = "/psicarve-link-test-" + std::to_string(getpid()) + "-" + std::to_string(++count);
+    }
+    ~MachineLinkTest() override { (void)Segment::remove(name_); }
+
+    MachineLink attached() {
+        auto link = MachineLink::attach(name_);
+        EXPECT_TRUE(link.has_value()) << link.error().message;
+        return std::move(link).value();
+    }
+    static ScriptedCore::Act goes_to(MachineState state) {
+        return [state](const Command&, CoreStatus& status) {
+            status.state = state;
+            return std::string{};
+        };
+    }
+
+    std::string name_;
+};
+
+TEST_F(MachineLinkTest, NoSegmentMeansNoCore) {
+    const auto link = MachineLink::attach(name_);
+    ASSERT_FALSE(link.has_value());
+    EXPECT_EQ(link.error().code, ErrorCode::no_core);
+}
+
+TEST_F(MachineLinkTest, AnAnsweredCommandIsFollowedByTheStateItLedTo) {
+    ScriptedCore core{name_, MachineState::off, goes_to(MachineState::ready)};
+    MachineLink sut = attached();
+    ASSERT_TRUE(sut.send(CommandKind::home).has_value());
+    const auto status = sut.wait_for_state({MachineState::ready});
+    ASSERT_TRUE(status.has_value()) << status.error().message;
+    EXPECT_EQ(status->state, MachineState::ready);
+}
+
+TEST_F(MachineLinkTest, ARefusalCarriesTheCoresReason) {
+    ScriptedCore core{name_, MachineState::off,
+                      [](const Command&, CoreStatus&) { return std::string{"home first"}; }};
+    MachineLink sut = attached();
+    const auto sent = sut.send(CommandKind::start);
+    ASSERT_FALSE(sent.has_value());
+    EXPECT_EQ(sent.error().code, ErrorCode::machine_refused);
+    EXPECT_NE(sent.error().message.find("home first"), std::string::npos);
+}
+
+TEST_F(MachineLinkTest, AnAlarmEndsAWaitAndIsNamed) {
+    ScriptedCore core{name_, MachineState::ready, [](const Command&, CoreStatus& status) {
+                          status.state = MachineState::alarm;
+                          status.alarm_cause = AlarmCause::limit;
+                          status.alarm_axis = static_cast<std::uint8_t>(Axis::r2);
+                          return std::string{};
+                      }};
+    MachineLink sut = attached();
+    ASSERT_TRUE(sut.send(CommandKind::start).has_value());
+    const auto status = sut.wait_for_state({MachineState::waiting});
+    ASSERT_FALSE(status.has_value());
+    EXPECT_EQ(status.error().code, ErrorCode::machine_refused);
+    EXPECT_NE(status.error().message.find("limit of r2"), std::string::npos) << status.error().message;
+}
+
+TEST_F(MachineLinkTest, ComingToRestElsewhereEndsAWait) {
+    ScriptedCore core{name_, MachineState::ready, goes_to(MachineState::positioning)};
+    MachineLink sut = attached();
+    ASSERT_TRUE(sut.send(CommandKind::start).has_value());
+    sut.stop();
+    const auto status = sut.wait_for_state({MachineState::waiting});
+    ASSERT_FALSE(status.has_value());
+    EXPECT_NE(status.error().message.find("'ready', not waiting"), std::string::npos)
+        << status.error().message;
+}
+
+TEST_F(MachineLinkTest, ACoreThatDiesEndsAWait) {
+    ScriptedCore core{name_, MachineState::ready, goes_to(MachineState::carving)};
+    MachineLink sut = attached();
+    ASSERT_TRUE(sut.send(CommandKind::start).has_value());
+    int seen = 0;
+    const auto status = sut.wait_for_state({MachineState::ready}, [&](const CoreStatus&) -> Result<void> {
+        if (++seen == 3) core.process().kill();
+        return {};
+    });
+    ASSERT_FALSE(status.has_value());
+    EXPECT_EQ(status.error().code, ErrorCode::no_core);
+    // What it left behind can still be read.
+    EXPECT_EQ(sut.last_status()->state, MachineState::carving);
+    EXPECT_FALSE(sut.core_pid().has_value());
+}
+
+TEST_F(MachineLinkTest, ACoreThatStandsStillIsSilent) {
+    ScriptedCore core{name_, MachineState::ready, goes_to(MachineState::ready)};
+    MachineLink sut = attached();
+    core.process().stop();
+    const auto status = sut.status();
+    ASSERT_FALSE(status.has_value());
+    EXPECT_EQ(status.error().code, ErrorCode::no_core);
+    EXPECT_NE(status.error().message.find("silent"), std::string::npos) << status.error().message;
+}
+
+TEST_F(MachineLinkTest, AWatchCanEndAWait) {
+    ScriptedCore core{name_, MachineState::carving, goes_to(MachineState::carving)};
+    MachineLink sut = attached();
+    const auto status = sut.wait_for_state({MachineState::ready}, [](const CoreStatus&) -> Result<void> {
+        return Error{ErrorCode::cancelled, "enough"};
+    });
+    ASSERT_FALSE(status.has_value());
+    EXPECT_EQ(status.error().code, ErrorCode::cancelled);
+}
+
+TEST_F(MachineLinkTest, ASnapshotOfADeadCoreHoldsItsLastStatus) {
+    {
+        ScriptedCore core{name_, MachineState::held, goes_to(MachineState::held)};
+        core.process().kill();
+    }
+    MachineLink link = attached();
+    const auto snapshot = take_snapshot(link, milliseconds{5000});
+    ASSERT_TRUE(snapshot.has_value()) << snapshot.error().message;
+    ASSERT_TRUE(snapshot->status.has_value());
+    EXPECT_EQ(snapshot->status->state, MachineState::held);
+    EXPECT_TRUE(snapshot->job_blob.empty());
+}
+
+}  // namespace
+}  // namespace psicarve::machine

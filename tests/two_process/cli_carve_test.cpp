@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+
+#include "tests/hmi/cli/program_run.hpp"
+
+namespace psicarve::test {
+namespace {
+
+using Json = nlohmann::json;
+
+class Carve : public CliTest {
+protected:
+    std::vector<std::string> carve_box(const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> arguments{"carve", box_stl("box.stl"), "--segment", segment_, "--layers",
+                                           "4",     "--points",         "17",        "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return arguments;
+    }
+    std::string slice_box(const std::string& layers = "4") const {
+        const std::string job = file("box.job");
+        const Outcome outcome =
+            psicarve({"slice", box_stl("box.stl"), "-o", job, "--layers", layers, "--points", "17"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+        return job;
+    }
+};
+
+/// Every promised field, with its type.
+void expect_report(const Json& report) {
+    ASSERT_TRUE(report.is_object());
+    for (const char* field : {"layers", "points", "ticks", "missed_ticks", "open_points"}) {
+        EXPECT_TRUE(report[field].is_number_integer()) << field << " " << report[field];
+    }
+    for (const char* field :
+         {"carve_seconds", "total_seconds", "wall_seconds", "max_deviation_pulses", "undercut_share"}) {
+        EXPECT_TRUE(report[field].is_number()) << field << " " << report[field];
+    }
+    ASSERT_TRUE(report.contains("reference_seconds"));
+    EXPECT_TRUE(report["reference_seconds"].is_number() || report["reference_seconds"].is_null());
+    EXPECT_TRUE(report["verified"].is_boolean() || report["verified"].is_null());
+    ASSERT_TRUE(report["alarms"].is_array());
+    for (const char* axis : {"r1", "r2", "psi", "y"})
+        EXPECT_TRUE(report["pulses"][axis].is_number_integer()) << axis;
+}
+
+TEST_F(Carve, FromAModelToVerifiedPulses) {
+    const Outcome outcome = psicarve(carve_box({"--picture", file("out.png"), "--trace", file("out.vcd")}));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error << outcome.out;
+    const Json report = outcome.json();
+    expect_report(report);
+    EXPECT_EQ(report["layers"], 4);
+    EXPECT_EQ(report["points"], 17);
+    EXPECT_EQ(report["verified"], true);
+    EXPECT_LE(report["max_deviation_pulses"].get<int>(), 1);
+    EXPECT_EQ(report["alarms"], Json::array());
+    EXPECT_EQ(report["state"], "ready");
+    // Four half turns of 3200 pulses, and what it takes to get to the first point.
+    EXPECT_GE(report["pulses"]["psi"].get<int>(), 4 * 3200);
+    EXPECT_GT(report["carve_seconds"].get<double>(), 0.0);
+    EXPECT_GT(report["total_seconds"].get<double>(), report["carve_seconds"].get<double>());
+    EXPECT_EQ(outcome.error.find('\r'), std::string::npos) << "a progress bar into a pipe";
+    EXPECT_TRUE(text_of(file("out.png")).starts_with("\x89PNG"));
+    EXPECT_TRUE(text_of(file("out.vcd")).find("$enddefinitions") != std::string::npos);
+}
+
+TEST_F(Carve, AJobAndItsTraceVerifyOnTheirOwn) {
+    const std::string job = slice_box();
+    const Outcome carved = psicarve({"carve", job, "--segment", segment_, "--trace", file("pins.trace")});
+    ASSERT_EQ(carved.exit_code, 0) << carved.error;
+    EXPECT_NE(carved.out.find("verified   yes"), std::string::npos) << carved.out;
+    const Outcome verified = psicarve({"verify", job, file("pins.trace"), "--json"});
+    EXPECT_EQ(verified.exit_code, 0) << verified.error << verified.out;
+    EXPECT_TRUE(verified.json().is_object()) << verified.out;
+}
+
+TEST_F(Carve, ATraceOfAnotherJobIsADifference) {
+    const std::string job = slice_box();
+    ASSERT_EQ(psicarve({"carve", job, "--segment", segment_, "--trace", file("pins.trace")}).exit_code, 0);
+    const std::string other = file("other.job");
+    ASSERT_EQ(psicarve({"slice", box_stl("box.stl"), "-o", other, "--layers", "4", "--points", "17",
+                        "--scale", "1.1"})
+                  .exit_code,
+              0);
+    const Outcome verified = psicarve({"verify", other, file("pins.trace"), "--picture", file("other.png")});
+    EXPECT_EQ(verified.exit_code, 6) << verified.out;
+}
+
+TEST_F(Carve, TheSegmentKeepsTheJobForASnapshot) {
+    ASSERT_EQ(psicarve(carve_box()).exit_code, 0);
+    const Outcome saved = psicarve({"snapshot", "save", file("a.snap"), "--segment", segment_, "--json"});
+    ASSERT_EQ(saved.exit_code, 0) << saved.error;
+    const Json info = psicarve({"snapshot", "info", file("a.snap"), "--json"}).json();
+    EXPECT_EQ(info["job"]["source"], "box.stl");
+    EXPECT_EQ(info["status"]["points_done"], 4 * 17);
+    EXPECT_GT(info["record_count"].get<int>(), 0);
+    const Outcome status = psicarve({"status", "--segment", segment_});
+    EXPECT_EQ(status.exit_code, 5);
+    EXPECT_NE(status.error.find("the last one left it"), std::string::npos) << status.error;
+}
+
+TEST_F(Carve, AJobForAnotherMachineIsRefusedWithItsKeys) {
+    const std::string job = slice_box();
+    write("other.toml", "[axis.r1]\nspeed_mm_s = 7.0\n");
+    const Outcome outcome = psicarve({"carve", job, "--segment", segment_, "--profile", file("other.toml")});
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_NE(outcome.error.find("axis.r1.speed_mm_s"), std::string::npos) << outcome.error;
+}
+
+TEST_F(Carve, ReplayGivesTheSameReportAndLeavesNothingBehind) {
+    const std::string job = slice_box();
+    const Outcome outcome = psicarve({"replay", job, "--json", "--trace", file("a.trace")});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error << outcome.out;
+    expect_report(outcome.json());
+    EXPECT_EQ(outcome.json()["verified"], true);
+    EXPECT_EQ(psicarve({"verify", job, file("a.trace")}).exit_code, 0);
+    ASSERT_EQ(psicarve({"replay", job, "--trace", file("b.trace")}).exit_code, 0);
+    EXPECT_EQ(text_of(file("a.trace")), text_of(file("b.trace")));
+    for (const auto& entry : std::filesystem::directory_iterator{"/dev/shm"}) {
+        EXPECT_FALSE(entry.path().filename().string().starts_with("psicarve-replay-")) << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace psicarve::test

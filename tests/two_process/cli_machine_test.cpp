@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "shared/segment.hpp"
+#include "shared/shared_record.hpp"
+#include "tests/hmi/cli/program_run.hpp"
+
+namespace psicarve::test {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// A core on a segment of its own that users talk to by commands.
+class Machine : public CliTest {
+protected:
+    void start_core(const std::vector<std::string>& more = {}) {
+        std::vector<std::string> arguments{"--segment", segment_, "--clock", "virtual"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        core_ = std::make_unique<RunningProgram>("psicarve-rtcore", arguments);
+        ASSERT_TRUE(eventually([&] { return core_pid().has_value(); }));
+    }
+    std::optional<std::uint32_t> core_pid() const {
+        const auto segment = Segment::attach(segment_);
+        return segment ? segment->core_pid() : std::nullopt;
+    }
+    MachineState state() const {
+        const auto segment = Segment::attach(segment_);
+        if (!segment) return MachineState::off;
+        const auto status = read_record(segment->header().status);
+        return status ? status->state : MachineState::off;
+    }
+    /// Generous: a sanitizer on a busy machine.
+    static bool eventually(const std::function<bool()>& condition) {
+        const auto give_up = std::chrono::steady_clock::now() + milliseconds{120'000};
+        while (!condition()) {
+            if (std::chrono::steady_clock::now() > give_up) return false;
+            std::this_thread::sleep_for(milliseconds{2});
+        }
+        return true;
+    }
+    Outcome run(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.end(), {"--segment", segment_});
+        return psicarve(arguments);
+    }
+    std::string job(const std::string& layers, const std::string& points) const {
+        const std::string path = file("box.job");
+        const Outcome outcome =
+            psicarve({"slice", box_stl("box.stl"), "-o", path, "--layers", layers, "--points", points});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+        return path;
+    }
+
+    std::unique_ptr<RunningProgram> core_;
+};
+
+TEST_F(Machine, CarvesStepByStep) {
+    start_core();
+    const Outcome published = run({"publish", job("3", "9"), "--json"});
+    ASSERT_EQ(published.exit_code, 0) << published.error;
+    EXPECT_EQ(published.json()["accepted"], true);
+    EXPECT_EQ(run({"home"}).out, "home: the machine is ready\n");
+    const Outcome started = run({"start", "--json"});
+    ASSERT_EQ(started.exit_code, 0) << started.error;
+    EXPECT_EQ(started.json()["state"], "waiting");
+    EXPECT_EQ(started.json()["homed"]["psi"], true);
+    ASSERT_EQ(run({"start-interpolation"}).exit_code, 0);
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::ready; }));
+    const auto status = run({"status", "--json"}).json();
+    EXPECT_EQ(status["points_done"], 27);
+    EXPECT_EQ(status["alarm_cause"], nullptr);
+}
+
+TEST_F(Machine, CarveUsesTheRunningCoreAndLeavesItRunning) {
+    start_core();
+    const Outcome outcome = run({"carve", job("3", "9"), "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    EXPECT_EQ(outcome.json()["verified"], nullptr);
+    EXPECT_TRUE(core_pid().has_value());
+    const Outcome again = run({"carve", file("box.job")});
+    EXPECT_EQ(again.exit_code, 0) << again.error;
+}
+
+TEST_F(Machine, ATraceOfARunningCoreIsRefusedWithTheRemedy) {
+    start_core();
+    for (const std::string option : {"--trace", "--picture"}) {
+        const Outcome outcome = run({"carve", job("3", "9"), option, file("out.vcd")});
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_NE(outcome.error.find("psicarve"), std::string::npos) << outcome.error;
+        EXPECT_FALSE(std::filesystem::exists(file("out.vcd")));
+    }
+}
+
+TEST_F(Machine, RefusalsAreReportedWithTheirReason) {
+    start_core();
+    const Outcome outcome = run({"start", "--json"});
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_EQ(outcome.json()["error"]["code"], "machine_refused") << outcome.out;
+    EXPECT_EQ(run({"resume"}).exit_code, 4);
+    EXPECT_EQ(run({"back-off", "r1"}).exit_code, 4);
+}
+
+TEST_F(Machine, AJobForAnotherMachineIsRefusedByTheCoreWithItsKeys) {
+    write("other.toml", "[axis.r1]\nspeed_mm_s = 7.0\n");
+    start_core({"--profile", file("other.toml")});
+    const Outcome outcome = run({"publish", job("3", "9")});
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.out;
+    EXPECT_NE(outcome.error.find("axis.r1.speed_mm_s"), std::string::npos) << outcome.error;
+}
+
+TEST_F(Machine, EmergencyStopAndBack) {
+    start_core();
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    const Outcome stopped = run({"estop"});
+    EXPECT_EQ(stopped.exit_code, 0) << stopped.error;
+    EXPECT_NE(stopped.out.find("in alarm (emergency stop"), std::string::npos) << stopped.out;
+    EXPECT_EQ(run({"home"}).exit_code, 4);
+    EXPECT_EQ(run({"carve", job("3", "9")}).exit_code, 4);
+    EXPECT_EQ(run({"reset-alarm"}).exit_code, 0);
+    EXPECT_EQ(run({"home"}).exit_code, 0);
+    EXPECT_EQ(run({"reset-height"}).exit_code, 0);
+    EXPECT_EQ(run({"stop"}).exit_code, 0);
+}
+
+TEST_F(Machine, AJobIsHeldResumedAndStopped) {
+    start_core({"--clock", "real"});
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    ASSERT_EQ(run({"publish", job("100", "100")}).exit_code, 0);
+    ASSERT_EQ(run({"start", "--carve"}).exit_code, 0);
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
+    const Outcome held = run({"hold", "--json"});
+    ASSERT_EQ(held.exit_code, 0) << held.error;
+    EXPECT_EQ(held.json()["state"], "held");
+    EXPECT_EQ(run({"resume"}).exit_code, 0);
+    const Outcome stopped = run({"stop", "--json"});
+    EXPECT_EQ(stopped.exit_code, 0) << stopped.error;
+    EXPECT_EQ(stopped.json()["state"], "ready");
+}
+
+TEST_F(Machine, WatchGoesOnLineByLineUntilInterrupted) {
+    start_core();
+    RunningProgram watch{"psicarve", {"status", "--watch", "--segment", segment_}};
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    std::this_thread::sleep_for(milliseconds{600});
+    watch.send(SIGINT);
+    EXPECT_EQ(watch.wait(), 0) << watch.error();
+    EXPECT_NE(watch.out().find("ready; job"), std::string::npos) << watch.out();
+    EXPECT_EQ(watch.out().find('\033'), std::string::npos);
+}
+
+TEST_F(Machine, AKilledCoreIsSaidWhileCarving) {
+    start_core({"--clock", "real"});
+    RunningProgram carve{"psicarve", {"carve", job("100", "100"), "--segment", segment_, "--json"}};
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::homing; }));
+    core_->send(SIGKILL);
+    EXPECT_EQ(carve.wait(), 5) << carve.error();
+    EXPECT_NE(carve.error().find("no core serves"), std::string::npos) << carve.error();
+    EXPECT_EQ(nlohmann::json::parse(carve.out())["error"]["code"], "no_core");
+}
+
+TEST_F(Machine, AStoppedCoreIsCalledSilent) {
+    start_core();
+    core_->send(SIGSTOP);
+    const Outcome outcome = run({"status"});
+    core_->send(SIGCONT);
+    EXPECT_EQ(outcome.exit_code, 5);
+    EXPECT_NE(outcome.error.find("silent"), std::string::npos) << outcome.error;
+}
+
+TEST_F(Machine, AnInterruptedCarveStopsTheRunningCoreInOrder) {
+    start_core({"--clock", "real"});
+    RunningProgram carve{"psicarve", {"carve", job("100", "100"), "--segment", segment_}};
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::positioning; }));
+    carve.send(SIGINT);
+    EXPECT_EQ(carve.wait(), 4) << carve.error();
+    EXPECT_NE(carve.error().find("stopped by the operator"), std::string::npos) << carve.error();
+    EXPECT_TRUE(core_pid().has_value());
+    EXPECT_EQ(state(), MachineState::ready);
+}
+
+TEST_F(Machine, APrivateCoreEndsWithAKilledCarve) {
+    RunningProgram carve{"psicarve", {"carve", job("100", "100"), "--segment", segment_, "--real-time"}};
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::homing; }));
+    carve.send(SIGKILL);
+    carve.wait();
+    EXPECT_TRUE(eventually([&] { return !core_pid().has_value(); }));
+}
+
+TEST_F(Machine, AnInterruptedCarveEndsItsOwnCoreInOrder) {
+    RunningProgram carve{
+        "psicarve",
+        {"carve", job("100", "100"), "--segment", segment_, "--real-time", "--picture", file("out.png")}};
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::positioning; }));
+    carve.send(SIGTERM);
+    EXPECT_EQ(carve.wait(), 4) << carve.error();
+    EXPECT_FALSE(core_pid().has_value());
+    EXPECT_FALSE(std::filesystem::exists(file("out.png")));
+    EXPECT_NE(carve.error().find("stopped by the operator"), std::string::npos) << carve.error();
+}
+
+TEST_F(Machine, PublishWithoutACoreWaitsForOne) {
+    const Outcome published = run({"publish", job("3", "9"), "--json"});
+    ASSERT_EQ(published.exit_code, 0) << published.error;
+    EXPECT_EQ(published.json()["accepted"], nullptr);
+    start_core();
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    EXPECT_EQ(run({"start"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace psicarve::test

@@ -268,6 +268,11 @@ Result<Profile> Reader::read(std::string_view text, std::string_view file_name) 
         return error_at(1, "the profile is " + std::to_string(text.size()) + " bytes long; the most is " +
                                std::to_string(kProfileTextBytes));
     }
+    if (const auto line = first_foreign_line(text)) {
+        return error_at(*line,
+                        "this is not TOML: a character beyond ASCII outside of a comment or a one-line "
+                        "string; remove it");
+    }
     const toml::parse_result parsed = toml::parse(text);
     if (!parsed) {
         const toml::parse_error& error = parsed.error();

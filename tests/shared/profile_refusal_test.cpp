@@ -201,6 +201,20 @@ TEST(ProfileAccepts, WholeNumbersWhereFractionsAreWanted) {
     EXPECT_EQ(refusal_of("[job]\nfeed_mm_s = 20\n[axis.r1]\ntravel_mm = [0, 60]\n"), "accepted");
 }
 
+TEST(ProfileRefusal, CharactersBeyondAsciiOutsideOfStrings) {
+    EXPECT_THAT(refusal_of("\n\nname\u00e9 = 1\n"), StartsWith("m.toml:3: this is not TOML"));
+    EXPECT_THAT(refusal_of("[job]\nfeed_mm_s = 1\u00a02\n"), StartsWith("m.toml:2: this is not TOML"));
+    EXPECT_THAT(refusal_of("name = \"\"\"\na \\\n\u0483\"\"\"\n"), StartsWith("m.toml:3: this is not TOML"));
+    EXPECT_THAT(refusal_of("# \" not a string\nx = '\\'\u00e9\n"), StartsWith("m.toml:2: this is not TOML"));
+}
+
+TEST(ProfileAccepts, AnyCharacterInCommentsAndStrings) {
+    EXPECT_EQ(refusal_of("\xEF\xBB\xBF# \u03a8 isn't \"quoted\nname = \"Fr\u00e4se \\\" \u03a8\" # \u00e9\n"),
+              "accepted");
+    EXPECT_EQ(refusal_of("name = 'M\u00fchle \\' # \u00e9\n"), "accepted");
+    EXPECT_EQ(refusal_of("name = \"\"\"a \"\" b\"\"\"\"\" # \u00e9\n"), "accepted");
+}
+
 TEST(ProfileAccepts, SpeedsOfExactlyWhatTheTickAllows) {
     EXPECT_EQ(refusal_of("[axis.r1]\nspeed_mm_s = 25\n"), "accepted");
     EXPECT_EQ(refusal_of("[tick]\nschedule = \"two-timer\"\n[axis]\nr1.speed_mm_s = 5\nr2.speed_mm_s = 5\n"

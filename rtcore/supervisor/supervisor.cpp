@@ -146,7 +146,7 @@ void Supervisor::drain_reports() {
         sample_ = read_sample();
         // Whoever asked for something must see the state it led to no later than the answer: the sample of
         // that tick is written at its end. It comes; the next round will find it.
-        if (report.kind == cycle::Report::Kind::answer && sample_.tick <= report.record.tick) return;
+        if (report.kind == cycle::Report::Kind::answer && sample_.tick < report.record.tick) return;
         parts_->io->reports.pop();
         const FlightRecord& record = report.record;
         if (record.kind != RecordKind::none) append_to_ring(segment_.header().recorder, record);

@@ -32,10 +32,9 @@ public:
     }
 
 private:
-    bool is_settling() const { return settle_left_ > 0; }
+    bool is_settling() const { return settle_left_ > 0 && is_at_rest(parts_->cycle->state()); }
     bool has_work() const {
-        if (!is_at_rest(parts_->cycle->state()) || is_settling() || parts_->io->requests.size() > 0)
-            return true;
+        if (settle_left_ > 0 || parts_->io->requests.size() > 0) return true;
         return record_ != nullptr && record_->has_begun() && !record_->is_over(parts_->cycle->next_tick());
     }
     void tick() {

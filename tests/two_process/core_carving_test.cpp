@@ -29,10 +29,10 @@ TEST_F(CoreCarving, CarvesAPublishedJobToTheLastPoint) {
     EXPECT_EQ(end.alarm_count, 0U);
 }
 
-TEST_F(CoreCarving, HoldRestsOnThePathAndResumeEndsTheJob) {
+TEST_F(CoreCarving, HoldRestsOnThePathAndResumeGoesOn) {
     start_core();
     home();
-    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    ASSERT_EQ(publish(long_job()), "");
     start_carving();
     ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
     ASSERT_EQ(refusal_of(CommandKind::hold), "");
@@ -41,14 +41,20 @@ TEST_F(CoreCarving, HoldRestsOnThePathAndResumeEndsTheJob) {
     EXPECT_NE(held.signals & bit_of(Signal::spindle), 0U) << "the spindle stays on";
     EXPECT_LT(held.points_done, held.points_total);
     ASSERT_EQ(refusal_of(CommandKind::resume), "");
-    ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
-    EXPECT_EQ(status().points_done, held.points_total);
+    EXPECT_TRUE(eventually([&] { return status().points_done > held.points_done + 1000; }));
+    EXPECT_EQ(status().state, MachineState::carving);
+    request_stop(*segment_);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    for (const Axis axis : kAllAxes) {
+        EXPECT_EQ(status().sim_true_position_pulses[index_of(axis)],
+                  status().position_pulses[index_of(axis)]);
+    }
 }
 
 TEST_F(CoreCarving, StopEndsTheJobWithTheSpindleOffAndTheMachineHomed) {
     start_core();
     home();
-    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    ASSERT_EQ(publish(long_job()), "");
     start_carving();
     ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
     request_stop(*segment_);
@@ -64,7 +70,7 @@ TEST_F(CoreCarving, StopEndsTheJobWithTheSpindleOffAndTheMachineHomed) {
 TEST_F(CoreCarving, EmergencyStopIsAnAlarmThatHomingFollows) {
     start_core();
     home();
-    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    ASSERT_EQ(publish(long_job()), "");
     start_carving();
     ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
     request_emergency_stop(*segment_);
@@ -109,7 +115,7 @@ TEST_F(CoreCarving, ShutdownEndsACoreAtRest) {
 TEST_F(CoreCarving, TerminationStopsTheJobBeforeTheCoreEnds) {
     start_core();
     home();
-    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    ASSERT_EQ(publish(long_job()), "");
     start_carving();
     ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
     core_->send_signal(SIGTERM);

@@ -34,7 +34,7 @@ TEST_F(CoreFault, ASecondCoreIsRefusedWithThePidOfTheFirst) {
 TEST_F(CoreFault, AKilledCoreLeavesTheSegmentToTheNextWhichIsNotHomed) {
     start_core();
     home();
-    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    ASSERT_EQ(publish(long_job()), "");
     start_carving();
     ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
     core_->send_signal(SIGKILL);
@@ -55,7 +55,7 @@ TEST_F(CoreFault, AKilledCoreLeavesTheSegmentToTheNextWhichIsNotHomed) {
 TEST_F(CoreFault, APublisherKilledWithTheMutexHeldDoesNotDisturbTheCarving) {
     start_core();
     home();
-    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    ASSERT_EQ(publish(long_job()), "");
     start_carving();
     const pid_t holder = fork();
     if (holder == 0) {
@@ -106,7 +106,7 @@ TEST_F(CoreFault, AJobForAnotherMachineIsRefusedWithTheKeysThatDiffer) {
 TEST_F(CoreFault, AJobPublishedWhileAnotherRunsIsRefused) {
     start_core();
     home();
-    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    ASSERT_EQ(publish(long_job()), "");
     start_carving();
     ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
     const std::string reason = publish(lobed_job(2, 9));
@@ -118,7 +118,7 @@ TEST_F(CoreFault, AJobPublishedWhileAnotherRunsIsRefused) {
 TEST_F(CoreFault, AnUnlinkedSegmentIsAnAlarmOnANewOne) {
     start_core();
     home();
-    ASSERT_EQ(publish(lobed_job(300, 201)), "");
+    ASSERT_EQ(publish(long_job()), "");
     start_carving();
     ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
     ASSERT_TRUE(Segment::remove(segment_name_));

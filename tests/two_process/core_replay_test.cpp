@@ -48,7 +48,7 @@ TEST_F(CoreReplay, CarvingByCommandsTwiceGivesTheSameBytes) {
 
 TEST_F(CoreReplay, ARecordedRunIsAppliedAgainTickByTick) {
     start_core();
-    ASSERT_EQ(publish(lobed_job(200, 101)), "");
+    ASSERT_EQ(publish(long_job()), "");
     home();
     start_carving();
     ASSERT_TRUE(eventually([&] { return status().points_done > 500; }));
@@ -64,7 +64,7 @@ TEST_F(CoreReplay, ARecordedRunIsAppliedAgainTickByTick) {
     snapshot.status = end;
     RingReader reader{segment_->header().recorder};
     while (const auto record = reader.next()) snapshot.records.push_back(*record);
-    snapshot.job_blob = job_blob_from_table(lobed_job(200, 101));
+    snapshot.job_blob = job_blob_from_table(long_job());
     ASSERT_TRUE(save_snapshot(snapshot, file("snapshot")));
     ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
     ASSERT_EQ(core_->wait_for_exit(), 0);

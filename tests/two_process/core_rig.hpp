@@ -37,11 +37,11 @@ inline JobTable lobed_job(std::uint32_t layers, std::uint32_t points, const Prof
     table.profile_toml = profile_to_toml(profile);
     table.report_json = "{}";
     for (std::uint32_t layer = 0; layer < layers; ++layer) {
-        table.layer_height_pulses.push_back(pulses_from_mm(1.0 + 0.1 * layer, profile.y.pulses_per_mm));
+        table.layer_height_pulses.push_back(pulses_from_mm(1.0 + 0.03 * layer, profile.y.pulses_per_mm));
         for (std::uint32_t point = 0; point < points; ++point) {
             const auto psi = table_angle_pulses(table.joining, table.psi_sweep_pulses, points, layer, point);
             const double angle_rad = rad_from_pulses(psi, profile.psi.pulses_per_rev);
-            const auto radius_mm = [&](double angle) { return 10.0 + std::cos(3.0 * angle) + 0.05 * layer; };
+            const auto radius_mm = [&](double angle) { return 10.0 + std::cos(3.0 * angle) + 0.005 * layer; };
             table.r_left_pulses.push_back(
                 static_cast<std::int32_t>(pulses_from_mm(radius_mm(angle_rad), profile.r1.pulses_per_mm)));
             table.r_right_pulses.push_back(static_cast<std::int32_t>(
@@ -49,6 +49,11 @@ inline JobTable lobed_job(std::uint32_t layers, std::uint32_t points, const Prof
         }
     }
     return table;
+}
+
+/// So long that a test can interfere while it is carved, however busy the computer is.
+inline JobTable long_job() {
+    return lobed_job(4000, 201);
 }
 
 /// A segment of its own for each test, and cores on it.
@@ -70,7 +75,7 @@ protected:
 
     void start_core(std::vector<std::string> more = {}) {
         std::vector<std::string> arguments{"--segment", segment_name_, "--capacity",
-                                           "400x400",   "--clock",     "virtual"};
+                                           "4000x400",  "--clock",     "virtual"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         core_ = std::make_unique<CoreProcess>(arguments, file("core.err"));
         attach();

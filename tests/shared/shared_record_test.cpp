@@ -22,7 +22,18 @@ Sample sample_of(std::uint64_t number) {
     return sample;
 }
 
-bool is_whole(const Sample& sample) {
+/// So large that reader and writer meet in the middle all the time.
+struct LargeSample {
+    std::array<std::uint64_t, 600> values;
+};
+
+LargeSample large_sample_of(std::uint64_t number) {
+    LargeSample sample{};
+    sample.values.fill(number);
+    return sample;
+}
+
+bool is_whole(const LargeSample& sample) {
     for (const std::uint64_t value : sample.values) {
         if (value != sample.values.front()) return false;
     }
@@ -61,25 +72,23 @@ TEST(SharedRecord, IsMendedByTheNextWriter) {
 }
 
 TEST(SharedRecord, IsNeverReadTornWhileItIsBeingWritten) {
-    const auto record = std::make_unique<SharedRecord<Sample>>();
-    std::atomic<bool> is_done{false};
+    constexpr std::uint64_t kWrites = 40'000;
+    const auto record = std::make_unique<SharedRecord<LargeSample>>();
     std::thread writer{[&] {
-        for (std::uint64_t number = 1; !is_done.load(); ++number) write_record(*record, sample_of(number));
+        for (std::uint64_t number = 1; number <= kWrites; ++number)
+            write_record(*record, large_sample_of(number));
     }};
 
     std::uint64_t last = 0;
-    int read_count = 0;
     bool are_all_whole = true;
     bool is_in_order = true;
-    for (int round = 0; round < 20'000 || read_count == 0; ++round) {
+    while (last < kWrites) {
         const auto read = read_record(*record);
         if (!read) continue;
-        ++read_count;
         are_all_whole = are_all_whole && is_whole(*read);
         is_in_order = is_in_order && read->values.front() >= last;
         last = read->values.front();
     }
-    is_done.store(true);
     writer.join();
 
     EXPECT_TRUE(are_all_whole);
@@ -175,11 +184,13 @@ TEST(SharedRing, SurvivesCountersOverwrittenWithGarbage) {
 }
 
 TEST(SharedRing, ConcurrentReaderSeesWholeEntriesAndCountsTheRest) {
-    constexpr std::uint64_t kEntries = 20'000;
-    const auto ring = std::make_unique<Ring>();
-    RingReader<Sample, 16> sut{*ring};
+    constexpr std::uint64_t kEntries = 40'000;
+    const auto ring = std::make_unique<SharedRing<LargeSample, 2>>();
+    RingReader<LargeSample, 2> sut{*ring};
     std::thread writer{[&] {
-        for (std::uint64_t number = 0; number < kEntries; ++number) append_to_ring(*ring, sample_of(number));
+        for (std::uint64_t number = 0; number < kEntries; ++number) {
+            append_to_ring(*ring, large_sample_of(number));
+        }
     }};
 
     std::uint64_t read_count = 0;

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a tick costs while carving: alone, with a port that does nothing (median and 99.9th percentile), and
+// with the simulated machine behind it (ticks a second on the virtual clock, without a trace). Also what
+// planning costs a point.
+#include <x86intrin.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include "rtcore/cycle/cycle.hpp"
+#include "rtcore/plan/cycle_config_from_profile.hpp"
+#include "rtcore/plan/planner.hpp"
+#include "rtcore/port/sim_port.hpp"
+#include "rtcore/sim/machine.hpp"
+#include "rtcore/sim/sim_config.hpp"
+#include "shared/job.hpp"
+#include "shared/pin_map.hpp"
+#include "shared/profile.hpp"
+
+namespace {
+
+using namespace psicarve;  // NOLINT(google-build-using-namespace)
+
+class NullPort final : public port::Port {
+public:
+    SignalWord read_inputs(std::int64_t) noexcept override { return 0; }
+    void write_outputs(SignalWord levels, std::int64_t) noexcept override { last_ = levels; }
+    bool is_healthy() const noexcept override { return true; }
+
+private:
+    SignalWord last_ = 0;
+};
+
+struct OwnedJob {
+    std::vector<std::byte> blob;
+    JobView view;
+};
+
+/// A wavy body: half the radii change at every point.
+std::shared_ptr<const JobView> wavy_job(const Profile& profile, std::uint32_t layers, std::uint32_t points) {
+    JobTable table;
+    table.layer_count = layers;
+    table.point_count = points;
+    table.psi_sweep_pulses = profile.psi.pulses_per_rev / 2;
+    table.feed_mm_s = profile.job.feed_mm_s;
+    for (std::uint32_t layer = 0; layer < layers; ++layer) {
+        table.layer_height_pulses.push_back(1000 + std::int64_t{layer} * 40);
+        for (std::uint32_t point = 0; point < points; ++point) {
+            const auto wave = static_cast<std::int32_t>((point + 7 * layer) % 50);
+            table.r_left_pulses.push_back(8000 + 4 * (wave < 25 ? wave : 50 - wave));
+            table.r_right_pulses.push_back(8100 - 3 * (wave < 25 ? wave : 50 - wave));
+        }
+    }
+    table.source_name = "wavy";
+    table.profile_toml = profile_to_toml(profile);
+    auto job = std::make_shared<OwnedJob>();
+    job->blob = job_blob_from_table(table);
+    job->view = JobView::check(job->blob).value();
+    return {job, &job->view};
+}
+
+struct Core {
+    Core(const Profile& profile, port::Port& port)
+        : io(std::make_unique<cycle::CycleIo>()),
+          cycle(plan::cycle_config_from_profile(profile), port, *io),
+          planner(profile, *io) {}
+    void tick() {
+        if (planner.wants_poll()) planner.poll();
+        cycle.tick();
+    }
+    void ask(cycle::RequestKind kind, std::uint64_t points = 0) {
+        cycle::Request request{};
+        request.kind = kind;
+        request.points_total = points;
+        io->requests.push(request);
+    }
+    void drain() {
+        cycle::Report report;
+        while (io->reports.pop_into(report)) {
+        }
+        IncrementEntry entry;
+        while (io->increments.pop_into(entry)) {
+        }
+    }
+    void run_until(MachineState state) {
+        while (cycle.state() != state) {
+            tick();
+            drain();
+        }
+    }
+    void start(const std::shared_ptr<const JobView>& job, const sim::Machine* machine) {
+        if (machine == nullptr) {
+            cycle.assume_homed({8600, 8600, 0, 400});
+        } else {
+            ask(cycle::RequestKind::home);
+            run_until(MachineState::ready);
+        }
+        planner.set_job(job);
+        ask(cycle::RequestKind::job_loaded, std::uint64_t{job->layer_count()} * job->point_count());
+        ask(cycle::RequestKind::start);
+        run_until(MachineState::waiting);
+        ask(cycle::RequestKind::start_interpolation);
+        run_until(MachineState::carving);
+    }
+
+    std::unique_ptr<cycle::CycleIo> io;
+    cycle::Cycle cycle;
+    plan::Planner planner;
+};
+
+double now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double ns_per_count() {
+    const double start_s = now_s();
+    const std::uint64_t start = __rdtsc();
+    while (now_s() - start_s < 0.1) {
+    }
+    return (now_s() - start_s) * 1e9 / static_cast<double>(__rdtsc() - start);
+}
+
+void measure_tick(const Profile& profile, const std::shared_ptr<const JobView>& job) {
+    constexpr std::size_t kTicks = 4'000'000;
+    constexpr std::size_t kBatch = 16;  // the counter's own steps are as long as a tick
+    NullPort port;
+    Core core(profile, port);
+    core.start(job, nullptr);
+    std::vector<std::uint32_t> singles;
+    std::vector<std::uint32_t> batches;
+    singles.reserve(kTicks);
+    batches.reserve(kTicks / kBatch);
+    while (singles.size() < kTicks && core.cycle.state() == MachineState::carving) {
+        if (core.planner.wants_poll()) core.planner.poll();
+        core.drain();
+        const std::uint64_t batch_start = __rdtsc();
+        for (std::size_t n = 0; n < kBatch; ++n) core.cycle.tick();
+        batches.push_back(static_cast<std::uint32_t>(__rdtsc() - batch_start));
+        for (std::size_t n = 0; n < kBatch; ++n) {
+            const std::uint64_t start = __rdtsc();
+            core.cycle.tick();
+            singles.push_back(static_cast<std::uint32_t>(__rdtsc() - start));
+        }
+    }
+    std::ranges::sort(singles);
+    std::ranges::sort(batches);
+    const double scale = ns_per_count();
+    const auto at = [&](const std::vector<std::uint32_t>& sorted, double part) {
+        return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))] * scale;
+    };
+    std::printf("tick, null port: median %.1f ns (of %zu in a row), p99.9 %.1f ns (single, clock included)\n",
+                at(batches, 0.5) / kBatch, kBatch, at(singles, 0.999));
+}
+
+void measure_virtual_clock(const Profile& profile, const std::shared_ptr<const JobView>& job) {
+    sim::Machine machine(sim::sim_config_from_profile(profile));
+    port::SimPort port(PinMap::from_profile(profile).value(), machine);
+    Core core(profile, port);
+    core.start(job, &machine);
+    const double start_s = now_s();
+    const std::uint64_t first = core.cycle.next_tick();
+    while (core.cycle.state() == MachineState::carving) {
+        for (int n = 0; n < 4096 && core.cycle.state() == MachineState::carving; ++n) core.tick();
+        core.drain();
+    }
+    const double ticks = static_cast<double>(core.cycle.next_tick() - first);
+    const double wall_s = now_s() - start_s;
+    std::printf("virtual clock, simulated machine: %.2f million ticks/s (%.0f ticks, %.1f ns each)\n",
+                ticks / wall_s / 1e6, ticks, wall_s / ticks * 1e9);
+}
+
+void measure_planning(const Profile& profile, const std::shared_ptr<const JobView>& job) {
+    auto io = std::make_unique<cycle::CycleIo>();
+    plan::Planner planner(profile, *io);
+    planner.set_job(job);
+    cycle::PlanRequest request{};
+    request.kind = cycle::PlanKind::position;
+    io->plan_requests.push(request);
+    planner.poll();
+    request.kind = cycle::PlanKind::carve;
+    io->plan_requests.push(request);
+    double planning_s = 0.0;
+    do {
+        cycle::MotionBlock block;
+        while (io->blocks.pop_into(block)) {
+        }
+        const double start_s = now_s();
+        planner.poll();
+        planning_s += now_s() - start_s;
+    } while (planner.wants_poll());
+    const double points = static_cast<double>(job->layer_count()) * job->point_count();
+    std::printf("planning: %.0f ns a point (%.0f points)\n", planning_s / points * 1e9, points);
+}
+
+}  // namespace
+
+int main() {
+    const Profile profile;
+    const auto job = wavy_job(profile, 60, 500);
+    measure_tick(profile, job);
+    for (int round = 0; round < 3; ++round) measure_virtual_clock(profile, job);
+    measure_planning(profile, job);
+    return 0;
+}

@@ -54,7 +54,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string suggestion_for(const std::string& path) {
     constexpr std::size_t kLongestGuess = 80;
     if (path.size() > kLongestGuess) return "see profile show for all keys";
-    const KeySpec* best = nullptr;
+    const KeySpec* best = &key_table().front();
     double best_distance = std::numeric_limits<double>::max();
     for (const KeySpec& key : key_table()) {
         const auto leaf = static_cast<double>(edit_distance(leaf_of(path), leaf_of(key.path)));
@@ -133,14 +133,16 @@ void Reader::read_table(const toml::table& table, const std::string& prefix) {
     for (const auto& [key, node] : table) {
         const std::string_view name = key.str();
         const std::int64_t line = key.source().begin.line;
-        const std::string path = prefix + std::string(name);
+        std::string path = prefix;
+        path += name;
         const bool quoted_dot = name.find('.') != std::string_view::npos;  // "a.b" = 1 is not a.b = 1
         if (!quoted_dot && find_key(path) != nullptr) {
             lines_[path] = line;
             read_node(path, node);
         } else if (!quoted_dot && is_table_path(path)) {
             if (const toml::table* inner = node.as_table()) {
-                read_table(*inner, path + ".");
+                path += '.';
+                read_table(*inner, path);
             } else {
                 note(line, path,
                      std::string(type_name(node)) + " where the table [" + path +

@@ -96,6 +96,12 @@ const char* type_name(const toml::node& node) {
     return "nothing";
 }
 
+std::string table_expected(const std::string& path, const toml::node& node) {
+    std::string text = type_name(node);
+    text.append(" where the table [").append(path).append("] is expected; put its keys below [");
+    return text.append(path).append("]");
+}
+
 /// Reads one profile: every problem with its line, so that the first in the file can be told.
 class Reader {
 public:
@@ -144,9 +150,7 @@ void Reader::read_table(const toml::table& table, const std::string& prefix) {
                 path += '.';
                 read_table(*inner, path);
             } else {
-                note(line, path,
-                     std::string(type_name(node)) + " where the table [" + path +
-                         "] is expected; put its keys below [" + path + "]");
+                note(line, path, table_expected(path, node));
             }
         } else {
             note(line, printable(path), "unknown key; " + suggestion_for(path));

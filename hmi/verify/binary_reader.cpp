@@ -119,6 +119,7 @@ BinaryReader::Decoded BinaryReader::decode(TraceEvent& event) {
         if (changed == 0 || (changed & ~std::uint64_t{kAllSignals}) != 0)
             return fail("a change of no signal, or of one that does not exist");
         event.kind = TraceEvent::Kind::pins;
+        event.position_pulses = {};
         levels ^= static_cast<SignalWord>(changed);
     }
     if (time_ns < time_ns_) {

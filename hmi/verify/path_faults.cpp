@@ -70,7 +70,7 @@ void PathRule::stray(std::int64_t time_ns, std::size_t h, const PathLine::Distan
     offence.axis = kHeads[h];
     offence.measured = distance.mm;
     offence.allowed = geometry_.tolerance_mm() + headings_[h].line.pulse_across_mm();
-    offence.unit = "mm";
+    offence.unit = std::string("mm");
     offence.sentence = shown_name(kHeads[h]) + " leaves the straight line to a point";
     report(time_ns, std::move(offence));
 }
@@ -118,7 +118,10 @@ void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& 
     const HeadGeometry& head = geometry_.head(h);
     const std::int64_t radius = at[index_of(kHeads[h])];
     const double real_mm = head.real_mm(radius);
-    if (real_mm >= geometry_.blank_radius_mm()) return;
+    if (real_mm >= geometry_.blank_radius_mm()) {
+        headings_[h].is_too_deep = false;
+        return;
+    }
     const auto layer = geometry_.layer_at(at[kY] + head.height_offset_pulses);
     if (!layer) return;
     const std::int64_t direction = geometry_.direction(h, at[kPsi]);
@@ -138,7 +141,8 @@ void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& 
     const std::int64_t off = round_to_pulse((real_mm - *wanted_mm) * head.pulses_per_mm);
     const std::int64_t too_deep = round_to_pulse((floor_mm - real_mm) * head.pulses_per_mm);
     if (off >= 0 || too_deep > 0) surface_.note_deviation(*layer, cell, off);
-    if (too_deep <= 0 || !log_.count(1, time_ns)) return;
+    const bool told = std::exchange(headings_[h].is_too_deep, too_deep > 0);
+    if (too_deep <= 0 || told || !log_.count(1, time_ns)) return;
     Offence offence;
     offence.fault = "too-deep";
     offence.axis = kHeads[h];

@@ -194,48 +194,54 @@ void PathRule::note_closest(const Positions& at) {
     }
 }
 
+/// Whether both heads are near enough to their straight lines; keeps the largest distances.
+bool PathRule::is_on_lines(std::int64_t time_ns, const Positions& at) {
+    bool is_on = true;
+    for (std::size_t h = 0; h < kHeadCount; ++h) {
+        const std::size_t axis = index_of(kHeads[h]);
+        const PathLine& line = headings_[h].line;
+        const auto distance = line.distance(at[kPsi] - from_[kPsi], at[axis] - from_[axis]);
+        if (distance.mm > max_line_mm_) max_line_mm_ = distance.mm;
+        if (distance.across_mm > max_line_pulses_ * line.pulse_across_mm())
+            max_line_pulses_ = distance.across_mm / line.pulse_across_mm();
+        if (distance.is_allowed) continue;
+        is_on = false;
+        stray(time_ns, h, distance);
+    }
+    return is_on;
+}
+
+/// The tips cut where they may: no more to judge.
+void PathRule::carve(const Positions& at) {
+    const bool turned = at[kPsi] != cells_at_psi_;
+    cells_at_psi_ = at[kPsi];
+    for (std::size_t h = 0; h < kHeadCount; ++h) {
+        Heading& heading = headings_[h];
+        if (turned) heading.cell = geometry_.cell_of(geometry_.direction(h, at[kPsi]));
+        if (!heading.has_surface) continue;
+        const double mm = geometry_.head(h).real_mm(at[index_of(kHeads[h])]);
+        surface_.touch(heading.surface_layer, heading.cell, static_cast<float>(mm));
+    }
+}
+
 void PathRule::follow_segment(std::int64_t time_ns, const Positions& at) {
     if (!has_left_) {
         has_left_ = true;
         left_ns_ = time_ns;
     }
-    const std::int64_t psi_passed = at[kPsi] - from_[kPsi];
-    bool conforms = true;
-    for (std::size_t h = 0; h < kHeadCount; ++h) {
-        const std::size_t axis = index_of(kHeads[h]);
-        const PathLine& line = headings_[h].line;
-        const PathLine::Distance distance = line.distance(psi_passed, at[axis] - from_[axis]);
-        if (distance.mm > max_line_mm_) max_line_mm_ = distance.mm;
-        if (distance.across_mm > max_line_pulses_ * line.pulse_across_mm())
-            max_line_pulses_ = distance.across_mm / line.pulse_across_mm();
-        if (distance.is_allowed) continue;
-        conforms = false;
-        stray(time_ns, h, distance);
-    }
-    if (std::abs(at[kY] - to_[kY]) > kHeightSlackPulses) {
-        conforms = false;
+    while (phase_ == Phase::segment && forward(at[kPsi]) > 0) miss(time_ns, at);
+    if (phase_ == Phase::segment && std::abs(at[kY] - to_[kY]) > kHeightSlackPulses) {
         stray_in_height(time_ns, at);
-        if (phase_ == Phase::link) return follow_link(time_ns, at);
-        if (phase_ == Phase::done) return touch(time_ns, at);
+        if (phase_ == Phase::segment) return touch(time_ns, at);
     }
-    if (!conforms) touch(time_ns, at);
-    if (conforms) {
-        const bool turned = at[kPsi] != cells_at_psi_;
-        cells_at_psi_ = at[kPsi];
-        for (std::size_t h = 0; h < kHeadCount; ++h) {
-            Heading& heading = headings_[h];
-            if (turned) heading.cell = geometry_.cell_of(geometry_.direction(h, at[kPsi]));
-            if (!heading.has_surface) continue;
-            const double mm = geometry_.head(h).real_mm(at[index_of(kHeads[h])]);
-            surface_.touch(heading.surface_layer, heading.cell, static_cast<float>(mm));
-        }
-    }
+    if (phase_ == Phase::link) return follow_link(time_ns, at);
+    if (phase_ == Phase::done) return touch(time_ns, at);
+    if (is_on_lines(time_ns, at))
+        carve(at);
+    else
+        touch(time_ns, at);
     if (at == to_) return reach(time_ns);
     if (at[kPsi] == to_[kPsi]) note_closest(at);
-    while (phase_ == Phase::segment && forward(at[kPsi]) > 0) {
-        miss(time_ns, at);
-        if (phase_ == Phase::segment && at == to_) return reach(time_ns);
-    }
 }
 
 void PathRule::follow_link(std::int64_t time_ns, const Positions& at) {
@@ -245,7 +251,8 @@ void PathRule::follow_link(std::int64_t time_ns, const Positions& at) {
         wrong_layer(time_ns, at, *layer);
     if (phase_ != Phase::link || at[kY] != to_[kY]) return;
     if (at[kPsi] == to_[kPsi]) note_closest(at);
-    // The layer goes on without its first point.
+    // Psi that turns at this height: the layer goes on without its first point.
+    if (at[kPsi] + psi_offset_ == last_[kPsi]) return;
     const Positions second = geometry_.target(layer_, 1);
     const std::int64_t way = second[kPsi] - to_[kPsi];
     if ((at[kPsi] - second[kPsi]) * (way > 0 ? 1 : -1) < 0) return;

@@ -42,10 +42,13 @@ private:
         std::uint32_t surface_layer = 0;  ///< row of the carved surface that the tip works on
         bool has_surface = false;
         std::uint32_t cell = 0;
+        bool is_too_deep = false;  ///< told already for this stay
         std::optional<std::int64_t>
             closest;  ///< radius nearest to the wanted one, while psi stood at the point's
     };
 
+    bool is_on_lines(std::int64_t time_ns, const Positions& at);
+    void carve(const Positions& at);
     void follow_segment(std::int64_t time_ns, const Positions& at);
     void follow_link(std::int64_t time_ns, const Positions& at);
     void follow_approach(std::int64_t time_ns, const Positions& at, bool spindle_on);

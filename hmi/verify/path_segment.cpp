@@ -28,6 +28,7 @@ PathLine PathLine::between(const JobGeometry& geometry, std::size_t h, const Pos
     line.pulse_across_mm_ = std::max(std::abs(line.across_psi_), std::abs(line.across_radius_));
     line.pulse_along_mm_ = std::max(std::abs(line.along_psi_), std::abs(line.along_radius_));
     constexpr double kRounding_mm = 1e-9;
+    line.pulse_along_mm_ += kRounding_mm;
     line.allowed_mm_ = geometry.tolerance_mm() + line.pulse_across_mm_ + kRounding_mm;
     return line;
 }

@@ -2,6 +2,7 @@
 #include "hmi/verify/picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -28,12 +29,13 @@ constexpr Rgb kRed{0.75, 0.13, 0.12};
 constexpr Canvas::Font kTitle{21.0, true, kInk};
 constexpr Canvas::Font kText{13.0, false, kFaint};
 constexpr Canvas::Font kLabel{11.0, false, kFaint};
+constexpr Canvas::Font kSmall{9.5, false, kFaint};
 constexpr Canvas::Font kHeading{13.0, true, kInk};
 
 constexpr Box kFirstView{20.0, 78.0, 216.0, 404.0};
 constexpr Box kSecondView{246.0, 78.0, 216.0, 404.0};
-constexpr Box kMap{512.0, 100.0, 180.0, 360.0};
-constexpr Box kBar{706.0, 100.0, 12.0, 360.0};
+constexpr Box kMap{510.0, 100.0, 180.0, 360.0};
+constexpr Box kBar{712.0, 100.0, 12.0, 360.0};
 constexpr double kElevation_rad = 0.36;
 constexpr double kFirstAzimuth_deg = 30.0;
 constexpr double kSecondAzimuth_deg = 210.0;
@@ -120,7 +122,7 @@ void draw_map_axes(Canvas& canvas, const PieceGrid& grid) {
          mm += step_mm) {
         const double y = kMap.y + kMap.height * (1.0 - (mm - bottom_mm) / height_mm);
         canvas.line(kMap.x - 4.0, y, kMap.x, y, kFaint);
-        canvas.text(kMap.x - 7.0, y + 4.0, format("%g", mm), kLabel, Align::right);
+        canvas.text(kMap.x - 7.0, y + 4.0, format("%g", mm == 0.0 ? 0.0 : mm), kLabel, Align::right);
     }
     canvas.text(kMap.x - 7.0, kMap.y - 8.0, "Y mm", kLabel, Align::right);
 }
@@ -133,18 +135,21 @@ void draw_colour_bar(Canvas& canvas, const DeviationScale& scale, double pulse_m
         canvas.fill({kBar.x, kBar.y + row, kBar.width, 1.0}, scale.colour(pulses));
     }
     canvas.frame(kBar, kFaint);
+    const double x = kBar.x + kBar.width + 7.0;
+    const auto label = [&](double part, double y) {
+        const auto pulses = static_cast<long long>(part * reach);
+        canvas.text(x, y, format(pulses == 0 ? "%lld" : "%+lld", pulses), kLabel);
+        canvas.text(x, y + 11.0, format("%.3g mm", static_cast<double>(pulses) * pulse_mm), kSmall);
+    };
     for (const double part : {1.0, 0.5, 0.0, -0.5, -1.0}) {
-        if (std::abs(part) == 0.5 && reach < 2.0) continue;
+        if (std::abs(part) == 0.5 && (scale.reach_pulses() % 2 != 0)) continue;
         const double y = kBar.y + kBar.height * (1.0 - part) / 2.0;
         canvas.line(kBar.x + kBar.width, y, kBar.x + kBar.width + 4.0, y, kFaint);
-        canvas.text(kBar.x + kBar.width + 7.0, y + 1.0, format(part == 0.0 ? "%g" : "%+g", part * reach),
-                    kLabel);
-        canvas.text(kBar.x + kBar.width + 7.0, y + 12.0, format("%.3g mm", part * reach * pulse_mm),
-                    {9.0, false, kFaint});
+        label(part, part == 1.0 ? y + 9.0 : part == -1.0 ? y - 11.0 : y + 1.0);
     }
-    canvas.text(kBar.x + 6.0, kBar.y + kBar.height + 24.0, "pulses", kLabel, Align::left);
-    canvas.text(kBar.x - 2.0, kBar.y - 8.0, "left on", kLabel);
-    canvas.text(kBar.x - 2.0, kBar.y + kBar.height + 12.0, "too deep", kLabel);
+    canvas.text(kBar.x - 2.0, kBar.y - 8.0, "pulses", kLabel);
+    canvas.text(x, kBar.y + 33.0, "left on", kSmall);
+    canvas.text(x, kBar.y + kBar.height - 24.0, "too deep", kSmall);
 }
 
 }  // namespace

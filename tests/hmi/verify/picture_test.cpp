@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <png.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "hmi/verify/canvas.hpp"
+#include "hmi/verify/deviation_map.hpp"
+#include "hmi/verify/picture.hpp"
+#include "hmi/verify/piece_grid.hpp"
+#include "hmi/verify/piece_view.hpp"
+#include "shared/units.hpp"
+#include "tests/hmi/verify/verify_fixture.hpp"
+
+namespace psicarve::verify {
+namespace {
+
+/// A surface as the job wants it, without a trace: for drawing alone.
+CarvedSurface surface_of(const SampleJob& job) {
+    const auto geometry = JobGeometry::make(job.view(), job.profile);
+    CarvedSurface surface(*geometry);
+    for (std::uint32_t layer = 0; layer < surface.layer_count(); ++layer) {
+        for (std::uint32_t d = 0; d < surface.direction_count(); ++d) {
+            surface.touch(layer, d,
+                          static_cast<float>(*geometry->wanted_mm(layer, geometry->direction_of(d))));
+            surface.note_deviation(layer, d, 0);
+        }
+    }
+    return surface;
+}
+
+struct DecodedPng {
+    unsigned width = 0;
+    unsigned height = 0;
+};
+DecodedPng decode(const std::vector<std::byte>& bytes) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    EXPECT_NE(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()), 0) << image.message;
+    image.format = PNG_FORMAT_RGB;
+    std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
+    EXPECT_NE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr), 0) << image.message;
+    return {image.width, image.height};
+}
+
+/// A body round but for a nose towards one direction.
+SampleJob nosed_job(double nose_deg) {
+    return {Profile{}, 60, 181, Joining::continuous, [nose_deg](double angle, std::uint32_t layer) {
+                const double off = std::remainder(angle - rad_from_deg(nose_deg), 2.0 * kPi);
+                return 6.0 + (std::abs(off) < 0.2 && layer > 20 && layer < 40 ? 3.0 : 0.0);
+            }};
+}
+
+struct Extent {
+    std::size_t left;
+    std::size_t right;
+};
+Extent extent_of(const PixelImage& image) {
+    Extent extent{image.width, 0};
+    for (std::size_t n = 0; n < image.argb.size(); ++n) {
+        if (image.argb[n] >> 24U == 0) continue;
+        extent.left = std::min(extent.left, n % image.width);
+        extent.right = std::max(extent.right, n % image.width);
+    }
+    return extent;
+}
+
+TEST(Picture, IsAPngEightHundredPixelsWide) {
+    const SampleJob job = wavy_job(Joining::continuous, 40, 101);
+    const auto png = picture_png(surface_of(job), caption_of(job.view(), VerifyReport{}));
+    ASSERT_TRUE(png);
+    EXPECT_EQ(decode(*png).width, 800U);
+}
+
+TEST(Picture, OfFewLayersAndOfManyCanBeDrawn) {
+    for (const std::uint32_t layers : {1U, 2U, 10U, 3000U}) {
+        const SampleJob job(Profile{}, layers, 2 + layers / 2, Joining::continuous,
+                            [](double, std::uint32_t) { return 5.0; });
+        const auto png = picture_png(surface_of(job), caption_of(job.view(), VerifyReport{}));
+        ASSERT_TRUE(png) << layers;
+        EXPECT_EQ(decode(*png).width, 800U);
+    }
+}
+
+TEST(Picture, ThatCannotBeWrittenLeavesNothing) {
+    const SampleJob job = wavy_job();
+    const std::string folder = testing::TempDir() + "psicarve_picture_" + std::to_string(::getpid());
+    ASSERT_TRUE(std::filesystem::create_directory(folder));
+    EXPECT_FALSE(write_picture(folder + "/none/x.png", surface_of(job), {}));
+    EXPECT_TRUE(write_picture(folder + "/x.png", surface_of(job), {}));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Picture, ShowsTheRightSideOnTheRight) {
+    // Looked at from direction 0, direction 90 is on the viewer's right: counter-clockwise seen from above.
+    const PieceGrid grid = make_piece_grid(surface_of(nosed_job(90.0)));
+    const PixelImage image = draw_piece(
+        grid,
+        {.azimuth_rad = 0.0, .elevation_rad = 0.3, .px_per_mm = 5.0, .width_px = 120, .height_px = 120});
+    const Extent extent = extent_of(image);
+    EXPECT_NEAR(60.0 - static_cast<double>(extent.left), 30.0, 2.0);
+    EXPECT_NEAR(static_cast<double>(extent.right) - 60.0, 45.0, 2.0);
+}
+
+TEST(Picture, FitsThePieceIntoItsFrame) {
+    const PieceGrid grid = make_piece_grid(surface_of(nosed_job(90.0)));
+    const double px_per_mm = fitting_px_per_mm(grid, 0.3, 120.0, 120.0);
+    const PixelImage image = draw_piece(grid, {.azimuth_rad = 1.0,
+                                               .elevation_rad = 0.3,
+                                               .px_per_mm = px_per_mm,
+                                               .width_px = 120,
+                                               .height_px = 120});
+    for (std::size_t n = 0; n < 120; ++n) {
+        EXPECT_EQ(image.argb[n] >> 24U, 0U);
+        EXPECT_EQ(image.argb[119 * 120 + n] >> 24U, 0U);
+        EXPECT_EQ(image.argb[n * 120] >> 24U, 0U);
+        EXPECT_EQ(image.argb[n * 120 + 119] >> 24U, 0U);
+    }
+}
+
+TEST(DeviationMap, ShowsASingleStrayCellOfManyInItsColour) {
+    const SampleJob job(Profile{}, 500, 501, Joining::continuous, [](double, std::uint32_t) { return 5.0; });
+    CarvedSurface surface = surface_of(job);
+    surface.note_deviation(250, 500, -9);
+    const PixelImage map = draw_deviation_map(surface, DeviationScale(9), 100, 100);
+    std::size_t blue = 0;
+    for (const std::uint32_t pixel : map.argb) blue += (pixel & 0xFFU) > (pixel >> 16U & 0xFFU) + 40U ? 1 : 0;
+    EXPECT_EQ(blue, 1U);
+    EXPECT_GT(map.argb[49 * 100 + 50] & 0xFFU, (map.argb[49 * 100 + 50] >> 16U & 0xFFU) + 40U);
+}
+
+TEST(Canvas, TakesAnyBytesForText) {
+    EXPECT_EQ(as_utf8("a\xC3\xA4\xE6\x9C\xA8z"), "a\xC3\xA4\xE6\x9C\xA8z");
+    EXPECT_EQ(as_utf8("a\xC3z\xFF\xED\xA0\x80\x01"), "a?z?????");
+    Canvas sut(100, 40, {1.0, 1.0, 1.0});
+    sut.text(2.0, 20.0, std::string(500, '\xC3') + "\xE6\x9C\xA8", {12.0, false, {}}, Canvas::Align::left,
+             80.0);
+    EXPECT_TRUE(sut.png());
+}
+
+}  // namespace
+}  // namespace psicarve::verify

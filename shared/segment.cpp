@@ -101,7 +101,7 @@ Segment::Segment(std::unique_ptr<Mapping> mapping) noexcept : mapping_(std::move
 Segment::Segment(Segment&&) noexcept = default;
 Segment& Segment::operator=(Segment&&) noexcept = default;
 Segment::~Segment() {
-    if (mapping_ && mapping_->is_core) release_core();
+    if (mapping_) release_core();
 }
 
 Result<Segment> Segment::create_or_attach(const SegmentOptions& options) {

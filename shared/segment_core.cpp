@@ -24,7 +24,7 @@ Result<void> Segment::claim_core() {
                                                      std::to_string(first) +
                                                      "): end that one, or choose another --segment"};
     }
-    mapping_->is_core = true;
+    mapping_->core_owner_pid = own_pid();
     SegmentHeader& shared = header();
     shared.core.pid.store(0);
     shared.core.start_time.store(process_start_time(own_pid()));
@@ -39,14 +39,15 @@ Result<void> Segment::claim_core() {
 }
 
 void Segment::release_core() noexcept {
-    if (!mapping_->is_core) return;
+    // A forked child has our lock, but it is not its to give back.
+    if (mapping_->core_owner_pid != own_pid()) return;
     header().core.pid.store(0);
     mapping_->object.unlock(LockByte::core);
-    mapping_->is_core = false;
+    mapping_->core_owner_pid = 0;
 }
 
 std::optional<std::uint32_t> Segment::core_pid() const noexcept {
-    if (mapping_->is_core) return own_pid();
+    if (mapping_->core_owner_pid != 0) return mapping_->core_owner_pid;
     const auto deadline = std::chrono::steady_clock::now() + kSigningLimit;
     // The lock says that there is a core; the words say which. Between the two may lie the instant in which a
     // core has got the lock and the words still name the one before it.

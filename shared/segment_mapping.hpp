@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/interprocess/mapped_region.hpp>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -33,8 +34,8 @@ struct Segment::Mapping {
     std::string warning;
     std::uint32_t capacity_layers;
     std::uint32_t capacity_points;
-    SegmentGeometry geometry;  ///< our own, checked; never re-read from shared memory
-    bool is_core = false;
+    SegmentGeometry geometry;          ///< our own, checked; never re-read from shared memory
+    std::uint32_t core_owner_pid = 0;  ///< who claimed the core through this object; 0: nobody
 };
 
 }  // namespace psicarve

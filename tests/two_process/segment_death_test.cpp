@@ -132,6 +132,15 @@ TEST_F(SegmentDeath, AnotherCoreServesAsSoonAsTheFirstWasKilled) {
     EXPECT_TRUE(segment_->claim_core().has_value());
 }
 
+TEST_F(SegmentDeath, ForkedChildOfTheCoreThatEndsDoesNotEndTheCore) {
+    ASSERT_TRUE(segment_->claim_core().has_value());
+    ChildProcess child{[this](const ChildProcess::Signal&) { segment_.reset(); }};
+    EXPECT_TRUE(child.ends_well());
+
+    EXPECT_EQ(attach().core_pid(), own_pid());
+    EXPECT_FALSE(attach().claim_core().has_value());
+}
+
 TEST_F(SegmentDeath, SenderLearnsThatTheCoreWasKilledBeforeItAnswered) {
     ChildProcess core{[this](const ChildProcess::Signal& took) {
         Segment segment = attach();

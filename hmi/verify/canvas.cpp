@@ -141,13 +141,15 @@ void Canvas::shade(const Box& box, const Rgb& top, const Rgb& bottom, double cor
     cairo_pattern_destroy(pattern);
 }
 
-void Canvas::shadow(double x, double y, double half_width, double half_height) {
+void Canvas::shadow(const Box& within, double x, double y, double half_width, double half_height) {
     cairo_t* c = context_.get();
     cairo_pattern_t* pattern = cairo_pattern_create_radial(0.0, 0.0, 0.35, 0.0, 0.0, 1.0);
     cairo_pattern_add_color_stop_rgba(pattern, 0.0, 0.0, 0.0, 0.0, 0.42);
     cairo_pattern_add_color_stop_rgba(pattern, 0.5, 0.0, 0.0, 0.0, 0.16);
     cairo_pattern_add_color_stop_rgba(pattern, 1.0, 0.0, 0.0, 0.0, 0.0);
     cairo_save(c);
+    cairo_rectangle(c, within.x, within.y, within.width, within.height);
+    cairo_clip(c);
     cairo_translate(c, x, y);
     cairo_scale(c, half_width, half_height);
     cairo_set_source(c, pattern);

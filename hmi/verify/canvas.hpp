@@ -43,8 +43,8 @@ public:
     void frame(const Box& box, const Rgb& colour);
     /// From one colour at the top to another at the bottom.
     void shade(const Box& box, const Rgb& top, const Rgb& bottom, double corner_px);
-    /// A soft dark ellipse.
-    void shadow(double x, double y, double half_width, double half_height);
+    /// A soft dark ellipse, as far as it lies within the box.
+    void shadow(const Box& within, double x, double y, double half_width, double half_height);
     void image(double x, double y, const PixelImage& image);
 
     Result<std::vector<std::byte>> png();

@@ -81,10 +81,14 @@ void draw_title(Canvas& canvas, const PieceGrid& grid, const CarvedSurface& surf
 void draw_view(Canvas& canvas, const Box& box, const PieceGrid& grid, double azimuth_deg, double px_per_mm) {
     canvas.shade(box, {0.87, 0.89, 0.91}, {0.73, 0.76, 0.79}, 8.0);
     const double half_height_mm = static_cast<double>(grid.top_mm - grid.bottom_mm) / 2.0;
-    const double foot_mm = static_cast<double>(grid.radius_mm);
+    double foot_mm = 0.0;
+    for (std::size_t c = 0; c < grid.columns; ++c) {
+        const Vec3& p = grid.at(0, c).position_mm;
+        foot_mm = std::max(foot_mm, static_cast<double>(std::hypot(p.x, p.y)));
+    }
     const double foot_y = box.y + box.height / 2.0 + half_height_mm * std::cos(kElevation_rad) * px_per_mm;
-    canvas.shadow(box.x + box.width / 2.0, foot_y + 2.0, 1.12 * foot_mm * px_per_mm,
-                  1.25 * foot_mm * px_per_mm * std::sin(kElevation_rad));
+    canvas.shadow(box, box.x + box.width / 2.0, foot_y + 2.0, 1.25 * foot_mm * px_per_mm,
+                  1.35 * foot_mm * px_per_mm * std::sin(kElevation_rad));
     const PieceCamera camera{.azimuth_rad = rad_from_deg(azimuth_deg),
                              .elevation_rad = kElevation_rad,
                              .px_per_mm = px_per_mm,
@@ -118,7 +122,7 @@ void draw_map_axes(Canvas& canvas, const PieceGrid& grid) {
     const double bottom_mm = static_cast<double>(grid.bottom_mm);
     const double height_mm = static_cast<double>(grid.top_mm) - bottom_mm;
     const double step_mm = round_length(height_mm / 3.0);
-    for (double mm = std::ceil(bottom_mm / step_mm) * step_mm; mm <= bottom_mm + height_mm + 1e-9;
+    for (double mm = std::ceil(bottom_mm / step_mm - 0.01) * step_mm; mm <= bottom_mm + height_mm + 1e-9;
          mm += step_mm) {
         const double y = kMap.y + kMap.height * (1.0 - (mm - bottom_mm) / height_mm);
         canvas.line(kMap.x - 4.0, y, kMap.x, y, kFaint);

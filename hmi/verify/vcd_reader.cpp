@@ -122,6 +122,9 @@ Result<std::size_t> VcdReader::read(std::span<TraceEvent> events) {
 /// Takes the word at the source's front and consumes it.
 Result<void> VcdReader::take_front(std::string_view word) {
     auto taken = take(word);
+    // Every word of a whole dump is followed by white space, but for the last one, which then makes sense.
+    const bool is_cut_off = !taken && source_.at_end() && source_.unread().size() == word_bytes_;
+    if (is_cut_off) taken = source_.bad_at(word_bytes_, "the dump is cut off inside its last word");
     source_.consume(word_bytes_);
     word_bytes_ = 0;
     return taken;

@@ -230,6 +230,7 @@ TEST_F(TraceFile, GarbageInsideADumpIsNamedWithItsPlace) {
 
 TEST_F(TraceFile, ADumpCutOffInsideAValueIsRefused) {
     EXPECT_THAT(read(kDeclarations + kBody + "#0 0!\n#5 b1\n").error, HasSubstr("cut off"));
+    EXPECT_THAT(read(kDeclarations + kBody + "#0 0!\n#51 1!\n#5").error, HasSubstr("cut off"));
 }
 
 TEST_F(TraceFile, ADumpCutOffInItsDeclarationsIsRefused) {

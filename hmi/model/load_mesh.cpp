@@ -11,11 +11,12 @@
 #include <string>
 #include <string_view>
 
-#include "hmi/model/assimp_reader.hpp"
 #include "hmi/model/file_bytes.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/model/mesh_check.hpp"
 #include "hmi/model/stl_reader.hpp"
+#include "hmi/model/text_mesh_readers.hpp"
+#include "hmi/model/three_mf_reader.hpp"
 #include "shared/result.hpp"
 
 namespace psicarve::model {
@@ -84,13 +85,13 @@ Result<Mesh> read_as(Format format, const InputFile& file) {
         case Format::ascii_stl:
             return read_ascii_stl(file);
         case Format::obj:
-            return read_with_assimp(file, "obj");
+            return read_obj(file);
         case Format::ply:
-            return read_with_assimp(file, "ply");
+            return read_ply(file);
         case Format::three_mf:
-            return read_with_assimp(file, "3mf");
+            return read_3mf(file);
         case Format::off:
-            return read_with_assimp(file, "off");
+            return read_off(file);
         case Format::unknown:
             break;
     }

@@ -1,82 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <xxhash.h>
 
-#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <new>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "hmi/model/file_bytes.hpp"
+#include "hmi/model/indexed_mesh.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/model/mesh_check.hpp"
 #include "hmi/model/stl_reader.hpp"
+#include "hmi/model/text_scan.hpp"
 #include "shared/result.hpp"
 
 namespace psicarve::model {
 namespace {
-
-// Beyond this a float no longer resolves a tenth of a micrometre: coordinates are then stored from an origin.
-constexpr double kFarFromOrigin = 1000.0;
-
-bool is_space(char c) noexcept {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
-}
-
-/// Words of a text, and where they stand.
-class Words {
-public:
-    explicit Words(std::string_view text) : text_(text) {}
-
-    std::string_view next() noexcept {
-        while (position_ < text_.size() && is_space(text_[position_])) ++position_;
-        start_ = position_;
-        while (position_ < text_.size() && !is_space(text_[position_])) ++position_;
-        return text_.substr(start_, position_ - start_);
-    }
-    void skip_line() noexcept {
-        while (position_ < text_.size() && text_[position_] != '\n') ++position_;
-    }
-    std::size_t line() const noexcept {
-        const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(start_, text_.size()));
-        return 1 + static_cast<std::size_t>(std::count(text_.begin(), end, '\n'));
-    }
-
-private:
-    std::string_view text_;
-    std::size_t position_ = 0;
-    std::size_t start_ = 0;
-};
-
-bool is_word(std::string_view word, std::string_view lower_case) noexcept {
-    return std::equal(word.begin(), word.end(), lower_case.begin(), lower_case.end(), [](char a, char b) {
-        return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
-    });
-}
-
-std::optional<double> number(std::string_view word) noexcept {
-    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (end != word.data() + word.size()) return std::nullopt;
-    if (error == std::errc::result_out_of_range) return HUGE_VAL;  // dropped and counted like infinity
-    if (error != std::errc{}) return std::nullopt;
-    return value;
-}
-
-std::string quoted(std::string_view word) {
-    std::string text = "'";
-    text += word.substr(0, 20);
-    text += "'";
-    return text;
-}
 
 class AsciiReader {
 public:
@@ -139,7 +81,7 @@ private:
     Result<void> end_facet() {
         if (!in_facet_ || vertex_count_ != 3) return wrong("a facet needs three vertices");
         in_facet_ = false;
-        if (mesh_.triangles.empty()) choose_origin();
+        if (mesh_.triangles.empty()) mesh_.origin = origin_near(facet_[0]);
         Triangle triangle{};
         for (std::size_t v = 0; v < 3; ++v) {
             for (std::size_t k = 0; k < 3; ++k) {
@@ -148,14 +90,6 @@ private:
         }
         check_.add_to(mesh_.triangles, triangle);
         return {};
-    }
-
-    void choose_origin() noexcept {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double first = facet_[0][k];
-            const bool far = std::isfinite(first) && std::abs(first) > kFarFromOrigin;
-            mesh_.origin[k] = far ? std::trunc(first) : 0.0;
-        }
     }
 
     Words words_;

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/model/assimp_reader.hpp"
+#include "hmi/model/three_mf_reader.hpp"
 
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <xxhash.h>
 
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
-#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -18,7 +15,6 @@
 #include <utility>
 #include <vector>
 
-#include "hmi/model/edge_hash.hpp"
 #include "hmi/model/file_bytes.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/model/mesh_check.hpp"
@@ -71,22 +67,14 @@ std::string first_line(std::string text) {
     return text;
 }
 
-Result<Mesh> import(const InputFile& file, const std::vector<char>& bytes, const std::string& hint) {
+Result<Mesh> import(const InputFile& file, const std::vector<char>& bytes) {
     Assimp::Importer importer;
-    // Geometry only: no normals, colours, materials or textures are looked at.
-    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS |
-                                                            aiComponent_TANGENTS_AND_BITANGENTS |
-                                                            aiComponent_COLORS | aiComponent_TEXCOORDS |
-                                                            aiComponent_TEXTURES | aiComponent_MATERIALS);
-    const aiScene* scene = importer.ReadFileFromMemory(
-        bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_RemoveComponent, hint.c_str());
+    // No post-processing: 3MF holds triangles alone, and Assimp's steps end the process on empty meshes.
+    const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "3mf");
     Mesh mesh;
-    mesh.format = hint;
-    std::transform(mesh.format.begin(), mesh.format.end(), mesh.format.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    mesh.format = "3MF";
     if (scene == nullptr || scene->mRootNode == nullptr) {
-        return bad_input(file.path() + ": not a readable " + mesh.format +
-                         " file: " + first_line(importer.GetErrorString()));
+        return bad_input(file.path() + ": not a readable 3MF file: " + first_line(importer.GetErrorString()));
     }
     SceneWalk(*scene, mesh).run();
     return mesh;
@@ -94,17 +82,17 @@ Result<Mesh> import(const InputFile& file, const std::vector<char>& bytes, const
 
 }  // namespace
 
-Result<Mesh> read_with_assimp(const InputFile& file, const std::string& hint) {
+Result<Mesh> read_3mf(const InputFile& file) {
     const Result<std::vector<char>> bytes = file.read_all();
     if (!bytes) return bytes.error();
     try {
-        Result<Mesh> mesh = import(file, *bytes, hint);
+        Result<Mesh> mesh = import(file, *bytes);
         if (mesh) mesh->source_hash = XXH3_64bits(bytes->data(), bytes->size());
         return mesh;
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::out_of_room, file.path() + ": too large for this computer's memory"};
     } catch (const std::exception& problem) {
-        return bad_input(file.path() + ": not a readable " + hint + " file: " + first_line(problem.what()));
+        return bad_input(file.path() + ": not a readable 3MF file: " + first_line(problem.what()));
     }
 }
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "hmi/model/file_bytes.hpp"
+#include "hmi/model/mesh.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::model {
+
+// Readers of ours: Assimp 5.2 ends the process, or never ends, on truncated files of these formats.
+
+/// Wavefront OBJ: points and faces, nothing else is looked at.
+Result<Mesh> read_obj(const InputFile& file);
+
+/// Object File Format, also with normals or colours; text only.
+Result<Mesh> read_off(const InputFile& file);
+
+/// Polygon File Format: text and binary of both byte orders.
+Result<Mesh> read_ply(const InputFile& file);
+
+}  // namespace psicarve::model

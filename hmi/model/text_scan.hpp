@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace psicarve::model {
+
+/// Words of a text, and where they stand.
+class Words {
+public:
+    explicit Words(std::string_view text) : text_(text) {}
+
+    /// The next word, also of a later line; empty at the end.
+    std::string_view next() noexcept;
+    /// The next word of this line; empty at its end.
+    std::string_view next_in_line() noexcept;
+    /// To the start of the next line.
+    void skip_line() noexcept;
+    bool at_end() const noexcept { return position_ >= text_.size(); }
+    std::size_t position() const noexcept { return position_; }
+    /// Line of the last word, from 1.
+    std::size_t line() const noexcept;
+
+private:
+    std::string_view text_;
+    std::size_t position_ = 0;
+    std::size_t start_ = 0;
+};
+
+/// Whether the word is this one, written in any case.
+bool is_word(std::string_view word, std::string_view lower_case) noexcept;
+
+/// The whole word as a number; NaN and infinity are numbers too, and one too large for a double is infinite.
+std::optional<double> number(std::string_view word) noexcept;
+std::optional<long long> whole_number(std::string_view word) noexcept;
+
+/// The beginning of a word for a message, in quotes.
+std::string quoted(std::string_view word);
+
+}  // namespace psicarve::model

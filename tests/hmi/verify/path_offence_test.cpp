@@ -172,6 +172,7 @@ TEST(PathOffence, LayersInTheWrongOrderAreNamed) {
     EXPECT_EQ(offence.layer, 1U);
     EXPECT_EQ(offence.allowed, job.view().layer_heights_pulses()[1]);
     EXPECT_NE(offence.sentence.find("layer 2 where layer 1 is due"), std::string::npos) << offence.sentence;
+    EXPECT_EQ(report.points_visited, 63U);  // layers 0, 2 and 3
 }
 
 TEST(PathOffence, AMissedFirstPointIsNamedAndTheRestIsJudged) {

@@ -76,6 +76,22 @@ TEST(PerfectTrace, WithHeadErrorsAndTipOffsetsIsVerified) {
     expect_perfect(job, machine);
 }
 
+TEST(JobGeometry, WantsARadiusInEveryDirectionWhateverTheAngleError) {
+    for (const double error_deg : {-1.3, 0.0, 0.7}) {
+        Profile machine_profile;
+        machine_profile.head_r2_angle_error_deg = error_deg;
+        const SampleJob job(machine_profile, 2, 33, Joining::continuous,
+                            [](double, std::uint32_t) { return 8.0; });
+        const auto sut = JobGeometry::make(job.view(), job.profile);
+        ASSERT_TRUE(sut);
+        for (std::int64_t direction = 0; direction < sut->rev_pulses(); ++direction) {
+            const auto wanted_mm = sut->wanted_mm(1, direction);
+            ASSERT_TRUE(wanted_mm) << error_deg << " " << direction;
+            ASSERT_DOUBLE_EQ(*wanted_mm, 8.0);
+        }
+    }
+}
+
 TEST(PerfectTrace, MayCountPsiWholeTurnsOff) {
     const SampleJob job = wavy_job();
     PerfectMachine machine(job);

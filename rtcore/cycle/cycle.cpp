@@ -54,7 +54,7 @@ void Cycle::advance_missed(std::uint64_t ticks) noexcept {
 void Cycle::take_inputs(SignalWord raw) noexcept {
     const SignalWord before = inputs_.raw();
     inputs_.take(raw, tick_, pulses_.positions());
-    limits_exempt_ &= inputs_.accepted();
+    limits_exempt_ &= inputs_.accepted() | inputs_.raw();
     const SignalWord changed = before ^ inputs_.raw();
     for (std::size_t k = 0; changed != 0 && k <= kAxisCount; ++k) {
         const SignalWord input = bit_of(Signal::r1_limit) << k;

@@ -41,7 +41,7 @@ Refusal Cycle::start_home(bool only_height) noexcept {
     if (only_height && !config_.axes[kY].has_sensor) return Refusal::no_sensor;
     const std::uint32_t axes = only_height ? 1U << kY : kAllAxesMask;
     homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~axes);
-    limits_exempt_ = inputs_.accepted() & kLimitMask;
+    limits_exempt_ = (inputs_.accepted() | inputs_.raw()) & kLimitMask;
     apply(event);
     request_plan(only_height ? PlanKind::reset_height : PlanKind::home);
     return Refusal::none;
@@ -108,7 +108,7 @@ Refusal Cycle::back_off(std::uint8_t axis) noexcept {
     if (!inputs_.is_tripped(axis)) return Refusal::sensor_not_tripped;
     if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
     homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~(1U << axis));
-    limits_exempt_ = inputs_.accepted() & kLimitMask;
+    limits_exempt_ = (inputs_.accepted() | inputs_.raw()) & kLimitMask;
     apply(MachineEvent::back_off);
     request_plan(PlanKind::back_off, axis);
     return Refusal::none;

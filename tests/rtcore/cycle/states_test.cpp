@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "tests/rtcore/cycle/machine_rig.hpp"
+
+namespace psicarve::cycle {
+namespace {
+
+constexpr RequestKind kCommands[] = {
+    RequestKind::home,     RequestKind::start,        RequestKind::start_interpolation,
+    RequestKind::hold,     RequestKind::resume,       RequestKind::reset_alarm,
+    RequestKind::back_off, RequestKind::reset_height, RequestKind::job_loaded};
+
+/// Asks everything but `allowed`; all of it must be refused and change nothing.
+void expect_only(MachineRig& rig, std::initializer_list<RequestKind> allowed) {
+    const MachineState before = rig.cycle->state();
+    for (const RequestKind kind : kCommands) {
+        if (std::find(allowed.begin(), allowed.end(), kind) != allowed.end()) continue;
+        EXPECT_NE(rig.ask(kind), Refusal::none)
+            << "state " << name_of(before) << " request " << static_cast<int>(kind);
+        EXPECT_EQ(rig.cycle->state(), before);
+    }
+}
+
+TEST(States, RefuseEveryCommandThatTheyDoNotList) {
+    using R = RequestKind;
+    MachineRig sut(quick_profile());
+    expect_only(sut, {R::home, R::reset_height, R::job_loaded});
+    ASSERT_EQ(sut.ask(R::home), Refusal::none);
+    expect_only(sut, {R::job_loaded});
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    expect_only(sut, {R::home, R::reset_height, R::job_loaded});
+    EXPECT_EQ(sut.ask(R::start), Refusal::no_job);
+    sut.load(random_job(2, 60, 5));
+    ASSERT_EQ(sut.ask(R::start), Refusal::none);
+    expect_only(sut, {});
+    ASSERT_TRUE(sut.run_until(MachineState::waiting));
+    EXPECT_NE(sut.cycle->pulses().levels() & bit_of(Signal::spindle), 0U);
+    expect_only(sut, {R::start_interpolation});
+    ASSERT_EQ(sut.ask(R::start_interpolation), Refusal::none);
+    expect_only(sut, {R::hold});
+    ASSERT_EQ(sut.ask(R::hold), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::held));
+    expect_only(sut, {R::resume});
+    ASSERT_EQ(sut.ask(R::resume), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::finishing));
+    expect_only(sut, {});
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    sut.emergency_stop();
+    sut.tick();
+    expect_only(sut, {R::reset_alarm, R::job_loaded});
+    EXPECT_EQ(sut.ask(R::start), Refusal::not_in_this_state);
+}
+
+TEST(States, StartBeforeHomingSaysSo) {
+    MachineRig sut(quick_profile());
+    sut.load(random_job(1, 10, 1));
+    EXPECT_EQ(sut.ask(RequestKind::start), Refusal::not_homed);
+}
+
+TEST(States, AnErrorOfThePortIsAnAlarmThatStays) {
+    MachineRig sut(quick_profile());
+    ASSERT_TRUE(sut.prepare(random_job(1, 60, 5)));
+    sut.ask(RequestKind::start_interpolation);
+    sut.run(3000);
+    sut.port->healthy = false;
+    sut.run(25);
+    EXPECT_EQ(sut.cycle->sample().alarm_cause, AlarmCause::port_error);
+    EXPECT_EQ(sut.ask(RequestKind::reset_alarm), Refusal::still_tripped);
+}
+
+TEST(States, AFaultThatTheSupervisorFoundStopsOnThePathAndKeepsThePosition) {
+    MachineRig sut(quick_profile());
+    ASSERT_TRUE(sut.prepare(random_job(1, 60, 5)));
+    sut.ask(RequestKind::start_interpolation);
+    sut.run(3000);
+    EXPECT_EQ(sut.ask(RequestKind::fail, 0, static_cast<std::uint64_t>(AlarmCause::segment_lost)),
+              Refusal::none);
+    ASSERT_TRUE(sut.run_while([&] { return sut.cycle->state() != MachineState::alarm; }, 20000));
+    EXPECT_EQ(sut.cycle->sample().alarm_cause, AlarmCause::segment_lost);
+    for (const Axis axis : kAllAxes) {
+        EXPECT_EQ(sut.machine->position_pulses(axis), sut.positions()[index_of(axis)]);
+    }
+}
+
+TEST(States, ASecondJobDropsWholeTurnsAndVisitsItsPoints) {
+    MachineRig sut(quick_profile());
+    const JobTable job = random_job(7, 40, 5);
+    ASSERT_TRUE(sut.prepare(job));
+    for (int round = 0; round < 2; ++round) {
+        ASSERT_EQ(sut.ask(RequestKind::start_interpolation), Refusal::none);
+        ASSERT_TRUE(sut.run_until(MachineState::ready));
+        ASSERT_EQ(sut.ask(RequestKind::start), Refusal::none);
+        ASSERT_TRUE(sut.run_until(MachineState::waiting));
+        EXPECT_EQ(sut.positions(), points_of(job).front());
+    }
+    EXPECT_EQ((sut.machine->position_pulses(Axis::psi) - sut.positions()[2]) % 6400, 0);
+}
+
+TEST(Epochs, BlocksOfAnOverTakenProgramAreNeverExecuted) {
+    MachineRig sut(quick_profile());
+    ASSERT_TRUE(sut.prepare(random_job(60, 400, 5)));
+    sut.run(10);
+    ASSERT_GT(sut.io->blocks.size(), 10000U);  // the whole carving waits in the queue
+    sut.stop();
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    const Positions at = sut.positions();
+    EXPECT_EQ(at[2], 0);
+    sut.run(1000);
+    EXPECT_EQ(sut.positions(), at);
+}
+
+}  // namespace
+}  // namespace psicarve::cycle

@@ -51,6 +51,8 @@ protected:
         EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
         return path;
     }
+    /// Takes several seconds on the virtual clock: long enough to be disturbed in the middle.
+    std::string long_job() const { return job("400", "400"); }
 
     std::unique_ptr<RunningProgram> core_;
 };
@@ -124,9 +126,9 @@ TEST_F(Machine, EmergencyStopAndBack) {
 }
 
 TEST_F(Machine, AJobIsHeldResumedAndStopped) {
-    start_core({"--clock", "real"});
+    start_core();
     ASSERT_EQ(run({"home"}).exit_code, 0);
-    ASSERT_EQ(run({"publish", job("100", "100")}).exit_code, 0);
+    ASSERT_EQ(run({"publish", long_job()}).exit_code, 0);
     ASSERT_EQ(run({"start", "--carve"}).exit_code, 0);
     ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
     const Outcome held = run({"hold", "--json"});
@@ -150,9 +152,9 @@ TEST_F(Machine, WatchGoesOnLineByLineUntilInterrupted) {
 }
 
 TEST_F(Machine, AKilledCoreIsSaidWhileCarving) {
-    start_core({"--clock", "real"});
-    RunningProgram carve{"psicarve", {"carve", job("100", "100"), "--segment", segment_, "--json"}};
-    ASSERT_TRUE(eventually([&] { return state() == MachineState::homing; }));
+    start_core();
+    RunningProgram carve{"psicarve", {"carve", long_job(), "--segment", segment_, "--json"}};
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
     core_->send(SIGKILL);
     EXPECT_EQ(carve.wait(), 5) << carve.error();
     EXPECT_NE(carve.error().find("no core serves"), std::string::npos) << carve.error();
@@ -169,9 +171,9 @@ TEST_F(Machine, AStoppedCoreIsCalledSilent) {
 }
 
 TEST_F(Machine, AnInterruptedCarveStopsTheRunningCoreInOrder) {
-    start_core({"--clock", "real"});
-    RunningProgram carve{"psicarve", {"carve", job("100", "100"), "--segment", segment_}};
-    ASSERT_TRUE(eventually([&] { return state() == MachineState::positioning; }));
+    start_core();
+    RunningProgram carve{"psicarve", {"carve", long_job(), "--segment", segment_}};
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
     carve.send(SIGINT);
     EXPECT_EQ(carve.wait(), 4) << carve.error();
     EXPECT_NE(carve.error().find("stopped by the operator"), std::string::npos) << carve.error();
@@ -180,18 +182,17 @@ TEST_F(Machine, AnInterruptedCarveStopsTheRunningCoreInOrder) {
 }
 
 TEST_F(Machine, APrivateCoreEndsWithAKilledCarve) {
-    RunningProgram carve{"psicarve", {"carve", job("100", "100"), "--segment", segment_, "--real-time"}};
-    ASSERT_TRUE(eventually([&] { return state() == MachineState::homing; }));
+    RunningProgram carve{"psicarve", {"carve", long_job(), "--segment", segment_}};
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
     carve.send(SIGKILL);
     carve.wait();
     EXPECT_TRUE(eventually([&] { return !core_pid().has_value(); }));
 }
 
 TEST_F(Machine, AnInterruptedCarveEndsItsOwnCoreInOrder) {
-    RunningProgram carve{
-        "psicarve",
-        {"carve", job("100", "100"), "--segment", segment_, "--real-time", "--picture", file("out.png")}};
-    ASSERT_TRUE(eventually([&] { return state() == MachineState::positioning; }));
+    RunningProgram carve{"psicarve",
+                         {"carve", long_job(), "--segment", segment_, "--picture", file("out.png")}};
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
     carve.send(SIGTERM);
     EXPECT_EQ(carve.wait(), 4) << carve.error();
     EXPECT_FALSE(core_pid().has_value());

@@ -72,8 +72,11 @@ TEST_F(SliceCommand, OptionsReachTheSlicer) {
 }
 
 TEST_F(SliceCommand, WarningsGoToStandardErrorAndTheJobIsMade) {
-    const Outcome outcome = psicarve({"slice", box_stl("flat.stl", 0.8), "-o", file("flat.job"), "--layers",
-                                      "2", "--points", "5", "--json"});
+    std::string open_box = text_of(box_stl("box.stl"));
+    open_box.erase(open_box.rfind("facet normal"));
+    write("open.stl", open_box + "endsolid box\n");
+    const Outcome outcome = psicarve(
+        {"slice", file("open.stl"), "-o", file("open.job"), "--layers", "2", "--points", "5", "--json"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
     EXPECT_NE(outcome.error.find("psicarve: warning: "), std::string::npos) << outcome.error;
     EXPECT_TRUE(outcome.json().is_object()) << outcome.out;

@@ -121,8 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUsage{"slice m.stl -o j --joining snake", "--joining"}, WrongUsage{"back-off", "AXIS"},
         WrongUsage{"back-off z", "z"}, WrongUsage{"status --segment psicarve", "--segment"},
         WrongUsage{"status now", "unexpected argument 'now'"},
-        WrongUsage{"snapshot export f --format xml", "--format"}, WrongUsage{"snapshot diff f", "B"},
-        WrongUsage{"profile show --json", "--json"}));
+        WrongUsage{"snapshot export f --format xml", "--format"}, WrongUsage{"snapshot diff f", "B"}));
 
 TEST(Usage, AnErrorIsAnObjectForProgramsThatRead) {
     const Outcome outcome = psicarve({"status", "--json", "--wtch"});

@@ -63,7 +63,7 @@ std::uint32_t pixel_of(const Colour& colour, double grey) {
     std::uint32_t argb = 0xFF000000U;
     for (std::size_t k = 0; k < 3; ++k) {
         const double bounded = std::clamp(colour[k] * grey, 0.0, 1.0);
-        argb |= static_cast<std::uint32_t>(bounded * 255.0 + 0.5) << (16U - 8U * k);
+        argb |= static_cast<std::uint32_t>(std::lround(bounded * 255.0)) << (16U - 8U * k);
     }
     return argb;
 }

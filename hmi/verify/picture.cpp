@@ -122,11 +122,13 @@ void draw_map_axes(Canvas& canvas, const PieceGrid& grid) {
     const double bottom_mm = static_cast<double>(grid.bottom_mm);
     const double height_mm = static_cast<double>(grid.top_mm) - bottom_mm;
     const double step_mm = round_length(height_mm / 3.0);
-    for (double mm = std::ceil(bottom_mm / step_mm - 0.01) * step_mm; mm <= bottom_mm + height_mm + 1e-9;
-         mm += step_mm) {
+    const auto first = static_cast<int>(std::ceil(bottom_mm / step_mm - 0.01));
+    const auto last = static_cast<int>(std::floor((bottom_mm + height_mm) / step_mm + 1e-6));
+    for (int n = first; n <= last; ++n) {
+        const double mm = n * step_mm;
         const double y = kMap.y + kMap.height * (1.0 - (mm - bottom_mm) / height_mm);
         canvas.line(kMap.x - 4.0, y, kMap.x, y, kFaint);
-        canvas.text(kMap.x - 7.0, y + 4.0, format("%g", mm == 0.0 ? 0.0 : mm), kLabel, Align::right);
+        canvas.text(kMap.x - 7.0, y + 4.0, format("%g", mm), kLabel, Align::right);
     }
     canvas.text(kMap.x - 7.0, kMap.y - 8.0, "Y mm", kLabel, Align::right);
 }

@@ -132,7 +132,7 @@ std::uint32_t to_byte(float linear, float alpha) {
     const float bounded = std::clamp(linear, 0.0F, 1.0F);
     const float coded =
         bounded <= 0.0031308F ? 12.92F * bounded : 1.055F * std::pow(bounded, 1.0F / 2.4F) - 0.055F;
-    return static_cast<std::uint32_t>(coded * alpha * 255.0F + 0.5F);
+    return static_cast<std::uint32_t>(std::lround(coded * alpha * 255.0F));
 }
 
 PixelImage View::pixels() const {
@@ -154,7 +154,7 @@ PixelImage View::pixels() const {
             }
             if (covered == 0.0F) continue;
             const float alpha = covered / static_cast<float>(kSamples * kSamples);
-            image.argb[y * image.width + x] = static_cast<std::uint32_t>(alpha * 255.0F + 0.5F) << 24U |
+            image.argb[y * image.width + x] = static_cast<std::uint32_t>(std::lround(alpha * 255.0F)) << 24U |
                                               to_byte(sum.x / covered, alpha) << 16U |
                                               to_byte(sum.y / covered, alpha) << 8U |
                                               to_byte(sum.z / covered, alpha);

@@ -185,17 +185,17 @@ private:
     Result<void> read_row(const Element& element, std::uint64_t row) {
         std::array<double, 3> point{};
         for (const Property& property : element.properties) {
-            double count = 1.0;
+            std::uint64_t count = 1;
             if (property.count_kind != Kind::none) {
                 const auto given = next_value(property.count_kind);
                 // A list cannot be longer than the file.
                 if (!given || !(*given >= 0.0) || *given > static_cast<double>(bytes_.size())) {
                     return row_error(element, row);
                 }
-                count = *given;
+                count = static_cast<std::uint64_t>(*given);
             }
             values_.clear();
-            for (double i = 0.0; i < count; i += 1.0) {
+            for (std::uint64_t i = 0; i < count; ++i) {
                 const auto value = next_value(property.kind);
                 if (!value) return row_error(element, row);
                 values_.push_back(*value);

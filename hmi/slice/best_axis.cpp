@@ -81,10 +81,9 @@ public:
           directions_(evenly_spaced()),
           scan_(directions_),
           centre_(centre),
-          radius_limit_(radius_limit) {
-        best_ = centre;
-        best_loss_ = sections_.loss_at(centre, scan_);
-    }
+          radius_limit_(radius_limit),
+          best_(centre),
+          best_loss_(sections.loss_at(centre, scan_)) {}
 
     void consider(const std::array<double, 2>& axis) {
         const AxisLoss loss = sections_.loss_at(axis, scan_);
@@ -122,7 +121,7 @@ private:
     LayerScan scan_;
     std::array<double, 2> centre_;
     double radius_limit_;
-    std::array<double, 2> best_{};
+    std::array<double, 2> best_;
     AxisLoss best_loss_;
 };
 
@@ -156,10 +155,11 @@ Result<AxisSearch> search_axis(const model::Mesh& mesh, Up up, const std::array<
         double part = 0.5 / kGrid;
         for (int halving = 0; halving < kHalvings; ++halving, part *= 0.5) {
             const auto around = search.best();
-            for (int k = 0; k < 9; ++k) {
-                if (k == 4) continue;
-                search.consider(
-                    {around[0] + size[0] * part * (k % 3 - 1), around[1] + size[1] * part * (k / 3 - 1)});
+            for (int row = -1; row <= 1; ++row) {
+                for (int column = -1; column <= 1; ++column) {
+                    if (row == 0 && column == 0) continue;
+                    search.consider({around[0] + size[0] * part * column, around[1] + size[1] * part * row});
+                }
             }
         }
         found.best = search.best();

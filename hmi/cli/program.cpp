@@ -8,6 +8,7 @@
 #include "hmi/cli/command_set.hpp"
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/job_source.hpp"
 #include "hmi/cli/nearest.hpp"
 
 namespace psicarve::cli {
@@ -131,6 +132,11 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return report_error(Error{ErrorCode::bad_usage, usage_error(program, error)},
                             asks_for_json(argc, argv));
+    }
+    // Also where a command has no use for it: a profile that is wrong is never passed over.
+    if (!common.profile.empty()) {
+        if (const auto profile = chosen_profile(common); !profile)
+            return report_error(profile.error(), common.json);
     }
     return finish(chosen(common), common.json);
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <memory>
 #include <utility>
 
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/simulated_run.hpp"
+#include "hmi/machine/private_segment.hpp"
 #include "shared/snapshot_file.hpp"
 
 namespace psicarve::cli {
@@ -36,7 +35,8 @@ Result<int> replay(const CommonOptions& common, const Options& options) {
     if (!job) return job.error();
     machine::CoreLaunch launch;
     // Private: whatever runs on the named segment is not disturbed.
-    launch.segment_name = "/psicarve-replay-" + std::to_string(getpid());
+    machine::remove_stale_private_segments();
+    launch.segment_name = machine::private_segment_name();
     launch.is_private = true;
     launch.on_real_clock = options.real_time;
     launch.replay_path = options.path;

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/cli/simulated_run.hpp"
 
+#include <cstdio>
+#include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/progress_bar.hpp"
 #include "hmi/cli/run_report.hpp"
 #include "hmi/cli/run_watch.hpp"
 #include "hmi/verify/picture.hpp"
@@ -14,8 +19,23 @@ namespace {
 machine::JobRun watched_run(machine::VerifiedCore& core, const SimulatedRun& what) {
     RunWatch watch{core.link()};
     machine::JobRun run = what.run(core, watch.watch());
-    if (watch.was_stopped() && run.failure) run.failure = watch.stop_error(run.after);
+    const bool was_cut_short = run.failure || !machine::figures_of(run).is_complete;
+    if (watch.was_stopped() && was_cut_short) run.failure = watch.stop_error(run.after);
     return run;
+}
+
+/// What the core said while it ran: warnings, and traces that could not be written.
+void pass_on_messages(const std::string& said, const std::vector<std::string>& trace_paths,
+                      RunReport& report) {
+    std::istringstream lines{said};
+    for (std::string line; std::getline(lines, line);) {
+        clear_progress_line();
+        std::fprintf(stderr, "%s\n", line.c_str());
+        for (const std::string& path : trace_paths) {
+            const bool is_about_trace = line.find(path + ": ") != std::string::npos;
+            if (is_about_trace && !report.failure) report.failure = Error{ErrorCode::out_of_room, line};
+        }
+    }
 }
 
 /// A job that was not carved to its end is neither right nor wrong.
@@ -32,10 +52,12 @@ void add_verification(RunReport& report, Result<verify::VerifyReport> verificati
 }  // namespace
 
 Result<int> simulated_run(machine::CoreLaunch launch, const PreparedJob& job, const SimulatedRun& what) {
+    const std::vector<std::string> trace_paths = launch.trace_paths;
     auto core = machine::VerifiedCore::start(std::move(launch), job.view, job.profile);
     if (!core) return core.error();
     RunReport report = report_of(job.view, watched_run(*core, what));
     add_verification(report, core->finish());
+    pass_on_messages(core->core().messages(), trace_paths, report);
     if (report.last.trace_lost > 0) {
         print_warning(std::to_string(report.last.trace_lost) +
                       " pin changes came faster than the trace could be written and are missing in it");

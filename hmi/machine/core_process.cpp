@@ -29,7 +29,9 @@ constexpr milliseconds kStartLimit{20'000};
 constexpr milliseconds kShutdownLimit{3'000};
 constexpr milliseconds kTerminateLimit{3'000};
 constexpr std::size_t kMessageBytes = 4096;
+constexpr int kExitDone = 0;
 constexpr int kExitBadInput = 3;
+constexpr int kExitAlarm = 4;
 constexpr int kSignalExitBase = 128;
 
 std::vector<std::string> arguments_of(const CoreLaunch& launch, const std::string& program) {
@@ -160,7 +162,7 @@ Result<void> CoreProcess::wait_until_it_serves() {
     while (true) {
         if (poll_exit()) {
             // A short replay may be over before we looked; its result is the caller's to judge.
-            if (is_replay_ && exit_code_ != kExitBadInput) return {};
+            if (is_replay_ && (exit_code_ == kExitDone || exit_code_ == kExitAlarm)) return {};
             return failure();
         }
         const auto segment = Segment::attach(segment_name_);

@@ -20,6 +20,9 @@ namespace psicarve::machine {
 /// A core that keeps its lock but writes no status for this long is stopped or hangs.
 inline constexpr std::chrono::milliseconds kSilenceLimit{3000};
 inline constexpr std::chrono::milliseconds kCommandLimit{5000};
+/// Copying and checking the largest job takes a while on a small machine; a core that dies is noticed at
+/// once.
+inline constexpr std::chrono::milliseconds kAcceptanceLimit{60'000};
 
 /// Called with every new status while a wait goes on (at least every 100 ms); an error ends the wait.
 using StatusWatch = std::function<Result<void>(const CoreStatus&)>;

@@ -115,9 +115,41 @@ TEST_F(Carve, ReplayGivesTheSameReportAndLeavesNothingBehind) {
     EXPECT_EQ(psicarve({"verify", job, file("a.trace")}).exit_code, 0);
     ASSERT_EQ(psicarve({"replay", job, "--trace", file("b.trace")}).exit_code, 0);
     EXPECT_EQ(text_of(file("a.trace")), text_of(file("b.trace")));
-    for (const auto& entry : std::filesystem::directory_iterator{"/dev/shm"}) {
-        EXPECT_FALSE(entry.path().filename().string().starts_with("psicarve-replay-")) << entry.path();
+}
+
+TEST_F(Carve, APrivateSegmentGoesWithItsReplayOrWithTheNextOne) {
+    const std::string job = slice_box("400");
+    const auto segment_of = [](pid_t pid) { return "/dev/shm/psicarve-private-" + std::to_string(pid); };
+    RunningProgram killed{"psicarve", {"replay", job}};
+    while (!std::filesystem::exists(segment_of(killed.pid()))) std::this_thread::yield();
+    killed.send(SIGKILL);
+    killed.wait();
+    RunningProgram next{"psicarve", {"replay", slice_box()}};
+    EXPECT_EQ(next.wait(), 0) << next.error();
+    EXPECT_FALSE(std::filesystem::exists(segment_of(killed.pid())));
+    EXPECT_FALSE(std::filesystem::exists(segment_of(next.pid())));
+}
+
+TEST_F(Carve, AnInterruptedReplayIsNotASuccess) {
+    const std::string job = file("long.job");
+    ASSERT_EQ(
+        psicarve({"slice", box_stl("box.stl"), "-o", job, "--layers", "400", "--points", "400"}).exit_code,
+        0);
+    RunningProgram replay{"psicarve", {"replay", job, "--json"}};
+    while (!std::filesystem::exists("/dev/shm/psicarve-private-" + std::to_string(replay.pid()))) {
+        std::this_thread::yield();
     }
+    std::this_thread::sleep_for(std::chrono::milliseconds{200});
+    replay.send(SIGINT);
+    EXPECT_EQ(replay.wait(), 4) << replay.error();
+    EXPECT_NE(replay.error().find("stopped by the operator"), std::string::npos) << replay.error();
+    EXPECT_EQ(nlohmann::json::parse(replay.out())["verified"], nullptr);
+}
+
+TEST_F(Carve, ATraceOntoAFullDiskIsAnError) {
+    const Outcome outcome = psicarve({"replay", slice_box(), "--trace", "/dev/full"});
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.error;
+    EXPECT_NE(outcome.error.find("/dev/full"), std::string::npos) << outcome.error;
 }
 
 }  // namespace

@@ -205,6 +205,7 @@ TEST_F(Machine, PublishWithoutACoreWaitsForOne) {
     ASSERT_EQ(published.exit_code, 0) << published.error;
     EXPECT_EQ(published.json()["accepted"], nullptr);
     start_core();
+    ASSERT_TRUE(eventually([&] { return run({"status", "--json"}).json()["job_generation"] == 1; }));
     ASSERT_EQ(run({"home"}).exit_code, 0);
     EXPECT_EQ(run({"start"}).exit_code, 0);
 }

@@ -51,13 +51,15 @@ std::string alarms_text(const machine::RunFigures& figures) {
     return text.empty() ? "none" : text;
 }
 
+std::string difference_text(const verify::VerifyReport& seen) {
+    const verify::Offence* first = seen.first_offence();
+    return first != nullptr ? first->sentence : "not every point was visited";
+}
+
 std::string verification_text(const RunReport& report) {
     if (!report.verification) return "not verified: " + report.unverified_reason;
     const verify::VerifyReport& seen = *report.verification;
-    if (!seen.ok) {
-        const verify::Offence* first = seen.first_offence();
-        return "NO: " + (first != nullptr ? first->sentence : "not every point was visited");
-    }
+    if (!seen.ok) return "NO: " + difference_text(seen);
     return formatted("yes: %llu points visited exactly, largest deviation %lld pulses",
                      static_cast<unsigned long long>(seen.points_visited),
                      static_cast<long long>(seen.max_deviation_pulses));
@@ -106,7 +108,7 @@ std::optional<Error> verdict_of(const RunReport& report) {
     if (report.failure) return report.failure;
     if (!report.verification || report.verification->ok) return std::nullopt;
     return Error{ErrorCode::difference_found,
-                 "verification found a difference: " + verification_text(report)};
+                 "verification found a difference: " + difference_text(*report.verification)};
 }
 
 std::string run_text(const RunReport& report) {

@@ -120,6 +120,8 @@ Result<Profile> load_profile(const std::string& path);
 /// Every key with its value, as TOML that parse_profile reads back to an equal profile, and with comments
 /// (unit and meaning) that an editor of the file wants. Deterministic.
 std::string profile_to_toml(const Profile& profile);
+/// XXH3 of that text: whether two processes mean the same machine.
+std::uint64_t profile_hash(const Profile& profile);
 
 /// One key, as `profile show`, the docs and a profile editor need it.
 struct ProfileKey {
@@ -145,7 +147,9 @@ struct AxisMotion {
     double home_speed_pps = 0.0;
     std::int64_t travel_min_pulses =
         0;  ///< lowest position the axis may be asked for (psi: none, see has_travel)
-    std::int64_t travel_max_pulses = 0;  ///< highest; a position at or past a limit sensor's edge is outside
+    std::int64_t travel_max_pulses = 0;  ///< highest; past a limit sensor's edge is outside
+    /// The last position at which the limit sensor is clear: its edge lies between this and the next pulse.
+    /// The index: the first at which it is tripped, turning positive.
     std::int64_t home_position_pulses = 0;
     std::int64_t overtravel_pulses = 0;
     std::int64_t backlash_pulses = 0;

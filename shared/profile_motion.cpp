@@ -22,12 +22,12 @@ AxisMotion linear_motion(const LinearAxisProfile& axis) {
                       .home = axis.home,
                       .has_travel = true,
                       .positive_is_high = axis.positive_is_high};
-    // The sensor trips at its edge: the last position that may be asked for is one pulse before it.
+    // Where the sensor ends the travel: at its home position it is clear, one pulse further it trips.
     if (axis.home == HomeSensor::max) {
-        motion.travel_max_pulses = std::min(motion.travel_max_pulses, motion.home_position_pulses - 1);
+        motion.travel_max_pulses = std::min(motion.travel_max_pulses, motion.home_position_pulses);
     }
     if (axis.home == HomeSensor::min) {
-        motion.travel_min_pulses = std::max(motion.travel_min_pulses, motion.home_position_pulses + 1);
+        motion.travel_min_pulses = std::max(motion.travel_min_pulses, motion.home_position_pulses);
     }
     return motion;
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <xxhash.h>
+
 #include <charconv>
 #include <cmath>
 #include <type_traits>
@@ -110,6 +112,11 @@ std::string profile_to_toml(const Profile& profile) {
         text += key.explanation + "\n";
     }
     return text;
+}
+
+std::uint64_t profile_hash(const Profile& profile) {
+    const std::string text = profile_to_toml(profile);
+    return XXH3_64bits(text.data(), text.size());
 }
 
 }  // namespace psicarve

@@ -91,6 +91,8 @@ Result<std::uint64_t> publish_job(Segment& segment, std::span<const std::byte> j
     content.bytes.store(job_blob.size(), std::memory_order_release);
     header.publication.generation.store(generation, std::memory_order_release);
     event_signal(header.job_published);
+    // The core sleeps on one event only.
+    event_signal(header.command_raised);
     return generation;
 }
 

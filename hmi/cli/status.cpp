@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <unistd.h>
-#include <xxhash.h>
 
 #include <cstdio>
 #include <memory>
@@ -28,9 +27,7 @@ struct Options {
 
 /// The core's profile, when the one that we have is the same: only then are its mm and degrees ours.
 std::optional<Profile> known_profile(machine::MachineLink& link, const Profile& chosen) {
-    const std::string toml = profile_to_toml(chosen);
-    if (link.segment().header().core_profile_hash.load() != XXH3_64bits(toml.data(), toml.size()))
-        return std::nullopt;
+    if (link.segment().header().core_profile_hash.load() != profile_hash(chosen)) return std::nullopt;
     return chosen;
 }
 

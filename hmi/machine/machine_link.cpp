@@ -107,8 +107,6 @@ Result<void> MachineLink::send(CommandKind kind, std::optional<Axis> axis) {
 Result<std::uint64_t> MachineLink::publish(std::span<const std::byte> job_blob) {
     const auto generation = publish_job(segment_, job_blob);
     if (!generation || !core_pid()) return generation;
-    // A core at rest sleeps until a command comes or a while has passed: this spares the while.
-    event_signal(segment_.header().command_raised);
     const auto accepted = wait_for_acceptance(segment_, *generation, kAcceptanceLimit);
     if (!accepted) return accepted.error();
     return generation;

@@ -47,14 +47,43 @@ Executor::Progress Executor::advance(std::uint64_t tick) noexcept {
         progress = watch_sensor();
         must_slow = must_slow || sensor_done_ || must_wait_for_sensor();
     }
-    if (must_slow && profile_.is_slowest()) {
-        profile_.rest();
+    if (must_slow && is_slowest()) {
+        rest();
         if (sensor_done_) return progress | end_of_line(tick);
         return slowing_ ? progress | kAtRest : progress;
     }
+    if (block_.kind == BlockKind::move) return progress | advance_move(tick, must_slow);
     if (dda_.iterations_left() == 0) return progress | end_of_way(tick);
     if (!profile_.is_due()) profile_.advance(must_slow);
     return profile_.is_due() ? progress | emit(tick) : progress;
+}
+
+Executor::Progress Executor::advance_move(std::uint64_t tick, bool must_slow) noexcept {
+    if (fine_.is_finished()) return end_of_way(tick);
+    std::uint32_t due = fine_.due();
+    if (due == 0) {
+        fine_.tick(must_slow);
+        due = fine_.due();
+    }
+    for (std::size_t k = 0; due != 0 && k < kAxisCount; ++k) {
+        const std::uint32_t axis = due & (1U << k);
+        if (axis == 0 || !pulses_->may_step(axis, tick)) continue;
+        pulses_->step(axis, tick);
+        fine_.take(k);
+    }
+    return fine_.is_finished() ? end_of_way(tick) : kNothing;
+}
+
+bool Executor::is_slowest() const noexcept {
+    return block_.kind == BlockKind::move ? fine_.is_slowest() : profile_.is_slowest();
+}
+
+void Executor::rest() noexcept {
+    if (block_.kind == BlockKind::move) {
+        fine_.rest();
+    } else {
+        profile_.rest();
+    }
 }
 
 Executor::Progress Executor::emit(std::uint64_t tick) noexcept {
@@ -158,11 +187,20 @@ Executor::Progress Executor::begin_motion(std::uint64_t tick) noexcept {
     sensor_done_ = false;
     index_before_ = inputs_->is_tripped(block_.axis);
     next_axes_ = 0;
-    dda_.start(block_.delta_pulses);
-    profile_.start(block_.start_speed_per_s * period_s_, block_.max_speed_per_s * period_s_,
-                   block_.accel_per_s2 * period_s_ * period_s_, block_.group_iterations);
+    const double start_speed = block_.start_speed_per_s * period_s_;
+    const double max_speed = block_.max_speed_per_s * period_s_;
+    const double accel = block_.accel_per_s2 * period_s_ * period_s_;
+    bool has_way = false;
+    if (block_.kind == BlockKind::move) {
+        fine_.start(block_.delta_pulses, start_speed, max_speed, accel);
+        has_way = !fine_.is_finished();
+    } else {
+        dda_.start(block_.delta_pulses);
+        profile_.start(start_speed, max_speed, accel, block_.group_iterations);
+        has_way = dda_.iterations_left() > 0;
+    }
     in_motion_ = true;
-    if (dda_.iterations_left() == 0) return kGroupStarted | end_of_line(tick);
+    if (!has_way) return kGroupStarted | end_of_line(tick);
     pulses_->want_directions(block_.delta_pulses, tick);
     return kGroupStarted;
 }

@@ -6,6 +6,7 @@
 
 #include "rtcore/cycle/cycle_config.hpp"
 #include "rtcore/cycle/dual_head_dda.hpp"
+#include "rtcore/cycle/fine_move.hpp"
 #include "rtcore/cycle/inputs.hpp"
 #include "rtcore/cycle/linear_profile.hpp"
 #include "rtcore/cycle/motion_block.hpp"
@@ -13,11 +14,13 @@
 
 namespace psicarve::cycle {
 
-/// Walks the motion blocks: at most one DDA iteration a tick, emitted whole once every axis in it may step.
+/// Walks the motion blocks. Lines: at most one DDA iteration a tick, emitted whole once every axis in it may
+/// step. Moves: fine interpolation, each axis' pulse as it falls due.
 ///
-///     profile -> an iteration is due -> DDA says which axes -> pulse stage says when -> pins
+///     line: profile -> an iteration is due -> DDA says which axes --+
+///     move: coarse interpolator -> increments -> fine DDA --------+-> pulse stage says when -> pins
 ///
-/// While the pins keep an iteration waiting the profile's time stands still, so that a delay is never made up
+/// While the pins keep a pulse waiting the profile's time stands still, so that a delay is never made up
 /// for by a burst. Knows nothing of machine states. RT: yes.
 class Executor {
 public:
@@ -67,6 +70,9 @@ public:
 
 private:
     Progress advance(std::uint64_t tick) noexcept;
+    Progress advance_move(std::uint64_t tick, bool must_slow) noexcept;
+    bool is_slowest() const noexcept;
+    void rest() noexcept;
     Progress emit(std::uint64_t tick) noexcept;
     Progress end_of_way(std::uint64_t tick) noexcept;
     Progress end_of_line(std::uint64_t tick) noexcept;
@@ -85,8 +91,9 @@ private:
     double period_s_;
 
     MotionBlock block_{};
-    DualHeadDda dda_;
-    LinearProfile profile_;
+    DualHeadDda dda_;        ///< lines
+    LinearProfile profile_;  ///< lines
+    FineMove fine_;          ///< moves
     std::uint32_t epoch_ = 0;
     std::uint32_t group_blocks_left_ = 0;
     std::uint32_t next_axes_ = 0;  ///< of the iteration that is due; 0: not made yet

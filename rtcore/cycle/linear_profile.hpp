@@ -53,6 +53,8 @@ public:
         --left_;
     }
 
+    /// Travelled since the last iteration went out.
+    double distance() const noexcept { return distance_; }
     std::uint64_t iterations_left() const noexcept { return left_; }
     double speed() const noexcept { return speed_; }
     bool is_slowest() const noexcept { return speed_ <= start_speed_; }

@@ -59,7 +59,8 @@ void home_linear(BlockList& list, const AxisMotion& motion, Axis axis) {
     const std::int64_t search =
         2 * ramp_pulses(motion, motion.home_speed_pps) + motion.overtravel_pulses + kSearchSparePulses;
     list.seek(axis, Until::sensor_tripped, towards * search, motion.start_stop_pps);
-    list.latch(motion.home_position_pulses);
+    // The edge is seen with the first pulse beyond the home position.
+    list.latch(motion.home_position_pulses + towards);
     leave_sensor(list, motion, axis);
     leave_a_little_more(list, motion, axis);
 }

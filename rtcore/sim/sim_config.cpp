@@ -32,9 +32,11 @@ SensorConfig sensor_for(const AxisMotion& motion) {
             break;
         case HomeSensor::min:
             sensor.kind = SensorKind::low_end;
+            sensor.edge_pulses -= 1;  // at the home position it is still clear
             break;
         case HomeSensor::max:
             sensor.kind = SensorKind::high_end;
+            sensor.edge_pulses += 1;
             break;
         case HomeSensor::index:
             sensor.kind = SensorKind::index;

@@ -152,7 +152,8 @@ int run_core(const CoreOptions& options) {
     auto segment = Segment::create_or_attach(segment_options_of(options));
     if (!segment) return fail(segment.error());
     if (const auto claimed = segment->claim_core(); !claimed) return fail(claimed.error());
-    if (!segment->warning().empty()) std::fprintf(stderr, "psicarve-rtcore: %s\n", segment->warning().c_str());
+    if (!segment->warning().empty())
+        std::fprintf(stderr, "psicarve-rtcore: %s\n", segment->warning().c_str());
     return serve_segment(options, *profile, std::move(*segment), *replay);
 }
 

@@ -9,6 +9,12 @@ namespace {
 
 constexpr std::chrono::milliseconds kSegmentCheckInterval{50};
 
+/// No job runs, but the tick is busy: what is published waits until it is at rest.
+bool must_wait_with_job(MachineState state) noexcept {
+    return state == MachineState::homing || state == MachineState::moving ||
+           state == MachineState::backing_off;
+}
+
 bool may_load_job(MachineState state) noexcept {
     return state == MachineState::off || state == MachineState::ready || state == MachineState::alarm;
 }
@@ -39,6 +45,7 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
       stop_seen_(segment_.header().stop_requests.load()),
       estop_seen_(segment_.header().estop_requests.load()),
       judged_generation_(0) {
+    segment_.header().core_profile_hash.store(profile_hash(parts.profile));
     publish_status();
 }
 
@@ -48,8 +55,9 @@ bool Supervisor::poll() {
     check_segment();
     bool handed_on = mirror_urgent_words();
     const std::size_t requests_before = parts_->io->requests.size();
+    take_job();
     desk_.take_commands(segment_, parts_->io->requests, sample_);
-    handed_on = take_job() || handed_on || parts_->io->requests.size() > requests_before;
+    handed_on = handed_on || parts_->io->requests.size() > requests_before;
     drain_reports();
     drain_increments();
     publish_status();
@@ -86,30 +94,30 @@ bool Supervisor::mirror_urgent_words() {
     return changed;
 }
 
-bool Supervisor::take_job() {
+void Supervisor::take_job() {
     // One at a time, and never while a request is on its way: a start must find the job it was given for.
-    if (loading_job_ != nullptr || parts_->io->requests.size() > 0) return false;
+    if (loading_job_ != nullptr || parts_->io->requests.size() > 0) return;
     const std::uint64_t generation = published_generation(segment_);
-    if (generation == 0 || generation == judged_generation_) return false;
+    if (generation == 0 || generation == judged_generation_ || must_wait_with_job(sample_.state)) return;
     auto taken = take_published_job(segment_, judged_generation_);
     if (!taken) {
         judged_generation_ = generation;
         acknowledge_job(segment_, generation, false, taken.error().message);
-        return false;
+        return;
     }
-    if (!taken->has_value()) return false;
+    if (!taken->has_value()) return;
     PublishedJob& published = **taken;
     judged_generation_ = published.generation;
     if (!may_load_job(sample_.state)) {
         acknowledge_job(
             segment_, published.generation, false,
             "a job runs (" + std::string{name_of(sample_.state)} + "); stop it or wait for its end");
-        return false;
+        return;
     }
     auto job = load_job(std::move(published.blob), published.generation, parts_->profile);
     if (!job) {
         acknowledge_job(segment_, published.generation, false, job.error().message);
-        return false;
+        return;
     }
     loading_job_ = *job;
     parts_->planner->set_job(std::shared_ptr<const JobView>{loading_job_, &loading_job_->view});
@@ -119,7 +127,6 @@ bool Supervisor::take_job() {
     request.value = loading_job_->generation;
     request.points_total = std::uint64_t{loading_job_->view.layer_count()} * loading_job_->view.point_count();
     parts_->io->requests.push(request);
-    return true;
 }
 
 void Supervisor::finish_job(const cycle::Report& report) {
@@ -202,6 +209,7 @@ void Supervisor::take_new_segment() {
     if (!fresh->claim_core()) return;
     desk_.forget_all();
     segment_ = std::move(*fresh);
+    segment_.header().core_profile_hash.store(profile_hash(parts_->profile));
     stop_seen_ = segment_.header().stop_requests.load();
     estop_seen_ = segment_.header().estop_requests.load();
     judged_generation_ = 0;

@@ -46,7 +46,7 @@ public:
 private:
     cycle::Sample read_sample() const;
     bool mirror_urgent_words();
-    bool take_job();
+    void take_job();
     void finish_job(const cycle::Report& report);
     void drain_reports();
     void drain_increments();

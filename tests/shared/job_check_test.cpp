@@ -25,7 +25,7 @@ TEST(CheckJob, AcceptsWhatTheMachineCanCarve) {
 TEST(CheckJob, AcceptsEveryRadiusFromTheCoreToTheSensor) {
     JobTable table = small_job();
     table.r_left_pulses[0] = 600;     // 1.5 mm
-    table.r_right_pulses[1] = 23999;  // a pulse before the sensor at 60 mm
+    table.r_right_pulses[1] = 24000;  // the last pulse at which the sensor is clear
     EXPECT_EQ(verdict_on(table), "accepted");
 }
 
@@ -40,10 +40,10 @@ TEST(CheckJob, NamesTheFirstRadiusInsideTheCore) {
 
 TEST(CheckJob, NamesARadiusBeyondTheTravel) {
     JobTable table = small_job();
-    table.r_right_pulses[14] = 24000;  // the sensor's edge
+    table.r_right_pulses[14] = 24001;  // the sensor trips
     const std::string verdict = verdict_on(table);
-    EXPECT_THAT(verdict, StartsWith("layer 2, point 4: the radius of r2, 60.0000 mm (24000 pulses)"));
-    EXPECT_THAT(verdict, HasSubstr("above the travel, which ends at 59.9975 mm (23999 pulses)"));
+    EXPECT_THAT(verdict, StartsWith("layer 2, point 4: the radius of r2, 60.0025 mm (24001 pulses)"));
+    EXPECT_THAT(verdict, HasSubstr("above the travel, which ends at 60 mm (24000 pulses)"));
 }
 
 TEST(CheckJob, NamesARadiusBelowTheTravel) {

@@ -41,10 +41,10 @@ TEST(AxisMotion, OfPsiCountsDegreesAndHasNoTravel) {
     EXPECT_FALSE(psi.positive_is_high);
 }
 
-TEST(AxisMotion, TravelEndsOnePulseBeforeTheSensorsEdge) {
+TEST(AxisMotion, TravelEndsAtTheHomePositionWhereTheSensorIsStillClear) {
     const Profile profile;
-    EXPECT_EQ(axis_motion(profile, Axis::r1).travel_max_pulses, 23999);
-    EXPECT_EQ(axis_motion(profile, Axis::y).travel_min_pulses, 1);
+    EXPECT_EQ(axis_motion(profile, Axis::r1).travel_max_pulses, 24000);
+    EXPECT_EQ(axis_motion(profile, Axis::y).travel_min_pulses, 0);
     EXPECT_EQ(axis_motion(profile, Axis::y).travel_max_pulses, 60000);
 }
 
@@ -52,8 +52,8 @@ TEST(AxisMotion, ASensorInsideTheTravelCutsIt) {
     Profile profile;
     profile.r1.home_position_mm = 50.0;
     profile.y.home_position_mm = 10.0;
-    EXPECT_EQ(axis_motion(profile, Axis::r1).travel_max_pulses, 19999);
-    EXPECT_EQ(axis_motion(profile, Axis::y).travel_min_pulses, 4001);
+    EXPECT_EQ(axis_motion(profile, Axis::r1).travel_max_pulses, 20000);
+    EXPECT_EQ(axis_motion(profile, Axis::y).travel_min_pulses, 4000);
 }
 
 TEST(AxisMotion, ASensorBeyondTheTravelLeavesItWhole) {

@@ -105,6 +105,27 @@ TEST_F(CoreCarving, ResetHeightDefinesYByItsSensor) {
               status().position_pulses[index_of(Axis::y)]);
 }
 
+TEST_F(CoreCarving, AJobPublishedWhileTheMachineHomesWaitsAndIsAccepted) {
+    start_core();
+    ASSERT_EQ(refusal_of(CommandKind::home), "");
+    ASSERT_EQ(publish(lobed_job(2, 9)), "");
+    ASSERT_TRUE(reaches(MachineState::ready));
+    EXPECT_EQ(status().job_generation, 1U);
+}
+
+TEST_F(CoreCarving, AJobPublishedBeforeTheCoreStartsIsThereForIt) {
+    SegmentOptions options;
+    options.name = segment_name_;
+    auto made = Segment::create_or_attach(options);
+    ASSERT_TRUE(made);
+    ASSERT_TRUE(publish_job(*made, job_blob_from_table(lobed_job(2, 9))));
+    start_core();
+    home();
+    EXPECT_EQ(status().job_generation, 1U);
+    start_carving();
+    EXPECT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
+}
+
 TEST_F(CoreCarving, ShutdownEndsACoreAtRest) {
     start_core();
     ASSERT_EQ(refusal_of(CommandKind::shutdown), "");

@@ -129,7 +129,7 @@ TEST(MachineFault, BacklashDelaysTheSensorOnTheWayBack) {
     Profile profile;
     profile.r1.backlash_mm = 0.01;  // 4 pulses
     SimConfig config = sim_config_from_profile(profile);
-    config.axis(Axis::r1).start_pulses = 23'999;
+    config.axis(Axis::r1).start_pulses = 24'000;
     SimRig sut(profile, config);
     sut.enable_all();
     sut.aim(Axis::r1, true);

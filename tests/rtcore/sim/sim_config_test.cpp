@@ -11,11 +11,11 @@ namespace {
 TEST(SimConfig, PutsSensorsAndEndsWhereTheProfileSays) {
     const SimConfig sut = sim_config_from_profile(Profile{});
     EXPECT_EQ(sut.axis(Axis::r1).sensor.kind, SensorKind::high_end);
-    EXPECT_EQ(sut.axis(Axis::r1).sensor.edge_pulses, 24'000);
+    EXPECT_EQ(sut.axis(Axis::r1).sensor.edge_pulses, 24'001) << "clear at the home position";
     EXPECT_EQ(sut.axis(Axis::r1).high_end_pulses, 24'400);
     EXPECT_EQ(sut.axis(Axis::r1).low_end_pulses, -400);
     EXPECT_EQ(sut.axis(Axis::y).sensor.kind, SensorKind::low_end);
-    EXPECT_EQ(sut.axis(Axis::y).sensor.edge_pulses, 0);
+    EXPECT_EQ(sut.axis(Axis::y).sensor.edge_pulses, -1);
     EXPECT_EQ(sut.axis(Axis::y).low_end_pulses, -400);
     EXPECT_EQ(sut.axis(Axis::y).high_end_pulses, 60'400);
     EXPECT_EQ(sut.axis(Axis::psi).sensor.kind, SensorKind::index);

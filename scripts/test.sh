@@ -66,8 +66,11 @@ run_ctest() {
 
 run_dev() { build_and_test dev; }
 run_asan() { build_and_test asan; }
-run_tsan() { build_and_test tsan; }
-build_and_test() { configure_preset "$1" "$root/build/$1" && build "$root/build/$1" && run_ctest "$1"; }
+run_tsan() { build_and_test tsan threads_tests; }
+# build_and_test PRESET [TARGETS...]
+build_and_test() {
+    configure_preset "$1" "$root/build/$1" && build "$root/build/$1" "${@:2}" && run_ctest "$1"
+}
 
 # Each target runs for its share of the time from a fixed seed, on the inputs kept in the tree and on those found so far.
 run_fuzz() {

@@ -123,7 +123,7 @@ TEST_F(BinaryWriterTest, RandomLifeComesBackWholeThroughManyBuffers) {
         for (int i = 0; i < 200'000; ++i) {
             tick += random() % 5 == 0 ? random() % 1'000'000 : 1;
             if (random() % 100 == 0) {
-                const auto far = static_cast<std::int64_t>(random()) * static_cast<std::int64_t>(random());
+                const auto far = static_cast<std::int64_t>((std::uint64_t{random()} << 30) ^ random());
                 written.push_back(position(tick, {far, -far, 0, 1}));
             } else {
                 levels ^= bit_of(static_cast<Signal>(random() % kSignalCount));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/cli/run_report.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -89,6 +90,30 @@ std::string model_text(const RunReport& report) {
                      static_cast<unsigned long long>(report.open_points.value_or(0)));
 }
 
+/// Pulses that left the pins and did not move the simulated machine: the pins may be right and the piece
+/// ruined.
+std::string lost_steps_text(const CoreStatus& before, const CoreStatus& after) {
+    std::string text;
+    const auto add = [&](Axis axis, const char* what, const std::uint64_t* was, const std::uint64_t* is) {
+        const std::uint64_t count = is[index_of(axis)] - std::min(was[index_of(axis)], is[index_of(axis)]);
+        if (count == 0) return;
+        text += (text.empty() ? "" : ", ") + std::string{name_of(axis)} + ' ' + what + ' ' +
+                std::to_string(count);
+    };
+    for (const Axis axis : kAllAxes) {
+        add(axis, "stalls", before.sim_stalls, after.sim_stalls);
+        add(axis, "pulses against the driver's timing", before.sim_timing_lost, after.sim_timing_lost);
+        add(axis, "pulses while disabled", before.sim_ignored_pulses, after.sim_ignored_pulses);
+    }
+    return text;
+}
+
+std::string machine_text(const RunReport& report) {
+    if (report.last.is_simulator == 0) return {};
+    return "machine    " + (report.lost_steps.empty() ? "no step lost" : "STEPS LOST: " + report.lost_steps) +
+           "\n";
+}
+
 }  // namespace
 
 RunReport report_of(const JobView& job, const machine::JobRun& run) {
@@ -100,12 +125,18 @@ RunReport report_of(const JobView& job, const machine::JobRun& run) {
     report.wall_seconds = run.wall_seconds;
     report.failure = run.failure;
     report.last = run.after;
+    report.lost_steps = lost_steps_text(run.before, run.after);
     read_slice_report(job, report);
     return report;
 }
 
 std::optional<Error> verdict_of(const RunReport& report) {
     if (report.failure) return report.failure;
+    if (!report.lost_steps.empty()) {
+        return Error{ErrorCode::difference_found,
+                     "the simulated machine lost steps: " + report.lost_steps +
+                         "; the profile asks for more than its motors or drivers can do"};
+    }
     if (!report.verification || report.verification->ok) return std::nullopt;
     return Error{ErrorCode::difference_found,
                  "verification found a difference: " + difference_text(*report.verification)};
@@ -127,6 +158,7 @@ std::string run_text(const RunReport& report) {
                       ticks_per_second / 1e6, static_cast<unsigned long long>(figures.missed_ticks));
     text += "alarms     " + alarms_text(figures) + "\n";
     text += "verified   " + verification_text(report) + "\n";
+    text += machine_text(report);
     text += model_text(report);
     if (!report.picture_path.empty()) text += "picture    " + report.picture_path + "\n";
     return text;

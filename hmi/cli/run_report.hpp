@@ -26,6 +26,7 @@ struct RunReport {
     std::optional<Error> failure;
     std::string picture_path;  ///< that was written
     CoreStatus last{};
+    std::string lost_steps;  ///< what the simulated machine did not do in this run, in words; empty: nothing
 };
 
 /// Takes over what the job says about itself.

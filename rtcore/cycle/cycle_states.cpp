@@ -109,7 +109,7 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
                         std::int64_t seen_pulses) noexcept {
     if (state_ == MachineState::alarm) return;
     homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~moving_axes());
-    if (cause == AlarmCause::steps_lost || cause == AlarmCause::home_failed) {
+    if (axis < kAxisCount && (cause == AlarmCause::steps_lost || cause == AlarmCause::home_failed)) {
         homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~(1U << axis));
     }
     alarm_cause_ = cause;

@@ -11,13 +11,16 @@ namespace psicarve::sim {
 Motor::Motor(const MotorConfig& config, std::int64_t start_pulses) noexcept
     : config_(config),
       spring_s_(std::sqrt(2.0 * config.slip_pulses / config.accel_pps2) / 4.0),
-      settle_ns_(static_cast<std::int64_t>(std::max(8.0 * spring_s_, 2.0 / config.start_stop_pps) *
-                                           static_cast<double>(kNsPerS))),
+      swing_ns_(static_cast<std::int64_t>(8.0 * spring_s_ * static_cast<double>(kNsPerS))),
+      settle_ns_(std::max(
+          swing_ns_, static_cast<std::int64_t>(2.0 / config.start_stop_pps * static_cast<double>(kNsPerS)))),
       field_pulses_(start_pulses),
       rotor_pulses_(static_cast<double>(start_pulses)) {}
 
 Motor::Outcome Motor::pulse(int sign, std::int64_t time_ns) noexcept {
-    if (!at_rest_ && time_ns - last_ns_ > settle_ns_) settle();
+    // Slow pulses keep it going from one to the next; without them a fast rotor swings out and stands.
+    const bool is_fast = std::abs(rotor_pps_) > config_.start_stop_pps;
+    if (!at_rest_ && time_ns - last_ns_ > (is_fast ? swing_ns_ : settle_ns_)) settle();
     follow(sign, time_ns);
     if (out_of_step_) {
         if (std::abs(field_pps_) > config_.start_stop_pps) return Outcome::lost;

@@ -48,7 +48,7 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
     parts->period_ns = tick_period_ns(profile);
     const auto pin_map = PinMap::from_profile(profile);
     if (!pin_map) return pin_map.error();
-    parts->machine = std::make_unique<sim::Machine>(machine_for(profile, request.homed_start));
+    parts->machine = std::make_unique<sim::Machine>(machine_for(request.machine, request.homed_start));
     parts->port = std::make_unique<port::SimPort>(*pin_map, *parts->machine);
     if (request.plays_recorded_inputs) {
         auto recorded = std::make_unique<RecordedInputsPort>(std::move(parts->port));

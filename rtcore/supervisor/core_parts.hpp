@@ -40,6 +40,7 @@ struct CoreParts {
 };
 
 struct PartsRequest {
+    Profile machine;  ///< of the simulated machine
     HomedStart homed_start;
     bool plays_recorded_inputs = false;
 };

@@ -47,6 +47,10 @@ void describe(CLI::App& app, CoreOptions& options, std::string& capacity) {
         "--profile", options.profile_path,
         "Machine profile (TOML), or a job file whose profile is meant; without it the built-in default");
     app.add_option(
+        "--machine", options.machine_path,
+        "What the simulated machine really is, as a profile: motors, sensors, wiring; without it the "
+        "core's own profile, with some reserve in its motors");
+    app.add_option(
         "--trace", options.trace_paths,
         "Record every pin: .vcd is a value-change dump, anything else compact binary; fd:N an open "
         "descriptor; may be given more than once");

@@ -20,6 +20,7 @@ struct CoreOptions {
     std::string port = "sim";
     ClockKind clock = ClockKind::real;
     std::string profile_path;  ///< TOML, or a job file whose profile is meant; empty: built-in default
+    std::string machine_path;  ///< profile of the simulated machine; empty: the core's own
     std::vector<std::string> trace_paths;  ///< file or "fd:N"; ".vcd": value-change dump, else binary
     std::string replay_path;               ///< job or snapshot file; empty: serve commands
     std::uint32_t capacity_layers = kDefaultCapacityLayers;

@@ -68,8 +68,10 @@ std::string profile_path_of(const CoreOptions& options) {
     return options.profile_path.empty() ? options.replay_path : options.profile_path;
 }
 
-PartsRequest parts_request_of(const std::optional<Replay>& replay, const Profile& profile) {
+PartsRequest parts_request_of(const std::optional<Replay>& replay, const Profile& profile,
+                              const Profile& machine) {
     PartsRequest request;
+    request.machine = machine;
     if (!replay) return request;
     request.homed_start = replay->script ? replay->script->start_position_pulses : home_positions(profile);
     request.plays_recorded_inputs = replay->script.has_value();
@@ -118,11 +120,11 @@ int run_loop(const CoreOptions& options, CoreParts& parts, Supervisor& superviso
 }
 
 /// The segment is ours and the port is not touched yet.
-int serve_segment(const CoreOptions& options, const Profile& profile, Segment segment,
+int serve_segment(const CoreOptions& options, const Profile& profile, const Profile& machine, Segment segment,
                   std::optional<Replay>& replay) {
     EndRequest end;
     if (options.clock == ClockKind::real) rtcore::set_up_process_memory();
-    auto parts = build_core(options, profile, parts_request_of(replay, profile));
+    auto parts = build_core(options, profile, parts_request_of(replay, profile, machine));
     if (!parts) return fail(parts.error());
     const CoreFacts facts{.period_ns = (*parts)->period_ns,
                           .is_simulator = true,
@@ -149,12 +151,14 @@ int run_core(const CoreOptions& options) {
     if (!replay) return fail(replay.error());
     const auto profile = load_core_profile(profile_path_of(options));
     if (!profile) return fail(profile.error());
+    const auto machine = options.machine_path.empty() ? profile : load_core_profile(options.machine_path);
+    if (!machine) return fail(machine.error());
     auto segment = Segment::create_or_attach(segment_options_of(options));
     if (!segment) return fail(segment.error());
     if (const auto claimed = segment->claim_core(); !claimed) return fail(claimed.error());
     if (!segment->warning().empty())
         std::fprintf(stderr, "psicarve-rtcore: %s\n", segment->warning().c_str());
-    return serve_segment(options, *profile, std::move(*segment), *replay);
+    return serve_segment(options, *profile, *machine, std::move(*segment), *replay);
 }
 
 }  // namespace psicarve::supervisor

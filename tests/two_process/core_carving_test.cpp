@@ -126,6 +126,25 @@ TEST_F(CoreCarving, AJobPublishedBeforeTheCoreStartsIsThereForIt) {
     EXPECT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
 }
 
+TEST_F(CoreCarving, AProfileThatAsksTooMuchOfTheMotorsLosesStepsThatTheStatusShows) {
+    Profile hasty;
+    hasty.r1.speed_mm_s = 20.0;
+    hasty.r2.speed_mm_s = 20.0;
+    const std::string text = profile_to_toml(hasty);
+    ASSERT_TRUE(write_file_atomically(file("hasty.toml"), std::as_bytes(std::span{text})));
+    const std::string real = profile_to_toml(Profile{});
+    ASSERT_TRUE(write_file_atomically(file("real.toml"), std::as_bytes(std::span{real})));
+    start_core({"--profile", file("hasty.toml"), "--machine", file("real.toml")});
+    home();
+    ASSERT_EQ(publish(lobed_job(4, 33, hasty)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
+    const CoreStatus end = status();
+    EXPECT_GT(end.sim_stalls[index_of(Axis::r1)], 0U);
+    EXPECT_NE(end.sim_true_position_pulses[index_of(Axis::r1)], end.position_pulses[index_of(Axis::r1)]);
+    EXPECT_EQ(end.sim_stalls[index_of(Axis::psi)], 0U);
+}
+
 TEST_F(CoreCarving, ShutdownEndsACoreAtRest) {
     start_core();
     ASSERT_EQ(refusal_of(CommandKind::shutdown), "");

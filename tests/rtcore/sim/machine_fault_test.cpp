@@ -61,7 +61,7 @@ TEST(MachineFault, ChatteringLimitShowsBothLevelsInTurn) {
 
 TEST(MachineFault, ContactBouncesAfterEachChange) {
     SimConfig config = sim_config_from_profile(Profile{});
-    config.axis(Axis::y).start_pulses = 1;
+    config.axis(Axis::y).start_pulses = 0;
     config.axis(Axis::y).sensor.bounce_ns = 300'000;
     config.axis(Axis::y).sensor.bounce_half_period_ns = 100'000;
     SimRig sut(Profile{}, config);
@@ -80,7 +80,7 @@ TEST(MachineFault, ContactBouncesAfterEachChange) {
 
 TEST(MachineFault, SensorCanBeStuckEitherWay) {
     SimConfig config = sim_config_from_profile(Profile{});
-    config.axis(Axis::r1).start_pulses = 24'000;
+    config.axis(Axis::r1).start_pulses = 24'001;
     config.axis(Axis::r1).sensor.fault = SensorFault::never_trips;
     SimRig sut(Profile{}, config);
     EXPECT_FALSE(sut.shows(Signal::r1_limit));

@@ -25,9 +25,9 @@ TEST(Machine, HasAllDrivesOffAtFirst) {
     EXPECT_EQ(sut.position(Axis::r1), 12'000);
 }
 
-TEST(Machine, TripsLimitsAtAndPastTheirEdges) {
+TEST(Machine, IsClearAtItsHomePositionsAndTrippedFromTheNextPulseOn) {
     const Profile profile;
-    SimRig high(profile, config_with_start(Axis::r2, 23'998));
+    SimRig high(profile, config_with_start(Axis::r2, 23'999));
     high.enable_all();
     high.aim(Axis::r2, true);
     high.pulse(Axis::r2);
@@ -39,12 +39,12 @@ TEST(Machine, TripsLimitsAtAndPastTheirEdges) {
     EXPECT_EQ(high.position(Axis::r2), 24'400) << "the mechanical end";
     EXPECT_EQ(high.report(Axis::r2).crashes, 1U);
     high.aim(Axis::r2, false);
-    high.pulses(Axis::r2, 400);
+    high.pulses(Axis::r2, 399);
     EXPECT_TRUE(high.shows(Signal::r2_limit));
     high.pulse(Axis::r2);
     EXPECT_FALSE(high.shows(Signal::r2_limit));
 
-    SimRig low(profile, config_with_start(Axis::y, 1));
+    SimRig low(profile, config_with_start(Axis::y, 0));
     low.enable_all();
     low.aim(Axis::y, false);
     EXPECT_FALSE(low.shows(Signal::y_limit));

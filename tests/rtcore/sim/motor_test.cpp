@@ -175,6 +175,23 @@ TEST(Motor, PullsInAgainOnceTheDemandIsSlow) {
     EXPECT_EQ(sut.position_pulses(), running + 10);
 }
 
+// A ramp of 2000 pulses/s2 ends at about 60 pulses/s; then a pulse a second, with a start-stop speed hardly
+// above.
+TEST(Motor, RestsBetweenTheLastPulseOfARampAndSlowOnes) {
+    Motor sut({.speed_pps = 520.0, .accel_pps2 = 3000.0, .start_stop_pps = 1.3, .slip_pulses = 16.0}, 0);
+    std::int64_t time_ns = 51'000'000;
+    int stalls = 0;
+    const auto pulse_after = [&](std::int64_t gap_ns) {
+        time_ns += gap_ns;
+        stalls += sut.pulse(1, time_ns) == Motor::Outcome::followed ? 0 : 1;
+    };
+    for (const std::int64_t gap_ms : {0, 13, 10, 8, 8, 6, 6, 6, 6, 7, 8, 9, 10, 15})
+        pulse_after(gap_ms * 1'000'000);
+    for (int i = 0; i < 20; ++i) pulse_after(1'000'000'000);
+    EXPECT_EQ(stalls, 0);
+    EXPECT_EQ(sut.position_pulses(), 34);
+}
+
 TEST(Motor, RunsPastItsCountWhenPulsesEndAtFullSpeed) {
     const Trapezoid move{400, 4000, 40'000, 2000.0};
     std::vector<std::int64_t> times = pulse_times(move, 50'000, 0.0, 1);

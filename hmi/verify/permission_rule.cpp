@@ -47,11 +47,14 @@ void PermissionRule::limit_changed(Guard& guard, bool tripped, std::int64_t time
     if (tripped) {
         guard.tripped_ns = time_ns;
         guard.beyond_pulses = 0;
+        guard.is_leaving = false;
         guard.tripped_while_carving = (levels_ & bit_of(Signal::spindle)) != 0;
         return;
     }
     if (guard.tripped_while_carving && time_ns - guard.tripped_ns >= filter_ns_)
         guard.crash_ns = guard.tripped_ns;
+    // Waiting pulses were all within homing's bound, with the drive on and the spindle off since.
+    if (guard.is_leaving) guard.waiting = 0;
     guard.tripped_while_carving = false;
 }
 
@@ -68,10 +71,9 @@ void PermissionRule::levels_changed(SignalWord before, SignalWord now, std::int6
             limit_changed(guard, (now & bit_of(sensor_of(axis))) != 0, time_ns);
             levels_ = now;
         }
-        if ((changed & before & bit_of(enable_of(axis))) != 0) {
-            guard.disabled_ns = time_ns;
-            judge_waiting(axis);
-        }
+        const bool disabled = (changed & before & bit_of(enable_of(axis))) != 0;
+        if (disabled) guard.disabled_ns = time_ns;
+        if (disabled || (changed & now & bit_of(Signal::spindle)) != 0) judge_waiting(axis);
     }
 }
 
@@ -131,9 +133,11 @@ void PermissionRule::judge_limit(Axis axis, bool positive, std::int64_t time_ns,
     if (guard.limit_sign == 0 || !guard.tripped) return;
     if ((guard.limit_sign > 0) != positive) {
         --guard.beyond_pulses;
+        guard.is_leaving = true;
         return;
     }
     ++guard.beyond_pulses;
+    guard.is_leaving = false;
     if (time_ns - guard.tripped_ns < filter_ns_ + reaction_ns_) return;
     const bool is_crash = guard.tripped_while_carving;
     const std::int64_t allowed = is_crash ? 0 : guard.homing_pulses;

@@ -17,9 +17,10 @@ namespace psicarve::verify {
 ///
 /// A trace shows pins, not states. Homing is told from a crash like this: with the spindle on a tripped limit
 /// is a crash at once. With the spindle off, pulses past the sensor wait for judgement: homing ends with a
-/// new definition of the positions, a crash with the drive switched off or the end of the trace. More pulses
-/// than homing may take are an offence either way. The core has one tick to act (schedule two-timer: one io
-/// period), for limits after the input filter.
+/// new definition of the positions or with the axis backing off until its sensor clears (a definition that
+/// changes nothing is not written to every trace); a crash ends with the drive switched off, the spindle
+/// switched on or the end of the trace. More pulses than homing may take are an offence either way. The core
+/// has one tick to act (schedule two-timer: one io period), for limits after the input filter.
 class PermissionRule {
 public:
     PermissionRule(const Profile& profile, OffenceLog& log);
@@ -43,6 +44,7 @@ private:
         std::int64_t crash_ns = kNever;     ///< last trip with the spindle on that was no chatter
         std::int64_t disabled_ns = kNever;  ///< when the drive was last switched off
         std::int64_t beyond_pulses = 0;     ///< net way past the sensor since it tripped
+        bool is_leaving = false;            ///< its last pulse since then led away from the sensor
         std::uint64_t waiting = 0;          ///< pulses whose judgement depends on what follows
         std::int64_t first_waiting_ns = 0;
         CarvePlace first_waiting_place;

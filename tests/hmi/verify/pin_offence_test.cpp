@@ -188,6 +188,36 @@ TEST_F(PinOffence, PulsesPastALimitThatNoHomingFollowsAreNamed) {
     EXPECT_EQ(first_of(report, 4).time_ns, 2'000'000);
 }
 
+TEST_F(PinOffence, HomingThatBacksOffUntilItsSensorClearsNeedsNoNewPositions) {
+    pins_.at(900'000, Signal::r1_dir, true).at(1'000'000, Signal::r1_limit, true);
+    pins_.pulse(2'000'000, Signal::r1_step).pulse(2'500'000, Signal::r1_step);
+    pins_.at(3'000'000, Signal::r1_dir, false).pulse(3'500'000, Signal::r1_step);
+    pins_.pulse(4'000'000, Signal::r1_step).at(4'100'000, Signal::r1_limit, false);
+    EXPECT_EQ(pins_.report().rules[3].offences, 0U);
+}
+
+TEST_F(PinOffence, ALimitThatClearsWithoutTheAxisBackingOffIsNoHoming) {
+    pins_.at(900'000, Signal::r1_dir, true).at(1'000'000, Signal::r1_limit, true);
+    pins_.pulse(2'000'000, Signal::r1_step).at(2'500'000, Signal::r1_limit, false);
+    EXPECT_EQ(pins_.report().rules[3].offences, 1U);
+}
+
+TEST_F(PinOffence, BackingOffWithTheSpindleOnIsNoHoming) {
+    pins_.at(900'000, Signal::r1_dir, true).at(1'000'000, Signal::r1_limit, true);
+    pins_.pulse(2'000'000, Signal::r1_step).at(2'500'000, Signal::spindle, true);
+    pins_.at(3'000'000, Signal::r1_dir, false).pulse(3'500'000, Signal::r1_step);
+    pins_.at(4'100'000, Signal::r1_limit, false);
+    EXPECT_EQ(pins_.report().rules[3].offences, 1U);
+}
+
+TEST_F(PinOffence, BackingOffAfterTheDriveWasOffIsNoHoming) {
+    pins_.at(900'000, Signal::r1_dir, true).at(1'000'000, Signal::r1_limit, true);
+    pins_.pulse(2'000'000, Signal::r1_step).at(2'500'000, Signal::r1_enable, false);
+    pins_.at(2'600'000, Signal::r1_enable, true).at(3'000'000, Signal::r1_dir, false);
+    pins_.pulse(3'500'000, Signal::r1_step).at(4'100'000, Signal::r1_limit, false);
+    EXPECT_EQ(pins_.report().rules[3].offences, 1U);
+}
+
 TEST_F(PinOffence, BackingOffIsNone) {
     pins_.initially(kEnableMask | bit_of(Signal::r1_limit)).pulse(1'000'000, Signal::r1_step);
     EXPECT_EQ(pins_.report().rules[3].offences, 0U);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "rtcore/plan/speed_drift.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::plan {
@@ -125,6 +126,12 @@ std::vector<LineGroup> plan_by_angle(const MachineLimits& limits, std::span<cons
         group.add(lines[i]);
     }
     groups.push_back(group.finish());
+    for (LineGroup& each : groups) {
+        GroupLimits& speed = each.limits;
+        speed.max_per_s =
+            std::min(speed.max_per_s, drift_limit_per_s(limits, lines.subspan(each.first, each.count)));
+        speed.start_per_s = std::min(speed.start_per_s, speed.max_per_s);
+    }
     return groups;
 }
 

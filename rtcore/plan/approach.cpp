@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "shared/units.hpp"
+
 namespace psicarve::plan {
 namespace {
 
@@ -43,6 +45,17 @@ Pulses4 first_point(const JobView& job) {
             job.layer_heights_pulses()[0]};
 }
 
+/// Of the table, whichever head carves it: before the carving the blank reaches out so far all round.
+double largest_radius_mm(const MachineLimits& limits, const JobView& job) {
+    double largest_mm = 0.0;
+    for (const Axis head : {Axis::r1, Axis::r2}) {
+        const std::size_t k = index_of(head);
+        const double radius_mm = mm_from_pulses(job.max_radius_pulses(head), limits.axes[k].pulses_per_unit);
+        largest_mm = std::max(largest_mm, radius_mm + limits.tip_offset_mm[k]);
+    }
+    return largest_mm;
+}
+
 }  // namespace
 
 std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, const JobView& job,
@@ -50,10 +63,12 @@ std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, con
     const Pulses4 first = first_point(job);
     Pulses4 from = from_pulses;
     Pulses4 outside = from;
-    for (const Axis head : {Axis::r1, Axis::r2}) {
-        const std::size_t k = index_of(head);
-        outside[k] = std::min(job.max_radius_pulses(head) + limits.clearance_pulses[k],
-                              limits.axes[k].travel_max_pulses);
+    const double largest_mm = largest_radius_mm(limits, job);
+    for (std::size_t k = 0; k < kHeads; ++k) {
+        const double counted_mm = largest_mm - limits.tip_offset_mm[k];
+        outside[k] =
+            std::min(pulses_from_mm(counted_mm, limits.axes[k].pulses_per_unit) + limits.clearance_pulses[k],
+                     limits.axes[k].travel_max_pulses);
     }
     BlockList list(limits);
     list.outputs(kAllDrives, Spindle::off);

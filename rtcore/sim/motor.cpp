@@ -8,19 +8,25 @@
 
 namespace psicarve::sim {
 
+namespace {
+
+std::int64_t ns_of(double time_s) noexcept {
+    return static_cast<std::int64_t>(time_s * static_cast<double>(kNsPerS));
+}
+
+}  // namespace
+
 Motor::Motor(const MotorConfig& config, std::int64_t start_pulses) noexcept
     : config_(config),
       spring_s_(std::sqrt(2.0 * config.slip_pulses / config.accel_pps2) / 4.0),
-      swing_ns_(static_cast<std::int64_t>(8.0 * spring_s_ * static_cast<double>(kNsPerS))),
-      settle_ns_(std::max(
-          swing_ns_, static_cast<std::int64_t>(2.0 / config.start_stop_pps * static_cast<double>(kNsPerS)))),
+      settle_ns_(ns_of(std::min(8.0 * spring_s_, 2.0 / config.start_stop_pps))),
       field_pulses_(start_pulses),
       rotor_pulses_(static_cast<double>(start_pulses)) {}
 
 Motor::Outcome Motor::pulse(int sign, std::int64_t time_ns) noexcept {
-    // Slow pulses keep it going from one to the next; without them a fast rotor swings out and stands.
-    const bool is_fast = std::abs(rotor_pps_) > config_.start_stop_pps;
-    if (!at_rest_ && time_ns - last_ns_ > (is_fast ? swing_ns_ : settle_ns_)) settle();
+    // Without a pulse for so long the rotor has swung out and stands; what it ran past its field is
+    // settle()'s to judge, not one long step of follow()'s. Any slow pulse can start it again.
+    if (!at_rest_ && time_ns - last_ns_ > settle_ns_) settle();
     follow(sign, time_ns);
     if (out_of_step_) {
         if (std::abs(field_pps_) > config_.start_stop_pps) return Outcome::lost;

@@ -49,8 +49,7 @@ private:
     void fall_out_of_step(double rotor_pulses) noexcept;
 
     MotorConfig config_;
-    double spring_s_;        ///< T
-    std::int64_t swing_ns_;  ///< a fast rotor without a pulse for so long has come to rest
+    double spring_s_;  ///< T
     std::int64_t settle_ns_;
     std::int64_t field_pulses_;
     double rotor_pulses_;

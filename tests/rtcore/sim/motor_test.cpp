@@ -192,6 +192,21 @@ TEST(Motor, RestsBetweenTheLastPulseOfARampAndSlowOnes) {
     EXPECT_EQ(sut.position_pulses(), 34);
 }
 
+// As seen on the pins of a long carving: a few pulses up to 600 a second and down again, then a pause of 45
+// ms.
+TEST(Motor, RestsInAPauseThatFollowsAShortMove) {
+    Motor sut({.speed_pps = 5200.0, .accel_pps2 = 60'000.0, .start_stop_pps = 520.0, .slip_pulses = 16.0}, 0);
+    std::int64_t time_ns = 0;
+    int stalls = 0;
+    for (const std::int64_t gap_us :
+         {0, 2300, 1900, 1700, 1650, 1900, 2400, 45'400, 1900, 3200, 1400, 1250}) {
+        time_ns += gap_us * 1000;
+        stalls += sut.pulse(1, time_ns) == Motor::Outcome::followed ? 0 : 1;
+    }
+    EXPECT_EQ(stalls, 0);
+    EXPECT_EQ(sut.position_pulses(), 12);
+}
+
 TEST(Motor, RunsPastItsCountWhenPulsesEndAtFullSpeed) {
     const Trapezoid move{400, 4000, 40'000, 2000.0};
     std::vector<std::int64_t> times = pulse_times(move, 50'000, 0.0, 1);

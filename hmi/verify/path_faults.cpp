@@ -64,15 +64,27 @@ void PathRule::miss_rest_of_layer(std::int64_t time_ns, const Positions& at) {
 }
 
 void PathRule::stray(std::int64_t time_ns, std::size_t h, const PathLine::Distance& distance) {
-    if (std::exchange(strayed_, true) || !log_.count(1, time_ns)) return;
+    if (std::exchange(strayed_, true)) return;
+    retraction_.stray = Stray{time_ns, h, distance, place_};
+    if (!is_outward_) keep_retraction();
+}
+
+/// It was none: what was found on the way counts.
+void PathRule::keep_retraction() {
+    max_line_mm_ = std::max(max_line_mm_, retraction_.max_line_mm);
+    max_line_pulses_ = std::max(max_line_pulses_, retraction_.max_line_pulses);
+    const auto stray = std::exchange(retraction_, {}).stray;
+    if (!stray || !log_.count(1, stray->time_ns)) return;
     Offence offence;
+    offence.rule = 1;
     offence.fault = "off-the-line";
-    offence.axis = kHeads[h];
-    offence.measured = distance.mm;
-    offence.allowed = geometry_.tolerance_mm() + headings_[h].line.pulse_across_mm();
+    offence.axis = kHeads[stray->head];
+    offence.time_ns = stray->time_ns;
+    offence.measured = stray->distance.judged_mm;
+    offence.allowed = stray->distance.allowed_mm;
     offence.unit = std::string("mm");
-    offence.sentence = shown_name(kHeads[h]) + " leaves the straight line to a point";
-    report(time_ns, std::move(offence));
+    offence.sentence = shown_name(kHeads[stray->head]) + " leaves the straight line to a point";
+    log_.describe(std::move(offence), stray->place);
 }
 
 void PathRule::stray_in_height(std::int64_t time_ns, const Positions& at) {

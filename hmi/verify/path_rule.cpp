@@ -33,7 +33,7 @@ void PathRule::begin(const Positions& positions, bool spindle_on) {
 }
 
 double PathRule::carve_seconds() const noexcept {
-    return phase_ == Phase::done && has_left_ ? seconds_from_ns(arrived_ns_ - left_ns_) : 0.0;
+    return is_complete_ && has_left_ ? seconds_from_ns(arrived_ns_ - left_ns_) : 0.0;
 }
 
 std::int64_t PathRule::forward(std::int64_t psi_pulses) const noexcept {
@@ -47,6 +47,9 @@ void PathRule::settle(std::int64_t time_ns, const Positions& positions, bool spi
         log_.restore(1, before_guess_);
         phase_ = Phase::approach;
     }
+    if (phase_ == Phase::done && ran && is_first_point(positions)) end_attempt(time_ns);
+    const bool was_outward = std::exchange(is_outward_, is_outward_from_last(positions));
+    if (was_outward && !is_outward_) keep_retraction();
     Positions at = positions;
     at[kPsi] -= psi_offset_;
     switch (phase_) {
@@ -64,14 +67,18 @@ void PathRule::settle(std::int64_t time_ns, const Positions& positions, bool spi
             break;
     }
     last_ = positions;
-    if (spindle_on_ && !spindle_on && (phase_ == Phase::segment || phase_ == Phase::link))
-        end_attempt(time_ns);
+    if (spindle_on_ && !spindle_on && phase_ != Phase::approach) end_attempt(time_ns);
     spindle_on_ = spindle_on;
 }
 
+bool PathRule::is_outward_from_last(const Positions& positions) const noexcept {
+    return positions[kPsi] == last_[kPsi] && positions[kY] == last_[kY] && positions[0] >= last_[0] &&
+           positions[1] >= last_[1];
+}
+
 void PathRule::redefine(std::int64_t time_ns, const Positions& positions) {
-    if (phase_ == Phase::segment || phase_ == Phase::link) end_attempt(time_ns);
-    if (phase_ == Phase::approach && !ended_at_) {
+    if (phase_ != Phase::approach) end_attempt(time_ns);
+    if (!ended_at_ && !is_complete_) {
         // Whatever was counted before the first homing meant nothing.
         surface_.clear();
         log_.restore(1, before_attempt_);
@@ -124,15 +131,42 @@ void PathRule::start(std::int64_t psi_pulses) {
     visited_ = 0;
     is_guess_ = false;
     has_left_ = false;
+    is_complete_ = false;
+    max_line_mm_ = 0.0;
+    max_line_pulses_ = 0.0;
     ended_at_.reset();
+    retraction_ = {};
+    at_start_ = log_.result(1);
+    is_holding_ = false;
     aim(0, 0);
 }
 
 void PathRule::end_attempt(std::int64_t time_ns) {
-    ended_at_ = place_;
-    ended_ns_ = time_ns;
+    is_complete_ = phase_ == Phase::done;
+    if (!is_complete_) {
+        ended_at_ = place_;
+        ended_ns_ = time_ns;
+    }
+    retraction_ = {};
+    hold_attempt();
     phase_ = Phase::approach;
     place_ = {};
+}
+
+/// Takes the attempt's breaches out of the log for as long as another attempt may follow.
+void PathRule::hold_attempt() {
+    held_ = log_.result(1);
+    held_before_ = at_start_.offences;
+    is_holding_ = true;
+    log_.restore(1, at_start_);
+}
+
+void PathRule::count_held_attempt() {
+    if (!is_holding_) return;
+    RuleResult all = log_.result(1);
+    all.offences += held_.offences - held_before_;
+    if (held_.first && (!all.first || held_.first->time_ns < all.first->time_ns)) all.first = held_.first;
+    log_.restore(1, all);
 }
 
 /// Makes a point the next one to be visited.
@@ -201,9 +235,11 @@ bool PathRule::is_on_lines(std::int64_t time_ns, const Positions& at) {
         const std::size_t axis = index_of(kHeads[h]);
         const PathLine& line = headings_[h].line;
         const auto distance = line.distance(at[kPsi] - from_[kPsi], at[axis] - from_[axis]);
-        if (distance.mm > max_line_mm_) max_line_mm_ = distance.mm;
-        if (distance.across_mm > max_line_pulses_ * line.pulse_across_mm())
-            max_line_pulses_ = distance.across_mm / line.pulse_across_mm();
+        double& max_mm = is_outward_ ? retraction_.max_line_mm : max_line_mm_;
+        double& max_pulses = is_outward_ ? retraction_.max_line_pulses : max_line_pulses_;
+        if (distance.mm > max_mm) max_mm = distance.mm;
+        if (distance.across_mm > max_pulses * line.pulse_across_mm())
+            max_pulses = distance.across_mm / line.pulse_across_mm();
         if (distance.is_allowed) continue;
         is_on = false;
         stray(time_ns, h, distance);
@@ -261,10 +297,9 @@ void PathRule::follow_link(std::int64_t time_ns, const Positions& at) {
 }
 
 void PathRule::finish(std::int64_t time_ns) {
-    if (phase_ == Phase::segment || phase_ == Phase::link) {
-        if (visited_ > 0 || is_guess_) end_attempt(time_ns);
-    }
-    if (phase_ != Phase::done) end_early(time_ns);
+    if (phase_ != Phase::approach) end_attempt(time_ns);
+    count_held_attempt();
+    if (!is_complete_) end_early(time_ns);
 }
 
 }  // namespace psicarve::verify

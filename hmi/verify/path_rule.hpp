@@ -16,8 +16,11 @@ namespace psicarve::verify {
 /// each head stays near the straight line; elsewhere (approach, links between layers, finish) no head stands
 /// deeper than the job asks at that place. Carves the surface on the way.
 ///
-/// The carving begins where the first point is reached with the spindle on, psi up to whole turns. After a
-/// breach the rule goes on with the next point, so that one lost pulse does not hide all that follows.
+/// An attempt at carving begins where the first point is reached with the spindle on, psi up to whole turns.
+/// It ends when the spindle stops or homing comes; a last way that only leads outward, psi and Y still, is
+/// the retraction and not judged as a line. The last attempt counts: breaches within earlier ones are
+/// dropped. After a breach the rule goes on with the next point, so that one lost pulse does not hide all
+/// that follows.
 class PathRule {
 public:
     PathRule(const JobGeometry& geometry, CarvedSurface& surface, OffenceLog& log);
@@ -47,6 +50,23 @@ private:
             closest;  ///< radius nearest to the wanted one, while psi stood at the point's
     };
 
+    struct Stray {
+        std::int64_t time_ns;
+        std::size_t head;
+        PathLine::Distance distance;
+        CarvePlace place;
+    };
+    /// What was found while the heads only went outward: nothing, should that be how the attempt ends.
+    struct Retraction {
+        std::optional<Stray> stray;
+        double max_line_mm = 0.0;
+        double max_line_pulses = 0.0;
+    };
+
+    bool is_outward_from_last(const Positions& positions) const noexcept;
+    void keep_retraction();
+    void hold_attempt();
+    void count_held_attempt();
     bool is_on_lines(std::int64_t time_ns, const Positions& at);
     void carve(const Positions& at);
     void follow_segment(std::int64_t time_ns, const Positions& at);
@@ -90,6 +110,13 @@ private:
     CarvePlace place_;
     RuleResult before_attempt_;
     RuleResult before_guess_;
+    RuleResult at_start_;            ///< when the attempt began
+    RuleResult held_;                ///< of the last attempt, ended: counts unless another follows
+    std::uint64_t held_before_ = 0;  ///< offences that were there before it
+    bool is_holding_ = false;
+    bool is_complete_ = false;  ///< the last attempt reached the last point
+    bool is_outward_ = false;   ///< this instant
+    Retraction retraction_;
     std::optional<CarvePlace> ended_at_;  ///< where the last attempt ended before its time
     std::int64_t ended_ns_ = 0;
     std::uint64_t visited_ = 0;

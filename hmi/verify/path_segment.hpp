@@ -19,10 +19,11 @@ public:
         double mm;         ///< from the line between the ends
         double across_mm;  ///< its part across the line
         bool is_allowed;
+        double judged_mm;   ///< what is held against `allowed_mm`: the way across, or beyond the line's ends
+        double allowed_mm;  ///< of that
     };
     Distance distance(std::int64_t psi_passed_pulses, std::int64_t radius_passed_pulses) const noexcept;
 
-    double allowed_mm() const noexcept { return allowed_mm_; }
     /// One pulse of the coarser axis, seen across the line.
     double pulse_across_mm() const noexcept { return pulse_across_mm_; }
 

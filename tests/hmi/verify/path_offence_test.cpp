@@ -65,8 +65,8 @@ TEST(PathOffence, AnExtraPulseLeavesItsDepthInTheSurface) {
     EXPECT_EQ(first_of(report, 1).fault, "point-missed");
     EXPECT_EQ(first_of(report, 1).axis, Axis::r2);
     EXPECT_EQ(first_of(report, 1).point, 3U);
-    // 17 points passed; the last is left off its line and too deep; so the end is never reached.
-    EXPECT_EQ(report.rules[0].offences, 20U);
+    // 17 points passed; the last is left too deep; so the end is never reached.
+    EXPECT_EQ(report.rules[0].offences, 19U);
     EXPECT_EQ(report.points_visited, 3U);
     EXPECT_EQ(report.max_deviation_pulses, 1);
 }
@@ -253,6 +253,108 @@ TEST(PathOffence, ASecondAttemptAfterAStopCounts) {
     machine.approach().layer(0).finish();
     const VerifyReport report = verified(job, machine);
     EXPECT_TRUE(report.ok) << report_text(report);
+}
+
+TEST(PathOffence, ASecondCarveOfTheJobIsJudgedLikeTheFirst) {
+    const SampleJob job = wavy_job();
+    PerfectMachine machine(job);
+    machine.carve_job().move(Axis::r1, 2000).move(Axis::r2, 2000).carve_job();
+    const VerifyReport report = verified(job, machine);
+    EXPECT_TRUE(report.ok) << report_text(report);
+    EXPECT_EQ(report.points_visited, report.points_total);
+    EXPECT_GT(report.carve_seconds, 0.0);
+}
+
+TEST(PathOffence, ASecondCarveAfterHomingIsJudgedLikeTheFirst) {
+    const SampleJob job = wavy_job();
+    PerfectMachine machine(job);
+    machine.carve_job().move(Axis::r1, 2000).move(Axis::r2, 2000);
+    machine.define_positions(machine.position).carve_job();
+    const VerifyReport report = verified(job, machine);
+    EXPECT_TRUE(report.ok) << report_text(report);
+    EXPECT_EQ(report.max_deviation_pulses, 0);
+}
+
+TEST(PathOffence, HomingAfterACompleteCarveKeepsIt) {
+    const SampleJob job = wavy_job();
+    PerfectMachine machine(job);
+    machine.carve_job().define_positions(machine.position).move(Axis::r1, 100);
+    const VerifyReport report = verified(job, machine);
+    EXPECT_TRUE(report.ok) << report_text(report);
+    EXPECT_EQ(report.max_deviation_pulses, 0);
+}
+
+TEST(PathOffence, ASecondCarveThatEndsEarlyIsNamed) {
+    const SampleJob job = wavy_job(Joining::continuous, 1);
+    PerfectMachine machine(job);
+    machine.carve_job().move(Axis::r1, 2000).move(Axis::r2, 2000);
+    machine.approach().to_point(0, 1).finish();
+    const VerifyReport report = verified(job, machine);
+    EXPECT_EQ(first_of(report, 1).fault, "ends-early");
+    EXPECT_EQ(report.points_visited, 2U);
+}
+
+TEST(PathOffence, ARetractionAfterAStopIsTheEndOfTheAttempt) {
+    const SampleJob job = wavy_job(Joining::continuous, 1);
+    PerfectMachine machine(job);
+    machine.approach().finish().move(Axis::r1, 2000).move(Axis::r2, 2000).carve_job();
+    const VerifyReport report = verified(job, machine);
+    EXPECT_TRUE(report.ok) << report_text(report);
+    EXPECT_LT(report.max_line_deviation_mm, 0.01);
+}
+
+TEST(PathOffence, AnAttemptThatIsNotFollowedByAnotherOnlyEndsEarly) {
+    const SampleJob job = wavy_job(Joining::continuous, 1);
+    PerfectMachine machine(job);
+    machine.approach().to_point(0, 1).finish();
+    const VerifyReport report = verified(job, machine);
+    EXPECT_EQ(report.rules[0].offences, 1U);
+    EXPECT_EQ(first_of(report, 1).fault, "ends-early");
+    EXPECT_LT(report.max_line_deviation_mm, 0.01);
+}
+
+TEST(PathOffence, AnEndedAttemptsOffencesDoNotCountWhenAnotherFollows) {
+    const SampleJob job = wavy_job(Joining::continuous, 1);
+    PerfectMachine machine(job);
+    machine.approach().to_point(0, 1).move(Axis::y, 3).move(Axis::y, -3).to_point(0, 2).finish();
+    const VerifyReport alone = verified(job, machine);
+    EXPECT_EQ(alone.rules[0].offences, 2U);
+    EXPECT_EQ(first_of(alone, 1).fault, "height");
+    machine.move(Axis::r1, 2000).move(Axis::r2, 2000).carve_job();
+    const VerifyReport report = verified(job, machine);
+    EXPECT_TRUE(report.ok) << report_text(report);
+}
+
+TEST(PathOffence, AStrayCutBetweenTwoAttemptsStillCounts) {
+    const SampleJob job = wavy_job(Joining::continuous, 1);
+    PerfectMachine machine(job);
+    machine.approach().finish().move(Axis::r1, -430).move(Axis::r1, 430).carve_job();
+    const VerifyReport report = verified(job, machine);
+    EXPECT_EQ(first_of(report, 1).fault, "too-deep");
+    EXPECT_EQ(report.rules[0].offences, 1U);
+}
+
+TEST(PathOffence, AHeadThatGoesOutwardOnThePathIsNamedOncePsiGoesOn) {
+    const SampleJob job = wavy_job(Joining::continuous, 1);
+    PerfectMachine machine(job);
+    machine.approach().to_point(0, 1).move(Axis::r1, 40).to_point(0, 2).to_point(0, 3).finish();
+    const VerifyReport report = verified(job, machine);
+    const Offence& offence = first_of(report, 1);
+    EXPECT_EQ(offence.fault, "off-the-line");
+    EXPECT_EQ(offence.axis, Axis::r1);
+    EXPECT_EQ(offence.point, 2U);
+    EXPECT_GT(offence.measured, offence.allowed);
+    EXPECT_GT(report.max_line_deviation_mm, 0.05);
+}
+
+TEST(PathOffence, WhatIsMeasuredBeyondALinesEndIsComparedWithWhatIsAllowedThere) {
+    const SampleJob job(Profile{}, 1, 21, Joining::continuous,
+                        [](double angle, std::uint32_t) { return angle < 0.01 ? 20.0 : 12.0; });
+    PerfectMachine machine(job);
+    machine.approach().move(Axis::r1, 4).layer(0).finish();
+    const Offence offence = first_of(verified(job, machine), 1);
+    EXPECT_EQ(offence.fault, "off-the-line");
+    EXPECT_GT(offence.measured, offence.allowed);
 }
 
 }  // namespace

@@ -60,12 +60,12 @@ constexpr MachineState state_after_stop(MachineState from) noexcept {
         case S::carving:
         case S::holding:
         case S::held:
+        case S::finishing:
             return S::stopping;
         case S::backing_off:
             return S::alarm;  // one axis at home speed: it just ceases
         case S::off:
         case S::ready:
-        case S::finishing:
         case S::stopping:
         case S::alarm:
             break;

@@ -80,6 +80,11 @@ private:
     std::unique_ptr<Mapping> mapping_;
 };
 
+struct PublishedJob {
+    std::uint64_t generation;
+    std::vector<std::byte> blob;  ///< our own copy, checksum checked
+};
+
 // --- publishing (any process but the core)
 // ---------------------------------------------------------------------
 /// Fills the slot that is not in use, under the mutex, then publishes. Returns the generation.
@@ -88,8 +93,10 @@ Result<std::uint64_t> publish_job(Segment& segment, std::span<const std::byte> j
 /// Waits until the core has judged that generation: success, the core's reason (machine_refused), no_core as
 /// soon as none serves, or timed_out.
 Result<void> wait_for_acceptance(Segment& segment, std::uint64_t generation, std::chrono::milliseconds limit);
-/// Copies the published job, under the mutex: for snapshots. Nothing published: empty.
-Result<std::vector<std::byte>> copy_published_job(Segment& segment, std::chrono::milliseconds limit);
+/// Copies the job that matters, under the mutex: the one that the core accepted, also when another was
+/// published and refused since; else the published one, unless it was refused. Generation 0 and no bytes:
+/// there is none.
+Result<PublishedJob> copy_current_job(Segment& segment, std::chrono::milliseconds limit);
 
 // --- commands (any process but the core)
 // -----------------------------------------------------------------------
@@ -101,10 +108,6 @@ void request_emergency_stop(Segment& segment) noexcept;
 
 // --- core side of both
 // -------------------------------------------------------------------------------------------
-struct PublishedJob {
-    std::uint64_t generation;
-    std::vector<std::byte> blob;  ///< our own copy, checksum checked
-};
 /// A job newer than `known_generation`, copied and checked; nothing when there is none, or when publishers
 /// were faster than the copy (ask again); an error when what was published is wrong (the caller refuses it by
 /// acknowledge_job). Takes no lock. A new segment begins again at generation 1.

@@ -69,6 +69,49 @@ Result<void> judge(const JobVerdict& verdict, std::uint64_t generation) {
                  reason.empty() ? "the core refused the job without a reason" : reason};
 }
 
+/// The generation that the core has in hand; 0: none.
+std::uint64_t accepted_generation(const SegmentHeader& header) noexcept {
+    const auto status = read_record(header.status);
+    return status ? status->job_generation : 0;
+}
+
+bool is_refused(const SegmentHeader& header, std::uint64_t generation) noexcept {
+    const auto verdict = read_record(header.verdict);
+    return verdict && verdict->generation == generation && verdict->accepted != 1;
+}
+
+/// The slot of the job that the core accepted is not written to while a refused one stands in the other: a
+/// snapshot still needs it. The refused one has been judged, so nobody reads its slot.
+std::uint64_t generation_to_publish(const SegmentHeader& header) noexcept {
+    const std::uint64_t published = header.publication.generation.load();
+    const std::uint64_t accepted = accepted_generation(header);
+    const std::uint64_t next = generation_after(published);
+    const bool would_overwrite = accepted != 0 && accepted != published && slot_of(next) == slot_of(accepted);
+    return would_overwrite && is_refused(header, published) ? generation_after(next) : next;
+}
+
+/// While a job runs another would only be refused, and a core started anew would take it for the one to go on
+/// with.
+Result<void> check_no_job_runs(const Segment& segment) {
+    using S = MachineState;
+    if (!segment.core_pid()) return {};
+    const auto status = read_record(segment.header().status);
+    if (!status) return {};
+    switch (status->state) {
+        case S::positioning:
+        case S::waiting:
+        case S::carving:
+        case S::holding:
+        case S::held:
+        case S::finishing:
+        case S::stopping:
+            return Error{ErrorCode::machine_refused, "a job runs (" + std::string{name_of(status->state)} +
+                                                         "); stop it or wait for its end"};
+        default:
+            return {};
+    }
+}
+
 }  // namespace
 
 Result<std::uint64_t> publish_job(Segment& segment, std::span<const std::byte> job_blob,
@@ -83,7 +126,8 @@ Result<std::uint64_t> publish_job(Segment& segment, std::span<const std::byte> j
     const Lock lock{mutex, bip::accept_ownership};
     // A publisher that died before us may have left this slot half written: it was not published, and all of
     // it is written anew.
-    const std::uint64_t generation = generation_after(header.publication.generation.load());
+    if (auto free = check_no_job_runs(segment); !free) return free.error();
+    const std::uint64_t generation = generation_to_publish(header);
     SlotContent& content = header.publication.of_slot[slot_of(generation)];
     content.bytes.store(0, std::memory_order_release);
     if (auto written = segment.write_slot(slot_of(generation), job_blob); !written) return written.error();
@@ -117,14 +161,19 @@ Result<void> wait_for_acceptance(Segment& segment, std::uint64_t generation,
     }
 }
 
-Result<std::vector<std::byte>> copy_published_job(Segment& segment, std::chrono::milliseconds limit) {
+Result<PublishedJob> copy_current_job(Segment& segment, std::chrono::milliseconds limit) {
     SegmentHeader& header = segment.header();
     RobustMutex mutex{header.mutex};
     if (auto locked = mutex.lock_within(limit); !locked) return locked.error();
     const Lock lock{mutex, bip::accept_ownership};
-    const std::uint64_t generation = header.publication.generation.load();
-    if (generation == 0) return std::vector<std::byte>{};
-    return copy_slot(segment, generation);
+    const std::uint64_t published = header.publication.generation.load();
+    const std::uint64_t accepted = accepted_generation(header);
+    std::uint64_t current = published;
+    if (accepted != 0 && accepted < published && slot_of(accepted) != slot_of(published)) current = accepted;
+    if (current == 0 || (current == published && is_refused(header, published))) return PublishedJob{};
+    auto blob = copy_slot(segment, current);
+    if (!blob) return blob.error();
+    return PublishedJob{.generation = current, .blob = std::move(blob).value()};
 }
 
 std::uint64_t published_generation(const Segment& segment) noexcept {

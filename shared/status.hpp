@@ -88,6 +88,8 @@ enum class RecordKind : std::uint16_t {
     alarm = 6,
     job = 7,
     home_latch = 8,
+    gap = 9,      ///< value: ticks that were missed
+    failure = 10  ///< code: the AlarmCause that the core itself found,
 };
 
 /// One entry of the flight recorder.

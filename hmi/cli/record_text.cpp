@@ -36,6 +36,10 @@ std::string kind_text(RecordKind kind) {
             return "job";
         case RecordKind::home_latch:
             return "home latch";
+        case RecordKind::gap:
+            return "ticks missed";
+        case RecordKind::failure:
+            return "failure";
     }
     return std::to_string(static_cast<unsigned>(kind));
 }
@@ -53,6 +57,7 @@ std::string code_text(const FlightRecord& record) {
                 return name_of(static_cast<MachineState>(code));
             });
         case RecordKind::alarm:
+        case RecordKind::failure:
             return named_or_number(record.code, kAlarmCauseCount,
                                    [](std::uint16_t code) { return name_of(static_cast<AlarmCause>(code)); });
         default:

@@ -7,10 +7,10 @@ namespace psicarve::machine {
 
 Result<Snapshot> take_snapshot(MachineLink& link, std::chrono::milliseconds limit) {
     Snapshot snapshot;
-    snapshot.generation = published_generation(link.segment());
-    auto job = copy_published_job(link.segment(), limit);
+    auto job = copy_current_job(link.segment(), limit);
     if (!job) return job.error();
-    snapshot.job_blob = std::move(job).value();
+    snapshot.generation = job->generation;
+    snapshot.job_blob = std::move(job->blob);
     snapshot.status = link.last_status();
     snapshot.capacity_layers = link.segment().capacity_layers();
     snapshot.capacity_points = link.segment().capacity_points();

@@ -40,6 +40,7 @@ void Cycle::tick() noexcept {
 
 void Cycle::advance_missed(std::uint64_t ticks) noexcept {
     missed_ticks_ += ticks;
+    report(record_of(RecordKind::gap, 0, kNoAxis, static_cast<std::int64_t>(ticks)));
     const auto gap_ticks = static_cast<std::int64_t>(ticks) + 1;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         const std::int64_t coast_ticks = config_.axes[k].coast_ticks;

@@ -88,7 +88,10 @@ void Cycle::answer(const Request& request, Refusal refusal) noexcept {
                              static_cast<std::uint16_t>(command_of(request.kind)), kNoAxis,
                              static_cast<std::int64_t>(request.value));
     if (request.kind == RequestKind::back_off) entry.record.axis = request.axis;
-    if (request.kind == RequestKind::fail) entry.record.kind = RecordKind::none;
+    if (request.kind == RequestKind::fail) {
+        entry.record.kind = RecordKind::failure;
+        entry.record.code = static_cast<std::uint16_t>(request.value);
+    }
     entry.record.answer =
         static_cast<std::uint32_t>(refusal == Refusal::none ? AnswerKind::done : AnswerKind::refused);
     entry.sequence = request.sequence;

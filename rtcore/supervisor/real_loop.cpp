@@ -86,8 +86,8 @@ int serve(CoreParts& parts, Supervisor& supervisor, const Directors& directors, 
         supervisor.set_realtime_rights(threads.has_realtime_rights.load());
         supervisor.poll();
         move_traces(parts);
-        // A replay's tick is the only writer of the request ring.
-        const bool may_ask = directors.record == nullptr;
+        // A replay's tick is the only writer of the request ring; and at rest a missed tick harms nothing.
+        const bool may_ask = directors.record == nullptr && !is_at_rest(supervisor.sample().state);
         if (missed.is_too_many(supervisor.sample().missed_ticks, std::chrono::steady_clock::now()) &&
             may_ask) {
             supervisor.request(cycle::RequestKind::fail,

@@ -42,6 +42,9 @@ std::string refusal_text(cycle::Refusal refusal, CommandKind command, const cycl
         case R::none:
             return {};
         case R::not_in_this_state:
+            if (command == CommandKind::reset_alarm || command == CommandKind::back_off) {
+                return std::string{name_of(command)} + ": there is no alarm";
+            }
             return std::string{name_of(command)} + ": not while " + state + "; " + remedy_in(sample.state);
         case R::no_job:
             return "no job is published; publish one first";

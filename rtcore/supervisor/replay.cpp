@@ -46,9 +46,13 @@ void RecordDirector::apply(const ReplayStep& step, CoreParts& parts) noexcept {
             cycle::Request request{};
             request.kind = step.request;
             request.axis = step.axis;
+            request.value = step.value;
             parts.io->requests.push(request);
             break;
         }
+        case ReplayStep::Kind::gap:
+            parts.cycle->advance_missed(step.value);
+            break;
         case ReplayStep::Kind::stop:
             parts.io->urgent.stop_requests.fetch_add(1);
             break;

@@ -51,6 +51,15 @@ std::optional<ReplayStep> step_of(const FlightRecord& record) {
                 return step;
             }
             return std::nullopt;
+        case RecordKind::gap:
+            step.kind = ReplayStep::Kind::gap;
+            step.value = static_cast<std::uint64_t>(record.value);
+            return step;
+        case RecordKind::failure:
+            step.kind = ReplayStep::Kind::request;
+            step.request = cycle::RequestKind::fail;
+            step.value = record.code;
+            return step;
         case RecordKind::stop:
             step.kind = ReplayStep::Kind::stop;
             return step;
@@ -66,10 +75,27 @@ std::optional<ReplayStep> step_of(const FlightRecord& record) {
     }
 }
 
+using Records = std::vector<FlightRecord>;
+
+/// The newest job was loaded while the machine was homed and at rest, or later came to be: the snapshot holds
+/// no other job, so nothing before that can be run again.
+Records::const_iterator first_of_script(const Records& records) {
+    const auto is_job = [](const FlightRecord& record) {
+        return record.kind == RecordKind::job && static_cast<AnswerKind>(record.answer) == AnswerKind::done;
+    };
+    const auto last_job = std::find_if(records.rbegin(), records.rend(), is_job);
+    if (last_job == records.rend()) return std::ranges::find_if(records, is_homed_rest);
+    const auto job = std::prev(last_job.base());
+    const auto is_change = [](const FlightRecord& record) { return record.kind == RecordKind::state_change; };
+    const auto state_at_job = std::find_if(last_job, records.rend(), is_change);
+    if (state_at_job != records.rend() && is_homed_rest(*state_at_job)) return job;
+    return std::find_if(job, records.end(), is_homed_rest);
+}
+
 }  // namespace
 
 std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>& records) {
-    const auto first = std::ranges::find_if(records, is_homed_rest);
+    const auto first = first_of_script(records);
     if (first == records.end() || std::next(first) == records.end()) return std::nullopt;
     ReplayScript script;
     script.first_tick = first->tick;

@@ -15,10 +15,11 @@ namespace psicarve::supervisor {
 
 /// One thing that a recorded run's tick saw from outside.
 struct ReplayStep {
-    enum class Kind : std::uint8_t { request, stop, emergency_stop, inputs };
+    enum class Kind : std::uint8_t { request, stop, emergency_stop, inputs, gap };
     std::uint64_t tick;  ///< counted from the beginning of the replay
     Kind kind;
     cycle::RequestKind request;
+    std::uint64_t value;  ///< kind gap: ticks that were missed; request fail: the cause
     std::uint8_t axis;
     SignalWord inputs;  ///< kind inputs: all input levels from this tick on
 };

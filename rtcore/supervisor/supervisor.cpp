@@ -176,7 +176,7 @@ void Supervisor::drain_increments() {
 }
 
 void Supervisor::publish_status() {
-    if (parts_->machine != nullptr) mirror_.set_sim(sim_facts(*parts_->machine));
+    if (parts_->machine != nullptr && !is_machine_frozen_) mirror_.set_sim(sim_facts(*parts_->machine));
     write_record(segment_.header().status,
                  mirror_.compose(sample_, parts_->planner->seconds_left(sample_.points_done)));
     if (changes_ != changes_told_) {
@@ -210,8 +210,9 @@ void Supervisor::take_new_segment() {
     desk_.forget_all();
     segment_ = std::move(*fresh);
     segment_.header().core_profile_hash.store(profile_hash(parts_->profile));
-    stop_seen_ = segment_.header().stop_requests.load();
-    estop_seen_ = segment_.header().estop_requests.load();
+    // It is new: whatever has been asked for in it was asked of us.
+    stop_seen_ = 0;
+    estop_seen_ = 0;
     judged_generation_ = 0;
     is_segment_lost_ = false;
 }

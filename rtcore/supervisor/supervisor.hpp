@@ -34,6 +34,11 @@ public:
     void request_stop() noexcept { parts_->io->urgent.stop_requests.fetch_add(1); }
     void request_emergency_stop() noexcept { parts_->io->urgent.estop_requests.fetch_add(1); }
 
+    /// The simulated machine's counters stay as they are now, whatever it still does.
+    void freeze_machine() noexcept {
+        publish_status();
+        is_machine_frozen_ = true;
+    }
     /// From here on every command is refused with this reason, but for shutdown.
     void refuse_commands(const std::string& reason) { desk_.refuse_all(reason); }
 
@@ -74,6 +79,7 @@ private:
     std::uint64_t changes_told_ = 0;
     std::chrono::steady_clock::time_point next_segment_check_{};
     bool is_segment_lost_ = false;
+    bool is_machine_frozen_ = false;
 };
 
 }  // namespace psicarve::supervisor

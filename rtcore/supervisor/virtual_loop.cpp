@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cstdio>
 
+#include "rtcore/plan/cycle_config_from_profile.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
 
 namespace psicarve::supervisor {
 namespace {
 
 constexpr std::uint64_t kTicksPerSlice = 4096;  ///< so few that the trace ring cannot overflow in one
-constexpr std::uint64_t kSettleTicks = 16;      ///< after coming to rest: pins fall, filters settle
+constexpr std::uint64_t kLongestSlice = trace::kTraceRingEntries / 2;
+constexpr std::uint64_t kSettleTicks = 16;  ///< after coming to rest: pins fall, filters settle
 constexpr std::chrono::milliseconds kIdleWait{20};
-static_assert(2 * kTicksPerSlice + kSettleTicks < trace::kTraceRingEntries);
 
 /// Decides which ticks virtual time has. At rest a tick passes only to take a request, so that the moment a
 /// command comes in from another process does not show in the trace.
 class VirtualTime {
 public:
-    VirtualTime(CoreParts& parts, RecordDirector* record) : parts_(&parts), record_(record) {}
+    VirtualTime(CoreParts& parts, RecordDirector* record)
+        : parts_(&parts),
+          record_(record),
+          settle_ticks_(settle_ticks_of(parts.profile)),
+          settle_left_(settle_ticks_) {}
 
     /// Runs one slice, less when the machine comes to rest. False when no tick was due.
     bool run_slice(bool has_urgent_words) {
@@ -24,7 +30,8 @@ public:
             tick();
             has_run = true;
         }
-        for (std::uint64_t n = 0; (n < kTicksPerSlice || is_settling()) && has_work(); ++n) {
+        for (std::uint64_t n = 0; (n < kTicksPerSlice || (is_settling() && n < kLongestSlice)) && has_work();
+             ++n) {
             tick();
             has_run = true;
         }
@@ -42,7 +49,7 @@ private:
         if (parts_->planner->wants_poll()) parts_->planner->poll();
         parts_->cycle->tick();
         if (!is_at_rest(parts_->cycle->state())) {
-            settle_left_ = kSettleTicks;
+            settle_left_ = settle_ticks_;
         } else if (settle_left_ > 0) {
             --settle_left_;
         }
@@ -50,7 +57,18 @@ private:
 
     CoreParts* parts_;
     RecordDirector* record_;
-    std::uint64_t settle_left_ = kSettleTicks;
+    /// So long after its last pulse an axis may still be turning: it must come to rest before time stands
+    /// still.
+    static std::uint64_t settle_ticks_of(const Profile& profile) {
+        std::int64_t longest_ticks = 0;
+        for (const auto& axis : plan::cycle_config_from_profile(profile).axes) {
+            longest_ticks = std::max(longest_ticks, axis.coast_ticks);
+        }
+        return kSettleTicks + static_cast<std::uint64_t>(longest_ticks);
+    }
+
+    std::uint64_t settle_ticks_;
+    std::uint64_t settle_left_;
 };
 
 void move_traces(CoreParts& parts) {
@@ -90,6 +108,9 @@ int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directo
             supervisor.wait(kIdleWait);
         }
     }
+    // A recorded run may end in full motion: what the machine makes of drives that go off then is not part of
+    // it.
+    supervisor.freeze_machine();
     parts.cycle->shut_down();
     move_traces(parts);
     parts.traces.finish(parts.cycle->next_tick());

@@ -33,7 +33,7 @@ const std::map<std::string, std::map<std::string, std::string>> kAllowed{
      {{"hold", "holding"}, {"last point done", "finishing"}, {"stop", "stopping"}, {"fail", "alarm"}}},
     {"holding", {{"at rest", "held"}, {"resume", "carving"}, {"stop", "stopping"}, {"fail", "alarm"}}},
     {"held", {{"resume", "carving"}, {"stop", "stopping"}, {"fail", "alarm"}}},
-    {"finishing", {{"finished", "ready"}, {"stop", "finishing"}, {"fail", "alarm"}}},
+    {"finishing", {{"finished", "ready"}, {"stop", "stopping"}, {"fail", "alarm"}}},
     {"stopping",
      {{"at rest", "stopping"},
       {"stopped", "ready"},

@@ -8,6 +8,7 @@
 
 #include "shared/layout.hpp"
 #include "shared/segment.hpp"
+#include "shared/shared_record.hpp"
 #include "tests/shared/segment_fixture.hpp"
 
 namespace psicarve {
@@ -32,7 +33,7 @@ protected:
 
 TEST_F(SegmentJobs, NothingIsPublishedAtFirst) {
     EXPECT_FALSE(take_published_job(*core_, 0).value().has_value());
-    EXPECT_TRUE(copy_published_job(*hmi_, milliseconds{100}).value().empty());
+    EXPECT_TRUE(copy_current_job(*hmi_, milliseconds{100}).value().blob.empty());
 }
 
 TEST_F(SegmentJobs, CoreTakesWhatWasPublishedOnce) {
@@ -46,7 +47,46 @@ TEST_F(SegmentJobs, CoreTakesWhatWasPublishedOnce) {
     EXPECT_EQ(taken->generation, *generation);
     EXPECT_EQ(taken->blob, job);
     EXPECT_FALSE(take_published_job(*core_, *generation).value().has_value());
-    EXPECT_EQ(copy_published_job(*hmi_, milliseconds{100}).value(), job);
+    EXPECT_EQ(copy_current_job(*hmi_, milliseconds{100}).value().blob, job);
+}
+
+TEST_F(SegmentJobs, TheAcceptedJobOutlivesAllThatAreRefusedAfterIt) {
+    const auto accepted = test::make_job(1, 100, 100);
+    const auto first = publish_job(*hmi_, accepted).value();
+    acknowledge_job(*core_, first, true, "");
+    CoreStatus status{};
+    status.state = MachineState::ready;
+    status.job_generation = first;
+    write_record(core_->header().status, status);
+    for (unsigned seed = 2; seed < 6; ++seed) {
+        const auto refused = publish_job(*hmi_, test::make_job(seed, 50, 50)).value();
+        EXPECT_GT(refused, first);
+        acknowledge_job(*core_, refused, false, "not this one");
+        const auto current = copy_current_job(*hmi_, milliseconds{100}).value();
+        EXPECT_EQ(current.generation, first);
+        EXPECT_EQ(current.blob, accepted);
+    }
+}
+
+TEST_F(SegmentJobs, ARefusedJobAloneIsNoCurrentJob) {
+    const auto refused = publish_job(*hmi_, test::make_job(1, 100, 100)).value();
+    acknowledge_job(*core_, refused, false, "not this one");
+    EXPECT_TRUE(copy_current_job(*hmi_, milliseconds{100}).value().blob.empty());
+}
+
+TEST_F(SegmentJobs, NothingIsPublishedWhileAJobRuns) {
+    ASSERT_TRUE(core_->claim_core());
+    const auto first = publish_job(*hmi_, test::make_job(1, 100, 100)).value();
+    acknowledge_job(*core_, first, true, "");
+    CoreStatus status{};
+    status.state = MachineState::carving;
+    status.job_generation = first;
+    write_record(core_->header().status, status);
+    const auto second = publish_job(*hmi_, test::make_job(2, 50, 50));
+    ASSERT_FALSE(second.has_value());
+    EXPECT_EQ(second.error().code, ErrorCode::machine_refused);
+    EXPECT_NE(second.error().message.find("carving"), std::string::npos);
+    EXPECT_EQ(published_generation(*hmi_), first);
 }
 
 TEST_F(SegmentJobs, NewerJobReplacesAnOlderWhichMayBeLarger) {

@@ -70,6 +70,54 @@ TEST(ReplayScript, KeepsStopsAndInputEdgesInOrder) {
     EXPECT_EQ(sut->steps[2].tick, 21U);
 }
 
+FlightRecord job(std::uint64_t tick) {
+    FlightRecord record{};
+    record.tick = tick;
+    record.kind = RecordKind::job;
+    record.answer = static_cast<std::uint32_t>(AnswerKind::done);
+    return record;
+}
+
+TEST(ReplayScript, BeginsWithTheJobThatTheSnapshotHolds) {
+    FlightRecord second = job(300);
+    second.position_pulses[2] = 1234;
+    const auto sut = script_from_records(
+        {job(0), state_change(100, MachineState::ready), command(110, CommandKind::start),
+         state_change(200, MachineState::ready), second, command(310, CommandKind::start)});
+    ASSERT_TRUE(sut.has_value());
+    EXPECT_EQ(sut->first_tick, 300U);
+    EXPECT_EQ(sut->start_position_pulses[2], 1234);
+    ASSERT_EQ(sut->steps.size(), 1U) << "the first job's start cannot be run again";
+    EXPECT_EQ(sut->steps[0].tick, 10U);
+}
+
+TEST(ReplayScript, AJobLoadedBeforeHomingBeginsWhenTheMachineIsHomed) {
+    const auto sut =
+        script_from_records({job(5), command(10, CommandKind::home), state_change(10, MachineState::homing),
+                             state_change(100, MachineState::ready), command(110, CommandKind::start)});
+    ASSERT_TRUE(sut.has_value());
+    EXPECT_EQ(sut->first_tick, 100U);
+    EXPECT_EQ(sut->steps.size(), 1U);
+}
+
+TEST(ReplayScript, KeepsMissedTicksAndTheCoresOwnFailures) {
+    FlightRecord gap{};
+    gap.tick = 20;
+    gap.kind = RecordKind::gap;
+    gap.value = 7;
+    FlightRecord failure{};
+    failure.tick = 40;
+    failure.kind = RecordKind::failure;
+    failure.code = static_cast<std::uint16_t>(AlarmCause::missed_ticks);
+    const auto sut = script_from_records({state_change(10, MachineState::ready), gap, failure});
+    ASSERT_TRUE(sut.has_value());
+    ASSERT_EQ(sut->steps.size(), 2U);
+    EXPECT_EQ(sut->steps[0].kind, ReplayStep::Kind::gap);
+    EXPECT_EQ(sut->steps[0].value, 7U);
+    EXPECT_EQ(sut->steps[1].request, cycle::RequestKind::fail);
+    EXPECT_EQ(sut->steps[1].value, static_cast<std::uint64_t>(AlarmCause::missed_ticks));
+}
+
 TEST(ReplayScript, IsNothingWithoutARunFromRest) {
     EXPECT_FALSE(script_from_records({}).has_value());
     EXPECT_FALSE(script_from_records({state_change(5, MachineState::ready)}).has_value());

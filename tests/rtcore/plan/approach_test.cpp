@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/approach.hpp"
+
+#include <gtest/gtest.h>
+
+#include "shared/job.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::plan {
+namespace {
+
+/// Two layers, zigzag: R1 never sees the wide side of the piece.
+std::vector<std::byte> lopsided_blob(const Profile& profile) {
+    JobTable table;
+    table.layer_count = 2;
+    table.point_count = 3;
+    table.psi_sweep_pulses = profile.psi.pulses_per_rev / 2;
+    table.joining = Joining::zigzag;
+    table.feed_mm_s = 10.0;
+    table.layer_height_pulses = {400, 440};
+    table.r_left_pulses.assign(6, 2877);
+    table.r_right_pulses.assign(6, 3865);
+    table.source_name = "lopsided";
+    table.profile_toml = profile_to_toml(profile);
+    table.report_json = "{}";
+    return job_blob_from_table(table);
+}
+
+TEST(Approach, KeepsBothHeadsOutsideTheWholeTableWhilePsiTurns) {
+    const Profile profile;
+    const auto blob = lopsided_blob(profile);
+    const auto job = JobView::check(blob).value();
+    const auto blocks = approach_blocks(machine_limits(profile), job, {1000, 1000, 0, 0});
+    Pulses4 at{1000, 1000, 0, 0};
+    bool has_turned = false;
+    for (const cycle::MotionBlock& block : blocks) {
+        if (block.kind != cycle::BlockKind::move) continue;
+        const bool turns = block.delta_pulses[2] != 0 || block.delta_pulses[3] != 0;
+        if (turns) {
+            has_turned = true;
+            EXPECT_EQ(at[0], 3865 + 800) << "R1 passes the wide side, too";
+            EXPECT_EQ(at[1], 3865 + 800);
+        }
+        for (std::size_t k = 0; k < kAxisCount; ++k) at[k] += block.delta_pulses[k];
+    }
+    EXPECT_TRUE(has_turned);
+    EXPECT_EQ(at[0], 2877);
+    EXPECT_EQ(at[1], 3865);
+}
+
+}  // namespace
+}  // namespace psicarve::plan

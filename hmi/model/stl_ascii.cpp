@@ -29,10 +29,13 @@ public:
             if (auto done = take(word); !done) return done.error();
         }
         if (in_facet_) return wrong("the file ends in the middle of a facet");
-        if (in_solid_)
-            mesh_.warnings.emplace_back("the file ends without endsolid: perhaps a part is missing");
         mesh_.format = "ASCII STL";
         mesh_.facts = check_.facts(mesh_.origin);
+        // Cut between two facets: the mesh itself tells whether anything is missing.
+        if (in_solid_ && !mesh_.facts.closed) {
+            return bad_input(path_ + ": truncated: it ends without endsolid, and the mesh has holes");
+        }
+        if (in_solid_) mesh_.warnings.emplace_back("the file ends without endsolid");
         return std::move(mesh_);
     }
 

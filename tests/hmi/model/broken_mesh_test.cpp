@@ -117,6 +117,12 @@ TEST(BrokenMesh, AnAsciiStlWithoutItsLastLineIsReadWithAWarning) {
     EXPECT_THAT(loaded(text).warnings, Contains(HasSubstr("without endsolid")));
 }
 
+TEST(BrokenMesh, AnAsciiStlCutBetweenTwoFacetsIsTruncated) {
+    std::string text = mesh_files::ascii_stl(cylinder());
+    text.resize(text.find("endfacet", text.size() / 2) + 9);
+    EXPECT_THAT(refusal("a.stl", text), HasSubstr("truncated: it ends without endsolid"));
+}
+
 TEST(BrokenMesh, FewNanVerticesAreDroppedAndCounted) {
     Mesh mesh = cylinder();
     mesh.triangles[3].vertices[1][2] = std::numeric_limits<float>::quiet_NaN();

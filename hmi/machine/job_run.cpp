@@ -29,15 +29,16 @@ Result<void> require_idle(const CoreStatus& status) {
                                                  "'); wait until it is ready, or stop it: psicarve stop"};
 }
 
-Result<void> carve(MachineLink& link, const CoreStatus& before, std::span<const std::byte> job_blob,
-                   const StatusWatch& watch) {
-    if (const auto idle = require_idle(before); !idle) return idle;
+Result<void> carve(MachineLink& link, std::span<const std::byte> job_blob, const StatusWatch& watch,
+                   JobRun& run) {
+    if (const auto idle = require_idle(run.before); !idle) return idle;
     if (const auto published = link.publish(job_blob); !published) return published.error();
-    if (before.state == S::off) {
+    if (run.before.state == S::off) {
         if (const auto sent = link.send(CommandKind::home); !sent) return sent;
         if (const auto homed = link.wait_for_state({S::ready}, watch); !homed) return homed.error();
     }
     if (const auto sent = link.send(CommandKind::start); !sent) return sent;
+    run.has_started = true;
     if (const auto there = link.wait_for_state({S::waiting}, watch); !there) return there.error();
     if (const auto sent = link.send(CommandKind::start_interpolation); !sent) return sent;
     if (const auto done = link.wait_for_state({S::ready}, watch); !done) return done.error();
@@ -53,18 +54,19 @@ RunFigures figures_of(const JobRun& run) {
         return seconds_from_ns(static_cast<std::int64_t>(to_tick - from_tick) * after.period_ns);
     };
     RunFigures figures;
-    std::copy(std::begin(after.emitted_pulses), std::end(after.emitted_pulses), figures.pulses.begin());
-    if (after.carve_first_tick != 0)
-        figures.carve_seconds = seconds(after.carve_first_tick, after.carve_last_tick);
-    // A job that did not come to its end took as long as it ran.
-    const std::uint64_t end_tick = after.job_end_tick != 0 ? after.job_end_tick : after.tick;
-    figures.total_seconds = seconds(after.job_start_tick, end_tick);
     figures.ticks = after.tick - run.before.tick;
     figures.missed_ticks = after.missed_ticks - run.before.missed_ticks;
     const std::uint64_t oldest = after.alarm_count > kAlarmHistory ? after.alarm_count - kAlarmHistory : 0;
     for (std::uint64_t i = std::max(oldest, run.before.alarm_count); i < after.alarm_count; ++i) {
         figures.alarms.push_back(after.alarms[i % kAlarmHistory]);
     }
+    if (!run.has_started) return figures;  // the rest is about the job before
+    std::copy(std::begin(after.emitted_pulses), std::end(after.emitted_pulses), figures.pulses.begin());
+    if (after.carve_first_tick != 0)
+        figures.carve_seconds = seconds(after.carve_first_tick, after.carve_last_tick);
+    // A job that did not come to its end took as long as it ran.
+    const std::uint64_t end_tick = after.job_end_tick != 0 ? after.job_end_tick : after.tick;
+    figures.total_seconds = seconds(after.job_start_tick, end_tick);
     figures.is_complete =
         after.points_total > 0 && after.points_done == after.points_total && after.job_end_tick != 0;
     return figures;
@@ -80,7 +82,7 @@ JobRun run_job(MachineLink& link, std::span<const std::byte> job_blob, const Sta
     }
     run.before = *before;
     run.after = *before;
-    const auto carved = carve(link, *before, job_blob, watch);
+    const auto carved = carve(link, job_blob, watch, run);
     run.wall_seconds = seconds_since(begin);
     run.after = link.last_status().value_or(run.after);
     if (!carved) {
@@ -94,6 +96,7 @@ JobRun run_job(MachineLink& link, std::span<const std::byte> job_blob, const Sta
 
 JobRun follow_replay(MachineLink& link, CoreProcess& core, const StatusWatch& watch) {
     JobRun run;
+    run.has_started = true;  // a private core does nothing else
     const auto begin = Clock::now();
     std::optional<int> exit_code;
     while (!(exit_code = core.wait_exit(kFollowPoll))) {

@@ -17,12 +17,15 @@ namespace psicarve::machine {
 struct JobRun {
     CoreStatus before{};  ///< as the run found the core; zero when it began with the run
     CoreStatus after{};   ///< the last status that was seen
+    /// The core took the start: what its status says about a job is about this one.
+    bool has_started = false;
     double wall_seconds = 0.0;
     std::optional<Error> failure;  ///< alarm, refusal, a stop, a core that is gone
 };
 
 /// The figures that two statuses and a tick's length tell.
 struct RunFigures {
+    /// As the core counts them: since the start, without homing. None of a job that was not started.
     std::array<std::uint64_t, kAxisCount> pulses{};
     double carve_seconds = 0.0;  ///< machine time from leaving the first point to reaching the last
     double total_seconds = 0.0;  ///< machine time of everything, approach and retraction included

@@ -8,6 +8,7 @@ namespace {
 
 JobRun finished_run() {
     JobRun run;
+    run.has_started = true;
     run.before.tick = 1'000;
     run.before.missed_ticks = 3;
     run.after.period_ns = 50'000;
@@ -41,6 +42,17 @@ TEST(RunFigures, AJobThatWasStoppedIsNotComplete) {
     run.after.job_end_tick = 0;
     EXPECT_FALSE(figures_of(run).is_complete);
     EXPECT_FALSE(figures_of(JobRun{}).is_complete);
+}
+
+TEST(RunFigures, AJobThatWasNotStartedHasNothingOfTheOneBefore) {
+    JobRun run = finished_run();
+    run.has_started = false;
+    const RunFigures sut = figures_of(run);
+    EXPECT_EQ(sut.pulses, (std::array<std::uint64_t, kAxisCount>{}));
+    EXPECT_EQ(sut.carve_seconds, 0.0);
+    EXPECT_EQ(sut.total_seconds, 0.0);
+    EXPECT_FALSE(sut.is_complete);
+    EXPECT_EQ(sut.ticks, 100'000U) << "time passes all the same";
 }
 
 TEST(RunFigures, AJobThatNeverLeftItsFirstPointCarvedNothing) {

@@ -11,8 +11,6 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr int kExitBadInput = 3;
-constexpr int kExitMachine = 4;
 constexpr int kExitNoCore = 5;
 
 const char* name_of(ErrorCode code) noexcept {
@@ -64,9 +62,13 @@ int exit_code_of(ErrorCode code) noexcept {
 }
 
 std::string error_json(const Error& error) {
+    return error_json(error, exit_code_of(error.code));
+}
+
+std::string error_json(const Error& error, int exit_code) {
     // Messages quote file names, which need not be UTF-8: replace what is not, rather than throw.
     return nlohmann::ordered_json{
-        {"code", name_of(error.code)}, {"exit_code", exit_code_of(error.code)}, {"message", error.message}}
+        {"code", name_of(error.code)}, {"exit_code", exit_code}, {"message", error.message}}
         .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

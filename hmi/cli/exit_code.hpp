@@ -9,6 +9,8 @@ namespace psicarve::cli {
 
 inline constexpr int kExitDone = 0;
 inline constexpr int kExitUsage = 2;
+inline constexpr int kExitBadInput = 3;
+inline constexpr int kExitMachine = 4;
 inline constexpr int kExitDifference = 6;
 
 /// The exit code of the command line for an error.
@@ -20,6 +22,8 @@ int report_error(const Error& error, bool as_json);
 
 /// {"error": {...}} without printing it.
 std::string error_json(const Error& error);
+/// Where the command ends with another exit code than the error's own.
+std::string error_json(const Error& error, int exit_code);
 
 /// "psicarve: warning: ..." on standard error.
 void print_warning(const std::string& text);

@@ -122,6 +122,7 @@ RunReport report_of(const JobView& job, const machine::JobRun& run) {
     report.layer_count = job.layer_count();
     report.point_count = job.point_count();
     report.figures = machine::figures_of(run);
+    report.has_started = run.has_started;
     report.wall_seconds = run.wall_seconds;
     report.failure = run.failure;
     report.last = run.after;
@@ -140,6 +141,11 @@ std::optional<Error> verdict_of(const RunReport& report) {
     if (!report.verification || report.verification->ok) return std::nullopt;
     return Error{ErrorCode::difference_found,
                  "verification found a difference: " + difference_text(*report.verification)};
+}
+
+int run_exit_code(const RunReport& report, const Error& error) {
+    const int exit_code = exit_code_of(error.code);
+    return report.has_started && exit_code == kExitBadInput ? kExitMachine : exit_code;
 }
 
 std::string run_text(const RunReport& report) {
@@ -188,7 +194,8 @@ std::string run_json(const RunReport& report) {
                 {"sim_ignored_pulses", by_axis(report.last.sim_ignored_pulses)}};
     if (report.verification) object["verification"] = Json::parse(verify::report_json(*report.verification));
     if (!report.picture_path.empty()) object["picture"] = report.picture_path;
-    if (const auto error = verdict_of(report)) object["error"] = Json::parse(error_json(*error));
+    if (const auto error = verdict_of(report))
+        object["error"] = Json::parse(error_json(*error, run_exit_code(report, *error)));
     return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -199,7 +206,7 @@ int print_run(const RunReport& report, bool as_json) {
     if (!error) return kExitDone;
     std::fflush(stdout);
     print_error(*error);
-    return exit_code_of(error->code);
+    return run_exit_code(report, *error);
 }
 
 }  // namespace psicarve::cli

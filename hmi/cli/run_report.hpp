@@ -16,6 +16,7 @@ struct RunReport {
     std::uint32_t layer_count = 0;
     std::uint32_t point_count = 0;
     machine::RunFigures figures;
+    bool has_started = false;  ///< the machine began to work on the job
     double wall_seconds = 0.0;
     std::optional<double> reference_seconds;
     std::optional<verify::VerifyReport>
@@ -34,6 +35,10 @@ RunReport report_of(const JobView& job, const machine::JobRun& run);
 
 /// The error that ends the command: the failure, else a difference that verification found.
 std::optional<Error> verdict_of(const RunReport& report);
+
+/// Its exit code. "Bad input" promises that nothing was changed, which no longer holds once a job has
+/// started: what could not be written after that ends as a machine's failure does.
+int run_exit_code(const RunReport& report, const Error& error);
 
 std::string run_text(const RunReport& report);
 std::string run_json(const RunReport& report);

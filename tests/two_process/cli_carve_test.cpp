@@ -73,6 +73,16 @@ TEST_F(Carve, AJobAndItsTraceVerifyOnTheirOwn) {
     EXPECT_TRUE(verified.json().is_object()) << verified.out;
 }
 
+TEST_F(Carve, CountsThePulsesOfTheWholeRunAsTheTraceShowsThem) {
+    const std::string job = slice_box();
+    const Outcome carved =
+        psicarve({"carve", job, "--segment", segment_, "--trace", file("pins.trace"), "--json"});
+    ASSERT_EQ(carved.exit_code, 0) << carved.error;
+    const Outcome verified = psicarve({"verify", job, file("pins.trace"), "--json"});
+    ASSERT_EQ(verified.exit_code, 0) << verified.error;
+    EXPECT_EQ(carved.json()["pulses"], verified.json()["pulses"]);
+}
+
 TEST_F(Carve, ATraceOfAnotherJobIsADifference) {
     const std::string job = slice_box();
     ASSERT_EQ(psicarve({"carve", job, "--segment", segment_, "--trace", file("pins.trace")}).exit_code, 0);
@@ -146,10 +156,40 @@ TEST_F(Carve, AnInterruptedReplayIsNotASuccess) {
     EXPECT_EQ(nlohmann::json::parse(replay.out())["verified"], nullptr);
 }
 
-TEST_F(Carve, ATraceOntoAFullDiskIsAnError) {
-    const Outcome outcome = psicarve({"replay", slice_box(), "--trace", "/dev/full"});
+// Exit code 3 promises that nothing was changed: not so once the machine has moved.
+TEST_F(Carve, ATraceOntoAFullDiskIsAnErrorAfterTheWork) {
+    const std::string job = slice_box();
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"replay", job}, {"carve", job, "--segment", segment_}}) {
+        std::vector<std::string> arguments = command;
+        arguments.insert(arguments.end(), {"--trace", "/dev/full", "--json"});
+        const Outcome outcome = psicarve(arguments);
+        EXPECT_EQ(outcome.exit_code, 4) << outcome.error;
+        EXPECT_NE(outcome.error.find("/dev/full"), std::string::npos) << outcome.error;
+        EXPECT_EQ(outcome.json()["error"]["exit_code"], 4) << outcome.out;
+        EXPECT_EQ(outcome.json()["verified"], true);
+    }
+}
+
+TEST_F(Carve, APictureThatCannotBeWrittenAfterTheWorkIsNotBadInput) {
+    const std::string job = slice_box("400");
+    const std::string pictures = file("pictures");
+    std::filesystem::create_directory(pictures);
+    RunningProgram replay{"psicarve", {"replay", job, "--picture", pictures + "/out.png"}};
+    while (!std::filesystem::exists("/dev/shm/psicarve-private-" + std::to_string(replay.pid()))) {
+        std::this_thread::yield();
+    }
+    std::filesystem::remove(pictures);
+    EXPECT_EQ(replay.wait(), 4) << replay.error();
+    EXPECT_NE(replay.error().find("out.png"), std::string::npos) << replay.error();
+}
+
+TEST_F(Carve, ATraceThatCannotBeOpenedIsRefusedBeforeAnythingMoves) {
+    const std::string job = slice_box();
+    std::filesystem::create_symlink(file("elsewhere"), file("link.vcd"));
+    const Outcome outcome = psicarve({"carve", job, "--segment", segment_, "--trace", file("link.vcd")});
     EXPECT_EQ(outcome.exit_code, 3) << outcome.error;
-    EXPECT_NE(outcome.error.find("/dev/full"), std::string::npos) << outcome.error;
+    EXPECT_NE(outcome.error.find("link.vcd"), std::string::npos) << outcome.error;
 }
 
 }  // namespace

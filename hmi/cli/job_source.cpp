@@ -98,10 +98,15 @@ Result<PreparedJob> slice_model(const std::string& path, const ModelOptions& opt
     if (!mesh) return mesh.error();
     auto built = [&] {
         ProgressBar bar{"slicing"};
-        how->progress = [&bar](double done_ratio) {
-            bar.update(done_ratio);
-            return true;
+        const auto show = [&bar](const char* phase) {
+            return [&bar, phase](double done_ratio) {
+                bar.relabel(phase);
+                bar.update(done_ratio);
+                return true;
+            };
         };
+        how->progress = show("slicing");
+        how->search_progress = show("finding the best axis");
         return cam::build_job(*mesh, *profile, *how);
     }();
     if (!built) return built.error();

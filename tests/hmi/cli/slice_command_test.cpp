@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <pty.h>
+
 #include "shared/job.hpp"
 #include "shared/snapshot_file.hpp"
 #include "tests/hmi/cli/program_run.hpp"
@@ -7,6 +9,31 @@ namespace psicarve::test {
 namespace {
 
 class SliceCommand : public CliTest {};
+
+/// What psicarve writes to standard error when that is a terminal.
+std::string text_on_terminal(const std::vector<std::string>& arguments) {
+    std::vector<std::string> words{std::string{PSICARVE_BIN} + "/psicarve"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    int terminal = -1;
+    const pid_t pid = forkpty(&terminal, nullptr, nullptr, nullptr);
+    if (pid == 0) {
+        execv(argv[0], argv.data());
+        _exit(127);
+    }
+    std::string text;
+    std::array<char, 4096> bytes;
+    for (ssize_t got; (got = read(terminal, bytes.data(), bytes.size())) > 0;) {
+        text.append(bytes.data(), static_cast<std::size_t>(got));
+    }
+    int status = -1;
+    waitpid(pid, &status, 0);
+    close(terminal);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << text;
+    return text;
+}
 
 TEST_F(SliceCommand, WritesAJobThatHoldsTheWholeProfile) {
     const std::string job_path = file("box.job");
@@ -37,6 +64,12 @@ TEST_F(SliceCommand, ReportsInJsonWithNothingElseOnStandardOutput) {
     EXPECT_TRUE(report["undercut_share"].is_number());
     EXPECT_TRUE(report["open_points"].is_number_integer());
     EXPECT_EQ(outcome.error.find('\r'), std::string::npos) << "a progress bar into a pipe";
+}
+
+TEST_F(SliceCommand, ATerminalSeesTheSearchForTheBestAxis) {
+    const std::string drawn = text_on_terminal({"slice", box_stl("box.stl"), "-o", file("box.job"),
+                                                "--layers", "4", "--points", "9", "--axis-at", "best"});
+    EXPECT_NE(drawn.find("finding the best axis  ["), std::string::npos) << drawn;
 }
 
 TEST_F(SliceCommand, GivesTheSameBytesForAnyNumberOfThreads) {

@@ -42,19 +42,24 @@ Result<std::optional<machine::MachineLink>> running_core(const CommonOptions& co
 
 Result<void> check_options_for_running_core(const Options& options, const machine::MachineLink& link) {
     const std::string core = "segment " + link.segment_name() + " is served by a running core (pid " +
-                             std::to_string(link.core_pid().value_or(0)) + "), whose pins only it can see: ";
+                             std::to_string(link.core_pid().value_or(0)) + "): ";
     const std::string remedy = "; or carve on a core of our own with another --segment";
     if (!options.trace.empty()) {
-        return Error{ErrorCode::bad_usage,
-                     core + "give --trace to psicarve-rtcore when you start it" + remedy};
+        return Error{ErrorCode::machine_refused,
+                     core +
+                         "its pins go into the trace that psicarve-rtcore was started with (--trace there)" +
+                         remedy};
     }
     if (!options.picture.empty()) {
-        return Error{ErrorCode::bad_usage,
-                     core + "--picture is drawn from its trace by psicarve verify" + remedy};
+        return Error{ErrorCode::machine_refused,
+                     core +
+                         "psicarve verify JOB TRACE --picture draws from the trace that it was started with" +
+                         remedy};
     }
     if (options.real_time) {
-        return Error{ErrorCode::bad_usage,
-                     core + "--real-time is for a core of our own; this one has its clock" + remedy};
+        return Error{
+            ErrorCode::machine_refused,
+            core + "it was started with its clock, and --real-time is for a core of our own" + remedy};
     }
     return {};
 }
@@ -89,6 +94,8 @@ Result<int> carve(const CommonOptions& common, const Options& options) {
     launch.segment_name = common.segment;
     launch.group = common.group;
     launch.on_real_clock = options.real_time;
+    // What a wall clock drives is a machine at work: that goes on without us.
+    launch.outlives_us = options.real_time;
     launch.capacity_layers = std::max(launch.capacity_layers, job->view.layer_count());
     launch.capacity_points = std::max(launch.capacity_points, job->view.point_count());
     if (!options.trace.empty()) launch.trace_paths.push_back(options.trace);

@@ -44,8 +44,8 @@ std::vector<std::string> arguments_of(const CoreLaunch& launch, const std::strin
         "--clock",
         launch.on_real_clock ? "real" : "virtual",
         "--capacity",
-        std::to_string(launch.capacity_layers) + "x" + std::to_string(launch.capacity_points),
-        "--exit-with-parent"};
+        std::to_string(launch.capacity_layers) + "x" + std::to_string(launch.capacity_points)};
+    if (!launch.outlives_us) arguments.emplace_back("--exit-with-parent");
     const auto add = [&arguments](const char* option, const std::string& value) {
         if (value.empty()) return;
         arguments.emplace_back(option);

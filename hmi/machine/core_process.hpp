@@ -27,16 +27,20 @@ struct CoreLaunch {
     std::uint32_t capacity_points = kDefaultCapacityPoints;
     std::string group;
     std::vector<int> inherited_fds;  ///< keep their numbers in the child
-    bool is_private = false;         ///< the segment is removed when the core has ended
+    /// Carves on and serves its segment when we are killed; else it ends when we die.
+    bool outlives_us = false;
+    bool is_private = false;  ///< the segment is removed when the core has ended
 };
 
 /// The path of psicarve-rtcore: beside the running program, else in PATH. Nothing when there is none.
 std::optional<std::string> find_core_program();
 
 /// A core that is our child. It has a process group of its own: Ctrl-C in the terminal reaches us alone, and
-/// we end it in order. It also ends by itself when we die, whatever kills us.
+/// we end it in order. Unless it was told to outlive us it also ends by itself when we die, whatever kills
+/// us.
 ///
-/// The child watches the *thread* that started it: call start() on a thread that lives as long as the core.
+/// A child that ends with us watches the *thread* that started it: call start() on a thread that lives as
+/// long as the core.
 class CoreProcess {
 public:
     /// Starts it and waits until it serves its segment. Fails with what it said on its standard error.

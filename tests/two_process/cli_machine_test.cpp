@@ -6,6 +6,7 @@
 #include "shared/segment.hpp"
 #include "shared/shared_record.hpp"
 #include "tests/hmi/cli/program_run.hpp"
+#include "tests/two_process/slow_machine.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -15,6 +16,10 @@ using std::chrono::milliseconds;
 /// A core on a segment of its own that users talk to by commands.
 class Machine : public CliTest {
 protected:
+    ~Machine() override {
+        // One that outlived the carve that began it is nobody's child.
+        if (const auto pid = core_pid()) kill(static_cast<pid_t>(*pid), SIGKILL);
+    }
     void start_core(const std::vector<std::string>& more = {}) {
         std::vector<std::string> arguments{"--segment", segment_, "--clock", "virtual"};
         arguments.insert(arguments.end(), more.begin(), more.end());
@@ -51,6 +56,12 @@ protected:
         EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
         return path;
     }
+    /// What stands in the segment, as a file.
+    std::string published_job() const {
+        const std::string path = file("published.job");
+        EXPECT_EQ(run({"snapshot", "save", path}).exit_code, 0);
+        return path;
+    }
     /// Takes several seconds on the virtual clock: long enough to be disturbed in the middle.
     std::string long_job() const { return job("400", "400"); }
 
@@ -84,14 +95,50 @@ TEST_F(Machine, CarveUsesTheRunningCoreAndLeavesItRunning) {
     EXPECT_EQ(again.exit_code, 0) << again.error;
 }
 
-TEST_F(Machine, ATraceOfARunningCoreIsRefusedWithTheRemedy) {
+// The usage is right; it is the running core that cannot do it.
+TEST_F(Machine, WhatOnlyAnOwnCoreCanDoIsRefusedWithTheRemedy) {
     start_core();
-    for (const std::string option : {"--trace", "--picture"}) {
-        const Outcome outcome = run({"carve", job("3", "9"), option, file("out.vcd")});
-        EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_NE(outcome.error.find("psicarve"), std::string::npos) << outcome.error;
+    for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{
+             {"--trace", file("out.vcd")}, {"--picture", file("out.vcd")}, {"--real-time"}}) {
+        std::vector<std::string> arguments{"carve", job("3", "9"), "--json"};
+        arguments.insert(arguments.end(), option.begin(), option.end());
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.exit_code, 4) << option[0];
+        EXPECT_EQ(outcome.json()["error"]["code"], "machine_refused") << outcome.out;
+        EXPECT_NE(outcome.error.find("served by a running core"), std::string::npos) << outcome.error;
+        EXPECT_NE(outcome.error.find("another --segment"), std::string::npos) << outcome.error;
         EXPECT_FALSE(std::filesystem::exists(file("out.vcd")));
     }
+}
+
+/// The report of a job that a core did not begin, after one that it carved.
+void expect_nothing_carved(const Outcome& outcome) {
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.error;
+    const auto report = outcome.json();
+    EXPECT_EQ(report["error"]["code"], "machine_refused") << outcome.out;
+    EXPECT_EQ(report["carve_seconds"], 0.0);
+    EXPECT_EQ(report["total_seconds"], 0.0);
+    for (const char* axis : {"r1", "r2", "psi", "y"}) EXPECT_EQ(report["pulses"][axis], 0) << axis;
+}
+
+TEST_F(Machine, AJobThatIsNotBegunHasNoFiguresOfTheOneBefore) {
+    start_core();
+    const std::string path = job("3", "9");
+    ASSERT_EQ(run({"carve", path}).exit_code, 0);
+    ASSERT_EQ(run({"estop"}).exit_code, 0);
+    expect_nothing_carved(run({"carve", path, "--json"}));
+    const Outcome text = run({"carve", path});
+    EXPECT_NE(text.out.find("pulses     r1 0, r2 0, psi 0, y 0"), std::string::npos) << text.out;
+}
+
+TEST_F(Machine, AJobThatIsNotAcceptedHasNoFiguresOfTheOneBefore) {
+    start_core();
+    ASSERT_EQ(run({"carve", job("3", "9")}).exit_code, 0);
+    write("other.toml", "[axis.r1]\nspeed_mm_s = 7.0\n");
+    const Outcome refused =
+        run({"carve", box_stl("box.stl"), "--layers", "3", "--profile", file("other.toml"), "--json"});
+    expect_nothing_carved(refused);
+    EXPECT_NE(refused.error.find("axis.r1.speed_mm_s"), std::string::npos) << refused.error;
 }
 
 TEST_F(Machine, RefusalsAreReportedWithTheirReason) {
@@ -187,6 +234,30 @@ TEST_F(Machine, APrivateCoreEndsWithAKilledCarve) {
     carve.send(SIGKILL);
     carve.wait();
     EXPECT_TRUE(eventually([&] { return !core_pid().has_value(); }));
+}
+
+TEST_F(Machine, ACoreOnTheRealClockCarvesOnWhenItsCarveIsKilled) {
+    const std::string profile = profile_to_toml(two_process::slow_machine());
+    write("slow.toml", profile);
+    RunningProgram carve{
+        "psicarve",
+        {"carve", box_stl("box.stl"), "--layers", "12", "--points", "9", "--real-time", "--trace",
+         file("pins.trace"), "--profile", file("slow.toml"), "--segment", segment_}};
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
+    const auto pid = core_pid();
+    ASSERT_TRUE(pid.has_value());
+    carve.send(SIGKILL);
+    EXPECT_EQ(carve.wait(), 128 + SIGKILL) << carve.error();
+    const auto status = [&] { return run({"status", "--json"}).json(); };
+    EXPECT_TRUE(eventually([&] { return !core_pid() || state() == MachineState::ready; }));
+    EXPECT_EQ(core_pid(), pid) << "the core ended with the carve";
+    const auto end = status();
+    EXPECT_EQ(end["points_done"], 12 * 9) << end;
+    EXPECT_EQ(end["alarm_cause"], nullptr) << end;
+    kill(static_cast<pid_t>(*pid), SIGTERM);
+    EXPECT_TRUE(eventually([&] { return !core_pid(); }));
+    const Outcome verified = run({"verify", published_job(), file("pins.trace")});
+    EXPECT_EQ(verified.exit_code, 0) << verified.error << verified.out;
 }
 
 TEST_F(Machine, AnInterruptedCarveEndsItsOwnCoreInOrder) {

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shared/profile.hpp"
+
+namespace psicarve::two_process {
+
+/// A coarse, slow machine: a gap in ticks that a busy computer makes loses no step of it, and it homes in
+/// seconds.
+inline Profile slow_machine() {
+    Profile profile;
+    profile.name = "slow";
+    profile.tick.period_us = 1000.0;
+    profile.tick.missed_alarm_per_s = 0;
+    for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) {
+        axis->pulses_per_mm = 10.0;
+        axis->speed_mm_s = 40.0;
+        axis->accel_mm_s2 = 200.0;
+        axis->start_stop_mm_s = 1.0;
+        axis->home_speed_mm_s = 20.0;
+        axis->overtravel_mm = 3.0;
+    }
+    profile.psi.pulses_per_rev = 200;
+    profile.psi.speed_deg_s = 360.0;
+    profile.psi.accel_deg_s2 = 720.0;
+    profile.psi.start_stop_deg_s = 18.0;
+    profile.psi.home_speed_deg_s = 90.0;
+    profile.job.feed_mm_s = 200.0;
+    profile.job.plunge_mm_s = 40.0;
+    profile.job.spindle_spinup_s = 0.1;
+    return profile;
+}
+
+}  // namespace psicarve::two_process

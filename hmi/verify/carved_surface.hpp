@@ -30,18 +30,23 @@ public:
     std::span<const float> radii_mm(std::uint32_t layer) const noexcept {
         return {radius_mm_.data() + std::size_t{layer} * direction_count(), direction_count()};
     }
-    /// Carved minus wanted radius at a point of the job [pulses]; negative: too deep. The way between two
-    /// points is rule 1's business and leaves no mark here as long as that rule holds.
+    /// Carved minus wanted radius of a cell [pulses]; negative: too deep. The way between two points is rule
+    /// 1's business and leaves no mark here as long as that rule holds.
     std::int32_t deviation_pulses(std::uint32_t layer, std::uint32_t direction) const noexcept;
-    /// The largest of these, without its sign.
+    /// The largest of these, without its sign, among the cells that hold a point of the job or were cut too
+    /// deep.
     std::int64_t max_deviation_pulses() const noexcept;
+    /// Cells that no tip reached. R2's errors of angle and height leave such cells in a complete carving.
+    std::uint64_t uncarved_cells() const noexcept;
 
     // For the verifier as it follows the pins:
 
     /// A tip stands here.
     void touch(std::uint32_t layer, std::uint32_t cell, float radius_mm) noexcept {
-        float& radius = radius_mm_[std::size_t{layer} * direction_count() + cell];
+        const std::size_t index = std::size_t{layer} * direction_count() + cell;
+        float& radius = radius_mm_[index];
         if (radius_mm < radius) radius = radius_mm;
+        reached_[index] = 1;
         is_touched_ = true;
     }
     /// How far from the wanted radius a tip came at a point; the deepest stays.
@@ -51,11 +56,16 @@ public:
 
 private:
     static constexpr std::int16_t kUntouched = 32767;
+    static constexpr std::int16_t kWithoutPoint = 32766;  ///< no point of the job lies in this cell
+    static constexpr std::int16_t kLargest = 32765;
+
+    void expect_points();
 
     JobGeometry geometry_;
     bool is_touched_ = false;
     std::vector<float> radius_mm_;
     std::vector<std::int16_t> deviation_;
+    std::vector<std::uint8_t> reached_;
 };
 
 }  // namespace psicarve::verify

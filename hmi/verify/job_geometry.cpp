@@ -100,13 +100,14 @@ std::int64_t JobGeometry::direction_of(std::uint32_t cell) const noexcept {
     return cell < steps ? within : within + rev_pulses_ / 2;
 }
 
-std::optional<double> JobGeometry::on_row(std::size_t h, std::uint32_t row,
-                                          std::int64_t direction_pulses) const noexcept {
+std::optional<double> JobGeometry::on_row(std::size_t h, std::uint32_t row, std::int64_t direction_pulses,
+                                          Gap bridging) const noexcept {
     const std::int64_t sweep = job_.psi_sweep_pulses();
     const std::int64_t start = table_angle_pulses(job_.joining(), sweep, point_count(), row, 0);
     std::int64_t along = wrapped(direction_pulses - heads_[h].facing_pulses - start, rev_pulses_);
     // Between the two heads' halves the angle error leaves a gap; the nearer end speaks for it.
-    const std::int64_t gap = std::abs(heads_[1].facing_pulses - rev_pulses_ / 2);
+    const std::int64_t gap =
+        bridging == Gap::bridged ? std::abs(heads_[1].facing_pulses - rev_pulses_ / 2) : 0;
     if (along > sweep && along <= sweep + gap) along = sweep;
     if (along >= rev_pulses_ - gap && along > sweep) along = 0;
     if (along > sweep) return std::nullopt;
@@ -121,6 +122,19 @@ std::optional<double> JobGeometry::on_row(std::size_t h, std::uint32_t row,
     const auto near = heads_[h].real_mm(radii[static_cast<std::size_t>(j)]);
     const auto far = heads_[h].real_mm(radii[static_cast<std::size_t>(j) + 1]);
     return along == b ? far : near + part * (far - near);
+}
+
+std::optional<double> JobGeometry::floor_mm(std::size_t h, std::int64_t y_pulses,
+                                            std::int64_t direction_pulses) const noexcept {
+    const auto row = layer_at(y_pulses);
+    const auto own = row ? on_row(h, *row, direction_pulses, Gap::empty) : std::nullopt;
+    if (own) return own;
+    const std::size_t other = 1 - h;
+    const auto others_row =
+        layer_at(y_pulses + heads_[h].height_offset_pulses - heads_[other].height_offset_pulses);
+    const auto others = others_row ? on_row(other, *others_row, direction_pulses, Gap::empty) : std::nullopt;
+    if (others || !row) return others;
+    return on_row(h, *row, direction_pulses);
 }
 
 std::optional<double> JobGeometry::wanted_mm(std::uint32_t layer,

@@ -67,9 +67,16 @@ public:
     /// nothing (a large height error can leave such places).
     std::optional<double> wanted_mm(std::uint32_t layer, std::int64_t direction_pulses) const noexcept;
 
+    /// Real radius that a head must not undercut at a Y position: its own row of the nearest layer, which was
+    /// sampled where its tip stands; where that says nothing, the other head's row at the tip's height; then
+    /// the nearer end of its own row across the gap that an angle error leaves [mm].
+    std::optional<double> floor_mm(std::size_t h, std::int64_t y_pulses,
+                                   std::int64_t direction_pulses) const noexcept;
+
 private:
-    std::optional<double> on_row(std::size_t h, std::uint32_t row,
-                                 std::int64_t direction_pulses) const noexcept;
+    enum class Gap { empty, bridged };
+    std::optional<double> on_row(std::size_t h, std::uint32_t row, std::int64_t direction_pulses,
+                                 Gap gap = Gap::bridged) const noexcept;
 
     JobView job_;
     std::array<HeadGeometry, kHeadCount> heads_;

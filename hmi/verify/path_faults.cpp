@@ -134,25 +134,24 @@ void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& 
         headings_[h].is_too_deep = false;
         return;
     }
-    const auto layer = geometry_.layer_at(at[kY] + head.height_offset_pulses);
-    if (!layer) return;
+    const auto layer = geometry_.layer_at(at[kY] + head.height_offset_pulses);  // of the surface
     const std::int64_t direction = geometry_.direction(h, at[kPsi]);
     const std::uint32_t cell = geometry_.cell_of(direction);
-    surface_.touch(*layer, cell, static_cast<float>(real_mm));
-    const auto wanted_mm = geometry_.wanted_mm(*layer, direction);
+    if (layer) surface_.touch(*layer, cell, static_cast<float>(real_mm));
+    const auto wanted_mm = geometry_.floor_mm(h, at[kY], direction);
     if (!wanted_mm) return;
     double floor_mm = *wanted_mm;
     if (direction != geometry_.direction_of(cell)) {
         // Between two points the path may leave the line; psi is known to a pulse.
         const std::int64_t rev = geometry_.rev_pulses();
-        const auto before = geometry_.wanted_mm(*layer, (direction + rev - 1) % rev);
-        const auto after = geometry_.wanted_mm(*layer, (direction + 1) % rev);
+        const auto before = geometry_.floor_mm(h, at[kY], (direction + rev - 1) % rev);
+        const auto after = geometry_.floor_mm(h, at[kY], (direction + 1) % rev);
         floor_mm = std::min({floor_mm, before.value_or(floor_mm), after.value_or(floor_mm)}) -
                    geometry_.tolerance_mm() - 1.0 / head.pulses_per_mm;
     }
     const std::int64_t off = round_to_pulse((real_mm - *wanted_mm) * head.pulses_per_mm);
     const std::int64_t too_deep = round_to_pulse((floor_mm - real_mm) * head.pulses_per_mm);
-    if (off >= 0 || too_deep > 0) surface_.note_deviation(*layer, cell, off);
+    if (layer && (off >= 0 || too_deep > 0)) surface_.note_deviation(*layer, cell, off);
     const bool told = std::exchange(headings_[h].is_too_deep, too_deep > 0);
     if (too_deep <= 0 || told || !log_.count(1, time_ns)) return;
     Offence offence;
@@ -161,7 +160,9 @@ void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& 
     offence.measured = static_cast<double>(radius);
     offence.allowed = static_cast<double>(radius + too_deep);
     offence.unit = "pulses";
-    offence.sentence = shown_name(kHeads[h]) + " stands deeper than layer " + std::to_string(*layer) +
+    const auto row = geometry_.layer_at(at[kY]);
+    offence.sentence = shown_name(kHeads[h]) + " stands deeper than " +
+                       (row ? "layer " + std::to_string(*row) : std::string("the job")) +
                        " asks, off the way between two points";
     report(time_ns, std::move(offence));
 }

@@ -141,6 +141,7 @@ VerifyReport Verifier::finish() {
     report.points_visited = s.path.points_visited();
     report.points_total = s.points_total;
     report.max_deviation_pulses = s.surface.max_deviation_pulses();
+    report.uncarved_cells = s.surface.uncarved_cells();
     report.max_line_deviation_mm = s.path.max_line_deviation_mm();
     report.max_line_deviation_pulses = s.path.max_line_deviation_pulses();
     report.carve_seconds = s.path.carve_seconds();

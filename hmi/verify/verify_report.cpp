@@ -65,6 +65,7 @@ std::string report_json(const VerifyReport& report) {
     json["points_visited"] = report.points_visited;
     json["points_total"] = report.points_total;
     json["max_deviation_pulses"] = report.max_deviation_pulses;
+    json["uncarved_cells"] = report.uncarved_cells;
     json["max_line_deviation_mm"] = report.max_line_deviation_mm;
     json["max_line_deviation_pulses"] = report.max_line_deviation_pulses;
     json["carve_seconds"] = report.carve_seconds;
@@ -87,6 +88,9 @@ std::string report_text(const VerifyReport& report) {
             std::to_string(report.points_total) + ", largest deviation " +
             std::to_string(report.max_deviation_pulses) + " pulses at points, " +
             shown_number(report.max_line_deviation_mm) + " mm between them\n";
+    if (report.uncarved_cells > 0)
+        text +=
+            "  " + std::to_string(report.uncarved_cells) + " cells of the surface were reached by no tip\n";
     text += "  carved in " + shown_number(report.carve_seconds) + " s; pulses";
     for (const Axis axis : kAllAxes)
         text += " " + shown_name(axis) + " " + std::to_string(report.pulses[index_of(axis)]);

@@ -42,6 +42,7 @@ struct VerifyReport {
     std::uint64_t points_total = 0;
     /// Largest difference between carved and wanted radius at the job's points after all motion of the trace.
     std::int64_t max_deviation_pulses = 0;
+    std::uint64_t uncarved_cells = 0;        ///< of the surface, that no tip reached
     double max_line_deviation_mm = 0.0;      ///< largest distance from the straight line between two points
     double max_line_deviation_pulses = 0.0;  ///< the largest in pulses across the line (another place, maybe)
     double carve_seconds = 0.0;  ///< from leaving the first point to reaching the last; 0: neither

@@ -130,7 +130,7 @@ TEST(PathOffence, ASkippedPointIsNamed) {
 
 TEST(PathOffence, ADeeperLinkIsNamed) {
     const SampleJob job(Profile{}, 2, 21, Joining::continuous,
-                        [](double, std::uint32_t layer) { return 7.0 + 0.5 * layer; });
+                        [](double, double layer) { return 7.0 + 0.5 * layer; });
     PerfectMachine machine(job);
     machine.approach().layer(0);
     // Up before out: at the next layer's height the heads still stand at this layer's radius.
@@ -349,7 +349,7 @@ TEST(PathOffence, AHeadThatGoesOutwardOnThePathIsNamedOncePsiGoesOn) {
 
 TEST(PathOffence, WhatIsMeasuredBeyondALinesEndIsComparedWithWhatIsAllowedThere) {
     const SampleJob job(Profile{}, 1, 21, Joining::continuous,
-                        [](double angle, std::uint32_t) { return angle < 0.01 ? 20.0 : 12.0; });
+                        [](double angle, double) { return angle < 0.01 ? 20.0 : 12.0; });
     PerfectMachine machine(job);
     machine.approach().move(Axis::r1, 4).layer(0).finish();
     const Offence offence = first_of(verified(job, machine), 1);

@@ -19,7 +19,7 @@ using Four = std::array<std::int64_t, kAxisCount>;
 }  // namespace
 
 SampleJob::SampleJob(const Profile& machine, std::uint32_t layers, std::uint32_t points, Joining joining,
-                     const std::function<double(double, std::uint32_t)>& radius_mm)
+                     const std::function<double(double, double)>& radius_mm)
     : profile(machine) {
     JobTable table;
     table.layer_count = layers;
@@ -31,17 +31,18 @@ SampleJob::SampleJob(const Profile& machine, std::uint32_t layers, std::uint32_t
     table.profile_toml = profile_to_toml(profile);
     table.report_json = "{}";
     for (std::uint32_t i = 0; i < layers; ++i) {
-        table.layer_height_pulses.push_back(100 + 80 * static_cast<std::int64_t>(i));
+        table.layer_height_pulses.push_back(100 + kLayerPulses * static_cast<std::int64_t>(i));
         for (std::uint32_t j = 0; j < points; ++j) {
             const std::int64_t psi = table_angle_pulses(joining, table.psi_sweep_pulses, points, i, j);
             const double angle = rad_from_pulses(psi, profile.psi.pulses_per_rev);
             const double error = rad_from_deg(profile.head_r2_angle_error_deg);
-            const auto pulses = [&](const LinearAxisProfile& head, double at) {
+            const auto pulses = [&](const LinearAxisProfile& head, double at, double layer) {
                 return static_cast<std::int32_t>(
-                    pulses_from_mm(radius_mm(at, i) - head.tip_offset_mm, head.pulses_per_mm));
+                    pulses_from_mm(radius_mm(at, layer) - head.tip_offset_mm, head.pulses_per_mm));
             };
-            table.r_left_pulses.push_back(pulses(profile.r1, angle));
-            table.r_right_pulses.push_back(pulses(profile.r2, angle + kPi + error));
+            const double higher = profile.head_r2_height_error_mm * profile.y.pulses_per_mm / kLayerPulses;
+            table.r_left_pulses.push_back(pulses(profile.r1, angle, i));
+            table.r_right_pulses.push_back(pulses(profile.r2, angle + kPi + error, i + higher));
         }
     }
     blob = job_blob_from_table(table);
@@ -52,7 +53,7 @@ JobView SampleJob::view() const {
 }
 
 SampleJob wavy_job(Joining joining, std::uint32_t layers, std::uint32_t points) {
-    return {Profile{}, layers, points, joining, [](double angle, std::uint32_t layer) {
+    return {Profile{}, layers, points, joining, [](double angle, double layer) {
                 return 8.0 + 0.4 * std::cos(angle) + 0.3 * std::sin(2.0 * angle + 0.4 * layer) +
                        0.2 * std::sin(5.0 * angle) + 0.05 * layer;
             }};

@@ -14,10 +14,13 @@
 
 namespace psicarve::verify {
 
-/// A job in memory, its blob and the profile it was made for.
+/// A job in memory, its blob and the profile it was made for. The body is asked for R2's radii where R2's tip
+/// really stands, so `layer` may lie between two layers or outside them.
 struct SampleJob {
+    static constexpr std::int64_t kLayerPulses = 80;
+
     SampleJob(const Profile& machine, std::uint32_t layers, std::uint32_t points, Joining joining,
-              const std::function<double(double angle_rad, std::uint32_t layer)>& radius_mm);
+              const std::function<double(double angle_rad, double layer)>& radius_mm);
 
     JobView view() const;
 

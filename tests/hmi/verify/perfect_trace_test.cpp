@@ -49,7 +49,7 @@ TEST(PerfectTrace, WithAPointOnEveryPulseIsVerified) {
     Profile machine_profile;
     machine_profile.psi.pulses_per_rev = 400;
     const SampleJob job(machine_profile, 3, 201, Joining::continuous,
-                        [](double angle, std::uint32_t) { return 8.0 + 0.3 * std::sin(3.0 * angle); });
+                        [](double angle, double) { return 8.0 + 0.3 * std::sin(3.0 * angle); });
     PerfectMachine machine(job);
     machine.carve_job();
     expect_perfect(job, machine);
@@ -57,7 +57,7 @@ TEST(PerfectTrace, WithAPointOnEveryPulseIsVerified) {
 
 TEST(PerfectTrace, OfSteepFlanksIsVerified) {
     const SampleJob job(Profile{}, 2, 161, Joining::continuous,
-                        [](double angle, std::uint32_t) { return std::sin(6.0 * angle) > 0.0 ? 9.0 : 7.0; });
+                        [](double angle, double) { return std::sin(6.0 * angle) > 0.0 ? 9.0 : 7.0; });
     PerfectMachine machine(job);
     machine.carve_job();
     expect_perfect(job, machine);
@@ -70,18 +70,69 @@ TEST(PerfectTrace, WithHeadErrorsAndTipOffsetsIsVerified) {
     machine_profile.r1.tip_offset_mm = 0.11;
     machine_profile.r2.tip_offset_mm = -0.07;
     const SampleJob job(machine_profile, 3, 33, Joining::continuous,
-                        [](double angle, std::uint32_t) { return 8.0 + 0.3 * std::sin(3.0 * angle); });
+                        [](double angle, double) { return 8.0 + 0.3 * std::sin(3.0 * angle); });
     PerfectMachine machine(job);
     machine.carve_job();
     expect_perfect(job, machine);
+}
+
+TEST(PerfectTrace, IsVerifiedHoweverFarR2StandsAboveR1) {
+    for (const double layers_higher : {0.3, 0.5, 1.3, -0.5, -1.3}) {
+        Profile machine_profile;
+        machine_profile.head_r2_height_error_mm =
+            layers_higher * SampleJob::kLayerPulses / machine_profile.y.pulses_per_mm;
+        const SampleJob job(machine_profile, 5, 33, Joining::continuous, [](double angle, double layer) {
+            return 8.0 + 0.3 * std::sin(3.0 * angle + layer) + (layer < 2.2 ? 0.3 : -0.2) * layer;
+        });
+        PerfectMachine machine(job);
+        machine.carve_job();
+        SCOPED_TRACE(layers_higher);
+        expect_perfect(job, machine);
+    }
+}
+
+TEST(PerfectTrace, LeavesTheCellsBetweenTheHeadsHalvesUncarvedAndSaysSo) {
+    for (const double error_deg : {3.3, -30.0}) {
+        Profile machine_profile;
+        machine_profile.head_r2_angle_error_deg = error_deg;
+        const SampleJob job(machine_profile, 3, 101, Joining::continuous,
+                            [](double angle, double layer) { return 8.0 + std::sin(angle) - 0.3 * layer; });
+        PerfectMachine machine(job);
+        machine.carve_job();
+        SCOPED_TRACE(error_deg);
+        expect_perfect(job, machine);
+        const VerifyReport report = verified(job, machine);
+        const double gap_cells = std::abs(error_deg) / 1.8 * 3.0;
+        EXPECT_NEAR(static_cast<double>(report.uncarved_cells), gap_cells, 4.0);
+        EXPECT_NE(report_json(report).find("\"uncarved_cells\": " + std::to_string(report.uncarved_cells)),
+                  std::string::npos);
+        EXPECT_NE(report_text(report).find(std::to_string(report.uncarved_cells) + " cells"),
+                  std::string::npos);
+    }
+}
+
+TEST(PerfectTrace, OfHeadsThatMeetLeavesNothingUncarved) {
+    const SampleJob job(Profile{}, 2, 33, Joining::continuous, [](double, double) { return 8.0; });
+    PerfectMachine machine(job);
+    machine.carve_job();
+    EXPECT_EQ(verified(job, machine).uncarved_cells, 0U);
+}
+
+TEST(PathOffence, PointsThatWereNeverReachedStillDeviate) {
+    const SampleJob job(Profile{}, 2, 33, Joining::continuous,
+                        [](double, double layer) { return 8.0 - layer; });
+    PerfectMachine machine(job);
+    machine.approach().layer(0).finish();
+    const VerifyReport report = verified(job, machine);
+    EXPECT_EQ(report.max_deviation_pulses, 400);
+    EXPECT_EQ(report.uncarved_cells, 64U);
 }
 
 TEST(JobGeometry, WantsARadiusInEveryDirectionWhateverTheAngleError) {
     for (const double error_deg : {-1.3, 0.0, 0.7}) {
         Profile machine_profile;
         machine_profile.head_r2_angle_error_deg = error_deg;
-        const SampleJob job(machine_profile, 2, 33, Joining::continuous,
-                            [](double, std::uint32_t) { return 8.0; });
+        const SampleJob job(machine_profile, 2, 33, Joining::continuous, [](double, double) { return 8.0; });
         const auto sut = JobGeometry::make(job.view(), job.profile);
         ASSERT_TRUE(sut);
         for (std::int64_t direction = 0; direction < sut->rev_pulses(); ++direction) {
@@ -121,7 +172,7 @@ TEST(PerfectTrace, CountsEachAxisPulses) {
 }
 
 TEST(PerfectTrace, CarveSecondsRunFromLeavingTheFirstPointToReachingTheLast) {
-    const SampleJob job(Profile{}, 1, 5, Joining::continuous, [](double, std::uint32_t) { return 8.0; });
+    const SampleJob job(Profile{}, 1, 5, Joining::continuous, [](double, double) { return 8.0; });
     PerfectMachine machine(job);
     machine.approach().wait(5 * kNsPerS).layer(0).wait(5 * kNsPerS).finish();
     EXPECT_DOUBLE_EQ(verified(job, machine).carve_seconds, 3.199);  // 3200 pulses, one a millisecond

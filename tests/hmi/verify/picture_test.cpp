@@ -47,7 +47,7 @@ DecodedPng decode(const std::vector<std::byte>& bytes) {
 
 /// A body round but for a nose towards one direction.
 SampleJob nosed_job(double nose_deg) {
-    return {Profile{}, 60, 181, Joining::continuous, [nose_deg](double angle, std::uint32_t layer) {
+    return {Profile{}, 60, 181, Joining::continuous, [nose_deg](double angle, double layer) {
                 const double off = std::remainder(angle - rad_from_deg(nose_deg), 2.0 * kPi);
                 return 6.0 + (std::abs(off) < 0.2 && layer > 20 && layer < 40 ? 3.0 : 0.0);
             }};
@@ -77,7 +77,7 @@ TEST(Picture, IsAPngEightHundredPixelsWide) {
 TEST(Picture, OfFewLayersAndOfManyCanBeDrawn) {
     for (const std::uint32_t layers : {1U, 2U, 10U, 3000U}) {
         const SampleJob job(Profile{}, layers, 2 + layers / 2, Joining::continuous,
-                            [](double, std::uint32_t) { return 5.0; });
+                            [](double, double) { return 5.0; });
         const auto png = picture_png(surface_of(job), caption_of(job.view(), VerifyReport{}));
         ASSERT_TRUE(png) << layers;
         EXPECT_EQ(decode(*png).width, 800U);
@@ -122,7 +122,7 @@ TEST(Picture, FitsThePieceIntoItsFrame) {
 }
 
 TEST(DeviationMap, ShowsASingleStrayCellOfManyInItsColour) {
-    const SampleJob job(Profile{}, 500, 501, Joining::continuous, [](double, std::uint32_t) { return 5.0; });
+    const SampleJob job(Profile{}, 500, 501, Joining::continuous, [](double, double) { return 5.0; });
     CarvedSurface surface = surface_of(job);
     surface.note_deviation(250, 500, -9);
     const PixelImage map = draw_deviation_map(surface, DeviationScale(9), 100, 100);

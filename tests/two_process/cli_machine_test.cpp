@@ -250,7 +250,7 @@ TEST_F(Machine, ACoreOnTheRealClockCarvesOnWhenItsCarveIsKilled) {
     EXPECT_EQ(carve.wait(), 128 + SIGKILL) << carve.error();
     const auto status = [&] { return run({"status", "--json"}).json(); };
     EXPECT_TRUE(eventually([&] { return !core_pid() || state() == MachineState::ready; }));
-    EXPECT_EQ(core_pid(), pid) << "the core ended with the carve";
+    ASSERT_EQ(core_pid(), pid) << "the core ended with the carve";
     const auto end = status();
     EXPECT_EQ(end["points_done"], 12 * 9) << end;
     EXPECT_EQ(end["alarm_cause"], nullptr) << end;

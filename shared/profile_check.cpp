@@ -80,7 +80,7 @@ std::optional<Problem> check_travel(const LinearAxisProfile& axis, const AxisMot
                            number_text(axis.overtravel_mm) +
                            " mm of overtravel; give a position that the axis can reach"};
     }
-    if (motion.travel_min_pulses > motion.travel_max_pulses) {
+    if (motion.travel_min_pulses >= motion.travel_max_pulses) {
         const bool at_max = axis.home == HomeSensor::max;
         return Problem{home_key, also,
                        at + "as the " + (at_max ? "max" : "min") +

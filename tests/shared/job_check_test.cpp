@@ -43,7 +43,7 @@ TEST(CheckJob, NamesARadiusBeyondTheTravel) {
     table.r_right_pulses[14] = 24001;  // the sensor trips
     const std::string verdict = verdict_on(table);
     EXPECT_THAT(verdict, StartsWith("layer 2, point 4: the radius of r2, 60.0025 mm (24001 pulses)"));
-    EXPECT_THAT(verdict, HasSubstr("above the travel, which ends at 60 mm (24000 pulses)"));
+    EXPECT_THAT(verdict, HasSubstr("above the travel, which ends at 60.0000 mm (24000 pulses)"));
 }
 
 TEST(CheckJob, NamesARadiusBelowTheTravel) {
@@ -105,9 +105,9 @@ TEST(CheckJob, HeightsRiseWithinTheTravel) {
     JobTable table = small_job();
     table.layer_height_pulses = {1, 2, 60000};
     EXPECT_EQ(verdict_on(table), "accepted");
-    table.layer_height_pulses = {0, 2, 3};
+    table.layer_height_pulses = {-1, 2, 3};
     EXPECT_THAT(verdict_on(table),
-                StartsWith("layer 0, point 0: the height of 0.0000 mm (0 pulses) lies outside"));
+                StartsWith("layer 0, point 0: the height of -0.0025 mm (-1 pulses) lies outside"));
     table.layer_height_pulses = {1, 2, 60001};
     EXPECT_THAT(verdict_on(table), StartsWith("layer 2, point 0: the height of 150.0025 mm (60001 pulses)"));
     table.layer_height_pulses = {5, 5, 6};

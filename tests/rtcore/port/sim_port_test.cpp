@@ -34,7 +34,7 @@ TEST_F(SimPortTest, PulsesMoveTheMachineAndItsSensorComesBack) {
         sut_.write_outputs(kReady, time_ns += kTick_ns);
     }
     EXPECT_EQ(sut_.read_inputs(time_ns), bit_of(Signal::r1_limit));
-    EXPECT_EQ(machine_.position_pulses(Axis::r1), Profile{}.r1.home_position_mm * Profile{}.r1.pulses_per_mm);
+    EXPECT_EQ(machine_.position_pulses(Axis::r1), 24'001) << "one past the home position";
     EXPECT_TRUE(sut_.is_healthy());
 }
 

@@ -27,14 +27,16 @@ Result<void> Segment::claim_core() {
     mapping_->core_owner_pid = own_pid();
     SegmentHeader& shared = header();
     shared.core.pid.store(0);
-    shared.core.start_time.store(process_start_time(own_pid()));
-    shared.core.pid.store(own_pid());
     shared.core_profile_hash.store(0);
     write_record(shared.verdict, JobVerdict{});
     write_record(shared.status, CoreStatus{});
     begin_ring_anew(shared.increments);
     begin_ring_anew(shared.recorder);
     clear_commands_of_dead_core(shared);
+    // Signed last: whoever sees the new core may send to it, and nothing sent to it is taken for its
+    // predecessor's.
+    shared.core.start_time.store(process_start_time(own_pid()));
+    shared.core.pid.store(own_pid());
     return {};
 }
 

@@ -69,6 +69,10 @@ public:
     /// published job stays. A child that is forked afterwards must close its copies of our file descriptors,
     /// or the lock lives as long as the child.
     Result<void> claim_core();
+    /// The same in two steps, for a core that may still fail to start: nobody else can claim it from the
+    /// first on, but only the second lets others see a core.
+    Result<void> take_core_lock();
+    void sign_core() noexcept;
     void release_core() noexcept;
     /// A living core serves the segment: its pid, else nothing. Asks the lock, not the words.
     std::optional<std::uint32_t> core_pid() const noexcept;

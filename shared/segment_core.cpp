@@ -18,6 +18,12 @@ constexpr std::chrono::milliseconds kSigningLimit{50};
 }  // namespace
 
 Result<void> Segment::claim_core() {
+    if (auto taken = take_core_lock(); !taken) return taken;
+    sign_core();
+    return {};
+}
+
+Result<void> Segment::take_core_lock() {
     if (!mapping_->object.try_lock(LockByte::core)) {
         const std::uint32_t first = core_pid().value_or(0);
         return Error{ErrorCode::machine_refused, "segment " + name() + ": a core serves it already (pid " +
@@ -33,11 +39,15 @@ Result<void> Segment::claim_core() {
     begin_ring_anew(shared.increments);
     begin_ring_anew(shared.recorder);
     clear_commands_of_dead_core(shared);
-    // Signed last: whoever sees the new core may send to it, and nothing sent to it is taken for its
-    // predecessor's.
+    return {};
+}
+
+// After everything was cleared: whoever sees the new core may send to it, and nothing sent to it is taken for
+// its predecessor's.
+void Segment::sign_core() noexcept {
+    SegmentHeader& shared = header();
     shared.core.start_time.store(process_start_time(own_pid()));
     shared.core.pid.store(own_pid());
-    return {};
 }
 
 void Segment::release_core() noexcept {

@@ -138,6 +138,7 @@ int serve_segment(const CoreOptions& options, const Profile& profile, const Prof
     }
     Supervisor supervisor{**parts, segment_options_of(options), std::move(segment), facts};
     if (replay && replay->script) supervisor.refuse_commands("a recorded run is being replayed");
+    supervisor.segment().sign_core();
     const int exit_code = run_loop(options, **parts, supervisor, replay, end);
     supervisor.leave();
     return exit_code;
@@ -155,7 +156,7 @@ int run_core(const CoreOptions& options) {
     if (!machine) return fail(machine.error());
     auto segment = Segment::create_or_attach(segment_options_of(options));
     if (!segment) return fail(segment.error());
-    if (const auto claimed = segment->claim_core(); !claimed) return fail(claimed.error());
+    if (const auto claimed = segment->take_core_lock(); !claimed) return fail(claimed.error());
     if (!segment->warning().empty())
         std::fprintf(stderr, "psicarve-rtcore: %s\n", segment->warning().c_str());
     return serve_segment(options, *profile, *machine, std::move(*segment), *replay);

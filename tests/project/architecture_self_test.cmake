@@ -62,7 +62,7 @@ foreach(header vector string iostream mutex thread memory_resource memory boost/
     expect(real-time rtcore/cycle/a.hpp "${spdx}#include <${header}>\n")
 endforeach()
 expect(root-include rtcore/cycle/a.cpp "${spdx}#include \"tick.hpp\"\n")
-expect(root-include hmi/cli/a.cpp "${spdx}#include \"../../shared/units.hpp\"\n")
+expect(root-include hmi/cli/a.cpp "${spdx}#include \"../slice/units.hpp\"\n")
 expect(root-include hmi/cli/a.cpp "${spdx}#include <shared/units.hpp>\n")
 expect(spdx hmi/a.cpp "int main() {}\n")
 expect(spdx scripts/a.sh "#!/bin/sh\n")

@@ -91,8 +91,12 @@ run_fuzz() {
         kept="$root/tests/fuzz/corpus/${name%_fuzz}"
         if [[ -d $kept ]]; then corpora+=("$kept"); fi
         say "fuzz: $name, $share s"
+        # What it reports of its own progress is of use only beside a finding.
         if ! (cd "$folder" && "./$target" -seed=1 -max_total_time="$share" -timeout=10 \
-            -rss_limit_mb=2048 -print_final_stats=0 -verbosity=0 "${corpora[@]}"); then failed=1; fi
+            -rss_limit_mb=2048 -print_final_stats=0 -verbosity=0 "${corpora[@]}") &>"$logs/$name.log"; then
+            failed=1
+            cat "$logs/$name.log"
+        fi
     done
     return "$failed"
 }

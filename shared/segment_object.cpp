@@ -59,7 +59,24 @@ Result<gid_t> group_id(const std::string& group) {
     return entry->gr_gid;
 }
 
-Result<void> check_owner(const std::string& name, const struct stat& facts, const std::string& group) {
+std::string free_room() {
+    struct statvfs facts {};
+    if (::statvfs("/dev/shm", &facts) != 0) return {};
+    return std::to_string(facts.f_bavail * facts.f_frsize / kBytesPerMb) + " MB free, ";
+}
+
+Error no_room(const std::string& name, std::uint64_t bytes) {
+    return Error{ErrorCode::out_of_room,
+                 "segment " + name + ": /dev/shm is full (" + free_room() +
+                     std::to_string(bytes / kBytesPerMb + 1) +
+                     " MB wanted): remove what nobody uses there, or enlarge it: mount -o remount,size=1G "
+                     "/dev/shm"};
+}
+
+}  // namespace
+
+Result<void> check_segment_owner(const std::string& name, const struct stat& facts,
+                                 const std::string& group) {
     if (!S_ISREG(facts.st_mode)) return bad_input("segment " + name + ": is no shared-memory object");
     const bool is_own = facts.st_uid == ::geteuid();
     const bool is_of_service = !group.empty() && service_user(group) == std::optional{facts.st_uid};
@@ -78,22 +95,6 @@ Result<void> check_owner(const std::string& name, const struct stat& facts, cons
     }
     return {};
 }
-
-std::string free_room() {
-    struct statvfs facts {};
-    if (::statvfs("/dev/shm", &facts) != 0) return {};
-    return std::to_string(facts.f_bavail * facts.f_frsize / kBytesPerMb) + " MB free, ";
-}
-
-Error no_room(const std::string& name, std::uint64_t bytes) {
-    return Error{ErrorCode::out_of_room,
-                 "segment " + name + ": /dev/shm is full (" + free_room() +
-                     std::to_string(bytes / kBytesPerMb + 1) +
-                     " MB wanted): remove what nobody uses there, or enlarge it: mount -o remount,size=1G "
-                     "/dev/shm"};
-}
-
-}  // namespace
 
 Result<std::string> SegmentObject::checked_name(const std::string& name) {
     const std::string bare = !name.empty() && name.front() == '/' ? name.substr(1) : name;
@@ -114,7 +115,7 @@ Result<std::optional<SegmentObject>> SegmentObject::open(const std::string& name
         SegmentObject object{bip::shared_memory_object{bip::open_only, name.c_str(), bip::read_write}};
         struct stat facts {};
         if (::fstat(object.descriptor(), &facts) != 0) return object_error(name, "cannot look at it", errno);
-        if (auto owner = check_owner(name, facts, group); !owner) return owner.error();
+        if (auto owner = check_segment_owner(name, facts, group); !owner) return owner.error();
         return std::optional{std::move(object)};
     } catch (const bip::interprocess_exception& failure) {
         const int cause = failure.get_native_error();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <sys/stat.h>
+
 #include <boost/interprocess/shared_memory_object.hpp>
 #include <cstdint>
 #include <optional>
@@ -16,6 +18,11 @@ enum class LockByte : std::int64_t {
     creator = 0,  ///< held while the object is being made, or taken away
     core = 1,     ///< held by the core as long as it serves the segment
 };
+
+/// Whether an object with these facts may be used by us: our own, or with --group one of that group's service
+/// user, and nothing that every user may read or write.
+Result<void> check_segment_owner(const std::string& name, const struct ::stat& facts,
+                                 const std::string& group);
 
 /// The shared-memory object as a file: opening, rights, locks, its name. Knows nothing of what is inside.
 /// Exceptions of Boost end here.

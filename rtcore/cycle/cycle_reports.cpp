@@ -2,38 +2,10 @@
 #include <algorithm>
 
 #include "rtcore/cycle/cycle.hpp"
+#include "rtcore/cycle/request_command.hpp"
 #include "shared/command.hpp"
 
 namespace psicarve::cycle {
-namespace {
-
-CommandKind command_of(RequestKind kind) noexcept {
-    switch (kind) {
-        case RequestKind::home:
-            return CommandKind::home;
-        case RequestKind::start:
-            return CommandKind::start;
-        case RequestKind::start_interpolation:
-            return CommandKind::start_interpolation;
-        case RequestKind::hold:
-            return CommandKind::hold;
-        case RequestKind::resume:
-            return CommandKind::resume;
-        case RequestKind::reset_alarm:
-            return CommandKind::reset_alarm;
-        case RequestKind::back_off:
-            return CommandKind::back_off;
-        case RequestKind::reset_height:
-            return CommandKind::reset_height;
-        case RequestKind::job_loaded:
-        case RequestKind::fail:
-            break;
-    }
-    return CommandKind::none;
-}
-
-}  // namespace
-
 Sample Cycle::sample() const noexcept {
     Sample sample{};
     sample.tick = tick_;

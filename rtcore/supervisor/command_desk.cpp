@@ -2,43 +2,12 @@
 #include "rtcore/supervisor/command_desk.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 
+#include "rtcore/cycle/request_command.hpp"
 #include "rtcore/supervisor/refusal_text.hpp"
 
 namespace psicarve::supervisor {
-namespace {
-
-std::optional<cycle::RequestKind> request_for(CommandKind kind) {
-    using C = CommandKind;
-    using R = cycle::RequestKind;
-    switch (kind) {
-        case C::home:
-            return R::home;
-        case C::start:
-            return R::start;
-        case C::start_interpolation:
-            return R::start_interpolation;
-        case C::hold:
-            return R::hold;
-        case C::resume:
-            return R::resume;
-        case C::reset_alarm:
-            return R::reset_alarm;
-        case C::back_off:
-            return R::back_off;
-        case C::reset_height:
-            return R::reset_height;
-        case C::none:
-        case C::shutdown:
-            return std::nullopt;
-    }
-    return std::nullopt;
-}
-
-}  // namespace
-
 void CommandDesk::take_commands(Segment& segment, cycle::RequestRing& requests, const cycle::Sample& sample) {
     while (requests.size() < cycle::RequestRing::capacity()) {
         const auto received = take_command(segment);
@@ -61,7 +30,7 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
         answer_command(segment, received, AnswerKind::refused, refusal_for_all_);
         return;
     }
-    const auto kind = request_for(command.kind);
+    const auto kind = cycle::request_of(command.kind);
     if (!kind) {
         answer_command(segment, received, AnswerKind::refused,
                        "unknown command; is the sender another version?");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "rtcore/cycle/request_command.hpp"
 #include "shared/command.hpp"
 
 namespace psicarve::supervisor {
@@ -15,29 +16,8 @@ bool is_homed_rest(const FlightRecord& record) {
 }
 
 std::optional<cycle::RequestKind> request_of(const FlightRecord& record) {
-    using C = CommandKind;
-    using R = cycle::RequestKind;
     if (static_cast<AnswerKind>(record.answer) != AnswerKind::done) return std::nullopt;
-    switch (static_cast<C>(record.code)) {
-        case C::home:
-            return R::home;
-        case C::start:
-            return R::start;
-        case C::start_interpolation:
-            return R::start_interpolation;
-        case C::hold:
-            return R::hold;
-        case C::resume:
-            return R::resume;
-        case C::reset_alarm:
-            return R::reset_alarm;
-        case C::back_off:
-            return R::back_off;
-        case C::reset_height:
-            return R::reset_height;
-        default:
-            return std::nullopt;
-    }
+    return cycle::request_of(static_cast<CommandKind>(record.code));
 }
 
 std::optional<ReplayStep> step_of(const FlightRecord& record) {

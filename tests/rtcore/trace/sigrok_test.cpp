@@ -27,7 +27,8 @@ std::string output_of(const std::string& command) {
 }
 
 TEST_F(SigrokTest, ReadsTheVcdAndCountsThePulses) {
-    if (output_of("sigrok-cli --version 2>/dev/null").empty()) GTEST_SKIP() << "sigrok-cli is not installed";
+    ASSERT_NE(output_of("sigrok-cli --version 2>/dev/null"), "")
+        << "sigrok-cli is not installed: scripts/deps.sh test";
     const std::string file = path("steps.vcd");
     constexpr int kPulses = 25;
     {

@@ -18,7 +18,7 @@ constexpr int kEmptyLinesPerTick = 8;
 void Executor::reset(std::uint32_t epoch) noexcept {
     epoch_ = epoch;
     in_motion_ = false;
-    slowing_ = false;
+    go_on();
     next_axes_ = 0;
     dwell_left_ = 0;
     homing_axis_ = kNoAxis;
@@ -52,6 +52,7 @@ Executor::Progress Executor::advance(std::uint64_t tick) noexcept {
         if (sensor_done_) return progress | end_of_line(tick);
         return slowing_ ? progress | kAtRest : progress;
     }
+    if (block_.kind == BlockKind::path) return progress | advance_path(tick);
     if (block_.kind == BlockKind::move) return progress | advance_move(tick, must_slow);
     if (dda_.iterations_left() == 0) return progress | end_of_way(tick);
     if (!profile_.is_due()) profile_.advance(must_slow);
@@ -75,11 +76,14 @@ Executor::Progress Executor::advance_move(std::uint64_t tick, bool must_slow) no
 }
 
 bool Executor::is_slowest() const noexcept {
+    if (block_.kind == BlockKind::path) return law_.is_slowest();
     return block_.kind == BlockKind::move ? fine_.is_slowest() : profile_.is_slowest();
 }
 
 void Executor::rest() noexcept {
-    if (block_.kind == BlockKind::move) {
+    if (block_.kind == BlockKind::path) {
+        law_.rest();
+    } else if (block_.kind == BlockKind::move) {
         fine_.rest();
     } else {
         profile_.rest();
@@ -106,14 +110,7 @@ Executor::Progress Executor::end_of_way(std::uint64_t tick) noexcept {
 Executor::Progress Executor::end_of_line(std::uint64_t tick) noexcept {
     Progress progress = reached();
     for (int i = 0; group_blocks_left_ > 0 && i < kEmptyLinesPerTick; ++i) {
-        const MotionBlock* next = blocks_->front();
-        if (next == nullptr || next->epoch != epoch_ || next->kind != BlockKind::line) {
-            in_motion_ = false;
-            return progress | kStarved;
-        }
-        block_ = *next;
-        blocks_->pop();
-        --group_blocks_left_;
+        if (!take_next_of_group()) return progress | kStarved;
         dda_.start(block_.delta_pulses);
         if (dda_.iterations_left() > 0) {
             pulses_->want_directions(block_.delta_pulses, tick);
@@ -123,6 +120,18 @@ Executor::Progress Executor::end_of_line(std::uint64_t tick) noexcept {
     }
     in_motion_ = group_blocks_left_ > 0;
     return progress;
+}
+
+bool Executor::take_next_of_group() noexcept {
+    const MotionBlock* next = blocks_->front();
+    if (next == nullptr || next->epoch != epoch_ || next->kind != block_.kind) {
+        in_motion_ = false;
+        return false;
+    }
+    block_ = *next;
+    blocks_->pop();
+    --group_blocks_left_;
+    return true;
 }
 
 Executor::Progress Executor::reached() noexcept {
@@ -151,7 +160,7 @@ Executor::Progress Executor::next_block(std::uint64_t tick) noexcept {
     }
     if (!drop_foreign_blocks()) return kNothing;
     const MotionBlock& front = *blocks_->front();
-    if (front.kind == BlockKind::line &&
+    if ((front.kind == BlockKind::line || front.kind == BlockKind::path) &&
         blocks_->size() < std::min<std::size_t>(front.group_blocks, kGroupStartBlocks)) {
         return kNothing;
     }
@@ -163,6 +172,7 @@ Executor::Progress Executor::next_block(std::uint64_t tick) noexcept {
 Executor::Progress Executor::begin(std::uint64_t tick) noexcept {
     switch (block_.kind) {
         case BlockKind::line:
+        case BlockKind::path:
         case BlockKind::move:
             return begin_motion(tick);
         case BlockKind::define:
@@ -187,6 +197,12 @@ Executor::Progress Executor::begin_motion(std::uint64_t tick) noexcept {
     sensor_done_ = false;
     index_before_ = inputs_->is_tripped(block_.axis);
     next_axes_ = 0;
+    in_motion_ = true;
+    if (block_.kind == BlockKind::path) {
+        law_.start(block_.path);
+        begin_segment(tick);
+        return kGroupStarted;
+    }
     const double start_speed = block_.start_speed_per_s * period_s_;
     const double max_speed = block_.max_speed_per_s * period_s_;
     const double accel = block_.accel_per_s2 * period_s_ * period_s_;
@@ -199,7 +215,6 @@ Executor::Progress Executor::begin_motion(std::uint64_t tick) noexcept {
         profile_.start(start_speed, max_speed, accel, block_.group_iterations);
         has_way = dda_.iterations_left() > 0;
     }
-    in_motion_ = true;
     if (!has_way) return kGroupStarted | end_of_line(tick);
     pulses_->want_directions(block_.delta_pulses, tick);
     return kGroupStarted;

@@ -10,18 +10,21 @@
 #include "rtcore/cycle/inputs.hpp"
 #include "rtcore/cycle/linear_profile.hpp"
 #include "rtcore/cycle/motion_block.hpp"
+#include "rtcore/cycle/path_law.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
 
 namespace psicarve::cycle {
 
-/// Walks the motion blocks. Lines: at most one DDA iteration a tick, emitted whole once every axis in it may
-/// step. Moves: fine interpolation, each axis' pulse as it falls due.
+/// Walks the motion blocks. Lines and path segments: at most one DDA iteration a tick, emitted whole once
+/// every axis in it may step. Moves: fine interpolation, each axis' pulse as it falls due.
 ///
-///     line: profile -> an iteration is due -> DDA says which axes --+
-///     move: coarse interpolator -> increments -> fine DDA --------+-> pulse stage says when -> pins
+///     line: linear profile -+-> an iteration is due -> DDA says which axes --+
+///     path: path law -------+                                               +-> pulse stage says when ->
+///     pins move: coarse interpolator -> increments -> fine DDA -------------------+
 ///
-/// While the pins keep a pulse waiting the profile's time stands still, so that a delay is never made up
-/// for by a burst. Knows nothing of machine states. RT: yes.
+/// While the pins keep a pulse waiting, the time of a line or a move stands still; that of a path runs on
+/// until a second iteration is due, so that a short wait is made up for and a burst never comes. Knows
+/// nothing of machine states. RT: yes.
 class Executor {
 public:
     /// What happened in a tick, as bits.
@@ -40,7 +43,8 @@ public:
         : blocks_(&blocks),
           pulses_(&pulses),
           inputs_(&inputs),
-          period_s_(static_cast<double>(config.period_ns) * 1e-9) {}
+          period_s_(static_cast<double>(config.period_ns) * 1e-9),
+          law_(period_s_) {}
 
     Progress step(std::uint64_t tick) noexcept {
         if (in_motion_) return advance(tick);
@@ -49,8 +53,19 @@ public:
     }
 
     /// From the next step on: slow down and come to rest on the path / go on.
-    void slow_down() noexcept { slowing_ = true; }
-    void go_on() noexcept { slowing_ = false; }
+    void slow_down() noexcept {
+        slowing_ = true;
+        law_.aim(0.0);
+    }
+    void go_on() noexcept {
+        slowing_ = false;
+        law_.aim(feed_ratio_);
+    }
+    /// So much of the planned feed from the next step on, 0.1 to 2.
+    void set_feed_ratio(double feed_ratio) noexcept {
+        feed_ratio_ = feed_ratio;
+        if (!slowing_) law_.aim(feed_ratio);
+    }
     /// Forgets the motion at hand; blocks of other epochs are dropped from now on.
     void reset(std::uint32_t epoch) noexcept;
 
@@ -71,11 +86,17 @@ public:
 private:
     Progress advance(std::uint64_t tick) noexcept;
     Progress advance_move(std::uint64_t tick, bool must_slow) noexcept;
+    Progress advance_path(std::uint64_t tick) noexcept;
+    bool is_iteration_due() const noexcept;
+    bool is_segment_done() const noexcept;
+    void begin_segment(std::uint64_t tick) noexcept;
+    void expect_iteration(double number) noexcept;
     bool is_slowest() const noexcept;
     void rest() noexcept;
     Progress emit(std::uint64_t tick) noexcept;
     Progress end_of_way(std::uint64_t tick) noexcept;
     Progress end_of_line(std::uint64_t tick) noexcept;
+    bool take_next_of_group() noexcept;
     Progress next_block(std::uint64_t tick) noexcept;
     Progress begin(std::uint64_t tick) noexcept;
     Progress begin_motion(std::uint64_t tick) noexcept;
@@ -91,9 +112,14 @@ private:
     double period_s_;
 
     MotionBlock block_{};
-    DualHeadDda dda_;        ///< lines
-    LinearProfile profile_;  ///< lines
-    FineMove fine_;          ///< moves
+    DualHeadDda dda_;             ///< lines, path segments
+    LinearProfile profile_;       ///< lines
+    PathLaw law_;                 ///< path segments
+    FineMove fine_;               ///< moves
+    double iteration_ = 0.0;      ///< path: the number of the next iteration in its segment
+    double iteration_way_ = 0.0;  ///< path: from one iteration to the next
+    double due_way_ = 0.0;        ///< path: where the next iteration is due
+    double feed_ratio_ = 1.0;
     std::uint32_t epoch_ = 0;
     std::uint32_t group_blocks_left_ = 0;
     std::uint32_t next_axes_ = 0;  ///< of the iteration that is due; 0: not made yet

@@ -13,6 +13,7 @@ namespace psicarve::cycle {
 
 enum class BlockKind : std::uint8_t {
     line,         ///< one DDA segment of a table; part of an acceleration group
+    path,         ///< one DDA segment of a timed curve; part of a run, which is a group too
     move,         ///< a motion of its own: approach, link, retraction, homing
     define,       ///< the present position of `axis` is `position_pulses`; nothing moves
     outputs,      ///< drives and spindle as `enable_mask` and `spindle` say
@@ -36,6 +37,18 @@ enum class Latch : std::uint8_t {
 
 enum class Spindle : std::uint8_t { keep, on, off };
 
+/// How a path segment is timed. u is the curve's parameter, it grows along the curve; how fast is planned.
+/// Its speed squared is linear in u within a segment; a segment starts as fast as the one before it ended.
+/// Two profiles: [0] at 100 % feed, [1] at 200 %; [0] <= [1] everywhere, and both within every axis' limits.
+struct PathTiming {
+    double length;                             ///< of u, > 0
+    std::array<double, 2> start_speed2;        ///< (du/dt)^2 at the begin [u^2/s^2]
+    std::array<double, 2> end_speed2;          ///< at the end; not 0 at both
+    std::array<float, kAxisCount> accel_free;  ///< a_k / max|dq_k/du| here [u/s^2]; 1e30 when k does not move
+    std::array<float, kAxisCount> accel_bend;  ///< max|d2q_k/du2| / max|dq_k/du| here [1/u]; 0 then
+    float start_stop_speed;                    ///< du/dt that may begin and end in a jump [u/s]
+};
+
 /// One piece of motion. Written by the planner, read by the tick. Speeds are those of the long axis: DDA
 /// iterations per second, each iteration at least one pulse.
 struct MotionBlock {
@@ -48,9 +61,9 @@ struct MotionBlock {
     std::uint8_t is_homing;      ///< 1: sensors of `axis` raise no alarm during this block
     std::uint8_t reaches_point;  ///< 1: at its end the job's `layer`, `point` is reached
     std::uint32_t epoch;         ///< of the plan request it belongs to; others are dropped
-    std::uint32_t group_blocks;  ///< of the whole acceleration group; 0: not its first block
+    std::uint32_t group_blocks;  ///< of the whole acceleration group or run; 0: not its first block
     std::array<std::int64_t, kAxisCount> delta_pulses;
-    double start_speed_per_s;  ///< a group's first block only, as the next three
+    double start_speed_per_s;  ///< lines: a group's first block only, as the next three
     double max_speed_per_s;
     double accel_per_s2;
     std::uint64_t group_iterations;
@@ -58,8 +71,9 @@ struct MotionBlock {
     std::uint32_t point;
     std::int64_t position_pulses;  ///< latch, define
     std::int64_t ticks;            ///< dwell
+    PathTiming path;               ///< path
 };
-static_assert(sizeof(MotionBlock) <= 128 && std::is_trivially_copyable_v<MotionBlock>);
+static_assert(sizeof(MotionBlock) <= 192 && std::is_trivially_copyable_v<MotionBlock>);
 
 inline constexpr std::size_t kBlockRingEntries = 16384;
 /// A group starts when all of it, or this many blocks, are queued: then it cannot run dry.

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/cycle/executor.hpp"
+
+namespace psicarve::cycle {
+namespace {
+
+// An iteration that is due at the very instant of a tick must not fall behind it by rounding.
+constexpr double kEarlyIterations = 1e-9;
+// Segments may be shorter than a tick; so many of them end in one, the rest in the next.
+constexpr int kSegmentsPerTick = 8;
+
+}  // namespace
+
+// At most one iteration a tick, and at most one segment of which is emitted: what else is due is late by a
+// tick, while time goes on.
+Executor::Progress Executor::advance_path(std::uint64_t tick) noexcept {
+    if (law_.way() < due_way_ + iteration_way_) law_.tick();
+    if (next_axes_ == 0 && is_iteration_due()) next_axes_ = dda_.iterate();
+    bool has_stepped = false;
+    Progress progress = kNothing;
+    for (int i = 0; i < kSegmentsPerTick; ++i) {
+        if (next_axes_ != 0) {
+            if (has_stepped || !pulses_->may_step(next_axes_, tick)) return progress;
+            pulses_->step(next_axes_, tick);
+            next_axes_ = 0;
+            has_stepped = true;
+            expect_iteration(iteration_ + 1.0);
+        }
+        if (!is_segment_done()) return progress;
+        progress |= reached();
+        if (group_blocks_left_ == 0) {
+            in_motion_ = false;
+            return progress;
+        }
+        if (!take_next_of_group()) return progress | kStarved;
+        law_.next(block_.path);
+        begin_segment(tick);
+        if (!has_stepped && is_iteration_due()) next_axes_ = dda_.iterate();
+    }
+    return progress;
+}
+
+// The last one is due with the segment's end, so that way and pulses end together.
+bool Executor::is_iteration_due() const noexcept {
+    const std::int64_t left = dda_.iterations_left();
+    return left > 0 && (law_.is_at_end() || (left > 1 && law_.way() >= due_way_));
+}
+
+bool Executor::is_segment_done() const noexcept {
+    return law_.is_at_end() && dda_.iterations_left() == 0 && next_axes_ == 0;
+}
+
+void Executor::begin_segment(std::uint64_t tick) noexcept {
+    dda_.start(block_.delta_pulses);
+    const std::int64_t iterations = dda_.iterations_left();
+    iteration_way_ =
+        iterations > 0 ? block_.path.length / static_cast<double>(iterations) : block_.path.length;
+    expect_iteration(1.0);
+    pulses_->want_directions(block_.delta_pulses, tick);
+}
+
+void Executor::expect_iteration(double number) noexcept {
+    iteration_ = number;
+    due_way_ = (number - kEarlyIterations) * iteration_way_;
+}
+
+}  // namespace psicarve::cycle

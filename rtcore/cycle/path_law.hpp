@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+
+#include "rtcore/cycle/motion_block.hpp"
+
+namespace psicarve::cycle {
+
+/// The motion along a timed curve, tick by tick: how far u has come within the segment at hand. Time is cut
+/// into pieces of constant d2u/dt2, and finer than a tick it goes on from piece to piece and from segment to
+/// segment, so that nothing adds up.
+///
+///     (du/dt)^2                 ___________ profile [1], 200 %
+///          |        ___________/           \_
+///          |    ___/   _______________       \       the target is a scaled or mixed profile. On it a
+///          |   /  ____/ profile [0]   \___    |      segment is one piece. Away from it (after hold,
+///          |  / _/    ..........>.....    \   |      resume or override, dotted) a piece is a tick, and
+///          | |_/     / target           .. |  |      its acceleration the largest that is known to be
+///          +--------------------------------------- u     allowed at this place and speed.
+///
+/// What an axis may do is linear in speed2 and its slope: so between any two allowed motions lies an allowed
+/// one, and a profile scaled down is allowed. Docs: motion.md. RT: yes.
+class PathLaw {
+public:
+    /// The value of both profiles at one place [per tick^2], and their slopes within the segment.
+    struct Profiles {
+        double low, high;
+        double low_slope, high_slope;
+    };
+
+    explicit PathLaw(double period_s) noexcept : period_s_(period_s) {}
+
+    /// A run begins from rest, as fast as its target does.
+    void start(const PathTiming& timing) noexcept;
+    /// The next segment, with the time that was left over. Requires is_at_end().
+    void next(const PathTiming& timing) noexcept;
+
+    /// From the next tick on: so much of the planned feed, 0 to 2; 0 slows down until rest() is called. From
+    /// rest it starts again, with a jump to the start-stop speed at most.
+    void aim(double feed_ratio) noexcept;
+
+    /// One tick passes. Requires that it does not rest.
+    void tick() noexcept {
+        clock_ += 1.0;
+        if (clock_ < piece_end_) {
+            way_ = base_ + clock_ * (base_speed_ + half_accel_ * clock_);
+        } else {
+            finish_pieces();
+        }
+    }
+
+    /// u since the segment's begin.
+    double way() const noexcept { return way_; }
+    bool is_at_end() const noexcept { return is_at_end_; }
+
+    /// It may come to rest with a jump from here.
+    bool is_slowest() const noexcept { return speed() <= start_stop_speed(); }
+    void rest() noexcept;
+
+    /// du/dt and d2u/dt2 now, per tick.
+    double speed() const noexcept {
+        const double speed = is_at_end_ ? base_speed_ : base_speed_ + 2.0 * half_accel_ * clock_;
+        return speed > 0.0 ? speed : 0.0;
+    }
+    double accel() const noexcept { return 2.0 * half_accel_; }
+
+private:
+    /// What is due within this part of a tick is due now: an instant on the tick must not fall behind it by
+    /// rounding.
+    static constexpr double kEarlyTicks = 1e-9;
+    /// Time that passes at a segment's end, while its last iteration waits, for the next segment to make up.
+    static constexpr double kMostSpareTicks = 2.0;
+
+    void enter(const PathTiming& timing) noexcept;
+    void finish_pieces() noexcept;
+    void begin_piece() noexcept;
+    void follow() noexcept;
+    void steer() noexcept;
+    void cut_short(const Profiles& profiles, double gap, double accel) noexcept;
+    void stand() noexcept;
+    Profiles profiles_at(double way) const noexcept;
+    double target_of(double low, double high) const noexcept { return low_share_ * low + high_share_ * high; }
+    double spare_accel(double speed2) const noexcept;
+    double rising_accel(const Profiles& profiles) const noexcept;
+    double falling_accel(const Profiles& profiles) const noexcept;
+    double start_stop_speed() const noexcept { return double{timing_.start_stop_speed} * period_s_; }
+
+    double clock_ = 0.0;  ///< ticks since the piece began; at the segment's end, since then
+    double piece_end_ = std::numeric_limits<double>::infinity();
+    double base_ = 0.0;  ///< where the piece began
+    double base_speed_ = 0.0;
+    double half_accel_ = 0.0;
+    double way_ = 0.0;
+
+    double piece_ticks_ = 0.0;
+    double end_way_ = 0.0;  ///< where the piece ends, and how fast
+    double end_speed_ = 0.0;
+    bool ends_segment_ = false;  ///< the piece does
+    bool is_at_end_ = true;
+    bool is_following_ = true;  ///< on the target
+    bool is_resting_ = false;
+
+    double period_s_;
+    double low_share_ = 1.0;  ///< target = low_share * profile[0] + high_share * profile[1]
+    double high_share_ = 0.0;
+    double feed_ratio_ = 1.0;
+    PathTiming timing_{};
+};
+
+}  // namespace psicarve::cycle

@@ -138,30 +138,6 @@ void sync_folder(const std::string& path) noexcept {
     if (folder.get() >= 0) ::fsync(folder.get());
 }
 
-Result<std::vector<std::byte>> read_bytes(const std::string& path, std::uint64_t most_bytes,
-                                          bool is_start_enough) {
-    // Not blocking: a pipe that nobody writes is refused, not waited for.
-    const OpenFile file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-    if (file.get() < 0) return file_error(path, "cannot be read", errno);
-    struct stat facts {};
-    if (::fstat(file.get(), &facts) != 0) return file_error(path, "cannot be read", errno);
-    if (S_ISDIR(facts.st_mode)) return bad_input(path + ": is a folder, not a file");
-    if (!S_ISREG(facts.st_mode)) return bad_input(path + ": is no regular file");
-    const auto size = static_cast<std::uint64_t>(facts.st_size);
-    if (size > most_bytes && !is_start_enough) return file_error(path, "cannot be read", EFBIG);
-    std::vector<std::byte> bytes(std::min(size, most_bytes));
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return file_error(path, "cannot be read", errno);
-        if (got == 0) break;
-        done += static_cast<std::size_t>(got);
-    }
-    bytes.resize(done);
-    return bytes;
-}
-
 }  // namespace
 
 Result<void> write_parts_atomically(const std::string& path,
@@ -187,12 +163,27 @@ Result<void> write_file_atomically(const std::string& path, std::span<const std:
     return write_parts_atomically(path, std::array{bytes});
 }
 
-Result<std::vector<std::byte>> read_file_start(const std::string& path, std::uint64_t most_bytes) {
-    return read_bytes(path, most_bytes, true);
-}
-
 Result<std::vector<std::byte>> read_whole_file(const std::string& path) {
-    return read_bytes(path, kLargestFileBytes, false);
+    // Not blocking: a pipe that nobody writes is refused, not waited for.
+    const OpenFile file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+    if (file.get() < 0) return file_error(path, "cannot be read", errno);
+    struct stat facts {};
+    if (::fstat(file.get(), &facts) != 0) return file_error(path, "cannot be read", errno);
+    if (S_ISDIR(facts.st_mode)) return bad_input(path + ": is a folder, not a file");
+    if (!S_ISREG(facts.st_mode)) return bad_input(path + ": is no regular file");
+    const auto size = static_cast<std::uint64_t>(facts.st_size);
+    if (size > kLargestFileBytes) return file_error(path, "cannot be read", EFBIG);
+    std::vector<std::byte> bytes(size);
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return file_error(path, "cannot be read", errno);
+        if (got == 0) break;
+        done += static_cast<std::size_t>(got);
+    }
+    bytes.resize(done);
+    return bytes;
 }
 
 }  // namespace psicarve

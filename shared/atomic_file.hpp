@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,8 +20,5 @@ Result<void> write_parts_atomically(const std::string& path,
 
 /// The whole of a regular file, in memory.
 Result<std::vector<std::byte>> read_whole_file(const std::string& path);
-
-/// At most so many bytes from the start of a regular file.
-Result<std::vector<std::byte>> read_file_start(const std::string& path, std::uint64_t most_bytes);
 
 }  // namespace psicarve

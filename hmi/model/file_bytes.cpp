@@ -4,21 +4,17 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <xxhash.h>
 
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <new>
 #include <span>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
-#include "hmi/model/mesh.hpp"
 #include "shared/result.hpp"
 
 namespace psicarve::model {
@@ -75,19 +71,6 @@ Result<std::vector<char>> InputFile::read_all() const {
         return bytes;
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::out_of_room, path_ + ": too large for this computer's memory"};
-    }
-}
-
-Result<Mesh> mesh_of_whole_file(const InputFile& file,
-                                const std::function<Result<Mesh>(std::string_view bytes)>& parse) {
-    const Result<std::vector<char>> bytes = file.read_all();
-    if (!bytes) return bytes.error();
-    try {
-        Result<Mesh> mesh = parse({bytes->data(), bytes->size()});
-        if (mesh) mesh->source_hash = XXH3_64bits(bytes->data(), bytes->size());
-        return mesh;
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::out_of_room, file.path() + ": too large for this computer's memory"};
     }
 }
 

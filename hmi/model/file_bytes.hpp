@@ -3,13 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "hmi/model/mesh.hpp"
 #include "shared/result.hpp"
 
 namespace psicarve::model {
@@ -40,10 +37,5 @@ private:
     std::uint64_t size_bytes_ = 0;
     std::string path_;
 };
-
-/// Reads the whole file, makes a mesh of it and gives it the file's hash. Running out of memory, also in
-/// `parse`, is an error.
-Result<Mesh> mesh_of_whole_file(const InputFile& file,
-                                const std::function<Result<Mesh>(std::string_view bytes)>& parse);
 
 }  // namespace psicarve::model

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <xxhash.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -106,8 +109,15 @@ private:
 }  // namespace
 
 Result<Mesh> read_off(const InputFile& file) {
-    return mesh_of_whole_file(file,
-                              [&file](std::string_view text) { return OffReader(text, file.path()).read(); });
+    const Result<std::vector<char>> text = file.read_all();
+    if (!text) return text.error();
+    try {
+        Result<Mesh> mesh = OffReader({text->data(), text->size()}, file.path()).read();
+        if (mesh) mesh->source_hash = XXH3_64bits(text->data(), text->size());
+        return mesh;
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::out_of_room, file.path() + ": too large for this computer's memory"};
+    }
 }
 
 }  // namespace psicarve::model

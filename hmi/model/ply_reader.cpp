@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <xxhash.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -233,8 +236,15 @@ private:
 }  // namespace
 
 Result<Mesh> read_ply(const InputFile& file) {
-    return mesh_of_whole_file(file,
-                              [&file](std::string_view text) { return PlyReader(text, file.path()).read(); });
+    const Result<std::vector<char>> bytes = file.read_all();
+    if (!bytes) return bytes.error();
+    try {
+        Result<Mesh> mesh = PlyReader({bytes->data(), bytes->size()}, file.path()).read();
+        if (mesh) mesh->source_hash = XXH3_64bits(bytes->data(), bytes->size());
+        return mesh;
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::out_of_room, file.path() + ": too large for this computer's memory"};
+    }
 }
 
 }  // namespace psicarve::model

@@ -22,14 +22,6 @@ bool is_space(char c) noexcept {
 
 }  // namespace
 
-std::string_view without_byte_order_mark(std::string_view text) noexcept {
-    constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
-    return text.substr(0, kUtf8Mark.size()) == kUtf8Mark ? text.substr(kUtf8Mark.size()) : text;
-}
-
-Words::Words(std::string_view text)
-    : text_(text), position_(text.size() - without_byte_order_mark(text).size()) {}
-
 std::string_view Words::next() noexcept {
     while (position_ < text_.size() && is_space(text_[position_])) ++position_;
     start_ = position_;
@@ -80,7 +72,7 @@ std::optional<long long> whole_number(std::string_view word) noexcept {
 
 std::string quoted(std::string_view word) {
     std::string text = "'";
-    for (const char c : word.substr(0, 20)) text += c > ' ' && c <= '~' ? c : '?';
+    text += word.substr(0, 20);
     text += "'";
     return text;
 }

@@ -8,14 +8,10 @@
 
 namespace psicarve::model {
 
-/// The text behind the mark that some editors put before UTF-8.
-std::string_view without_byte_order_mark(std::string_view text) noexcept;
-
 /// Words of a text, and where they stand.
 class Words {
 public:
-    /// A byte order mark before the first word is passed over.
-    explicit Words(std::string_view text);
+    explicit Words(std::string_view text) : text_(text) {}
 
     /// The next word, also of a later line; empty at the end.
     std::string_view next() noexcept;
@@ -41,7 +37,7 @@ bool is_word(std::string_view word, std::string_view lower_case) noexcept;
 std::optional<double> number(std::string_view word) noexcept;
 std::optional<long long> whole_number(std::string_view word) noexcept;
 
-/// The beginning of a word for a message, in quotes; what is no plain character is shown as '?'.
+/// The beginning of a word for a message, in quotes.
 std::string quoted(std::string_view word);
 
 }  // namespace psicarve::model

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <sys/stat.h>
-
 #include <cstring>
 #include <functional>
 
@@ -87,25 +85,6 @@ TEST_F(BrokenInput, MissingFilesAreRefusedByEveryCommandThatReads) {
                                                          {"profile", "check", gone},
                                                          {"profile", "show", gone}};
     for (const auto& command : commands) expect_refused(command, "gone");
-}
-
-TEST_F(BrokenInput, WhatIsNoRegularFileIsRefusedAndNeverWaitedFor) {
-    const std::string pipe = file("pipe");
-    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-    const std::string folder = file("folder");
-    std::filesystem::create_directory(folder);
-    for (const std::string& input : {pipe, folder, std::string{"/dev/zero"}, std::string{"/dev/null"}}) {
-        expect_refused({"slice", input, "-o", file("out.job")}, input);
-        expect_refused({"carve", input, "--segment", segment_}, input);
-        expect_refused({"publish", input, "--segment", segment_}, input);
-        expect_refused({"replay", input}, input);
-        expect_refused({"verify", input, input}, input);
-        expect_refused({"snapshot", "info", input}, input);
-        expect_refused({"snapshot", "diff", input, input}, input);
-        expect_refused({"profile", "check", input}, input);
-        expect_refused({"profile", "show", input}, input);
-    }
-    EXPECT_FALSE(Segment::attach(segment_).has_value());
 }
 
 TEST_F(BrokenInput, AModelThatIsTooTallNamesTheAxis) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include <cmath>
 #include <cstddef>
@@ -66,21 +65,6 @@ TEST(BrokenMesh, ADeviceIsNotAFile) {
     const auto sut = load_mesh("/dev/zero");
     ASSERT_FALSE(sut.has_value());
     EXPECT_THAT(sut.error().message, HasSubstr("not a regular file"));
-}
-
-TEST(BrokenMesh, APipeThatNobodyWritesIsNotWaitedFor) {
-    const Folder folder;
-    const std::string path = (folder.path() / "pipe.stl").string();
-    ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
-    const auto sut = load_mesh(path);
-    ASSERT_FALSE(sut.has_value());
-    EXPECT_THAT(sut.error().message, HasSubstr("not a regular file"));
-}
-
-TEST(BrokenMesh, BytesThatAreNoTextAreNotPrinted) {
-    const std::string message = refusal("a.obj", "v 0 0 0\nv 1 \x1b[2J\x80\xff 0\n");
-    EXPECT_THAT(message, HasSubstr("line 2: '?[2J?"
-                                   "?' is not a number"));
 }
 
 TEST(BrokenMesh, AnEmptyFile) {

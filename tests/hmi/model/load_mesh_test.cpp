@@ -136,17 +136,6 @@ TEST(LoadMesh, ReadsAsciiStlInCapitalsAndWithDosLines) {
     expect_spring("a.stl", dos, "ASCII STL");
 }
 
-TEST(LoadMesh, PassesOverAByteOrderMark) {
-    const std::string mark = "\xEF\xBB\xBF";
-    expect_spring("a.stl", mark + mesh_files::ascii_stl(spring()), "ASCII STL");
-    expect_spring("a.obj", mark + mesh_files::obj(spring()), "OBJ");
-    expect_spring("a.off", mark + mesh_files::off(spring()), "OFF");
-    expect_spring("a.ply", mark + mesh_files::ply(spring()), "PLY");
-    expect_spring("a.ply", mark + mesh_files::binary_ply(spring(), false), "PLY");
-    const std::string no_comment = mesh_files::obj(spring());
-    expect_spring("b", mark + no_comment.substr(no_comment.find("v ")), "OBJ");
-}
-
 TEST(LoadMesh, KeepsTheDigitsOfAnAsciiStlFarFromTheOrigin) {
     const Folder folder;
     const auto sut = load_mesh(folder.write("a.stl", mesh_files::ascii_stl(spring(), 5.0e6)));

@@ -186,9 +186,12 @@ private:
     std::uint32_t count_ = 0;
 };
 
-/// The mesh element of a 3MF object.
-inline std::string three_mf_mesh(const model::Mesh& mesh) {
-    std::string xml = "<mesh><vertices>";
+/// One object, moved by 5 in x where the build places it.
+inline std::string three_mf(const model::Mesh& mesh) {
+    std::string xml =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">"
+        "<resources><object id=\"1\" type=\"model\"><mesh><vertices>";
     for (const auto& t : mesh.triangles) {
         for (const auto& v : t.vertices) {
             xml += "<vertex x=\"" + text_of(double{v[0]}) + "\" y=\"" + text_of(double{v[1]}) + "\" z=\"" +
@@ -200,20 +203,9 @@ inline std::string three_mf_mesh(const model::Mesh& mesh) {
         xml += "<triangle v1=\"" + std::to_string(3 * i) + "\" v2=\"" + std::to_string(3 * i + 1) +
                "\" v3=\"" + std::to_string(3 * i + 2) + "\"/>";
     }
-    return xml + "</triangles></mesh>";
-}
-
-/// The model element of a 3MF part; `unit` is the attribute as it stands, or nothing.
-inline std::string three_mf_model(const std::string& resources, const std::string& build,
-                                  const std::string& unit = "unit=\"millimeter\"") {
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model " + unit +
-           " xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
-           "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\">\n<resources>" +
-           resources + "</resources>\n<build>" + build + "</build></model>";
-}
-
-/// An archive with its usual surroundings; parts can be added.
-inline Zip three_mf_archive(const std::string& model) {
+    xml +=
+        "</triangles></mesh></object></resources><build>"
+        "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/></build></model>";
     Zip zip;
     zip.add("[Content_Types].xml",
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>"
@@ -225,18 +217,10 @@ inline Zip three_mf_archive(const std::string& model) {
     zip.add("_rels/.rels",
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>"
             "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
-            "<Relationship Target=\"/3D/model.model\" Id=\"rel0\" "
+            "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
             "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>");
-    zip.add("3D/model.model", model);
-    return zip;
-}
-
-/// One object, moved by 5 in x where the build places it.
-inline std::string three_mf(const model::Mesh& mesh) {
-    return three_mf_archive(
-               three_mf_model("<object id=\"1\" type=\"model\">" + three_mf_mesh(mesh) + "</object>",
-                              "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/>"))
-        .bytes();
+    zip.add("3D/3dmodel.model", xml);
+    return zip.bytes();
 }
 
 }  // namespace psicarve::mesh_files

@@ -25,6 +25,13 @@ std::string_view name_of(CommandKind kind) noexcept {
             return "reset-height";
         case CommandKind::shutdown:
             return "shutdown";
+        case CommandKind::jog:
+        case CommandKind::jog_on:
+            return "jog";
+        case CommandKind::move:
+            return "move";
+        case CommandKind::spindle:
+            return "spindle";
     }
     return "unknown";  // a number from shared memory may be anything
 }

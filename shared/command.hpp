@@ -5,6 +5,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "shared/signal.hpp"
+
 namespace psicarve {
 
 /// What a process may ask of the core through the command slots. Stop and emergency stop are not here: they
@@ -21,17 +23,26 @@ enum class CommandKind : std::uint32_t {
     back_off = 7,      ///< axis
     reset_height = 8,  ///< Y to its limit sensor, which defines its position
     shutdown = 9,      ///< a private core ends its work; refused unless at rest or in alarm
+    jog = 10,          ///< axis, value: a distance [mm; psi: deg], speed, lease
+    jog_on = 11,       ///< axis, value: +1 or -1, speed, lease: until released or the travel's end
+    move = 12,         ///< axes, target: all of them together, in a straight line
+    spindle = 13,      ///< value: 1 on, 0 off
 };
+inline constexpr std::uint32_t kCommandKindCount = 14;
 std::string_view name_of(CommandKind kind) noexcept;  ///< as on the command line: "start-interpolation"
 
 /// Fixed-size, trivially copyable. Written by a sender, read once by the core.
 struct Command {
     CommandKind kind;
-    std::uint32_t axis;  ///< Axis, where the command has one
+    std::uint32_t axis;  ///< Axis, where the command has one; move: its axes, bit by axis
     double value;        ///< meaning by kind; 0 where it has none
     std::uint64_t value2;
+    double speed = 0.0;              ///< jog, jog_on: [mm/s; deg/s]; 0: the axis' home speed
+    std::uint32_t lease_token = 0;   ///< jog, jog_on: see jog_lease.hpp; 0: nobody holds it
+    std::uint32_t lease_ms = 0;      ///< jog, jog_on: how long it lives without being renewed
+    double target[kAxisCount] = {};  ///< move: position by axis [mm; psi: deg]
 };
-static_assert(sizeof(Command) == 24 && std::is_trivially_copyable_v<Command>, "bump kLayoutVersion");
+static_assert(sizeof(Command) == 72 && std::is_trivially_copyable_v<Command>, "bump kLayoutVersion");
 
 enum class AnswerKind : std::uint32_t { none = 0, done = 1, refused = 2 };
 

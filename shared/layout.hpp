@@ -19,7 +19,7 @@ namespace psicarve {
 // command.hpp or job.hpp bumps kLayoutVersion; the ABI hash catches whoever forgets.
 
 inline constexpr std::uint64_t kSegmentMagic = 0x3147455341435350ULL;  // "PSCASEG1"
-inline constexpr std::uint32_t kLayoutVersion = 1;
+inline constexpr std::uint32_t kLayoutVersion = 2;
 inline constexpr std::uint32_t kSegmentReady = 0x52454459;  // written last by the creator
 
 inline constexpr std::uint32_t kDefaultCapacityLayers = 4000;
@@ -138,6 +138,7 @@ struct SegmentHeader {
     AtomicWord64 core_profile_hash;  ///< XXH3 of the core's profile as TOML
     AtomicWord32 stop_requests;      ///< grows by one for each stop; the core acts on any change
     AtomicWord32 estop_requests;
+    AtomicWord64 jog_lease;  ///< who keeps a jog going, and a beat (jog_lease.hpp)
     AtomicWord64 next_sequence;
     EventWord job_published;
     EventWord command_raised;  ///< also raised by stop and emergency stop

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "shared/event.hpp"
+#include "shared/jog_lease.hpp"
 #include "shared/process_identity.hpp"
 #include "shared/segment.hpp"
 #include "shared/shared_record.hpp"
@@ -154,6 +155,11 @@ void request_stop(Segment& segment) noexcept {
 
 void request_emergency_stop(Segment& segment) noexcept {
     segment.header().estop_requests.fetch_add(1);
+    event_signal(segment.header().command_raised);
+}
+
+void write_jog_lease(Segment& segment, std::uint32_t token, std::uint32_t beat) noexcept {
+    segment.header().jog_lease.store(jog_lease_word(token, beat));
     event_signal(segment.header().command_raised);
 }
 

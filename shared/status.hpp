@@ -25,6 +25,14 @@ struct AlarmRecord {
 inline constexpr std::uint8_t kNoAxis = 255;
 static_assert(sizeof(AlarmRecord) == 32, "bump kLayoutVersion");
 
+/// How the last jog or move ended.
+enum class MoveEnd : std::uint32_t {
+    none = 0,        ///< none yet, or it is under way, or stop or an alarm cut it short
+    reached = 1,     ///< where it was sent to
+    released = 2,    ///< a jog: its sender let go
+    lease_gone = 3,  ///< a jog: its sender renewed its lease no more
+};
+
 /// The core's state as everybody sees it: written by the supervisor as a whole, read as a whole. Fixed-width
 /// only.
 struct CoreStatus {
@@ -45,9 +53,9 @@ struct CoreStatus {
     std::uint32_t point;
     std::uint64_t points_done;  ///< of layer_count * point_count
     std::uint64_t points_total;
-    std::uint64_t job_generation;  ///< accepted job, 0: none
-    SignalWord signals;            ///< outputs and inputs, logical levels
-    std::uint32_t reserved;
+    std::uint64_t job_generation;    ///< accepted job, 0: none
+    SignalWord signals;              ///< outputs and inputs, logical levels
+    MoveEnd move_end;                ///< of the last jog or move
     double seconds_left;             ///< of the running job as planned; negative: unknown
     std::uint64_t job_start_tick;    ///< tick at which start was accepted
     std::uint64_t carve_first_tick;  ///< tick at which the first point was left; 0: not yet
@@ -88,8 +96,16 @@ enum class RecordKind : std::uint16_t {
     alarm = 6,
     job = 7,
     home_latch = 8,
-    gap = 9,      ///< value: ticks that were missed
-    failure = 10  ///< code: the AlarmCause that the core itself found,
+    gap = 9,       ///< value: ticks that were missed
+    failure = 10,  ///< code: the AlarmCause that the core itself found
+    order = 11,    ///< code: OrderPart of the command that follows in the same tick; axis, value
+    jog_end = 12,  ///< a jog was let go, or its lease ran out: slowing down from here
+};
+
+/// What a jog or a move asks for besides its kind: a FlightRecord each.
+enum class OrderPart : std::uint16_t {
+    target = 0,  ///< axis; value: position, jog: distance, jog_on: direction [pulses]
+    speed = 1,   ///< value: bits of a double [pulses/s]
 };
 
 /// One entry of the flight recorder.
@@ -101,7 +117,7 @@ struct FlightRecord {
     SignalWord signals;    ///< all levels after it happened
     std::uint32_t answer;  ///< command: AnswerKind
     std::int64_t
-        value;  ///< command: its value's bits; alarm: count seen; job: generation; latch: correction [pulses]
+        value;  ///< command: its value; alarm: count seen; job: generation; latch: correction [pulses]
     std::int64_t position_pulses[kAxisCount];
 };
 static_assert(sizeof(FlightRecord) == 64 && std::is_trivially_copyable_v<FlightRecord>,

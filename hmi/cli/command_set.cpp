@@ -45,6 +45,11 @@ Syntax& Syntax::optional_argument(const char* name, std::string& target, const c
     return *this;
 }
 
+Syntax& Syntax::arguments(const char* name, std::vector<std::string>& target, const char* help) {
+    app_->add_option(name, target, help)->required()->type_name("")->expected(-1);
+    return *this;
+}
+
 Syntax& Syntax::option(const char* names, std::string& target, const char* type, const char* help) {
     app_->add_option(names, target, help)->type_name(type);
     return *this;

@@ -44,6 +44,8 @@ public:
 
     Syntax& argument(const char* name, std::string& target, const char* help);
     Syntax& optional_argument(const char* name, std::string& target, const char* help);
+    /// One or more words.
+    Syntax& arguments(const char* name, std::vector<std::string>& target, const char* help);
     Syntax& option(const char* names, std::string& target, const char* type, const char* help);
     Syntax& required_option(const char* names, std::string& target, const char* type, const char* help);
     /// A whole number within the bounds.

@@ -21,7 +21,10 @@ Result<machine::MachineLink> link_to_core(const CommonOptions& common) {
 
 Result<CoreStatus> run_motion(machine::MachineLink& link, const MotionCommand& command) {
     OperatorBreak operator_break;
-    if (const auto sent = link.send(command.kind, command.axis); !sent) return sent.error();
+    Command message = command.details;
+    message.kind = command.kind;
+    if (command.axis) message.axis = static_cast<std::uint32_t>(index_of(*command.axis));
+    if (const auto sent = link.send(message); !sent) return sent.error();
     if (command.wanted.empty()) return link.status();
     ProgressBar bar{std::string{name_of(command.kind)}};
     const auto watch = [&](const CoreStatus& status) -> Result<void> {

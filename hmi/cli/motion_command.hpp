@@ -18,6 +18,7 @@ struct MotionCommand {
     CommandKind kind;
     std::optional<Axis> axis;
     std::vector<MachineState> wanted;
+    Command details{};  ///< what the command says besides kind and axis
 };
 /// Ctrl-C while waiting stops the machine. Returns the status at the end.
 Result<CoreStatus> run_motion(machine::MachineLink& link, const MotionCommand& command);

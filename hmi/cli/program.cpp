@@ -34,6 +34,9 @@ void add_all_commands(CommandSet& commands) {
     add_reset_alarm(commands);
     add_back_off(commands);
     add_reset_height(commands);
+    add_jog(commands);
+    add_move(commands);
+    add_spindle(commands);
     CommandSet snapshot = commands.group("snapshot", "Save, look at, export and compare snapshots and jobs");
     add_snapshot_save(snapshot);
     add_snapshot_info(snapshot);

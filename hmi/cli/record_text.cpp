@@ -40,18 +40,23 @@ std::string kind_text(RecordKind kind) {
             return "ticks missed";
         case RecordKind::failure:
             return "failure";
+        case RecordKind::order:
+            return "order";
+        case RecordKind::jog_end:
+            return "jog end";
     }
     return std::to_string(static_cast<unsigned>(kind));
 }
 
 /// What the code means for this kind of record; empty when it means nothing.
 std::string code_text(const FlightRecord& record) {
-    constexpr std::uint16_t kCommandKindCount = static_cast<std::uint16_t>(CommandKind::shutdown) + 1;
     switch (record.kind) {
         case RecordKind::command:
             return named_or_number(record.code, kCommandKindCount, [](std::uint16_t code) {
                 return name_of(static_cast<CommandKind>(code));
             });
+        case RecordKind::order:
+            return static_cast<OrderPart>(record.code) == OrderPart::target ? "target" : "speed";
         case RecordKind::state_change:
             return named_or_number(record.code, kMachineStateCount, [](std::uint16_t code) {
                 return name_of(static_cast<MachineState>(code));
@@ -81,8 +86,10 @@ std::string record_text(const FlightRecord& record) {
     if (record.axis < kAxisCount) text += " " + std::string{name_of(static_cast<Axis>(record.axis))};
     if (record.kind == RecordKind::input_edge)
         text += " tripped: " + signals_text(record.signals, kInputMask);
+    const bool is_target =
+        record.kind == RecordKind::order && static_cast<OrderPart>(record.code) == OrderPart::target;
     if (record.kind == RecordKind::alarm || record.kind == RecordKind::job ||
-        record.kind == RecordKind::home_latch) {
+        record.kind == RecordKind::home_latch || is_target) {
         text += " " + std::to_string(record.value);
     }
     text += " ";

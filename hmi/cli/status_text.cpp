@@ -83,6 +83,20 @@ nlohmann::ordered_json lateness_json(const CoreStatus& status) {
     return bins;
 }
 
+nlohmann::ordered_json move_end_json(MoveEnd end) {
+    switch (end) {
+        case MoveEnd::none:
+            break;
+        case MoveEnd::reached:
+            return "reached";
+        case MoveEnd::released:
+            return "released";
+        case MoveEnd::lease_gone:
+            return "lease gone";
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 std::string signals_text(SignalWord levels, SignalWord mask) {
@@ -159,6 +173,7 @@ nlohmann::ordered_json status_json(const CoreStatus& status) {
             {"alarm_axis", has_alarm ? axis_or_null(status.alarm_axis) : nlohmann::ordered_json()},
             {"position_pulses", by_axis(status.position_pulses)},
             {"homed", homed_json(status.homed_mask)},
+            {"move_end", move_end_json(status.move_end)},
             {"emitted_pulses", by_axis(status.emitted_pulses)},
             {"layer", status.layer},
             {"point", status.point},

@@ -99,8 +99,14 @@ Result<CoreStatus> MachineLink::status() {
 }
 
 Result<void> MachineLink::send(CommandKind kind, std::optional<Axis> axis) {
+    Command command{};
+    command.kind = kind;
+    if (axis) command.axis = static_cast<std::uint32_t>(index_of(*axis));
+    return send(command);
+}
+
+Result<void> MachineLink::send(const Command& command) {
     if (const auto core = require_core(); !core) return core;
-    const Command command{kind, axis ? static_cast<std::uint32_t>(index_of(*axis)) : 0U, 0.0, 0};
     return send_command(segment_, command, kCommandLimit);
 }
 

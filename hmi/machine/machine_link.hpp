@@ -50,6 +50,7 @@ public:
 
     /// Sends one command and waits for the answer: done, or the core's reason (machine_refused).
     Result<void> send(CommandKind kind, std::optional<Axis> axis = {});
+    Result<void> send(const Command& command);
     void stop() noexcept { request_stop(segment_); }
     void emergency_stop() noexcept { request_emergency_stop(segment_); }
 

@@ -26,6 +26,7 @@ void Cycle::tick() noexcept {
         io_->requests.pop();
         take_request(copy);
     }
+    if (lease_.is_held()) check_lease();
     if (executes()) {
         const Executor::Progress progress = executor_.step(tick_);
         if (progress != Executor::kNothing) after_step(progress);

@@ -9,6 +9,7 @@
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/cycle/executor.hpp"
 #include "rtcore/cycle/inputs.hpp"
+#include "rtcore/cycle/lease.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
 #include "rtcore/port/port.hpp"
 #include "shared/machine_state.hpp"
@@ -66,13 +67,15 @@ private:
     void enter(MachineState state) noexcept;
     void program_done() noexcept;
     void came_to_rest() noexcept;
+    void end_move(MoveEnd end) noexcept;
     void end_after_stop() noexcept;
     void stop() noexcept;
     void fail_controlled(AlarmCause cause) noexcept;
     void raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expected_pulses = 0,
                      std::int64_t seen_pulses = 0) noexcept;
     std::uint8_t moving_axes() const noexcept;
-    void request_plan(PlanKind kind, std::uint8_t axis = kNoAxis) noexcept;
+    void request_plan(PlanKind kind, std::uint8_t axis = kNoAxis,
+                      const MotionOrder* order = nullptr) noexcept;
     void drop_plan() noexcept;
     // cycle_requests.cpp: what the supervisor asks
     void take_request(const Request& request) noexcept;
@@ -85,6 +88,13 @@ private:
     Refusal load_job(const Request& request) noexcept;
     Refusal reset_alarm() noexcept;
     Refusal back_off(std::uint8_t axis) noexcept;
+    // cycle_moves.cpp: jogs, moves, the spindle by hand
+    Refusal start_move(const Request& request) noexcept;
+    Refusal refuse_at(Refusal refusal, std::size_t axis) noexcept;
+    void record_order(const Request& request) noexcept;
+    void check_lease() noexcept;
+    void end_jog(MoveEnd end) noexcept;
+    Refusal switch_spindle(bool on) noexcept;
     // cycle_reports.cpp
     void report(const FlightRecord& record, std::int64_t expected_pulses = 0) noexcept;
     void answer(const Request& request, Refusal refusal) noexcept;
@@ -117,6 +127,9 @@ private:
     AlarmCause pending_fail_ = AlarmCause::none;  ///< raised once the controlled stop came to rest
     /// Limits that were tripped when homing or backing off began, until they clear.
     SignalWord limits_exempt_ = 0;
+    Lease lease_;  ///< held while a jog is under way
+    MoveEnd move_end_ = MoveEnd::none;
+    std::uint8_t refused_axis_ = kNoAxis;  ///< of the request at hand
     std::uint32_t epoch_ = 0;
     std::uint32_t stop_seen_ = 0;
     std::uint32_t estop_seen_ = 0;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "rtcore/cycle/soft_limits.hpp"
 #include "shared/signal.hpp"
 
 namespace psicarve::cycle {
@@ -23,6 +24,7 @@ struct AxisConfig {
 struct CycleConfig {
     std::int64_t period_ns = 50'000;
     std::array<AxisConfig, kAxisCount> axes;
+    SoftLimits soft_limits;
     std::int64_t step_high_ticks = 1;  ///< all at least 1: one register write a tick
     std::int64_t step_low_ticks = 1;
     std::int64_t dir_setup_ticks = 1;

@@ -30,6 +30,11 @@ enum class RequestKind : std::uint8_t {
     reset_height,
     job_loaded,  ///< value: generation; points_total: the job's points. Only sent when no job runs
     fail,        ///< value: AlarmCause that the supervisor found (segment lost, missed ticks)
+    jog,         ///< order, lease; one axis by a distance
+    jog_on,      ///< order, lease; one axis until it is let go or its travel ends
+    move,        ///< order; all its axes to their targets together
+    end_jog,     ///< value: MoveEnd. A replay lets go of a jog where the recorded run did
+    spindle,     ///< value: 1 on, 0 off
 };
 struct Request {
     std::uint64_t sequence;  ///< echoed in the answer
@@ -38,6 +43,9 @@ struct Request {
     std::uint8_t reserved[6];
     std::uint64_t value;
     std::uint64_t points_total;
+    MotionOrder order;          ///< jog, jog_on, move
+    std::uint32_t lease_token;  ///< jog, jog_on: see Lease; 0: nobody holds it
+    std::uint32_t lease_ticks;
 };
 
 /// Why a request was refused; the supervisor finds the words.
@@ -49,6 +57,10 @@ enum class Refusal : std::uint8_t {
     still_tripped,       ///< a limit or the emergency stop is still active
     sensor_not_tripped,  ///< back off: nothing to back off from
     no_sensor,           ///< the axis has no sensor
+    outside_travel,      ///< these four name their axis in the answer's record
+    inside_core_radius,
+    heads_too_close,
+    at_the_end,  ///< no way is left in this direction
 };
 
 /// tick -> supervisor, in the order in which things happened. Each carries the flight-recorder entry of it.
@@ -70,6 +82,8 @@ struct Sample {
     std::uint8_t alarm_axis;
     std::uint8_t homed_mask;
     SignalWord signals;
+    MoveEnd move_end;
+    std::uint32_t reserved;
     std::array<std::int64_t, kAxisCount> position_pulses;
     std::array<std::uint64_t, kAxisCount> emitted_pulses;
     std::uint32_t layer;
@@ -95,6 +109,7 @@ using IncrementQueue = SpscRing<IncrementEntry, 16384>;
 struct UrgentWords {
     std::atomic<std::uint32_t> stop_requests{0};
     std::atomic<std::uint32_t> estop_requests{0};
+    std::atomic<std::uint64_t> jog_lease{0};  ///< as in the segment
 };
 
 /// All of it together, made once before the tick starts; it is large, so not for a stack. The trace ring is

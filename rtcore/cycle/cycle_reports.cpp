@@ -14,6 +14,7 @@ Sample Cycle::sample() const noexcept {
     sample.alarm_axis = alarm_axis_;
     sample.homed_mask = homed_mask_;
     sample.signals = pulses_.levels() | inputs_.raw();
+    sample.move_end = move_end_;
     sample.position_pulses = pulses_.positions();
     sample.emitted_pulses = pulses_.emitted();
     sample.layer = executor_.layer();
@@ -60,6 +61,8 @@ void Cycle::answer(const Request& request, Refusal refusal) noexcept {
                              static_cast<std::uint16_t>(command_of(request.kind)), kNoAxis,
                              static_cast<std::int64_t>(request.value));
     if (request.kind == RequestKind::back_off) entry.record.axis = request.axis;
+    if (refusal != Refusal::none && refused_axis_ != kNoAxis) entry.record.axis = refused_axis_;
+    if (request.kind == RequestKind::end_jog) entry.record.kind = RecordKind::none;  // it recorded itself
     if (request.kind == RequestKind::fail) {
         entry.record.kind = RecordKind::failure;
         entry.record.code = static_cast<std::uint16_t>(request.value);

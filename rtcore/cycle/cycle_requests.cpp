@@ -4,6 +4,7 @@
 namespace psicarve::cycle {
 
 void Cycle::take_request(const Request& request) noexcept {
+    refused_axis_ = kNoAxis;
     answer(request, judge(request));
 }
 
@@ -27,6 +28,15 @@ Refusal Cycle::judge(const Request& request) noexcept {
             return back_off(request.axis);
         case RequestKind::job_loaded:
             return load_job(request);
+        case RequestKind::jog:
+        case RequestKind::jog_on:
+        case RequestKind::move:
+            return start_move(request);
+        case RequestKind::end_jog:
+            end_jog(static_cast<MoveEnd>(request.value));
+            return Refusal::none;
+        case RequestKind::spindle:
+            return switch_spindle(request.value != 0);
         case RequestKind::fail:
             break;
     }

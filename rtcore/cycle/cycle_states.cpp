@@ -26,7 +26,7 @@ void Cycle::program_done() noexcept {
             apply(is_homed() ? E::home_done : E::home_done_unhomed);
             break;
         case S::moving:
-            apply(E::move_done);
+            end_move(MoveEnd::reached);
             break;
         case S::positioning:
             apply(E::positioned);
@@ -62,6 +62,10 @@ void Cycle::came_to_rest() noexcept {
         raise_alarm(pending_fail_, kNoAxis);
         return;
     }
+    if (state_ == MachineState::moving) {
+        end_move(move_end_);
+        return;
+    }
     apply(MachineEvent::at_rest);
     if (state_ != MachineState::stopping) return;
     // An axis that was stopped on its sensor while being homed is no new limit.
@@ -76,6 +80,13 @@ void Cycle::came_to_rest() noexcept {
     }
 }
 
+void Cycle::end_move(MoveEnd end) noexcept {
+    drop_plan();
+    lease_.forget();
+    move_end_ = end;
+    apply(MachineEvent::move_done);
+}
+
 void Cycle::end_after_stop() noexcept {
     drop_plan();
     pulses_.set_spindle(false);
@@ -86,7 +97,11 @@ void Cycle::end_after_stop() noexcept {
 void Cycle::stop() noexcept {
     const MachineState before = state_;
     apply(MachineEvent::stop);
+    // Nothing moves, but the spindle may turn.
+    if (state_ == MachineState::ready) pulses_.set_spindle(false);
     if (state_ == before) return;
+    lease_.forget();
+    move_end_ = MoveEnd::none;
     if (state_ == MachineState::stopping) {
         executor_.slow_down();
     } else {
@@ -101,6 +116,7 @@ void Cycle::fail_controlled(AlarmCause cause) noexcept {
         return;
     }
     pending_fail_ = cause;
+    lease_.forget();
     apply(MachineEvent::stop);
     executor_.slow_down();
 }
@@ -114,6 +130,8 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
     }
     alarm_cause_ = cause;
     alarm_axis_ = axis;
+    lease_.forget();
+    move_end_ = MoveEnd::none;
     drop_plan();
     report(record_of(RecordKind::alarm, static_cast<std::uint16_t>(cause), axis, seen_pulses),
            expected_pulses);
@@ -139,7 +157,7 @@ void Cycle::drop_plan() noexcept {
     pending_fail_ = AlarmCause::none;
 }
 
-void Cycle::request_plan(PlanKind kind, std::uint8_t axis) noexcept {
+void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* order) noexcept {
     drop_plan();
     PlanRequest request{};
     request.epoch = epoch_;
@@ -152,6 +170,7 @@ void Cycle::request_plan(PlanKind kind, std::uint8_t axis) noexcept {
     }
     request.position_pulses = pulses_.positions();
     request.job_generation = job_generation_;
+    if (order != nullptr) request.order = *order;
     if (!io_->plan_requests.push(request)) raise_alarm(AlarmCause::plan_starved, kNoAxis);
 }
 

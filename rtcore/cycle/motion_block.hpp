@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "rtcore/cycle/motion_order.hpp"
 #include "shared/signal.hpp"
 #include "shared/spsc_ring.hpp"
 
@@ -88,6 +89,7 @@ enum class PlanKind : std::uint8_t {
     carve,         ///< from the first point to the last
     finish,        ///< heads out, spindle off; also after a stop
     back_off,      ///< `axis` away from its tripped sensor
+    move,          ///< a jog or a move: `order`, from rest to rest
 };
 struct PlanRequest {
     std::uint32_t epoch;
@@ -97,6 +99,7 @@ struct PlanRequest {
     std::uint8_t tripped_mask;  ///< sensors that are tripped now
     std::array<std::int64_t, kAxisCount> position_pulses;
     std::uint64_t job_generation;
+    MotionOrder order;  ///< move: targets of all axes
 };
 using PlanRequestRing = SpscRing<PlanRequest, 16>;
 

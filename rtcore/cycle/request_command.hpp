@@ -15,7 +15,7 @@ struct RequestCommand {
 };
 
 /// The requests that operators make by commands of the segment. Those of the supervisor itself (job_loaded,
-/// fail) and the command for it (shutdown) have no partner.
+/// fail, end_jog) and the command for it (shutdown) have no partner.
 inline constexpr std::array kRequestCommands{
     RequestCommand{RequestKind::home, CommandKind::home},
     RequestCommand{RequestKind::start, CommandKind::start},
@@ -25,6 +25,10 @@ inline constexpr std::array kRequestCommands{
     RequestCommand{RequestKind::reset_alarm, CommandKind::reset_alarm},
     RequestCommand{RequestKind::back_off, CommandKind::back_off},
     RequestCommand{RequestKind::reset_height, CommandKind::reset_height},
+    RequestCommand{RequestKind::jog, CommandKind::jog},
+    RequestCommand{RequestKind::jog_on, CommandKind::jog_on},
+    RequestCommand{RequestKind::move, CommandKind::move},
+    RequestCommand{RequestKind::spindle, CommandKind::spindle},
 };
 
 /// Nothing: the tick has no such request.

@@ -22,13 +22,6 @@ SpeedCaps heads_at(const MachineLimits& limits, double speed_mm_s) {
     return caps;
 }
 
-/// Whole turns that the count is off, so that the way left is at most half a turn.
-std::int64_t turns_to_drop(std::int64_t from_pulses, std::int64_t to_pulses, std::int64_t pulses_per_rev) {
-    const std::int64_t ahead = from_pulses - to_pulses + pulses_per_rev / 2;
-    const std::int64_t turns = ahead / pulses_per_rev;
-    return ahead % pulses_per_rev < 0 ? turns - 1 : turns;
-}
-
 /// The heads' part of a way, of those that move outwards (or inwards) only.
 Pulses4 heads_way(const Pulses4& from, const Pulses4& to, bool outwards) {
     Pulses4 way{};
@@ -57,6 +50,12 @@ double largest_radius_mm(const MachineLimits& limits, const JobView& job) {
 }
 
 }  // namespace
+
+std::int64_t turns_to_drop(std::int64_t from_pulses, std::int64_t to_pulses, std::int64_t pulses_per_rev) {
+    const std::int64_t ahead = from_pulses - to_pulses + pulses_per_rev / 2;
+    const std::int64_t turns = ahead / pulses_per_rev;
+    return ahead % pulses_per_rev < 0 ? turns - 1 : turns;
+}
 
 std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, const JobView& job,
                                                 const Pulses4& from_pulses) {

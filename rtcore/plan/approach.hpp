@@ -11,6 +11,9 @@
 
 namespace psicarve::plan {
 
+/// Whole turns that the count is off, so that the way left is at most half a turn.
+std::int64_t turns_to_drop(std::int64_t from_pulses, std::int64_t to_pulses, std::int64_t pulses_per_rev);
+
 /// From anywhere to the job's first point: heads out to the table's largest radius and the clearance, psi the
 /// short way, Y, spindle up to speed, heads in at plunge speed. Whole turns of psi are dropped from the
 /// count, so that the first point's angle in the table is the count; the index compares modulo a turn.

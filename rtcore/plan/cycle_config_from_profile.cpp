@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "rtcore/cycle/motion_order.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::plan {
@@ -29,6 +30,25 @@ cycle::SensorEnd sensor_end(HomeSensor home) {
 
 constexpr std::int64_t kSamplePeriodNs = kNsPerMs;
 
+cycle::SoftLimits soft_limits(const Profile& profile) {
+    cycle::SoftLimits limits;
+    for (const Axis axis : kAllAxes) {
+        const AxisMotion motion = axis_motion(profile, axis);
+        const std::size_t k = index_of(axis);
+        limits.least_pulses[k] = motion.has_travel ? motion.travel_min_pulses : -cycle::kFurthestPulses;
+        limits.most_pulses[k] = motion.has_travel ? motion.travel_max_pulses : cycle::kFurthestPulses;
+    }
+    limits.least_sum_mm = profile.head_clearance_mm - profile.r1.tip_offset_mm - profile.r2.tip_offset_mm;
+    for (const Axis head : {Axis::r1, Axis::r2}) {
+        const std::size_t k = index_of(head);
+        limits.core_pulses[k] = core_radius_pulses(profile, head);
+        limits.mm_per_pulse[k] = 1.0 / axis_motion(profile, head).pulses_per_unit;
+        // As in a table: a radius stands at its nearest pulse.
+        limits.least_sum_mm -= 0.5 * limits.mm_per_pulse[k] * (1.0 + 1e-9);
+    }
+    return limits;
+}
+
 }  // namespace
 
 cycle::CycleConfig cycle_config_from_profile(const Profile& profile) {
@@ -45,6 +65,7 @@ cycle::CycleConfig cycle_config_from_profile(const Profile& profile) {
         to.travel_min_pulses = motion.travel_min_pulses;
         to.travel_max_pulses = motion.travel_max_pulses;
     }
+    config.soft_limits = soft_limits(profile);
     config.step_high_ticks = ticks_for(profile.port.step_high_ns, period_ns);
     config.step_low_ticks = ticks_for(profile.port.step_low_ns, period_ns);
     config.dir_setup_ticks = ticks_for(profile.port.dir_setup_ns, period_ns);

@@ -6,6 +6,7 @@
 #include "rtcore/plan/approach.hpp"
 #include "rtcore/plan/carve_program.hpp"
 #include "rtcore/plan/homing.hpp"
+#include "rtcore/plan/move.hpp"
 
 namespace psicarve::plan {
 
@@ -74,6 +75,8 @@ std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
             return list(finish_blocks(limits_, request.position_pulses));
         case PlanKind::back_off:
             return list(back_off_blocks(limits_, static_cast<Axis>(request.axis)));
+        case PlanKind::move:
+            return list(move_blocks(limits_, request.order, request.position_pulses));
         case PlanKind::position:
             return job_ == nullptr ? nullptr : list(approach_blocks(limits_, *job_, request.position_pulses));
         case PlanKind::carve:

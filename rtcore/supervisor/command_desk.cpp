@@ -5,7 +5,9 @@
 #include <string>
 
 #include "rtcore/cycle/request_command.hpp"
+#include "rtcore/supervisor/motion_request.hpp"
 #include "rtcore/supervisor/refusal_text.hpp"
+#include "shared/jog_lease.hpp"
 
 namespace psicarve::supervisor {
 void CommandDesk::take_commands(Segment& segment, cycle::RequestRing& requests, const cycle::Sample& sample) {
@@ -40,20 +42,30 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
         answer_command(segment, received, AnswerKind::refused, "back-off: no such axis; r1, r2 or y");
         return;
     }
-    cycle::Request request{};
-    request.sequence = ++last_sequence_;
-    request.kind = *kind;
-    request.axis = static_cast<std::uint8_t>(command.axis);
-    requests.push(request);
-    waiting_.push_back({request.sequence, received});
+    auto request = motion_request(command, *kind, *profile_, is_virtual_clock_);
+    if (!request) {
+        answer_command(segment, received, AnswerKind::refused, request.error().message);
+        return;
+    }
+    request->sequence = ++last_sequence_;
+    requests.push(*request);
+    waiting_.push_back({request->sequence, received});
+}
+
+void CommandDesk::note_lease(const Command& command) noexcept {
+    const bool is_jog = command.kind == CommandKind::jog || command.kind == CommandKind::jog_on;
+    if (!is_jog && command.kind != CommandKind::move) return;
+    const std::chrono::milliseconds asked{is_jog ? command.lease_ms : 0};
+    jog_lease_ = std::min(asked, kLongestJogLease);
 }
 
 void CommandDesk::deliver_answer(Segment& segment, const cycle::Report& report, const cycle::Sample& sample) {
     const auto found = std::ranges::find(waiting_, report.sequence, &Waiting::sequence);
     if (found == waiting_.end()) return;
     const bool is_done = report.refusal == cycle::Refusal::none;
+    if (is_done) note_lease(found->received.command);
     answer_command(segment, found->received, is_done ? AnswerKind::done : AnswerKind::refused,
-                   refusal_text(report.refusal, found->received.command.kind, sample));
+                   refusal_text(report, found->received.command.kind, sample, *profile_));
     waiting_.erase(found);
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/supervisor/refusal_text.hpp"
 
+#include <cstdio>
+
+#include "shared/units.hpp"
+
 namespace psicarve::supervisor {
 namespace {
 
@@ -33,10 +37,39 @@ std::string tripped_inputs(SignalWord signals) {
     return names;
 }
 
+std::string mm_text(double value_mm) {
+    char text[32];
+    (void)std::snprintf(text, sizeof text, "%.3f mm", value_mm);
+    return text;
+}
+
+/// The soft limit that is in the way.
+std::string limit_text(const cycle::Report& answer, const Profile& profile) {
+    using R = cycle::Refusal;
+    if (answer.record.axis >= kAxisCount) return "beyond the machine's limits";
+    const auto axis = static_cast<Axis>(answer.record.axis);
+    const std::string name{name_of(axis)};
+    const AxisMotion motion = axis_motion(profile, axis);
+    const auto at = [&](std::int64_t pulses) {
+        return mm_text(mm_from_pulses(pulses, motion.pulses_per_unit));
+    };
+    if (answer.refusal == R::heads_too_close)
+        return name + " would bring the tips closer than head_clearance_mm, " +
+               mm_text(profile.head_clearance_mm);
+    if (answer.refusal == R::inside_core_radius)
+        return name + " would go inside the core radius, " + mm_text(profile.core_radius_mm);
+    if (answer.refusal == R::at_the_end) return name + " has no way left in this direction";
+    if (!motion.has_travel) return name + " cannot count so far";
+    return name + " would leave its travel, " + at(motion.travel_min_pulses) + " to " +
+           at(motion.travel_max_pulses);
+}
+
 }  // namespace
 
-std::string refusal_text(cycle::Refusal refusal, CommandKind command, const cycle::Sample& sample) {
+std::string refusal_text(const cycle::Report& answer, CommandKind command, const cycle::Sample& sample,
+                         const Profile& profile) {
     using R = cycle::Refusal;
+    const cycle::Refusal refusal = answer.refusal;
     const std::string state{name_of(sample.state)};
     switch (refusal) {
         case R::none:
@@ -56,6 +89,11 @@ std::string refusal_text(cycle::Refusal refusal, CommandKind command, const cycl
             return "the axis' sensor is not tripped; nothing to back off from";
         case R::no_sensor:
             return "the axis has no sensor";
+        case R::outside_travel:
+        case R::inside_core_radius:
+        case R::heads_too_close:
+        case R::at_the_end:
+            return std::string{name_of(command)} + ": " + limit_text(answer, profile);
     }
     return "refused";
 }

@@ -5,10 +5,12 @@
 
 #include "rtcore/cycle/cycle_io.hpp"
 #include "shared/command.hpp"
+#include "shared/profile.hpp"
 
 namespace psicarve::supervisor {
 
 /// Why a command was refused and what to do, in one sentence that fits into Answer::reason.
-std::string refusal_text(cycle::Refusal refusal, CommandKind command, const cycle::Sample& sample);
+std::string refusal_text(const cycle::Report& answer, CommandKind command, const cycle::Sample& sample,
+                         const Profile& profile);
 
 }  // namespace psicarve::supervisor

@@ -47,6 +47,8 @@ void RecordDirector::apply(const ReplayStep& step, CoreParts& parts) noexcept {
             request.kind = step.request;
             request.axis = step.axis;
             request.value = step.value;
+            request.order = step.order;
+            request.order.drops_turns = step.request == cycle::RequestKind::move ? 1 : 0;
             parts.io->requests.push(request);
             break;
         }

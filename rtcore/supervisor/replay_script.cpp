@@ -2,7 +2,9 @@
 #include "rtcore/supervisor/replay_script.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <iterator>
+#include <utility>
 
 #include "rtcore/cycle/request_command.hpp"
 #include "shared/command.hpp"
@@ -28,9 +30,15 @@ std::optional<ReplayStep> step_of(const FlightRecord& record) {
             if (const auto request = request_of(record)) {
                 step.kind = ReplayStep::Kind::request;
                 step.request = *request;
+                step.value = static_cast<std::uint64_t>(record.value);
                 return step;
             }
             return std::nullopt;
+        case RecordKind::jog_end:
+            step.kind = ReplayStep::Kind::request;
+            step.request = cycle::RequestKind::end_jog;
+            step.value = record.code;
+            return step;
         case RecordKind::gap:
             step.kind = ReplayStep::Kind::gap;
             step.value = static_cast<std::uint64_t>(record.value);
@@ -52,6 +60,20 @@ std::optional<ReplayStep> step_of(const FlightRecord& record) {
             return step;
         default:
             return std::nullopt;
+    }
+}
+
+/// One part of the order that the next command carries.
+void add_part(cycle::MotionOrder& order, const FlightRecord& record) {
+    switch (static_cast<OrderPart>(record.code)) {
+        case OrderPart::target:
+            if (record.axis >= kAxisCount) return;
+            order.axes = static_cast<std::uint8_t>(order.axes | 1U << record.axis);
+            order.target_pulses[record.axis] = record.value;
+            return;
+        case OrderPart::speed:
+            order.speed_pps = std::bit_cast<double>(record.value);
+            return;
     }
 }
 
@@ -81,11 +103,17 @@ std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>&
     script.first_tick = first->tick;
     script.start_inputs = first->signals & kInputMask;
     std::ranges::copy(first->position_pulses, script.start_position_pulses.begin());
+    cycle::MotionOrder order{};
     for (auto record = std::next(first); record != records.end(); ++record) {
         if (record->tick < first->tick) continue;
         script.end_tick = std::max(script.end_tick, record->tick - first->tick);
+        if (record->kind == RecordKind::order) {
+            add_part(order, *record);
+            continue;
+        }
         if (auto step = step_of(*record)) {
             step->tick = record->tick - first->tick;
+            if (record->kind == RecordKind::command) step->order = std::exchange(order, {});
             script.steps.push_back(*step);
         }
     }

@@ -19,9 +19,11 @@ struct ReplayStep {
     std::uint64_t tick;  ///< counted from the beginning of the replay
     Kind kind;
     cycle::RequestKind request;
-    std::uint64_t value;  ///< kind gap: ticks that were missed; request fail: the cause
+    std::uint64_t value;  ///< kind gap: ticks that were missed; request fail: the cause; spindle: on or off;
+                          ///< end_jog: how
     std::uint8_t axis;
-    SignalWord inputs;  ///< kind inputs: all input levels from this tick on
+    SignalWord inputs;         ///< kind inputs: all input levels from this tick on
+    cycle::MotionOrder order;  ///< jog, jog_on, move
 };
 
 /// What a recorder holds, made ready to be applied again: from the first moment at which the machine was

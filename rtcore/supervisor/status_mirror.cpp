@@ -37,6 +37,7 @@ CoreStatus StatusMirror::compose(const cycle::Sample& sample, double seconds_lef
     status.points_total = sample.points_total;
     status.job_generation = sample.job_generation;
     status.signals = sample.signals;
+    status.move_end = sample.move_end;
     status.seconds_left = seconds_left;
     status.job_start_tick = sample.job_start_tick;
     status.carve_first_tick = sample.carve_first_tick;

@@ -39,6 +39,7 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
     : parts_(&parts),
       segment_options_(segment_options),
       segment_(std::move(segment)),
+      desk_(parts.profile, facts.is_virtual_clock),
       mirror_(facts),
       is_virtual_clock_(facts.is_virtual_clock),
       sample_(read_sample()),
@@ -54,6 +55,7 @@ bool Supervisor::poll() {
     sample_ = read_sample();
     check_segment();
     bool handed_on = mirror_urgent_words();
+    mirror_jog_lease();
     const std::size_t requests_before = parts_->io->requests.size();
     take_job();
     desk_.take_commands(segment_, parts_->io->requests, sample_);
@@ -92,6 +94,21 @@ bool Supervisor::mirror_urgent_words() {
         changed = true;
     }
     return changed;
+}
+
+// On the virtual clock ticks say nothing about how long somebody has been silent: there the lease runs here.
+void Supervisor::mirror_jog_lease() {
+    const std::uint64_t word = segment_.header().jog_lease.load(std::memory_order_acquire);
+    if (!is_virtual_clock_ || sample_.state != MachineState::moving) {
+        jog_renewed_ = std::chrono::steady_clock::now();
+    } else if (word != parts_->io->urgent.jog_lease.load(std::memory_order_relaxed)) {
+        jog_renewed_ = std::chrono::steady_clock::now();
+    }
+    parts_->io->urgent.jog_lease.store(word, std::memory_order_release);
+    if (!is_virtual_clock_ || desk_.jog_lease().count() == 0) return;
+    if (std::chrono::steady_clock::now() - jog_renewed_ < desk_.jog_lease()) return;
+    jog_renewed_ = std::chrono::steady_clock::now();
+    request(cycle::RequestKind::end_jog, static_cast<std::uint64_t>(MoveEnd::lease_gone));
 }
 
 void Supervisor::take_job() {

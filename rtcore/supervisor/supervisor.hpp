@@ -51,6 +51,7 @@ public:
 private:
     cycle::Sample read_sample() const;
     bool mirror_urgent_words();
+    void mirror_jog_lease();
     void take_job();
     void finish_job(const cycle::Report& report);
     void drain_reports();
@@ -72,6 +73,7 @@ private:
     std::uint32_t stop_seen_;
     std::uint32_t estop_seen_;
     std::uint32_t wake_seen_ = 0;
+    std::chrono::steady_clock::time_point jog_renewed_{};
     std::uint64_t judged_generation_;
     std::shared_ptr<const LoadedJob> loading_job_;  ///< offered to the tick, not answered yet
     std::shared_ptr<const LoadedJob> job_;

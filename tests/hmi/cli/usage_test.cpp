@@ -20,6 +20,9 @@ const std::vector<std::string> kCommands{"carve",
                                          "reset-alarm",
                                          "back-off",
                                          "reset-height",
+                                         "jog",
+                                         "move",
+                                         "spindle",
                                          "snapshot save",
                                          "snapshot info",
                                          "snapshot export",
@@ -119,7 +122,13 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUsage{"slice m.stl -o j --axis-at middle", "--axis-at"},
         WrongUsage{"slice m.stl -o j --axis-at 1,2,3", "--axis-at"},
         WrongUsage{"slice m.stl -o j --joining snake", "--joining"}, WrongUsage{"back-off", "AXIS"},
-        WrongUsage{"back-off z", "z"}, WrongUsage{"status --segment psicarve", "--segment"},
+        WrongUsage{"back-off z", "z"}, WrongUsage{"jog r1", "DISTANCE"}, WrongUsage{"jog z 1", "z"},
+        WrongUsage{"jog r1 far", "'far' is not a number"}, WrongUsage{"jog r1 1mm", "'1mm' is not a number"},
+        WrongUsage{"jog r1 inf", "'inf' is not a number"}, WrongUsage{"jog r1 1 --speed 0", "--speed"},
+        WrongUsage{"move", "AXIS=POSITION"}, WrongUsage{"move r1", "'r1' is not AXIS=POSITION"},
+        WrongUsage{"move z=1", "'z=1' is not AXIS=POSITION"}, WrongUsage{"move r1=", "'' is not a number"},
+        WrongUsage{"move r1=1 y=2 r1=3", "r1 is given twice"}, WrongUsage{"spindle", "STATE"},
+        WrongUsage{"spindle fast", "fast"}, WrongUsage{"status --segment psicarve", "--segment"},
         WrongUsage{"status now", "unexpected argument 'now'"},
         WrongUsage{"snapshot export f --format xml", "--format"}, WrongUsage{"snapshot diff f", "B"}));
 
@@ -157,7 +166,8 @@ TEST_P(WithoutSegment, EndsWithExitCodeFiveAndOneLine) {
 INSTANTIATE_TEST_SUITE_P(Usage, WithoutSegment,
                          ::testing::Values("status", "home", "start", "start --carve", "start-interpolation",
                                            "hold", "resume", "stop", "estop", "reset-alarm", "back-off r1",
-                                           "reset-height", "snapshot save /dev/null", "status --watch"));
+                                           "reset-height", "jog r1 -1", "jog psi +", "move r1=30",
+                                           "spindle on", "snapshot save /dev/null", "status --watch"));
 
 }  // namespace
 }  // namespace psicarve::test

@@ -65,10 +65,14 @@ void MachineRig::run(std::uint64_t ticks) {
 
 Refusal MachineRig::ask(RequestKind kind, std::uint8_t axis, std::uint64_t value) {
     Request request{};
-    request.sequence = ++sequence_;
     request.kind = kind;
     request.axis = axis;
     request.value = value;
+    return ask(request);
+}
+
+Refusal MachineRig::ask(Request request) {
+    request.sequence = ++sequence_;
     io->requests.push(request);
     tick();
     const auto found = std::ranges::find_if(reports, [&](const Report& report) {

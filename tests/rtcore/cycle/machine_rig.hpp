@@ -63,6 +63,7 @@ public:
 
     /// Asks and ticks once; what the answer was.
     Refusal ask(RequestKind kind, std::uint8_t axis = 0, std::uint64_t value = 0);
+    Refusal ask(Request request);
     void stop() { io->urgent.stop_requests.fetch_add(1); }
     void emergency_stop() { io->urgent.estop_requests.fetch_add(1); }
     bool home();

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+
 #include "shared/command.hpp"
 
 namespace psicarve::supervisor {
@@ -116,6 +118,40 @@ TEST(ReplayScript, KeepsMissedTicksAndTheCoresOwnFailures) {
     EXPECT_EQ(sut->steps[0].value, 7U);
     EXPECT_EQ(sut->steps[1].request, cycle::RequestKind::fail);
     EXPECT_EQ(sut->steps[1].value, static_cast<std::uint64_t>(AlarmCause::missed_ticks));
+}
+
+FlightRecord order(std::uint64_t tick, OrderPart part, std::uint32_t axis, std::int64_t value) {
+    FlightRecord record{};
+    record.tick = tick;
+    record.kind = RecordKind::order;
+    record.code = static_cast<std::uint16_t>(part);
+    record.axis = axis;
+    record.value = value;
+    return record;
+}
+
+TEST(ReplayScript, GivesACommandTheOrderThatWasRecordedBeforeIt) {
+    FlightRecord let_go{};
+    let_go.tick = 60;
+    let_go.kind = RecordKind::jog_end;
+    let_go.code = static_cast<std::uint16_t>(MoveEnd::lease_gone);
+    const auto sut =
+        script_from_records({state_change(10, MachineState::ready), order(20, OrderPart::target, 1, 4000),
+                             order(20, OrderPart::target, 3, -7), command(20, CommandKind::move),
+                             order(50, OrderPart::target, 2, 1),
+                             order(50, OrderPart::speed, kNoAxis, std::bit_cast<std::int64_t>(812.5)),
+                             command(50, CommandKind::jog_on), let_go, command(70, CommandKind::home)});
+    ASSERT_TRUE(sut.has_value());
+    ASSERT_EQ(sut->steps.size(), 4U);
+    EXPECT_EQ(sut->steps[0].request, cycle::RequestKind::move);
+    EXPECT_EQ(sut->steps[0].order.axes, 0b1010U);
+    EXPECT_EQ(sut->steps[0].order.target_pulses, (std::array<std::int64_t, kAxisCount>{0, 4000, 0, -7}));
+    EXPECT_EQ(sut->steps[1].request, cycle::RequestKind::jog_on);
+    EXPECT_EQ(sut->steps[1].order.axes, 0b100U);
+    EXPECT_EQ(sut->steps[1].order.speed_pps, 812.5);
+    EXPECT_EQ(sut->steps[2].request, cycle::RequestKind::end_jog);
+    EXPECT_EQ(sut->steps[2].value, static_cast<std::uint64_t>(MoveEnd::lease_gone));
+    EXPECT_EQ(sut->steps[3].order.axes, 0U);
 }
 
 TEST(ReplayScript, IsNothingWithoutARunFromRest) {

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/machine/jog.hpp"
+
+#include <memory>
+
+#include "hmi/cli/commands.hpp"
+#include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/motion_command.hpp"
+#include "hmi/cli/number_argument.hpp"
+#include "hmi/cli/operator_break.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+constexpr CommandText kText{
+    "jog", "Move one axis by a distance, or on and on until Ctrl-C",
+    "DISTANCE is in mm, for psi in degrees; + or - goes on until Ctrl-C or the end of the travel. At home\n"
+    "speed if no other is given. The machine must be homed and ready. A jog ends by itself when this program "
+    "does.",
+    "psicarve jog r1 -2.5\n  psicarve jog psi + --speed 30"};
+
+struct Options {
+    std::string axis;
+    std::string distance;
+    std::optional<double> speed;
+};
+
+bool goes_on(const Options& options) {
+    return options.distance == "+" || options.distance == "-";
+}
+
+Result<machine::HeldJog> begin_jog(machine::MachineLink& link, const Options& options, double distance) {
+    const Axis axis = axis_from_name(options.axis).value_or(Axis::r1);
+    const double speed = options.speed.value_or(0.0);
+    if (goes_on(options)) return machine::HeldJog::on(link, axis, options.distance == "+", speed);
+    return machine::HeldJog::by(link, axis, distance, speed);
+}
+
+/// How a jog that is over went; only the first two are what was asked for.
+Result<void> judge_end(const CoreStatus& status, bool may_be_released) {
+    if (status.move_end == MoveEnd::reached) return {};
+    if (status.move_end == MoveEnd::released && may_be_released) return {};
+    if (status.move_end == MoveEnd::released)
+        return Error{ErrorCode::cancelled, "jog: ended by the operator"};
+    if (status.move_end == MoveEnd::lease_gone) {
+        return Error{ErrorCode::machine_refused,
+                     "jog: ended early, the core had not heard from us for too long; is the computer busy?"};
+    }
+    return Error{ErrorCode::machine_refused, "jog: ended early: somebody stopped the machine"};
+}
+
+Result<int> jog(const CommonOptions& common, const Options& options) {
+    double distance = 0.0;
+    if (!goes_on(options)) {
+        const auto number = number_argument("DISTANCE", options.distance);
+        if (!number) return number.error();
+        distance = *number;
+    }
+    auto link = link_to_core(common);
+    if (!link) return link.error();
+    OperatorBreak operator_break;
+    auto held = begin_jog(*link, options, distance);
+    if (!held) return held.error();
+    const auto watch = [&](const CoreStatus&) -> Result<void> {
+        if (operator_break.was_asked()) {
+            held->release();
+        } else {
+            held->renew();
+        }
+        return {};
+    };
+    const auto end = link->wait_for_state({MachineState::ready}, watch);
+    if (!end) return end.error();
+    if (const auto went = judge_end(*end, goes_on(options)); !went) return went.error();
+    report_motion(common, kText.name, *end);
+    return kExitDone;
+}
+
+}  // namespace
+
+void add_jog(CommandSet& commands) {
+    const auto options = std::make_shared<Options>();
+    commands.add(kText, [options](const CommonOptions& common) { return jog(common, *options); })
+        .choice_argument("AXIS", options->axis, {"r1", "r2", "psi", "y"}, "The axis to move")
+        .argument("DISTANCE", options->distance, "How far [mm; psi: deg], or + or - to go on")
+        .option("--speed", options->speed, "SPEED", "How fast at most [mm/s; psi: deg/s]");
+}
+
+}  // namespace psicarve::cli

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "hmi/machine/machine_link.hpp"
+#include "shared/jog_lease.hpp"
+
+namespace psicarve::machine {
+
+/// A jog that we began and hold: it goes on only while renew() is called again and again, at least every
+/// kJogRenewal. Ends in order when it is released or destroyed; by itself when this process dies or hangs.
+/// The link outlives it. One thread.
+class HeldJog {
+public:
+    /// By a distance [mm; psi: deg]; `speed` [mm/s; deg/s], 0: the axis' home speed.
+    static Result<HeldJog> by(MachineLink& link, Axis axis, double distance, double speed);
+    /// Upwards (or down) until it is released or the travel ends.
+    static Result<HeldJog> on(MachineLink& link, Axis axis, bool up, double speed);
+
+    HeldJog(HeldJog&& other) noexcept;
+    HeldJog& operator=(HeldJog&&) = delete;
+    ~HeldJog() { release(); }
+
+    /// Cheap; writes to the segment no more often than it has to.
+    void renew() noexcept;
+    void release() noexcept;
+
+private:
+    HeldJog(MachineLink& link, std::uint32_t token) noexcept : link_(&link), token_(token) {}
+    static Result<HeldJog> begin(MachineLink& link, Command command, std::chrono::milliseconds lease);
+
+    MachineLink* link_;
+    std::uint32_t token_;
+    std::uint32_t beat_ = 1;
+    bool is_released_ = false;
+    std::chrono::steady_clock::time_point renewed_{};
+};
+
+}  // namespace psicarve::machine

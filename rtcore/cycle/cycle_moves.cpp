@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <bit>
+
+#include "rtcore/cycle/cycle.hpp"
+
+namespace psicarve::cycle {
+namespace {
+
+Refusal refusal_of(SoftLimit limit) noexcept {
+    switch (limit) {
+        case SoftLimit::none:
+            break;
+        case SoftLimit::travel:
+            return Refusal::outside_travel;
+        case SoftLimit::core_radius:
+            return Refusal::inside_core_radius;
+        case SoftLimit::head_clearance:
+            return Refusal::heads_too_close;
+    }
+    return Refusal::none;
+}
+
+}  // namespace
+
+Refusal Cycle::start_move(const Request& request) noexcept {
+    if (state_ == MachineState::off) return Refusal::not_homed;
+    if (!next_state(state_, MachineEvent::move).has_value()) return Refusal::not_in_this_state;
+    if (!is_homed()) return Refusal::not_homed;
+    const auto& from = pulses_.positions();
+    auto to = from;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        if ((request.order.axes >> k & 1U) == 0) continue;
+        const std::int64_t target = request.order.target_pulses[k];
+        if (request.kind == RequestKind::jog_on) {
+            to[k] = furthest_pulses(config_.soft_limits, from, k, target > 0);
+            if (to[k] == from[k]) return refuse_at(Refusal::at_the_end, k);
+        } else {
+            to[k] = request.kind == RequestKind::jog ? from[k] + target : target;
+        }
+    }
+    const SoftBreach breach = first_breach(config_.soft_limits, from, to);
+    if (breach.limit != SoftLimit::none) return refuse_at(refusal_of(breach.limit), breach.axis);
+    record_order(request);
+    lease_.begin(request.lease_token, request.lease_ticks, io_->urgent.jog_lease.load(), tick_);
+    move_end_ = MoveEnd::none;
+    apply(MachineEvent::move);
+    MotionOrder order = request.order;
+    order.target_pulses = to;
+    request_plan(PlanKind::move, kNoAxis, &order);
+    return Refusal::none;
+}
+
+Refusal Cycle::refuse_at(Refusal refusal, std::size_t axis) noexcept {
+    refused_axis_ = static_cast<std::uint8_t>(axis);
+    return refusal;
+}
+
+// What a replay needs to ask for the same again.
+void Cycle::record_order(const Request& request) noexcept {
+    const MotionOrder& order = request.order;
+    const auto note = [&](OrderPart part, std::uint8_t axis, std::int64_t value) noexcept {
+        report(record_of(RecordKind::order, static_cast<std::uint16_t>(part), axis, value));
+    };
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        if ((order.axes >> k & 1U) == 0) continue;
+        note(OrderPart::target, static_cast<std::uint8_t>(k), order.target_pulses[k]);
+    }
+    if (order.speed_pps > 0.0) {
+        note(OrderPart::speed, kNoAxis, std::bit_cast<std::int64_t>(order.speed_pps));
+    }
+}
+
+void Cycle::check_lease() noexcept {
+    const MoveEnd end = lease_.end_at(io_->urgent.jog_lease.load(std::memory_order_acquire), tick_);
+    if (end != MoveEnd::none) end_jog(end);
+}
+
+void Cycle::end_jog(MoveEnd end) noexcept {
+    if (state_ != MachineState::moving) return;
+    lease_.forget();
+    move_end_ = end;
+    report(record_of(RecordKind::jog_end, static_cast<std::uint16_t>(end)));
+    executor_.slow_down();
+}
+
+Refusal Cycle::switch_spindle(bool on) noexcept {
+    if (state_ == MachineState::off) return Refusal::not_homed;
+    if (state_ != MachineState::ready && state_ != MachineState::moving) return Refusal::not_in_this_state;
+    pulses_.set_spindle(on);
+    next_publish_tick_ = tick_;
+    return Refusal::none;
+}
+
+}  // namespace psicarve::cycle

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/motion_request.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "shared/jog_lease.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::supervisor {
+namespace {
+
+using cycle::Request;
+using cycle::RequestKind;
+
+Error refused(const std::string& reason) {
+    return Error{ErrorCode::machine_refused, reason};
+}
+
+Result<std::int64_t> pulses_of(double value, Axis axis, const Profile& profile, const char* what) {
+    const double pulses = value * axis_motion(profile, axis).pulses_per_unit;
+    if (std::isfinite(pulses) && std::fabs(pulses) <= static_cast<double>(cycle::kFurthestPulses)) {
+        return round_to_pulse(pulses);
+    }
+    return refused(std::string{what} + ": no axis goes so far (" + std::string{name_of(axis)} + ")");
+}
+
+Result<void> add_jog(Request& request, const Command& command, const Profile& profile,
+                     bool is_virtual_clock) {
+    if (command.axis >= kAxisCount) return refused("jog: no such axis; r1, r2, psi or y");
+    const auto axis = static_cast<Axis>(command.axis);
+    const AxisMotion motion = axis_motion(profile, axis);
+    if (!std::isfinite(command.speed) || command.speed < 0.0)
+        return refused("jog: the speed must be above 0");
+    request.order.axes = static_cast<std::uint8_t>(1U << command.axis);
+    request.order.speed_pps =
+        command.speed > 0.0 ? command.speed * motion.pulses_per_unit : motion.home_speed_pps;
+    if (request.kind == RequestKind::jog) {
+        const auto way = pulses_of(command.value, axis, profile, "jog");
+        if (!way) return way.error();
+        request.order.target_pulses[command.axis] = *way;
+    } else {
+        request.order.target_pulses[command.axis] = command.value < 0.0 ? -1 : 1;
+    }
+    if (command.lease_token == 0 || command.lease_ms == 0) return refused("jog: nobody holds its lease");
+    request.lease_token = command.lease_token;
+    if (is_virtual_clock) return {};
+    const auto longest_ms = static_cast<std::uint32_t>(kLongestJogLease.count());
+    const std::int64_t lease_ns = std::int64_t{std::min(command.lease_ms, longest_ms)} * kNsPerMs;
+    request.lease_ticks = static_cast<std::uint32_t>(
+        std::max<std::int64_t>(1, ticks_covering_ns(lease_ns, tick_period_ns(profile))));
+    return {};
+}
+
+Result<void> add_move(Request& request, const Command& command, const Profile& profile) {
+    if (command.axis == 0 || (command.axis >> kAxisCount) != 0) return refused("move: no axis to move");
+    request.order.axes = static_cast<std::uint8_t>(command.axis);
+    request.order.drops_turns = 1;
+    for (const Axis axis : kAllAxes) {
+        const std::size_t k = index_of(axis);
+        if ((command.axis >> k & 1U) == 0) continue;
+        const auto target = pulses_of(command.target[k], axis, profile, "move");
+        if (!target) return target.error();
+        request.order.target_pulses[k] = *target;
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Request> motion_request(const Command& command, RequestKind kind, const Profile& profile,
+                               bool is_virtual_clock) {
+    Request request{};
+    request.kind = kind;
+    request.axis = static_cast<std::uint8_t>(command.axis);
+    Result<void> added{};
+    if (kind == RequestKind::jog || kind == RequestKind::jog_on) {
+        added = add_jog(request, command, profile, is_virtual_clock);
+    } else if (kind == RequestKind::move) {
+        added = add_move(request, command, profile);
+    } else if (kind == RequestKind::spindle) {
+        request.value = command.value != 0.0 ? 1 : 0;
+    }
+    if (!added) return added.error();
+    return request;
+}
+
+}  // namespace psicarve::supervisor

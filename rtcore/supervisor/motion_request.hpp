@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "rtcore/cycle/cycle_io.hpp"
+#include "shared/command.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::supervisor {
+
+/// A command as the tick's request, in pulses and ticks; whatever a sender wrote that makes no sense is
+/// refused by name. Soft limits are the tick's to judge: only it knows where the axes stand.
+Result<cycle::Request> motion_request(const Command& command, cycle::RequestKind kind, const Profile& profile,
+                                      bool is_virtual_clock);
+
+}  // namespace psicarve::supervisor

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/motion_request.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace psicarve::supervisor {
+namespace {
+
+using cycle::RequestKind;
+
+Command jog(double distance) {
+    Command command{};
+    command.kind = CommandKind::jog;
+    command.axis = index_of(Axis::y);
+    command.value = distance;
+    command.lease_token = 9;
+    command.lease_ms = 200;
+    return command;
+}
+
+Command move(std::uint32_t axes, double target) {
+    Command command{};
+    command.kind = CommandKind::move;
+    command.axis = axes;
+    for (double& position : command.target) position = target;
+    return command;
+}
+
+std::string refusal(const Command& command, RequestKind kind) {
+    const auto request = motion_request(command, kind, Profile{}, false);
+    return request ? std::string{} : request.error().message;
+}
+
+TEST(MotionRequest, PutsJogsIntoPulsesAndTicks) {
+    const auto sut = motion_request(jog(-2.5), RequestKind::jog, Profile{}, false);
+    ASSERT_TRUE(sut);
+    EXPECT_EQ(sut->order.axes, 0b1000U);
+    EXPECT_EQ(sut->order.target_pulses[3], -1000);
+    EXPECT_EQ(sut->order.speed_pps, 2000.0) << "home speed";
+    EXPECT_EQ(sut->lease_ticks, 4000U);
+    EXPECT_EQ(sut->lease_token, 9U);
+    EXPECT_EQ(sut->order.drops_turns, 0U);
+}
+
+TEST(MotionRequest, CutsLeasesThatAreTooLong) {
+    Command command = jog(1.0);
+    command.lease_ms = 3'600'000;
+    EXPECT_EQ(motion_request(command, RequestKind::jog, Profile{}, false)->lease_ticks, 40'000U);
+}
+
+// There a tick says nothing about how long somebody has been silent.
+TEST(MotionRequest, CountsNoTicksOfALeaseOnTheVirtualClock) {
+    EXPECT_EQ(motion_request(jog(1.0), RequestKind::jog, Profile{}, true)->lease_ticks, 0U);
+}
+
+TEST(MotionRequest, PutsPositionsIntoPulsesByAxis) {
+    const auto sut = motion_request(move(0b0110, 90.0), RequestKind::move, Profile{}, false);
+    ASSERT_TRUE(sut);
+    EXPECT_EQ(sut->order.axes, 0b0110U);
+    EXPECT_EQ(sut->order.target_pulses, (std::array<std::int64_t, kAxisCount>{0, 36'000, 1600, 0}));
+    EXPECT_EQ(sut->order.drops_turns, 1U);
+}
+
+TEST(MotionRequest, RefusesWhatMakesNoSenseByName) {
+    Command no_axis = jog(1.0);
+    no_axis.axis = 4;
+    EXPECT_NE(refusal(no_axis, RequestKind::jog).find("no such axis"), std::string::npos);
+    Command no_lease = jog(1.0);
+    no_lease.lease_token = 0;
+    EXPECT_NE(refusal(no_lease, RequestKind::jog_on).find("lease"), std::string::npos);
+    no_lease = jog(1.0);
+    no_lease.lease_ms = 0;
+    EXPECT_NE(refusal(no_lease, RequestKind::jog).find("lease"), std::string::npos);
+    for (const double wild :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1e300, 1e12}) {
+        EXPECT_NE(refusal(jog(wild), RequestKind::jog).find("(y)"), std::string::npos) << wild;
+        EXPECT_NE(refusal(move(0b1, wild), RequestKind::move).find("(r1)"), std::string::npos) << wild;
+        if (wild > 0.0 && wild < 1e13) continue;
+        Command speed = jog(1.0);
+        speed.speed = wild;
+        EXPECT_NE(refusal(speed, RequestKind::jog_on).find("speed"), std::string::npos) << wild;
+    }
+    EXPECT_NE(refusal(move(0, 1.0), RequestKind::move).find("no axis"), std::string::npos);
+    EXPECT_NE(refusal(move(0b10001, 1.0), RequestKind::move).find("no axis"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace psicarve::supervisor

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+#include <memory>
+
+#include "shared/segment.hpp"
+#include "shared/shared_record.hpp"
+#include "tests/hmi/cli/program_run.hpp"
+#include "tests/two_process/slow_machine.hpp"
+
+namespace psicarve::test {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// A core on a segment of its own, homed.
+class Jogging : public CliTest {
+protected:
+    void start_core(const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"--segment", segment_};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        core_ = std::make_unique<RunningProgram>("psicarve-rtcore", arguments);
+        ASSERT_TRUE(eventually([&] {
+            const auto segment = Segment::attach(segment_);
+            return segment && segment->core_pid().has_value();
+        }));
+        ASSERT_EQ(run({"home"}).exit_code, 0);
+        true_start_ = status().sim_true_position_pulses[index_of(Axis::psi)];
+    }
+    /// By the wall clock, so that a lease is what it is for the operator. Without sensors: homed at once.
+    void start_real_core() {
+        Profile profile = two_process::slow_machine();
+        for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) axis->home = HomeSensor::none;
+        profile.psi.home = HomeSensor::none;
+        write("slow.toml", profile_to_toml(profile));
+        start_core({"--clock", "real", "--profile", file("slow.toml")});
+    }
+    CoreStatus status() const {
+        std::optional<CoreStatus> read;
+        eventually([&] {
+            const auto segment = Segment::attach(segment_);
+            if (segment) read = read_record(segment->header().status);
+            return read.has_value();
+        });
+        return read.value_or(CoreStatus{});
+    }
+    std::int64_t psi_pulses() const { return status().position_pulses[index_of(Axis::psi)]; }
+    /// Generous: a sanitizer on a busy machine.
+    static bool eventually(const std::function<bool()>& condition) {
+        const auto give_up = std::chrono::steady_clock::now() + milliseconds{120'000};
+        while (!condition()) {
+            if (std::chrono::steady_clock::now() > give_up) return false;
+            std::this_thread::sleep_for(milliseconds{2});
+        }
+        return true;
+    }
+    Outcome run(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.end(), {"--segment", segment_});
+        return psicarve(arguments);
+    }
+    std::unique_ptr<RunningProgram> begin_turning() const {
+        auto jog = std::make_unique<RunningProgram>(
+            "psicarve", std::vector<std::string>{"jog", "psi", "+", "--segment", segment_});
+        const std::int64_t before = psi_pulses();
+        EXPECT_TRUE(eventually([&] { return psi_pulses() > before + 10; }));
+        return jog;
+    }
+    void expect_at_rest_where_the_machine_is() const {
+        const CoreStatus end = status();
+        EXPECT_EQ(end.alarm_cause, AlarmCause::none);
+        // Without an index the count began anywhere; from then on both moved alike.
+        EXPECT_EQ(end.sim_true_position_pulses[index_of(Axis::psi)] - true_start_, psi_pulses());
+        EXPECT_EQ(end.sim_stalls[index_of(Axis::psi)], 0U);
+    }
+
+    std::unique_ptr<RunningProgram> core_;
+    std::int64_t true_start_ = 0;
+};
+
+TEST_F(Jogging, AKilledClientsJogEndsByItself) {
+    start_real_core();
+    const auto jog = begin_turning();
+    jog->send(SIGKILL);
+    ASSERT_TRUE(eventually([&] { return status().state == MachineState::ready; }));
+    EXPECT_EQ(status().move_end, MoveEnd::lease_gone);
+    expect_at_rest_where_the_machine_is();
+    EXPECT_EQ(run({"jog", "psi", "-90"}).exit_code, 0);
+}
+
+TEST_F(Jogging, AStoppedClientsJogEndsByItselfAndTheClientSaysSo) {
+    start_real_core();
+    const auto jog = begin_turning();
+    jog->send(SIGSTOP);
+    ASSERT_TRUE(eventually([&] { return status().state == MachineState::ready; }));
+    EXPECT_EQ(status().move_end, MoveEnd::lease_gone);
+    expect_at_rest_where_the_machine_is();
+    jog->send(SIGCONT);
+    EXPECT_EQ(jog->wait(), 4);
+    EXPECT_NE(jog->error().find("ended early"), std::string::npos) << jog->error();
+    EXPECT_EQ(status().state, MachineState::ready);
+}
+
+TEST_F(Jogging, AnInterruptedClientLetsGo) {
+    start_real_core();
+    const auto jog = begin_turning();
+    jog->send(SIGINT);
+    EXPECT_EQ(jog->wait(), 0) << jog->error();
+    EXPECT_EQ(status().move_end, MoveEnd::released);
+    expect_at_rest_where_the_machine_is();
+}
+
+TEST_F(Jogging, AStopEndsAJogAndTheClientSaysSo) {
+    start_real_core();
+    const auto jog = begin_turning();
+    EXPECT_EQ(run({"stop"}).exit_code, 0);
+    EXPECT_EQ(jog->wait(), 4);
+    EXPECT_NE(jog->error().find("somebody stopped"), std::string::npos) << jog->error();
+    expect_at_rest_where_the_machine_is();
+}
+
+TEST_F(Jogging, ByADistanceAndMovesEndWhereTheyAreSent) {
+    start_core({"--clock", "virtual"});
+    const Outcome moved = run({"move", "r1=30", "r2=25.5", "psi=90", "y=10", "--json"});
+    ASSERT_EQ(moved.exit_code, 0) << moved.error;
+    const auto position = [](const Outcome& outcome) { return outcome.json()["position_pulses"]; };
+    EXPECT_EQ(position(moved), (nlohmann::json{{"r1", 12000}, {"r2", 10200}, {"psi", 1600}, {"y", 4000}}));
+    EXPECT_EQ(moved.json()["command"], "move");
+    EXPECT_EQ(moved.json()["move_end"], "reached");
+    const Outcome jogged = run({"jog", "y", "-2.5", "--json"});
+    ASSERT_EQ(jogged.exit_code, 0) << jogged.error;
+    EXPECT_EQ(position(jogged)["y"], 3000);
+    EXPECT_EQ(position(run({"jog", "y", "-", "--json"}))["y"], 0);
+    EXPECT_EQ(position(run({"status", "--json"}))["r1"], 12000);
+    EXPECT_EQ(run({"move", "y=1"}).out, "move: the machine is ready\n");
+}
+
+TEST_F(Jogging, WhatTheMachineCannotDoIsRefusedWithTheReason) {
+    start_core({"--clock", "virtual"});
+    const auto expect_refused = [&](std::vector<std::string> arguments, const std::string& reason) {
+        arguments.emplace_back("--json");
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.exit_code, 4) << outcome.out;
+        EXPECT_EQ(outcome.json()["error"]["code"], "machine_refused") << outcome.out;
+        EXPECT_NE(outcome.error.find(reason), std::string::npos) << outcome.error;
+    };
+    expect_refused({"move", "r1=61"}, "r1 would leave its travel, 0.000 mm to 60.000 mm");
+    expect_refused({"move", "r1=30", "y=-0.1"}, "y would leave its travel");
+    expect_refused({"jog", "r2", "-59"}, "r2 would go inside the core radius, 1.500 mm");
+    expect_refused({"move", "psi=1e15"}, "no axis goes so far");
+    ASSERT_EQ(run({"estop"}).exit_code, 0);
+    expect_refused({"jog", "r1", "-1"}, "not while alarm");
+    expect_refused({"spindle", "on"}, "not while alarm");
+}
+
+TEST_F(Jogging, TheSpindleIsSwitchedByHand) {
+    start_core({"--clock", "virtual"});
+    const auto is_on = [&] {
+        const auto outputs = run({"status", "--json"}).json()["outputs"];
+        return std::find(outputs.begin(), outputs.end(), "spindle") != outputs.end();
+    };
+    ASSERT_EQ(run({"spindle", "on"}).exit_code, 0);
+    EXPECT_TRUE(is_on());
+    ASSERT_EQ(run({"spindle", "off"}).exit_code, 0);
+    EXPECT_FALSE(is_on());
+}
+
+}  // namespace
+}  // namespace psicarve::test

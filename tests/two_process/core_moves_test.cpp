@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/jog_lease.hpp"
+#include "tests/two_process/core_rig.hpp"
+
+namespace psicarve::two_process {
+namespace {
+
+class CoreMoves : public CoreRig {
+protected:
+    std::string refusal_of_command(const Command& command) {
+        const auto sent = send_command(*segment_, command, kLimit);
+        return sent ? std::string{} : sent.error().message;
+    }
+    void move_heads(double r1_mm, double y_mm) {
+        Command command{};
+        command.kind = CommandKind::move;
+        command.axis = 0b1001;
+        command.target[0] = r1_mm;
+        command.target[3] = y_mm;
+        ASSERT_EQ(refusal_of_command(command), "");
+        ASSERT_TRUE(reaches(MachineState::ready));
+    }
+    void jog_on(Axis axis, std::uint32_t token) {
+        Command command{};
+        command.kind = CommandKind::jog_on;
+        command.axis = static_cast<std::uint32_t>(index_of(axis));
+        command.value = 1.0;
+        command.lease_token = token;
+        command.lease_ms = 200;
+        ASSERT_EQ(refusal_of_command(command), "");
+    }
+};
+
+TEST_F(CoreMoves, ALeaseThatNobodyRenewsEndsOnTheVirtualClockToo) {
+    start_core();
+    home();
+    jog_on(Axis::psi, 5);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    EXPECT_EQ(status().move_end, MoveEnd::lease_gone);
+    EXPECT_GT(status().position_pulses[index_of(Axis::psi)], 0);
+}
+
+TEST_F(CoreMoves, AJogIsKeptGoingByItsHolderAlone) {
+    start_core();
+    home();
+    jog_on(Axis::psi, 5);
+    std::int64_t seen = 0;
+    for (std::uint32_t beat = 1; beat <= 20; ++beat) {
+        write_jog_lease(*segment_, 5, beat);
+        ASSERT_TRUE(eventually([&] { return status().position_pulses[2] > seen + 1000; }));
+        seen = status().position_pulses[2];
+    }
+    write_jog_lease(*segment_, 5, 0);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    EXPECT_EQ(status().move_end, MoveEnd::released);
+}
+
+TEST_F(CoreMoves, AreAppliedAgainByAReplay) {
+    start_core();
+    ASSERT_EQ(publish(lobed_job(3, 33)), "");
+    home();
+    move_heads(30.0, 12.5);
+    jog_on(Axis::psi, 7);
+    ASSERT_TRUE(eventually([&] { return status().position_pulses[2] > 5000; }));
+    write_jog_lease(*segment_, 7, 0);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    move_heads(20.0, 3.0);
+    const CoreStatus end = status();
+
+    Snapshot snapshot;
+    snapshot.status = end;
+    RingReader reader{segment_->header().recorder};
+    while (const auto record = reader.next()) snapshot.records.push_back(*record);
+    snapshot.job_blob = job_blob_from_table(lobed_job(3, 33));
+    ASSERT_TRUE(save_snapshot(snapshot, file("snapshot")));
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    ASSERT_EQ(core_->wait_for_exit(), 0);
+
+    CoreProcess replay{{"--segment", segment_name_, "--clock", "virtual", "--replay", file("snapshot")},
+                       file("replay.err")};
+    ASSERT_EQ(replay.wait_for_exit(), 0) << text_of(file("replay.err"));
+    attach();
+    for (const Axis axis : kAllAxes) {
+        EXPECT_EQ(status().position_pulses[index_of(axis)], end.position_pulses[index_of(axis)])
+            << name_of(axis);
+    }
+    EXPECT_GT(end.position_pulses[2], 5000);
+}
+
+}  // namespace
+}  // namespace psicarve::two_process

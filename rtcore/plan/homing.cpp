@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rtcore/cycle/fine_move.hpp"
 #include "rtcore/plan/block_list.hpp"
 #include "shared/units.hpp"
 
@@ -65,12 +66,24 @@ void home_linear(BlockList& list, const AxisMotion& motion, Axis axis) {
     leave_a_little_more(list, motion, axis);
 }
 
+/// How far psi may run past its index at home speed until it rests.
+std::int64_t psi_overrun_pulses(const MachineLimits& limits) {
+    const AxisMotion& motion = limits.axes[index_of(Axis::psi)];
+    const double speed_pps = std::min(motion.home_speed_pps, motion.speed_pps);
+    const double delay_s = seconds_from_ns(2 * cycle::FineMove::kCoarseTicks * limits.tick.period_ns);
+    return ramp_pulses(motion, speed_pps) + static_cast<std::int64_t>(speed_pps * delay_s) + 2;
+}
+
 void home_psi(BlockList& list, const MachineLimits& limits) {
     const AxisMotion& motion = limits.axes[index_of(Axis::psi)];
+    const std::int64_t overrun = psi_overrun_pulses(limits);
     // A turn and a tenth: also from the middle of the index, which has to be left first.
-    const std::int64_t way =
-        limits.pulses_per_rev + limits.pulses_per_rev / 10 + ramp_pulses(motion, motion.home_speed_pps);
+    const std::int64_t way = limits.pulses_per_rev + limits.pulses_per_rev / 10 + overrun;
     list.seek(Axis::psi, Until::index_edge, way, motion.home_speed_pps);
+    // Not from the sensor's own far edge: it may be passed already. Back over the most that the way can be.
+    list.homing_move(Axis::psi, -(overrun + kLittleMorePulses), motion.home_speed_pps);
+    list.seek(Axis::psi, Until::index_edge, overrun + kLittleMorePulses + kSearchSparePulses,
+              motion.start_stop_pps);
     list.latch(motion.home_position_pulses);
 }
 

@@ -15,7 +15,8 @@ namespace psicarve::plan {
 ///     approach, start-stop       ---------->|        stops on the edge: this is home_position
 ///     leave, and a little more       <======|
 ///
-/// psi turns positive until its index begins to trip; home = none takes the present position.
+/// psi turns positive at home speed until its index begins to trip, goes back before it, and comes again at
+/// start-stop speed: it rests on home_position. home = none takes the present position.
 std::vector<cycle::MotionBlock> homing_blocks(const MachineLimits& limits);
 
 /// Y alone.

@@ -45,9 +45,7 @@ def stamp_of(root, command, files, version):
 
 def check(build, path):
     """clang-tidy's findings in one file; empty when it is clean."""
-    # The commands are GCC's: clang does not know all of its warnings' names.
-    run = subprocess.run([TIDY, "--quiet", "--extra-arg=-Wno-unknown-warning-option", "-p", build, path],
-                         capture_output=True, text=True)
+    run = subprocess.run([TIDY, "--quiet", "-p", build, path], capture_output=True, text=True)
     return "" if run.returncode == 0 else run.stdout + run.stderr
 
 

@@ -241,7 +241,7 @@ TEST_F(Machine, ACoreOnTheRealClockCarvesOnWhenItsCarveIsKilled) {
     write("slow.toml", profile);
     RunningProgram carve{
         "psicarve",
-        {"carve", box_stl("box.stl"), "--layers", "12", "--points", "9", "--real-time", "--trace",
+        {"carve", box_stl("box.stl"), "--layers", "4", "--points", "9", "--real-time", "--trace",
          file("pins.trace"), "--profile", file("slow.toml"), "--segment", segment_}};
     ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
     const auto pid = core_pid();
@@ -252,7 +252,7 @@ TEST_F(Machine, ACoreOnTheRealClockCarvesOnWhenItsCarveIsKilled) {
     EXPECT_TRUE(eventually([&] { return !core_pid() || state() == MachineState::ready; }));
     ASSERT_EQ(core_pid(), pid) << "the core ended with the carve";
     const auto end = status();
-    EXPECT_EQ(end["points_done"], 12 * 9) << end;
+    EXPECT_EQ(end["points_done"], 4 * 9) << end;
     EXPECT_EQ(end["alarm_cause"], nullptr) << end;
     kill(static_cast<pid_t>(*pid), SIGTERM);
     EXPECT_TRUE(eventually([&] { return !core_pid(); }));

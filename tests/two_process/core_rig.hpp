@@ -26,30 +26,7 @@ using std::chrono::milliseconds;
 inline constexpr milliseconds kLimit{120'000};
 
 /// A job that is no body of revolution, for the machine of `profile`.
-inline JobTable lobed_job(std::uint32_t layers, std::uint32_t points, const Profile& profile = Profile{}) {
-    JobTable table;
-    table.layer_count = layers;
-    table.point_count = points;
-    table.psi_sweep_pulses = profile.psi.pulses_per_rev / 2;
-    table.joining = profile.job.joining;
-    table.feed_mm_s = profile.job.feed_mm_s;
-    table.source_name = "lobed";
-    table.profile_toml = profile_to_toml(profile);
-    table.report_json = "{}";
-    for (std::uint32_t layer = 0; layer < layers; ++layer) {
-        table.layer_height_pulses.push_back(pulses_from_mm(1.0 + 0.03 * layer, profile.y.pulses_per_mm));
-        for (std::uint32_t point = 0; point < points; ++point) {
-            const auto psi = table_angle_pulses(table.joining, table.psi_sweep_pulses, points, layer, point);
-            const double angle_rad = rad_from_pulses(psi, profile.psi.pulses_per_rev);
-            const auto radius_mm = [&](double angle) { return 10.0 + std::cos(3.0 * angle) + 0.005 * layer; };
-            table.r_left_pulses.push_back(
-                static_cast<std::int32_t>(pulses_from_mm(radius_mm(angle_rad), profile.r1.pulses_per_mm)));
-            table.r_right_pulses.push_back(static_cast<std::int32_t>(
-                pulses_from_mm(radius_mm(angle_rad + kPi), profile.r2.pulses_per_mm)));
-        }
-    }
-    return table;
-}
+JobTable lobed_job(std::uint32_t layers, std::uint32_t points, const Profile& profile = Profile{});
 
 /// So long that a test can interfere while it is carved, however busy the computer is.
 inline JobTable long_job() {
@@ -59,37 +36,13 @@ inline JobTable long_job() {
 /// A segment of its own for each test, and cores on it.
 class CoreRig : public ::testing::Test {
 protected:
-    CoreRig() {
-        static std::atomic<int> count{0};
-        segment_name_ = "/psicarve-test-" + std::to_string(getpid()) + "-" + std::to_string(++count);
-        folder_ = testing::TempDir() + segment_name_.substr(1);
-        [[maybe_unused]] const int made = mkdir(folder_.c_str(), 0700);
-    }
-    ~CoreRig() override {
-        core_.reset();
-        segment_.reset();
-        [[maybe_unused]] const auto removed = Segment::remove(segment_name_);
-    }
+    CoreRig();
+    ~CoreRig() override;
 
     std::string file(const std::string& name) const { return folder_ + "/" + name; }
 
-    void start_core(std::vector<std::string> more = {}) {
-        std::vector<std::string> arguments{"--segment", segment_name_, "--capacity",
-                                           "4000x400",  "--clock",     "virtual"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        core_ = std::make_unique<CoreProcess>(arguments, file("core.err"));
-        attach();
-        ASSERT_TRUE(eventually([&] { return segment_->core_pid() == std::uint32_t(core_->pid()); }))
-            << text_of(file("core.err"));
-    }
-    void attach() {
-        segment_.reset();
-        ASSERT_TRUE(eventually([&] {
-            auto segment = Segment::attach(segment_name_);
-            if (segment) segment_ = std::make_unique<Segment>(std::move(*segment));
-            return segment_ != nullptr;
-        })) << text_of(file("core.err"));
-    }
+    void start_core(std::vector<std::string> more = {});
+    void attach();
 
     template <typename Condition>
     static bool eventually(Condition condition, milliseconds limit = kLimit) {
@@ -101,41 +54,12 @@ protected:
         return true;
     }
 
-    CoreStatus status() {
-        std::optional<CoreStatus> read;
-        eventually([&] {
-            read = read_record(segment_->header().status);
-            return read.has_value();
-        });
-        return read.value_or(CoreStatus{});
-    }
-    ::testing::AssertionResult reaches(MachineState state) {
-        if (eventually([&] { return status().state == state; })) return ::testing::AssertionSuccess();
-        return ::testing::AssertionFailure()
-               << "state is " << name_of(status().state) << ", not " << name_of(state);
-    }
-    std::string refusal_of(CommandKind kind, Axis axis = Axis::r1) {
-        Command command{};
-        command.kind = kind;
-        command.axis = static_cast<std::uint32_t>(axis);
-        const auto sent = send_command(*segment_, command, kLimit);
-        return sent ? std::string{} : sent.error().message;
-    }
-    std::string publish(const JobTable& table) {
-        const auto generation = publish_job(*segment_, job_blob_from_table(table));
-        if (!generation) return generation.error().message;
-        const auto accepted = wait_for_acceptance(*segment_, *generation, kLimit);
-        return accepted ? std::string{} : accepted.error().message;
-    }
-    void home() {
-        ASSERT_EQ(refusal_of(CommandKind::home), "");
-        ASSERT_TRUE(reaches(MachineState::ready));
-    }
-    void start_carving() {
-        ASSERT_EQ(refusal_of(CommandKind::start), "");
-        ASSERT_TRUE(reaches(MachineState::waiting));
-        ASSERT_EQ(refusal_of(CommandKind::start_interpolation), "");
-    }
+    CoreStatus status();
+    ::testing::AssertionResult reaches(MachineState state);
+    std::string refusal_of(CommandKind kind, Axis axis = Axis::r1);
+    std::string publish(const JobTable& table);
+    void home();
+    void start_carving();
 
     std::string segment_name_;
     std::string folder_;

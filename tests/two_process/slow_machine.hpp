@@ -5,8 +5,8 @@
 
 namespace psicarve::two_process {
 
-/// A coarse, slow machine: a gap in ticks that a busy computer makes loses no step of it, and it homes in
-/// seconds.
+/// A coarse, slow and small machine: a gap in ticks that a busy computer makes loses no step of it, and it
+/// homes in seconds.
 inline Profile slow_machine() {
     Profile profile;
     profile.name = "slow";
@@ -19,7 +19,10 @@ inline Profile slow_machine() {
         axis->start_stop_mm_s = 1.0;
         axis->home_speed_mm_s = 20.0;
         axis->overtravel_mm = 3.0;
+        axis->travel_mm = {0.0, 20.0};
     }
+    profile.r1.home_position_mm = 20.0;
+    profile.r2.home_position_mm = 20.0;
     profile.psi.pulses_per_rev = 200;
     profile.psi.speed_deg_s = 360.0;
     profile.psi.accel_deg_s2 = 720.0;

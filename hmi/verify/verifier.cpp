@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "hmi/verify/backlash.hpp"
 #include "hmi/verify/offence_log.hpp"
 #include "hmi/verify/path_rule.hpp"
 #include "hmi/verify/permission_rule.hpp"
@@ -26,6 +27,7 @@ struct Verifier::State {
           path(geometry, surface, log),
           timing(profile.port, log),
           permission(profile, log),
+          backlash(profile),
           points_total(geometry.total_points()) {
         log.set_judged(2);
         log.set_judged(4);
@@ -42,6 +44,7 @@ struct Verifier::State {
     PathRule path;
     TimingRule timing;
     PermissionRule permission;
+    Backlash backlash;
     SignalWord levels = 0;
     SignalWord spindle_bit = 0;  ///< 0: the trace does not tell
     std::int64_t instant_ns = 0;
@@ -57,9 +60,10 @@ void Verifier::State::pulse(Axis axis) {
     const bool positive = (levels & bit_of(dir_of(axis))) != 0;
     timing.rising(axis, instant_ns, path.place());
     permission.rising(axis, positive, instant_ns, path.place());
-    positions[a] += positive ? 1 : -1;
+    const std::int64_t moved = backlash.step(axis, positive);
+    positions[a] += moved;
     ++pulses[a];
-    unsettled = true;
+    unsettled = unsettled || moved != 0;
 }
 
 void Verifier::State::pins(const TraceEvent& event) {

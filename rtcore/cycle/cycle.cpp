@@ -9,7 +9,7 @@ Cycle::Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept
       io_(&io),
       pulses_(config),
       inputs_(config),
-      executor_(config, io.blocks, pulses_, inputs_) {
+      executor_(config_, io.blocks, pulses_, inputs_) {
     port_->write_outputs(written_, 0);
     io_->sample.write(sample());
 }

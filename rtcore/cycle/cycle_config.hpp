@@ -18,6 +18,10 @@ struct AxisConfig {
     std::int64_t coast_ticks = 0;  ///< 1/j_k: a longer gap in ticks loses a moving rotor's steps
     std::int64_t travel_min_pulses = 0;
     std::int64_t travel_max_pulses = 0;
+    std::int64_t backlash_pulses = 0;  ///< what a reversal turns before the tip moves
+    double start_stop_per_tick = 0.0;  ///< j_k, v_k, a_k in pulses and ticks, as far as the pins keep up
+    double speed_per_tick = 0.0;
+    double accel_per_tick2 = 0.0;
 };
 
 /// A machine profile in ticks and pulses: all that the tick knows of it.

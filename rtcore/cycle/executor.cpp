@@ -18,6 +18,7 @@ constexpr int kEmptyLinesPerTick = 8;
 void Executor::reset(std::uint32_t epoch) noexcept {
     epoch_ = epoch;
     in_motion_ = false;
+    is_taking_up_ = false;
     go_on();
     next_axes_ = 0;
     dwell_left_ = 0;
@@ -41,6 +42,7 @@ std::uint32_t Executor::axes_in_motion() const noexcept {
 }
 
 Executor::Progress Executor::advance(std::uint64_t tick) noexcept {
+    if (is_taking_up_) return advance_take_up(tick);
     Progress progress = kNothing;
     bool must_slow = slowing_;
     if (block_.until != Until::none) {
@@ -61,6 +63,11 @@ Executor::Progress Executor::advance(std::uint64_t tick) noexcept {
 
 Executor::Progress Executor::advance_move(std::uint64_t tick, bool must_slow) noexcept {
     if (fine_.is_finished()) return end_of_way(tick);
+    step_fine(tick, must_slow);
+    return fine_.is_finished() ? end_of_way(tick) : kNothing;
+}
+
+void Executor::step_fine(std::uint64_t tick, bool must_slow) noexcept {
     std::uint32_t due = fine_.due();
     if (due == 0) {
         fine_.tick(must_slow);
@@ -72,7 +79,11 @@ Executor::Progress Executor::advance_move(std::uint64_t tick, bool must_slow) no
         pulses_->step(axis, tick);
         fine_.take(k);
     }
-    return fine_.is_finished() ? end_of_way(tick) : kNothing;
+}
+
+void Executor::start_fine() noexcept {
+    fine_.start(block_.delta_pulses, block_.start_speed_per_s * period_s_, block_.max_speed_per_s * period_s_,
+                block_.accel_per_s2 * period_s_ * period_s_);
 }
 
 bool Executor::is_slowest() const noexcept {
@@ -113,7 +124,7 @@ Executor::Progress Executor::end_of_line(std::uint64_t tick) noexcept {
         if (!take_next_of_group()) return progress | kStarved;
         dda_.start(block_.delta_pulses);
         if (dda_.iterations_left() > 0) {
-            pulses_->want_directions(block_.delta_pulses, tick);
+            turn_axes(tick);
             return progress;
         }
         progress |= reached();
@@ -203,20 +214,19 @@ Executor::Progress Executor::begin_motion(std::uint64_t tick) noexcept {
         begin_segment(tick);
         return kGroupStarted;
     }
-    const double start_speed = block_.start_speed_per_s * period_s_;
-    const double max_speed = block_.max_speed_per_s * period_s_;
-    const double accel = block_.accel_per_s2 * period_s_ * period_s_;
     bool has_way = false;
     if (block_.kind == BlockKind::move) {
-        fine_.start(block_.delta_pulses, start_speed, max_speed, accel);
+        if (homing_axis_ != kNoAxis) lengthen_by_take_up();
+        start_fine();
         has_way = !fine_.is_finished();
     } else {
         dda_.start(block_.delta_pulses);
-        profile_.start(start_speed, max_speed, accel, block_.group_iterations);
+        profile_.start(block_.start_speed_per_s * period_s_, block_.max_speed_per_s * period_s_,
+                       block_.accel_per_s2 * period_s_ * period_s_, block_.group_iterations);
         has_way = dda_.iterations_left() > 0;
     }
     if (!has_way) return kGroupStarted | end_of_line(tick);
-    pulses_->want_directions(block_.delta_pulses, tick);
+    turn_axes(tick);
     return kGroupStarted;
 }
 

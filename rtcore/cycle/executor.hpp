@@ -24,7 +24,8 @@ namespace psicarve::cycle {
 ///
 /// While the pins keep a pulse waiting, the time of a line or a move stands still; that of a path runs on
 /// until a second iteration is due, so that a short wait is made up for and a burst never comes. Knows
-/// nothing of machine states. RT: yes.
+/// nothing of machine states. Where a block turns an axis round whose screw has backlash, the motors first
+/// cross the gap, from rest to rest, while no tip moves. The config outlives it. RT: yes.
 class Executor {
 public:
     /// What happened in a tick, as bits.
@@ -40,7 +41,8 @@ public:
     static constexpr Progress kStarved = 128;  ///< a group's next line is not there
 
     Executor(const CycleConfig& config, BlockRing& blocks, PulseStage& pulses, const Inputs& inputs) noexcept
-        : blocks_(&blocks),
+        : config_(&config),
+          blocks_(&blocks),
           pulses_(&pulses),
           inputs_(&inputs),
           period_s_(static_cast<double>(config.period_ns) * 1e-9),
@@ -87,6 +89,13 @@ private:
     Progress advance(std::uint64_t tick) noexcept;
     Progress advance_move(std::uint64_t tick, bool must_slow) noexcept;
     Progress advance_path(std::uint64_t tick) noexcept;
+    void step_fine(std::uint64_t tick, bool must_slow) noexcept;
+    void start_fine() noexcept;
+    // executor_take_up.cpp
+    void turn_axes(std::uint64_t tick) noexcept;
+    void lengthen_by_take_up() noexcept;
+    bool begin_take_up(std::uint64_t tick) noexcept;
+    Progress advance_take_up(std::uint64_t tick) noexcept;
     bool is_iteration_due() const noexcept;
     bool is_segment_done() const noexcept;
     void begin_segment(std::uint64_t tick) noexcept;
@@ -106,6 +115,7 @@ private:
     Progress watch_sensor() noexcept;
     bool must_wait_for_sensor() const noexcept;
 
+    const CycleConfig* config_;
     BlockRing* blocks_;
     PulseStage* pulses_;
     const Inputs* inputs_;
@@ -115,7 +125,7 @@ private:
     DualHeadDda dda_;             ///< lines, path segments
     LinearProfile profile_;       ///< lines
     PathLaw law_;                 ///< path segments
-    FineMove fine_;               ///< moves
+    FineMove fine_;               ///< moves, and taking up backlash before any block
     double iteration_ = 0.0;      ///< path: the number of the next iteration in its segment
     double iteration_way_ = 0.0;  ///< path: from one iteration to the next
     double due_way_ = 0.0;        ///< path: where the next iteration is due
@@ -124,6 +134,7 @@ private:
     std::uint32_t group_blocks_left_ = 0;
     std::uint32_t next_axes_ = 0;  ///< of the iteration that is due; 0: not made yet
     bool in_motion_ = false;
+    bool is_taking_up_ = false;  ///< the block at hand has not begun: its axes cross their gaps first
     bool slowing_ = false;
     bool sensor_done_ = false;  ///< the condition of `until` came true
     bool index_before_ = false;

@@ -56,7 +56,7 @@ void Executor::begin_segment(std::uint64_t tick) noexcept {
     iteration_way_ =
         iterations > 0 ? block_.path.length / static_cast<double>(iterations) : block_.path.length;
     expect_iteration(1.0);
-    pulses_->want_directions(block_.delta_pulses, tick);
+    turn_axes(tick);
 }
 
 void Executor::expect_iteration(double number) noexcept {

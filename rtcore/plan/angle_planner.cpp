@@ -88,6 +88,29 @@ private:
     LineGroup group_;
 };
 
+/// Where an axis that has backlash turns round, or moves for the first time: there its gap is taken up, at
+/// rest.
+class Reversals {
+public:
+    explicit Reversals(const MachineLimits& limits) : limits_(&limits) {}
+
+    bool at(const TableLine& line) {
+        bool reverses = false;
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            const std::int64_t delta = line.delta_pulses[k];
+            if (delta == 0 || limits_->axes[k].backlash_pulses == 0) continue;
+            const int direction = delta > 0 ? 1 : -1;
+            reverses = reverses || direction != last_[k];
+            last_[k] = direction;
+        }
+        return reverses;
+    }
+
+private:
+    const MachineLimits* limits_;
+    std::array<int, kAxisCount> last_{};
+};
+
 }  // namespace
 
 bool is_corner(const MachineLimits& limits, const TableLine& before, const TableLine& after,
@@ -115,9 +138,13 @@ std::vector<LineGroup> plan_by_angle(const MachineLimits& limits, std::span<cons
     std::vector<LineGroup> groups;
     if (lines.empty()) return groups;
     GroupBuilder group(limits, 0);
+    Reversals reversals(limits);
+    reversals.at(lines[0]);
     group.add(lines[0]);
     for (std::size_t i = 1; i < lines.size(); ++i) {
-        if (is_corner(limits, lines[i - 1], lines[i], 0) || is_corner(limits, lines[i - 1], lines[i], 1)) {
+        const bool reverses = reversals.at(lines[i]);
+        if (reverses || is_corner(limits, lines[i - 1], lines[i], 0) ||
+            is_corner(limits, lines[i - 1], lines[i], 1)) {
             groups.push_back(group.finish());
             group = GroupBuilder(limits, i);
         } else {

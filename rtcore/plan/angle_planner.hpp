@@ -30,7 +30,8 @@ struct LineGroup {
 /// segment, which starts and ends at start speed. Directions are compared for each head in mm, x = r * dpsi,
 /// y = dR; a corner counts only if it stays one when each point may move by half a pulse of R. Speeds: the
 /// least over lines and axes of limit_k * S / |d_k|, the feed over the surface of the faster head, and the
-/// jump of each axis at an inner joint at most its start-stop speed. O(lines).
+/// jump of each axis at an inner joint at most its start-stop speed. A segment also ends where an axis that
+/// has backlash turns round. O(lines).
 std::vector<LineGroup> plan_by_angle(const MachineLimits& limits, std::span<const TableLine> lines);
 
 /// Whether the joint of two lines is a corner for a head (0: R1, 1: R2).

@@ -30,6 +30,18 @@ cycle::SensorEnd sensor_end(HomeSensor home) {
 
 constexpr std::int64_t kSamplePeriodNs = kNsPerMs;
 
+void set_speeds(cycle::CycleConfig& config, const Profile& profile) {
+    const double tick_s = seconds_from_ns(config.period_ns);
+    const double most_per_tick = 1.0 / static_cast<double>(config.step_high_ticks + config.step_low_ticks);
+    for (const Axis axis : kAllAxes) {
+        const AxisMotion motion = axis_motion(profile, axis);
+        cycle::AxisConfig& to = config.axes[index_of(axis)];
+        to.speed_per_tick = std::min(motion.speed_pps * tick_s, most_per_tick);
+        to.start_stop_per_tick = std::min(motion.start_stop_pps * tick_s, to.speed_per_tick);
+        to.accel_per_tick2 = motion.accel_pps2 * tick_s * tick_s;
+    }
+}
+
 cycle::SoftLimits soft_limits(const Profile& profile) {
     cycle::SoftLimits limits;
     for (const Axis axis : kAllAxes) {
@@ -64,12 +76,14 @@ cycle::CycleConfig cycle_config_from_profile(const Profile& profile) {
             static_cast<std::int64_t>(1.0 / (motion.start_stop_pps * seconds_from_ns(period_ns)));
         to.travel_min_pulses = motion.travel_min_pulses;
         to.travel_max_pulses = motion.travel_max_pulses;
+        to.backlash_pulses = motion.backlash_pulses;
     }
     config.soft_limits = soft_limits(profile);
     config.step_high_ticks = ticks_for(profile.port.step_high_ns, period_ns);
     config.step_low_ticks = ticks_for(profile.port.step_low_ns, period_ns);
     config.dir_setup_ticks = ticks_for(profile.port.dir_setup_ns, period_ns);
     config.dir_hold_ticks = ticks_for(profile.port.dir_hold_ns, period_ns);
+    set_speeds(config, profile);
     const std::int64_t filter_ns =
         round_to_pulse(profile.port.input_filter_us * static_cast<double>(kNsPerUs));
     config.filter_ticks = ticks_covering_ns(filter_ns, period_ns);

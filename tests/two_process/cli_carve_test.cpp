@@ -86,6 +86,20 @@ TEST_F(Carve, CountsThePulsesOfTheWholeRunAsTheTraceShowsThem) {
     EXPECT_EQ(carved.json()["pulses"], verified.json()["pulses"]);
 }
 
+TEST_F(Carve, ScrewsWithBacklashCarveExactlyAndTheTraceShowsIt) {
+    write("worn.toml",
+          "[axis.r1]\nbacklash_mm = 0.05\n[axis.r2]\nbacklash_mm = 0.1\n[axis.y]\nbacklash_mm = 0.2\n"
+          "[axis.psi]\nbacklash_deg = 0.5\n");
+    const Outcome worn = psicarve(
+        carve_box({"--profile", file("worn.toml"), "--trace", file("worn.vcd"), "--joining", "zigzag"}));
+    ASSERT_EQ(worn.exit_code, 0) << worn.error << worn.out;
+    EXPECT_EQ(worn.json()["verified"], true);
+    EXPECT_EQ(worn.json()["max_deviation_pulses"], 0);
+    const Json tight = psicarve(carve_box({"--joining", "zigzag"})).json();
+    for (const char* axis : {"r1", "r2", "psi", "y"})
+        EXPECT_GT(worn.json()["pulses"][axis], tight["pulses"][axis]) << axis;
+}
+
 TEST_F(Carve, ATraceOfAnotherJobIsADifference) {
     const std::string job = slice_box();
     ASSERT_EQ(psicarve({"carve", job, "--segment", segment_, "--trace", file("pins.trace")}).exit_code, 0);

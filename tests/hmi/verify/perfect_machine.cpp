@@ -92,8 +92,22 @@ PerfectMachine& PerfectMachine::define_positions(const Four& positions) {
     return wait(kIteration_ns);
 }
 
+void PerfectMachine::cross_gap(Axis axis, bool positive) {
+    const auto bit = static_cast<unsigned>(1U << index_of(axis));
+    if (((pushes_down_ & bit) == 0) == positive) return;
+    pushes_down_ ^= bit;
+    for (std::int64_t n = gap[index_of(axis)]; n > 0; --n) {
+        position[index_of(axis)] += positive ? -1 : 1;  // the tip stays
+        step_all(bit, positive ? bit : 0);
+    }
+}
+
 /// One iteration: bit by axis, which step and which way.
 void PerfectMachine::step_all(unsigned axes, unsigned positive) {
+    for (const Axis axis : kAllAxes) {
+        const auto bit = static_cast<unsigned>(1U << index_of(axis));
+        if ((axes & bit) != 0) cross_gap(axis, (positive & bit) != 0);
+    }
     SignalWord directions = levels_ & kDirMask;
     for (const Axis axis : kAllAxes) {
         const auto bit = static_cast<unsigned>(1U << index_of(axis));

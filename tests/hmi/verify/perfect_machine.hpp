@@ -62,6 +62,7 @@ public:
     TraceStart start;
     std::vector<TraceEvent> events;
     std::array<std::int64_t, kAxisCount> position{};
+    std::array<std::int64_t, kAxisCount> gap{};  ///< backlash: extra pulses wherever an axis turns round
 
 private:
     void emit(std::int64_t time_ns, SignalWord levels);
@@ -70,7 +71,9 @@ private:
     const SampleJob& job_;
     JobView view_;
     std::int64_t now_ns_ = 1'000'000;
+    void cross_gap(Axis axis, bool positive);
     SignalWord levels_ = 0;
+    unsigned pushes_down_ = 0;  ///< bit by axis
 };
 
 /// The events as a value-change dump and as the binary form, the way our own core writes them.

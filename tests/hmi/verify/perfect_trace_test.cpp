@@ -31,6 +31,30 @@ TEST(PerfectTrace, OfAZigzagJobIsVerified) {
     expect_perfect(job, machine);
 }
 
+/// Carved by a machine that takes up these gaps.
+VerifyReport verified_with_gaps(const Profile& profile) {
+    const SampleJob job(profile, 3, 41, Joining::zigzag,
+                        [](double angle, double) { return 8.0 + 0.3 * std::sin(3.0 * angle); });
+    PerfectMachine machine(job);
+    machine.gap = {8, 12, 4, 20};
+    machine.carve_job();
+    return verified(job, machine);
+}
+
+TEST(PerfectTrace, WithBacklashTakenUpIsVerified) {
+    Profile profile;
+    profile.r1.backlash_mm = 8.0 / 400.0;
+    profile.r2.backlash_mm = 12.0 / 400.0;
+    profile.psi.backlash_deg = 4.0 * 360.0 / 6400.0;
+    profile.y.backlash_mm = 20.0 / 400.0;
+    const VerifyReport report = verified_with_gaps(profile);
+    EXPECT_TRUE(report.ok) << report_text(report);
+    EXPECT_EQ(report.max_deviation_pulses, 0);
+    profile.r2.backlash_mm = 11.0 / 400.0;
+    EXPECT_FALSE(verified_with_gaps(profile).ok) << "one pulse of the gap is missing";
+    EXPECT_FALSE(verified_with_gaps(Profile{}).ok);
+}
+
 TEST(PerfectTrace, OfASingleLayerOfTwoPointsIsVerified) {
     const SampleJob job = wavy_job(Joining::continuous, 1, 2);
     PerfectMachine machine(job);

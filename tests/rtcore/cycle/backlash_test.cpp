@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "tests/rtcore/cycle/machine_rig.hpp"
+#include "tests/rtcore/cycle/move_requests.hpp"
+
+namespace psicarve::cycle {
+namespace {
+
+constexpr std::array<std::int64_t, kAxisCount> kGaps{12, 20, 7, 30};
+
+Profile with_backlash() {
+    Profile profile = quick_profile();
+    profile.r1.backlash_mm = 12.0 / 400.0;
+    profile.r2.backlash_mm = 20.0 / 400.0;
+    profile.psi.backlash_deg = 7.0 * 360.0 / 6400.0;
+    profile.y.backlash_mm = 30.0 / 400.0;
+    return profile;
+}
+
+/// The machine has the gaps; whether the core knows of them is the profile's matter.
+MachineRig rig_of(const Profile& profile) {
+    return MachineRig(profile, [](sim::SimConfig& config) {
+        for (const Axis axis : kAllAxes) config.axis(axis).backlash_pulses = kGaps[index_of(axis)];
+    });
+}
+
+Positions true_positions(const MachineRig& rig) {
+    Positions at{};
+    for (const Axis axis : kAllAxes) at[index_of(axis)] = rig.machine->position_pulses(axis);
+    return at;
+}
+
+/// How far the tips are from where the core says they are; psi modulo a turn.
+Positions errors(const MachineRig& rig) {
+    Positions off = true_positions(rig);
+    for (std::size_t k = 0; k < kAxisCount; ++k) off[k] -= rig.positions()[k];
+    off[2] %= 6400;
+    return off;
+}
+
+TEST(Backlash, HomingFindsTheTruePositionWhateverTheGapStandsAt) {
+    std::mt19937_64 random{23};
+    for (int round = 0; round < 8; ++round) {
+        MachineRig sut(with_backlash(), [&](sim::SimConfig& config) {
+            for (const Axis axis : {Axis::r1, Axis::r2, Axis::y}) {
+                config.axis(axis).start_pulses = 500 + static_cast<std::int64_t>(random() % 7000);
+            }
+            config.axis(Axis::psi).start_pulses = static_cast<std::int64_t>(random() % 6400);
+        });
+        ASSERT_TRUE(sut.home()) << round;
+        EXPECT_EQ(errors(sut), Positions{}) << round;
+        ASSERT_TRUE(sut.home()) << "again, from where it stands now";
+        EXPECT_EQ(errors(sut), Positions{}) << round;
+    }
+}
+
+TEST(Backlash, MovesAndJogsPutTheTipsWhereTheyAreSent) {
+    std::mt19937_64 random{29};
+    MachineRig sut(with_backlash());
+    ASSERT_TRUE(sut.home());
+    for (int round = 0; round < 25; ++round) {
+        const auto pick = [&](std::int64_t least, std::uint64_t span) {
+            return least + static_cast<std::int64_t>(random() % span);
+        };
+        if (round % 2 == 0) {
+            const Positions to{pick(1000, 6000), pick(1000, 6000), pick(0, 6000), pick(100, 7000)};
+            ASSERT_EQ(sut.ask(move_request(
+                          {{Axis::r1, to[0]}, {Axis::r2, to[1]}, {Axis::psi, to[2]}, {Axis::y, to[3]}})),
+                      Refusal::none);
+            ASSERT_TRUE(sut.run_until(MachineState::ready));
+            EXPECT_EQ(sut.positions(), to);
+        } else {
+            ASSERT_EQ(sut.ask(jog_request(Axis::r1, pick(-40, 81))), Refusal::none);
+            ASSERT_TRUE(sut.run_until(MachineState::ready));
+        }
+        ASSERT_EQ(errors(sut), Positions{}) << round;
+    }
+}
+
+TEST(Backlash, OnlyAReversalCostsPulsesAndExactlyTheGap) {
+    MachineRig sut(with_backlash());
+    ASSERT_TRUE(sut.home());
+    const auto pulses_of = [&](std::int64_t way) {
+        const std::uint64_t before = sut.cycle->pulses().emitted()[0];
+        sut.ask(jog_request(Axis::r1, way));
+        EXPECT_TRUE(sut.run_until(MachineState::ready));
+        return static_cast<std::int64_t>(sut.cycle->pulses().emitted()[0] - before);
+    };
+    pulses_of(-100);
+    EXPECT_EQ(pulses_of(-100), 100);
+    EXPECT_EQ(pulses_of(50), 50 + kGaps[0]);
+    EXPECT_EQ(pulses_of(1), 1);
+    EXPECT_EQ(pulses_of(-1), 1 + kGaps[0]);
+}
+
+TEST(Backlash, AJogThatIsLetGoInTheGapLosesNothing) {
+    for (std::uint64_t ticks = 5; ticks < 600; ticks += 45) {
+        MachineRig sut(with_backlash());
+        ASSERT_TRUE(sut.home());
+        sut.ask(jog_request(Axis::y, 1000));
+        ASSERT_TRUE(sut.run_until(MachineState::ready));
+        ASSERT_EQ(sut.ask(jog_on_request(Axis::y, false, 300.0, 100'000)), Refusal::none);
+        sut.run(ticks);
+        sut.io->urgent.jog_lease.store(jog_lease_word(kToken, 0));
+        ASSERT_TRUE(sut.run_until(MachineState::ready));
+        EXPECT_EQ(errors(sut), Positions{}) << ticks;
+        sut.ask(jog_request(Axis::y, ticks % 2 == 0 ? 33 : -33));
+        ASSERT_TRUE(sut.run_until(MachineState::ready));
+        EXPECT_EQ(errors(sut), Positions{}) << ticks;
+    }
+}
+
+/// Carves; the largest error of any tip at any point of the job.
+Positions worst_errors_at_points(MachineRig& rig, const JobTable& job) {
+    EXPECT_TRUE(rig.prepare(job));
+    const auto points = points_of(job);
+    Positions worst{};
+    std::size_t next = 0;
+    rig.ask(RequestKind::start_interpolation);
+    rig.run_while([&] {
+        const std::uint64_t reached = rig.cycle->sample().points_done;
+        for (; next < reached && next < points.size(); ++next) {
+            if (next + 1 < reached) continue;
+            EXPECT_EQ(rig.positions(), points[next]) << next;
+            const Positions off = errors(rig);
+            for (std::size_t k = 0; k < kAxisCount; ++k) worst[k] = std::max(worst[k], std::abs(off[k]));
+        }
+        return rig.cycle->state() == MachineState::carving;
+    });
+    EXPECT_EQ(next, points.size());
+    for (const Axis axis : kAllAxes) EXPECT_EQ(rig.machine->report().axis(axis).stalls, 0U) << name_of(axis);
+    return worst;
+}
+
+TEST(Backlash, ACarvedTableIsExactWithItsCompensation) {
+    for (const Joining joining : {Joining::continuous, Joining::zigzag}) {
+        MachineRig sut = rig_of(with_backlash());
+        EXPECT_EQ(worst_errors_at_points(sut, random_job(3, 40, 5, joining)), Positions{});
+    }
+}
+
+TEST(Backlash, ACarvedTableIsOffByTheGapWithoutCompensation) {
+    MachineRig sut = rig_of(quick_profile());
+    const Positions worst = worst_errors_at_points(sut, random_job(3, 40, 5, Joining::zigzag));
+    EXPECT_EQ(worst[0], kGaps[0]);
+    EXPECT_EQ(worst[1], kGaps[1]);
+    EXPECT_EQ(worst[2], kGaps[2]);
+}
+
+TEST(Backlash, HoldAndResumeInTheMidstOfTakingUpLoseNothing) {
+    std::mt19937_64 random{37};
+    const JobTable job = random_job(2, 30, 5, Joining::zigzag);
+    const auto points = points_of(job);
+    MachineRig sut(with_backlash());
+    ASSERT_TRUE(sut.prepare(job));
+    sut.ask(RequestKind::start_interpolation);
+    int held = 0;
+    while (sut.cycle->state() == MachineState::carving) {
+        sut.run(1 + random() % 400);
+        if (sut.ask(RequestKind::hold) != Refusal::none) continue;
+        ASSERT_TRUE(sut.run_until(MachineState::held));
+        EXPECT_EQ(errors(sut), Positions{});
+        ASSERT_EQ(sut.ask(RequestKind::resume), Refusal::none);
+        ++held;
+    }
+    EXPECT_GT(held, 50);
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    EXPECT_EQ(sut.cycle->sample().points_done, points.size());
+    EXPECT_EQ(errors(sut), Positions{});
+    for (const Axis axis : kAllAxes) EXPECT_EQ(sut.machine->report().axis(axis).stalls, 0U) << name_of(axis);
+}
+
+TEST(Backlash, AStopInTheMidstOfTakingUpKeepsTheTruth) {
+    for (std::uint64_t ticks = 100; ticks < 6000; ticks += 370) {
+        MachineRig sut(with_backlash());
+        ASSERT_TRUE(sut.prepare(random_job(1, 30, 5)));
+        sut.ask(RequestKind::start_interpolation);
+        sut.run(ticks);
+        sut.stop();
+        ASSERT_TRUE(sut.run_until(MachineState::ready)) << ticks;
+        EXPECT_EQ(errors(sut), Positions{}) << ticks;
+    }
+}
+
+}  // namespace
+}  // namespace psicarve::cycle

@@ -32,6 +32,8 @@ std::string_view name_of(CommandKind kind) noexcept {
             return "move";
         case CommandKind::spindle:
             return "spindle";
+        case CommandKind::override:
+            return "override";
     }
     return "unknown";  // a number from shared memory may be anything
 }

@@ -27,9 +27,13 @@ enum class CommandKind : std::uint32_t {
     jog_on = 11,       ///< axis, value: +1 or -1, speed, lease: until released or the travel's end
     move = 12,         ///< axes, target: all of them together, in a straight line
     spindle = 13,      ///< value: 1 on, 0 off
+    override = 14,     ///< value: so many per cent of the planned feed, whole, 10 to 200
 };
-inline constexpr std::uint32_t kCommandKindCount = 14;
+inline constexpr std::uint32_t kCommandKindCount = 15;
 std::string_view name_of(CommandKind kind) noexcept;  ///< as on the command line: "start-interpolation"
+
+inline constexpr std::uint32_t kLeastOverride_percent = 10;
+inline constexpr std::uint32_t kMostOverride_percent = 200;
 
 /// Fixed-size, trivially copyable. Written by a sender, read once by the core.
 struct Command {

@@ -54,6 +54,8 @@ constexpr std::uint64_t status_hash(std::uint64_t hash) noexcept {
                                offsetof(CoreStatus, lateness_histogram),
                                offsetof(CoreStatus, alarm_count),
                                offsetof(CoreStatus, alarms),
+                               offsetof(CoreStatus, waited_ticks),
+                               offsetof(CoreStatus, override_percent),
                                offsetof(CoreStatus, trace_lost),
                                offsetof(CoreStatus, sim_true_position_pulses),
                                offsetof(CoreStatus, sim_ignored_pulses),

@@ -66,7 +66,10 @@ struct CoreStatus {
     std::uint64_t lateness_histogram[kLatenessBins];
     std::uint64_t alarm_count;          ///< alarms since the core started
     AlarmRecord alarms[kAlarmHistory];  ///< alarm n stands at n % kAlarmHistory
-    std::uint64_t trace_lost;           ///< pin changes that no trace could take (real clock only)
+    std::uint64_t waited_ticks;         ///< in which the pins kept a due iteration waiting, since start
+    std::uint32_t override_percent;     ///< of the planned feed
+    std::uint32_t reserved2;
+    std::uint64_t trace_lost;  ///< pin changes that no trace could take (real clock only)
     // What a simulated machine knows about itself; zero on a real port.
     std::int64_t sim_true_position_pulses[kAxisCount];
     std::uint64_t sim_ignored_pulses[kAxisCount];  ///< drive disabled

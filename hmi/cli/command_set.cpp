@@ -40,6 +40,15 @@ Syntax& Syntax::argument(const char* name, std::string& target, const char* help
     return *this;
 }
 
+Syntax& Syntax::argument(const char* name, std::uint32_t& target, std::uint32_t least, std::uint32_t most,
+                         const char* help) {
+    app_->add_option(name, target, help)
+        ->required()
+        ->type_name("")
+        ->check(CLI::Range(least, most).description(""));
+    return *this;
+}
+
 Syntax& Syntax::optional_argument(const char* name, std::string& target, const char* help) {
     app_->add_option(name, target, help)->type_name("");
     return *this;

@@ -43,6 +43,9 @@ public:
     explicit Syntax(CLI::App& app) noexcept : app_(&app) {}
 
     Syntax& argument(const char* name, std::string& target, const char* help);
+    /// A whole number within the bounds.
+    Syntax& argument(const char* name, std::uint32_t& target, std::uint32_t least, std::uint32_t most,
+                     const char* help);
     Syntax& optional_argument(const char* name, std::string& target, const char* help);
     /// One or more words.
     Syntax& arguments(const char* name, std::vector<std::string>& target, const char* help);

@@ -13,6 +13,7 @@ void add_hold(CommandSet& commands);
 void add_home(CommandSet& commands);
 void add_jog(CommandSet& commands);
 void add_move(CommandSet& commands);
+void add_override(CommandSet& commands);
 void add_profile_check(CommandSet& commands);
 void add_profile_show(CommandSet& commands);
 void add_publish(CommandSet& commands);

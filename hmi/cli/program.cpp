@@ -29,6 +29,7 @@ void add_all_commands(CommandSet& commands) {
     add_start_interpolation(commands);
     add_hold(commands);
     add_resume(commands);
+    add_override(commands);
     add_stop(commands);
     add_estop(commands);
     add_reset_alarm(commands);

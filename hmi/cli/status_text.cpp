@@ -135,6 +135,7 @@ std::string status_text(const CoreStatus& status, const Profile* profile) {
         text += (axis == Axis::r1 ? "" : ", ") + position_text(status, profile, axis);
     text += "\nhomed      " + axes_in(status.homed_mask) + "\n";
     text += "job        " + progress_text(status) + "\n";
+    text += formatted("override   %u %% of the planned feed\n", status.override_percent);
     text += "drives on  " + axes_in(static_cast<std::uint8_t>((status.signals & kEnableMask) >> 8U)) +
             ", spindle " + ((status.signals & bit_of(Signal::spindle)) != 0 ? "on" : "off") + "\n";
     text += "tripped    " + signals_text(status.signals, kInputMask) + "\n";
@@ -187,6 +188,8 @@ nlohmann::ordered_json status_json(const CoreStatus& status) {
             {"tick", status.tick},
             {"period_ns", status.period_ns},
             {"heartbeat", status.heartbeat},
+            {"override_percent", status.override_percent},
+            {"waited_ticks", status.waited_ticks},
             {"missed_ticks", status.missed_ticks},
             {"max_lateness_ns", status.max_lateness_ns},
             {"lateness_histogram", lateness_json(status)},

@@ -77,6 +77,7 @@ private:
     void request_plan(PlanKind kind, std::uint8_t axis = kNoAxis,
                       const MotionOrder* order = nullptr) noexcept;
     void drop_plan() noexcept;
+    void set_feed(bool is_carving) noexcept;
     // cycle_requests.cpp: what the supervisor asks
     void take_request(const Request& request) noexcept;
     Refusal judge(const Request& request) noexcept;
@@ -86,6 +87,7 @@ private:
     Refusal hold() noexcept;
     Refusal resume() noexcept;
     Refusal load_job(const Request& request) noexcept;
+    Refusal take_override(std::uint64_t percent) noexcept;
     Refusal reset_alarm() noexcept;
     Refusal back_off(std::uint8_t axis) noexcept;
     // cycle_moves.cpp: jogs, moves, the spindle by hand
@@ -139,6 +141,7 @@ private:
     std::uint64_t next_publish_tick_ = 0;
     std::array<std::int64_t, kAxisCount> published_pulses_{};
 
+    std::uint64_t override_percent_ = 100;
     std::uint64_t points_total_ = 0;
     std::uint64_t job_generation_ = 0;
     std::uint64_t job_start_tick_ = 0;

@@ -29,6 +29,7 @@ enum class RequestKind : std::uint8_t {
     back_off,
     reset_height,
     job_loaded,  ///< value: generation; points_total: the job's points. Only sent when no job runs
+    override,    ///< value: per cent of the planned feed
     fail,        ///< value: AlarmCause that the supervisor found (segment lost, missed ticks)
     jog,         ///< order, lease; one axis by a distance
     jog_on,      ///< order, lease; one axis until it is let go or its travel ends
@@ -60,7 +61,8 @@ enum class Refusal : std::uint8_t {
     outside_travel,      ///< these four name their axis in the answer's record
     inside_core_radius,
     heads_too_close,
-    at_the_end,  ///< no way is left in this direction
+    at_the_end,    ///< no way is left in this direction
+    bad_override,  ///< beyond 10 to 200 per cent
 };
 
 /// tick -> supervisor, in the order in which things happened. Each carries the flight-recorder entry of it.
@@ -96,6 +98,8 @@ struct Sample {
     std::uint64_t carve_last_tick;
     std::uint64_t job_end_tick;
     std::uint64_t missed_ticks;
+    std::uint64_t waited_ticks;
+    std::uint64_t override_percent;
     std::uint64_t trace_lost;
     std::uint64_t reports_lost;
     std::uint64_t increments_lost;

@@ -27,6 +27,8 @@ Sample Cycle::sample() const noexcept {
     sample.carve_last_tick = carve_last_tick_;
     sample.job_end_tick = job_end_tick_;
     sample.missed_ticks = missed_ticks_;
+    sample.waited_ticks = executor_.waited_ticks();
+    sample.override_percent = override_percent_;
     sample.trace_lost = trace_lost_;
     sample.reports_lost = reports_lost_;
     sample.increments_lost = increments_lost_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/cycle/cycle.hpp"
+#include "shared/command.hpp"
 
 namespace psicarve::cycle {
 
@@ -37,6 +38,8 @@ Refusal Cycle::judge(const Request& request) noexcept {
             return Refusal::none;
         case RequestKind::spindle:
             return switch_spindle(request.value != 0);
+        case RequestKind::override:
+            return take_override(request.value);
         case RequestKind::fail:
             break;
     }
@@ -96,7 +99,21 @@ Refusal Cycle::load_job(const Request& request) noexcept {
     }
     job_generation_ = request.value;
     points_total_ = request.points_total;
+    override_percent_ = 100;
     executor_.clear_points();
+    next_publish_tick_ = tick_;
+    return Refusal::none;
+}
+
+// In any state: an override may be set before the start, and stays through alarms until the next job is
+// loaded.
+Refusal Cycle::take_override(std::uint64_t percent) noexcept {
+    using S = MachineState;
+    constexpr std::uint32_t kCarving =
+        state_bit(S::waiting) | state_bit(S::carving) | state_bit(S::holding) | state_bit(S::held);
+    if (percent < kLeastOverride_percent || percent > kMostOverride_percent) return Refusal::bad_override;
+    override_percent_ = percent;
+    set_feed((kCarving >> static_cast<unsigned>(state_) & 1U) != 0);
     next_publish_tick_ = tick_;
     return Refusal::none;
 }

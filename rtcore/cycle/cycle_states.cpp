@@ -157,8 +157,14 @@ void Cycle::drop_plan() noexcept {
     pending_fail_ = AlarmCause::none;
 }
 
+// Override is of the carving; positioning, homing and retraction go as planned.
+void Cycle::set_feed(bool is_carving) noexcept {
+    executor_.set_feed_ratio(is_carving ? static_cast<double>(override_percent_) / 100.0 : 1.0);
+}
+
 void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* order) noexcept {
     drop_plan();
+    set_feed(kind == PlanKind::carve);
     PlanRequest request{};
     request.epoch = epoch_;
     request.kind = kind;

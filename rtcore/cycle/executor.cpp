@@ -26,7 +26,16 @@ void Executor::reset(std::uint32_t epoch) noexcept {
     pulses_->forget_directions();
 }
 
+void Executor::set_feed_ratio(double feed_ratio) noexcept {
+    feed_ratio_ = feed_ratio;
+    if (!slowing_) law_.aim(feed_ratio);
+    const double up_to_plan = std::min(feed_ratio, 1.0);
+    profile_.set_ratio(up_to_plan);
+    fine_.set_ratio(up_to_plan);
+}
+
 void Executor::clear_points() noexcept {
+    waited_ticks_ = 0;
     layer_ = 0;
     point_ = 0;
     points_reached_ = 0;
@@ -103,7 +112,10 @@ void Executor::rest() noexcept {
 
 Executor::Progress Executor::emit(std::uint64_t tick) noexcept {
     if (next_axes_ == 0) next_axes_ = dda_.iterate();
-    if (!pulses_->may_step(next_axes_, tick)) return kNothing;
+    if (!pulses_->may_step(next_axes_, tick)) {
+        ++waited_ticks_;
+        return kNothing;
+    }
     pulses_->step(next_axes_, tick);
     next_axes_ = 0;
     profile_.take();

@@ -63,11 +63,9 @@ public:
         slowing_ = false;
         law_.aim(feed_ratio_);
     }
-    /// So much of the planned feed from the next step on, 0.1 to 2.
-    void set_feed_ratio(double feed_ratio) noexcept {
-        feed_ratio_ = feed_ratio;
-        if (!slowing_) law_.aim(feed_ratio);
-    }
+    /// So much of the planned feed from the next step on, 0.1 to 2. Paths only know more than 1: lines and
+    /// moves keep to their plan then.
+    void set_feed_ratio(double feed_ratio) noexcept;
     /// Forgets the motion at hand; blocks of other epochs are dropped from now on.
     void reset(std::uint32_t epoch) noexcept;
 
@@ -80,6 +78,8 @@ public:
     std::uint32_t layer() const noexcept { return layer_; }
     std::uint32_t point() const noexcept { return point_; }
     std::uint64_t points_reached() const noexcept { return points_reached_; }
+    /// Ticks in which an iteration was due and the pins kept it waiting, since clear_points().
+    std::uint64_t waited_ticks() const noexcept { return waited_ticks_; }
     void clear_points() noexcept;
     std::uint8_t latch_axis() const noexcept { return block_.axis; }
     /// How far the last latch or definition moved the count [pulses].
@@ -144,6 +144,7 @@ private:
     std::uint32_t layer_ = 0;
     std::uint32_t point_ = 0;
     std::uint64_t points_reached_ = 0;
+    std::uint64_t waited_ticks_ = 0;
 };
 
 }  // namespace psicarve::cycle

@@ -20,7 +20,10 @@ Executor::Progress Executor::advance_path(std::uint64_t tick) noexcept {
     Progress progress = kNothing;
     for (int i = 0; i < kSegmentsPerTick; ++i) {
         if (next_axes_ != 0) {
-            if (has_stepped || !pulses_->may_step(next_axes_, tick)) return progress;
+            if (!pulses_->may_step(next_axes_, tick)) {
+                ++waited_ticks_;
+                return progress;
+            }
             pulses_->step(next_axes_, tick);
             next_axes_ = 0;
             has_stepped = true;

@@ -41,6 +41,8 @@ public:
     bool is_finished() const noexcept { return left_pulses_ == std::array<std::int64_t, kAxisCount>{}; }
     bool is_slowest() const noexcept { return profile_.is_slowest(); }
     void rest() noexcept { profile_.rest(); }
+    /// The planned top speed times this, at most 1, from the next period on.
+    void set_ratio(double ratio) noexcept { profile_.set_ratio(ratio); }
 
     /// The axes with a pulse due, bit by axis; time stands still until they are taken.
     std::uint32_t due() const noexcept { return fine_.due(); }

@@ -18,7 +18,8 @@ namespace psicarve::cycle {
 ///
 /// A tick in which V meets Vmax or V start, or in which slowing down starts, is cut there, so that s is the
 /// exact area below the line and the group ends at V start. A way too short for Vmax gets a triangle. The
-/// last iteration always comes, because V never falls below V start. RT: yes.
+/// last iteration always comes, because V never falls below V start. A ratio below 1 lowers Vmax, and V start
+/// where it is above that. RT: yes.
 class LinearProfile {
 public:
     /// Requires 0 < start <= max <= 1 and accel > 0, per tick.
@@ -28,21 +29,36 @@ public:
         accel_ = accel;
         left_ = iterations;
         distance_ = 0.0;
+        set_bounds();
         rest();
+    }
+
+    /// The planned top speed times this, 0 < ratio <= 1, from the next tick on; also for what is started
+    /// later.
+    void set_ratio(double ratio) noexcept {
+        if (ratio == ratio_) return;
+        ratio_ = ratio;
+        if (accel_ <= 0.0) return;
+        set_bounds();
+        speed_ = std::max(speed_, least_speed_);
+        climbed_ = climb_to(speed_);
     }
 
     /// One tick passes; `must_slow` slows down whatever is left. Requires that no iteration is due.
     void advance(bool must_slow) noexcept {
         const double spare = static_cast<double>(left_) - distance_ - climbed_;
         if (must_slow || spare <= 0.0) {
-            slow_down(1.0);
-        } else if (speed_ < max_speed_ && spare >= 2.0 * (speed_ + accel_)) {
+            slow_down(1.0, least_speed_);
+        } else if (speed_ > top_speed_) {
+            // With less than a tick's way to spare, the rest of this tick must not run on at the new top speed.
+            slow_down(1.0, spare < speed_ ? least_speed_ : top_speed_);
+        } else if (speed_ < top_speed_ && spare >= 2.0 * (speed_ + accel_)) {
             speed_up();
         } else if (spare >= speed_) {
             distance_ += speed_;
         } else {
             distance_ += spare;
-            slow_down(1.0 - spare / speed_);
+            slow_down(1.0 - spare / speed_, least_speed_);
         }
     }
 
@@ -60,29 +76,37 @@ public:
     bool is_slowest() const noexcept { return speed_ <= start_speed_; }
     /// It stands: what comes next climbs from V start.
     void rest() noexcept {
-        speed_ = start_speed_;
+        speed_ = least_speed_;
         climbed_ = 0.0;
     }
 
 private:
+    void set_bounds() noexcept {
+        top_speed_ = max_speed_ * ratio_;
+        least_speed_ = std::min(start_speed_, top_speed_);
+    }
+    /// Way from the least speed up to this one.
+    double climb_to(double speed) const noexcept {
+        return (speed * speed - least_speed_ * least_speed_) / (2.0 * accel_);
+    }
     void speed_up() noexcept {
-        const double rise = max_speed_ - speed_;
+        const double rise = top_speed_ - speed_;
         if (rise >= accel_) {
             climb(speed_ + 0.5 * accel_);
             speed_ += accel_;
             return;
         }
         const double rise_ticks = rise / accel_;
-        climb(rise_ticks * 0.5 * (speed_ + max_speed_));
-        distance_ += (1.0 - rise_ticks) * max_speed_;
-        speed_ = max_speed_;
+        climb(rise_ticks * 0.5 * (speed_ + top_speed_));
+        distance_ += (1.0 - rise_ticks) * top_speed_;
+        speed_ = top_speed_;
     }
     void climb(double way) noexcept {
         distance_ += way;
         climbed_ += way;
     }
-    void slow_down(double ticks) noexcept {
-        const double fall = speed_ - start_speed_;
+    void slow_down(double ticks, double to_speed) noexcept {
+        const double fall = speed_ - to_speed;
         if (fall >= accel_ * ticks) {
             const double way = ticks * (speed_ - 0.5 * accel_ * ticks);
             distance_ += way;
@@ -91,16 +115,20 @@ private:
             return;
         }
         const double fall_ticks = fall / accel_;
-        distance_ += fall_ticks * 0.5 * (speed_ + start_speed_) + (ticks - fall_ticks) * start_speed_;
-        rest();
+        distance_ += fall_ticks * 0.5 * (speed_ + to_speed) + (ticks - fall_ticks) * to_speed;
+        speed_ = to_speed;
+        climbed_ = to_speed > least_speed_ ? climb_to(to_speed) : 0.0;
     }
 
     double start_speed_ = 0.0;
     double max_speed_ = 0.0;
     double accel_ = 0.0;
+    double ratio_ = 1.0;
+    double top_speed_ = 0.0;    ///< max_speed_ * ratio_
+    double least_speed_ = 0.0;  ///< V start, or less where the ratio asks for less
     double speed_ = 0.0;
     double distance_ = 0.0;  ///< s: travelled and not yet emitted
-    double climbed_ = 0.0;   ///< way between V start and the present speed
+    double climbed_ = 0.0;   ///< way between the least speed and the present one
     std::uint64_t left_ = 0;
 };
 

@@ -29,6 +29,7 @@ inline constexpr std::array kRequestCommands{
     RequestCommand{RequestKind::jog_on, CommandKind::jog_on},
     RequestCommand{RequestKind::move, CommandKind::move},
     RequestCommand{RequestKind::spindle, CommandKind::spindle},
+    RequestCommand{RequestKind::override, CommandKind::override},
 };
 
 /// Nothing: the tick has no such request.

@@ -67,6 +67,13 @@ Result<void> add_move(Request& request, const Command& command, const Profile& p
     return {};
 }
 
+/// What is no whole number of per cent becomes 0, which the tick refuses.
+std::uint64_t percent_of(double value) {
+    const bool is_in_range = value >= kLeastOverride_percent && value <= kMostOverride_percent;
+    const auto percent = is_in_range ? static_cast<std::uint64_t>(value) : 0;
+    return static_cast<double>(percent) == value ? percent : 0;
+}
+
 }  // namespace
 
 Result<Request> motion_request(const Command& command, RequestKind kind, const Profile& profile,
@@ -81,6 +88,8 @@ Result<Request> motion_request(const Command& command, RequestKind kind, const P
         added = add_move(request, command, profile);
     } else if (kind == RequestKind::spindle) {
         request.value = command.value != 0.0 ? 1 : 0;
+    } else if (kind == RequestKind::override) {
+        request.value = percent_of(command.value);
     }
     if (!added) return added.error();
     return request;

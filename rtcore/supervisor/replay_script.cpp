@@ -12,13 +12,17 @@
 namespace psicarve::supervisor {
 namespace {
 
+bool is_done(const FlightRecord& record, RecordKind kind) {
+    return record.kind == kind && static_cast<AnswerKind>(record.answer) == AnswerKind::done;
+}
+
 bool is_homed_rest(const FlightRecord& record) {
     return record.kind == RecordKind::state_change &&
            static_cast<MachineState>(record.code) == MachineState::ready;
 }
 
 std::optional<cycle::RequestKind> request_of(const FlightRecord& record) {
-    if (static_cast<AnswerKind>(record.answer) != AnswerKind::done) return std::nullopt;
+    if (!is_done(record, RecordKind::command)) return std::nullopt;
     return cycle::request_of(static_cast<CommandKind>(record.code));
 }
 
@@ -82,9 +86,7 @@ using Records = std::vector<FlightRecord>;
 /// The newest job was loaded while the machine was homed and at rest, or later came to be: the snapshot holds
 /// no other job, so nothing before that can be run again.
 Records::const_iterator first_of_script(const Records& records) {
-    const auto is_job = [](const FlightRecord& record) {
-        return record.kind == RecordKind::job && static_cast<AnswerKind>(record.answer) == AnswerKind::done;
-    };
+    const auto is_job = [](const FlightRecord& record) { return is_done(record, RecordKind::job); };
     const auto last_job = std::find_if(records.rbegin(), records.rend(), is_job);
     if (last_job == records.rend()) return std::ranges::find_if(records, is_homed_rest);
     const auto job = std::prev(last_job.base());
@@ -92,6 +94,17 @@ Records::const_iterator first_of_script(const Records& records) {
     const auto state_at_job = std::find_if(last_job, records.rend(), is_change);
     if (state_at_job != records.rend() && is_homed_rest(*state_at_job)) return job;
     return std::find_if(job, records.end(), is_homed_rest);
+}
+
+/// An override given between the job's loading and the script's begin still holds there.
+std::optional<ReplayStep> override_before(const Records& records, Records::const_iterator first) {
+    std::optional<ReplayStep> step;
+    for (auto record = records.begin(); record != first; ++record) {
+        if (is_done(*record, RecordKind::job)) step.reset();
+        if (!is_done(*record, RecordKind::command)) continue;
+        if (static_cast<CommandKind>(record->code) == CommandKind::override) step = step_of(*record);
+    }
+    return step;
 }
 
 }  // namespace
@@ -104,6 +117,10 @@ std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>&
     script.start_inputs = first->signals & kInputMask;
     std::ranges::copy(first->position_pulses, script.start_position_pulses.begin());
     cycle::MotionOrder order{};
+    if (auto override_step = override_before(records, first)) {
+        override_step->tick = 0;
+        script.steps.push_back(*override_step);
+    }
     for (auto record = std::next(first); record != records.end(); ++record) {
         if (record->tick < first->tick) continue;
         script.end_tick = std::max(script.end_tick, record->tick - first->tick);

@@ -44,6 +44,8 @@ CoreStatus StatusMirror::compose(const cycle::Sample& sample, double seconds_lef
     status.carve_last_tick = sample.carve_last_tick;
     status.job_end_tick = sample.job_end_tick;
     status.missed_ticks = sample.missed_ticks;
+    status.waited_ticks = sample.waited_ticks;
+    status.override_percent = static_cast<std::uint32_t>(sample.override_percent);
     status.trace_lost = sample.trace_lost;
     status.max_lateness_ns = lateness_.max_ns;
     std::ranges::copy(lateness_.histogram, status.lateness_histogram);

@@ -85,6 +85,16 @@ TEST_F(Machine, CarvesStepByStep) {
     EXPECT_EQ(status["alarm_cause"], nullptr);
 }
 
+TEST_F(Machine, OverrideIsShownByTheStatusUntilAnotherJobIsPublished) {
+    start_core();
+    EXPECT_EQ(run({"override", "80"}).out, "override: 80 % of the planned feed; the machine is off\n");
+    EXPECT_EQ(run({"status", "--json"}).json()["override_percent"], 80);
+    EXPECT_NE(run({"status"}).out.find("override   80 %"), std::string::npos);
+    ASSERT_EQ(run({"publish", job("3", "9")}).exit_code, 0);
+    EXPECT_EQ(run({"status", "--json"}).json()["override_percent"], 100);
+    EXPECT_EQ(run({"override", "200", "--json"}).json()["override_percent"], 200);
+}
+
 TEST_F(Machine, CarveUsesTheRunningCoreAndLeavesItRunning) {
     start_core();
     const Outcome outcome = run({"carve", job("3", "9"), "--json"});

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::two_process {
@@ -49,6 +51,15 @@ TEST_F(CoreCarving, HoldRestsOnThePathAndResumeGoesOn) {
         EXPECT_EQ(status().sim_true_position_pulses[index_of(axis)],
                   status().position_pulses[index_of(axis)]);
     }
+}
+
+TEST_F(CoreCarving, AnOverrideBeyondItsBoundsIsRefusedByName) {
+    start_core();
+    ASSERT_EQ(refusal_of_override(60.0), "");
+    for (const double percent : {9.0, 201.0, 99.5, -1.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_NE(refusal_of_override(percent).find("override: 10 to 200"), std::string::npos) << percent;
+    }
+    EXPECT_EQ(status().override_percent, 60U);
 }
 
 TEST_F(CoreCarving, StopEndsTheJobWithTheSpindleOffAndTheMachineHomed) {

@@ -78,8 +78,11 @@ TEST_F(CoreReplay, ARecordedRunIsAppliedAgainTickByTick) {
     home();
     start_carving();
     ASSERT_TRUE(eventually([&] { return status().points_done > 500; }));
+    ASSERT_EQ(refusal_of_override(40.0), "");
+    ASSERT_TRUE(eventually([&] { return status().points_done > 1000; }));
     ASSERT_EQ(refusal_of(CommandKind::hold), "");
     ASSERT_TRUE(reaches(MachineState::held));
+    ASSERT_EQ(refusal_of_override(90.0), "");
     ASSERT_EQ(refusal_of(CommandKind::resume), "");
     ASSERT_TRUE(eventually([&] { return status().points_done > 1500; }));
     request_stop(*segment_);
@@ -98,6 +101,7 @@ TEST_F(CoreReplay, ARecordedRunIsAppliedAgainTickByTick) {
     ASSERT_EQ(replay(file("snapshot"), file("replay.trace")), 0) << text_of(file("replay.err"));
     attach();
     const CoreStatus again = status();
+    EXPECT_EQ(again.override_percent, 90U);
     EXPECT_EQ(again.points_done, end.points_done) << "the stop fell on the same tick";
     for (const Axis axis : kAllAxes) {
         EXPECT_EQ(again.position_pulses[index_of(axis)], end.position_pulses[index_of(axis)])

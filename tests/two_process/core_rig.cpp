@@ -90,6 +90,14 @@ CoreStatus CoreRig::status() {
            << "state is " << name_of(status().state) << ", not " << name_of(state);
 }
 
+std::string CoreRig::refusal_of_override(double percent) {
+    Command command{};
+    command.kind = CommandKind::override;
+    command.value = percent;
+    const auto sent = send_command(*segment_, command, kLimit);
+    return sent ? std::string{} : sent.error().message;
+}
+
 std::string CoreRig::refusal_of(CommandKind kind, Axis axis) {
     Command command{};
     command.kind = kind;

@@ -15,6 +15,7 @@ const std::vector<std::string> kCommands{"carve",
                                          "start-interpolation",
                                          "hold",
                                          "resume",
+                                         "override",
                                          "stop",
                                          "estop",
                                          "reset-alarm",
@@ -151,6 +152,14 @@ TEST(Usage, AFullDiskBehindStandardOutputIsAnError) {
     EXPECT_EQ(WEXITSTATUS(status), 3);
 }
 
+TEST(Usage, AnOverrideIsAWholeNumberFromTenToTwoHundred) {
+    for (const std::string percent : {"9", "201", "-50", "50.5", "fast", "50%"}) {
+        const Outcome outcome = psicarve({"override", percent});
+        EXPECT_EQ(outcome.exit_code, 2) << percent;
+        EXPECT_EQ(outcome.error_lines(), 1U) << outcome.error;
+    }
+}
+
 /// Every command that needs the machine says that there is none.
 class WithoutSegment : public TestWithParam<std::string> {};
 
@@ -166,8 +175,9 @@ TEST_P(WithoutSegment, EndsWithExitCodeFiveAndOneLine) {
 INSTANTIATE_TEST_SUITE_P(Usage, WithoutSegment,
                          ::testing::Values("status", "home", "start", "start --carve", "start-interpolation",
                                            "hold", "resume", "stop", "estop", "reset-alarm", "back-off r1",
-                                           "reset-height", "jog r1 -1", "jog psi +", "move r1=30",
-                                           "spindle on", "snapshot save /dev/null", "status --watch"));
+                                           "reset-height", "override 50", "jog r1 -1", "jog psi +",
+                                           "move r1=30", "spindle on", "snapshot save /dev/null",
+                                           "status --watch"));
 
 }  // namespace
 }  // namespace psicarve::test

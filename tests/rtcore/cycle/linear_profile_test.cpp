@@ -102,5 +102,30 @@ TEST(LinearProfile, ReachesStartSpeedAfterAHoldAndClimbsAgain) {
     EXPECT_EQ(sut.iterations_left(), 0U);
 }
 
+TEST(LinearProfile, KeepsToAPartOfItsTopSpeedAndStillEndsAtItsEnd) {
+    std::mt19937_64 random(12);
+    for (int round = 0; round < 300; ++round) {
+        LinearProfile sut;
+        sut.start(0.02, 0.2, 0.001, 200 + random() % 2000);
+        const std::uint64_t length = sut.iterations_left();
+        std::uint64_t iterations = 0;
+        double ratio = 1.0;
+        double before = sut.speed();
+        for (int tick = 0; sut.iterations_left() > 0 && tick < 400'000; ++tick) {
+            if (random() % 150 == 0) ratio = 0.1 + static_cast<double>(random() % 91) / 100.0;
+            sut.set_ratio(ratio);
+            // A ratio that allows V start again may be jumped to.
+            before = std::max(before, std::min(0.02, 0.2 * ratio));
+            sut.advance(false);
+            ASSERT_LE(std::fabs(sut.speed() - before), 0.001 * (1.0 + 1e-9));
+            ASSERT_LE(sut.speed(), std::max(0.2 * ratio, before));
+            before = sut.speed();
+            for (; sut.is_due(); ++iterations) sut.take();
+        }
+        ASSERT_EQ(iterations, length);
+        ASSERT_LE(sut.speed(), 0.021);
+    }
+}
+
 }  // namespace
 }  // namespace psicarve::cycle

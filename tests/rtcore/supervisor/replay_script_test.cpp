@@ -154,6 +154,19 @@ TEST(ReplayScript, GivesACommandTheOrderThatWasRecordedBeforeIt) {
     EXPECT_EQ(sut->steps[3].order.axes, 0U);
 }
 
+TEST(ReplayScript, BeginsWithTheOverrideThatHeldThen) {
+    FlightRecord slower = command(7, CommandKind::override);
+    slower.value = 30;
+    const auto script = script_from_records(
+        {job(5), slower, command(10, CommandKind::home), state_change(10, MachineState::homing),
+         state_change(100, MachineState::ready), command(110, CommandKind::start)});
+    ASSERT_TRUE(script.has_value());
+    ASSERT_EQ(script->steps.size(), 2U);
+    EXPECT_EQ(script->steps[0].tick, 0U);
+    EXPECT_EQ(script->steps[0].request, cycle::RequestKind::override);
+    EXPECT_EQ(script->steps[0].value, 30U);
+}
+
 TEST(ReplayScript, IsNothingWithoutARunFromRest) {
     EXPECT_FALSE(script_from_records({}).has_value());
     EXPECT_FALSE(script_from_records({state_change(5, MachineState::ready)}).has_value());

@@ -11,7 +11,7 @@ build_packages=(cmake ninja-build g++ libboost-dev libtomlplusplus-dev nlohmann-
     libxxhash-dev libassimp-dev pkg-config libcairo2-dev fonts-dejavu-core)
 test_packages=(git ccache python3 python3-numpy python3-scipy libgtest-dev libgmock-dev sigrok-cli clang-14 clang-format-14 clang-tidy-14
     libclang-rt-14-dev)
-bench_packages=(libembree-dev admesh)
+bench_packages=(libembree-dev admesh linuxcnc-uspace)
 
 usage() { printf 'usage: %s build|test|bench [--list]\n' "${0##*/}"; }
 

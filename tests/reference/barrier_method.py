@@ -6,7 +6,7 @@ import scipy.linalg
 import scipy.sparse as sparse
 
 
-def fastest_inside(problem, x, first=0.02, last=1e-4, steps=60):
+def fastest_inside(problem, x, first=0.02, last=2e-4, steps=60):
     """From a strictly allowed x to one of locally least time.
 
     first, last: the barrier's weight times the nodes' count, as a share of the time; steps: at most, for each weight.
@@ -18,7 +18,7 @@ def fastest_inside(problem, x, first=0.02, last=1e-4, steps=60):
             direction, gain = _newton_direction(problem, x, weight)
             step = _step_length(problem, x, direction, gain, weight)
             x = x + step * direction
-            if step == 0.0 or gain < 1e-3 * weight * nodes:
+            if step == 0.0 or gain < 1e-2 * weight * nodes:
                 break
         if weight * nodes < last * problem.seconds(x):
             return x

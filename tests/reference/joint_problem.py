@@ -72,6 +72,22 @@ class JointProblem:
             found.append(self._tube_rule(head, coefficients))
         return found
 
+    def holds(self, curve):
+        """Whether both heads stay strictly inside their tubes."""
+        return all(np.abs(self._tube_rule(head, c).value).max() < 1.0 for head, c in enumerate(curve))
+
+    def excess(self, x):
+        """At each node the greatest value of the limits on motion there and in the cells beside it."""
+        worst = np.zeros(self.sizes[2])
+        for rule in self.rules(x):
+            value = np.abs(rule.value)
+            if len(value) == len(worst):
+                worst = np.maximum(worst, value)
+            elif len(value) == len(worst) - 1:
+                worst[:-1] = np.maximum(worst[:-1], value)
+                worst[1:] = np.maximum(worst[1:], value)
+        return worst
+
     def _table_rules(self, b):
         psi = self.limits.psi
         cap = np.full(len(b), psi.speed**2)

@@ -68,15 +68,32 @@ class JointSolution:
 def solve_jointly(layer, grid, limits, bent, coarser=None):
     """Curve and timing together, from what the grid of half as many cells gave, else from the curve of least bending."""
     problem = JointProblem(layer, grid, limits)
-    if coarser is None:
-        curve, b, first = bent, 0.98 * fastest_timing(sample_curve(grid, bent, 1), limits), 0.02
-    else:
+    curve = bent
+    if coarser is not None:
+        before = [coarser.grid.coefficients_on(grid, head) for head in coarser.curve]
         # The finer grid asks at more places: a little of the other curve brings it back inside.
-        curve = [coarser.grid.coefficients_on(grid, head) for head in coarser.curve]
-        curve = [0.97 * head + 0.03 * other for head, other in zip(curve, bent)]
-        b, first = 0.98 * np.interp(grid.node_rad, coarser.grid.node_rad, coarser.b), 0.002
-    while not is_inside(problem, np.concatenate([*curve, b])):
-        curve = [0.9 * head + 0.1 * other for head, other in zip(curve, bent)]
-        b = 0.95 * b
-    *curve, b = problem.parts(fastest_inside(problem, np.concatenate([*curve, b]), first))
+        share = next(share for share in (0.1, 0.3, 1.0) if problem.holds(_mixed(before, bent, share)))
+        curve = _mixed(before, bent, share)
+    # Well inside: from close to the limits the barrier's method creeps along them.
+    start = np.concatenate([*curve, 0.6 * _allowed_timing(problem, curve)])
+    *curve, b = problem.parts(fastest_inside(problem, start, 0.02 if coarser is None else 0.005))
     return JointSolution(grid, curve, b)
+
+
+def _mixed(curve, other, share):
+    return [(1.0 - share) * a + share * b for a, b in zip(curve, other)]
+
+
+def _allowed_timing(problem, curve):
+    """b strictly inside all limits: the fastest timing, lowered where the cells' ends ask for more than their middles."""
+    sampled = sample_curve(problem.grid, curve, 1)
+    most = np.inf
+    for _ in range(30):
+        b = 0.97 * fastest_timing(sampled, problem.limits, most)
+        x = np.concatenate([*curve, b])
+        if is_inside(problem, x):
+            return b
+        most = b / np.maximum(problem.excess(x), 0.9)
+    while not is_inside(problem, np.concatenate([*curve, b])):
+        b = 0.95 * b
+    return b

@@ -68,9 +68,9 @@ def end_factors(second, slope, width_rad):
     return 0.5 * second - 0.5 * slope / width_rad, 0.5 * second + 0.5 * slope / width_rad
 
 
-def fastest_timing(sampled, limits):
-    """The greatest b at every node."""
-    cap = speed_caps(sampled, limits)
+def fastest_timing(sampled, limits, most=np.inf):
+    """The greatest b at every node; nowhere above `most`."""
+    cap = np.minimum(speed_caps(sampled, limits), most)
     axes = accelerations(sampled, limits)
     _cap_where_axes_disagree(cap, axes)
     rules = []

@@ -58,10 +58,10 @@ def relief():
 
 def scan():
     random = np.random.default_rng(5)
-    theta, u = grid(columns=700, rows=220)
-    step = 2.0 * np.pi / 700
+    theta, u = grid(columns=300, rows=95)
+    step = 2.0 * np.pi / 300
     theta = theta + step * random.uniform(-0.35, 0.35, theta.shape)
-    u[1:-1] += random.uniform(-0.35, 0.35, u[1:-1].shape) / 220
+    u[1:-1] += random.uniform(-0.35, 0.35, u[1:-1].shape) / 95
     head = 9.0 + 4.5 * np.sin(np.pi * np.clip(1.15 * u, 0.0, 1.0)) ** 0.8
     face = 1.6 * np.exp(-((wrap(theta) / 0.35) ** 2) - ((u - 0.55) / 0.10) ** 2)
     brow = 0.9 * np.exp(-((wrap(theta) / 0.8) ** 2) - ((u - 0.72) / 0.05) ** 2)
@@ -70,7 +70,7 @@ def scan():
     r = head + face + brow + ears + hair
     for seam in (0.9, 3.0, 5.2):  # one pass lies a little higher than its neighbour
         r += 0.06 * (wrap(theta - seam) > 0.0) * (np.abs(wrap(theta - seam)) < 1.0)
-    return theta, u, r + random.normal(0.0, 0.02, r.shape)
+    return theta, u, r + random.normal(0.0, 0.01, r.shape)
 
 
 def grid(columns, rows):

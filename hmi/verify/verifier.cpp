@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hmi/verify/backlash.hpp"
+#include "hmi/verify/motor_rule.hpp"
 #include "hmi/verify/offence_log.hpp"
 #include "hmi/verify/path_rule.hpp"
 #include "hmi/verify/permission_rule.hpp"
@@ -19,13 +20,14 @@ constexpr SignalWord kPermissionMask = kEnableMask | kInputMask | bit_of(Signal:
 constexpr std::size_t kEventsAtOnce = 1024;
 }  // namespace
 
-/// Turns pins into pulses and positions and hands each to the rules. A rule that judges single pulses (as
-/// rule 3 will) is told in `pulse`; one that judges positions, in `settle`.
+/// Turns pins into pulses and positions and hands each to the rules. A rule that judges single pulses is told
+/// in `pulse`; one that judges positions, in `settle`.
 struct Verifier::State {
     State(const JobGeometry& geometry, const Profile& profile)
         : surface(geometry),
           path(geometry, surface, log),
           timing(profile.port, log),
+          motors(profile, log),
           permission(profile, log),
           backlash(profile),
           points_total(geometry.total_points()) {
@@ -43,6 +45,7 @@ struct Verifier::State {
     CarvedSurface surface;
     PathRule path;
     TimingRule timing;
+    MotorRule motors;
     PermissionRule permission;
     Backlash backlash;
     SignalWord levels = 0;
@@ -60,6 +63,7 @@ void Verifier::State::pulse(Axis axis) {
     const bool positive = (levels & bit_of(dir_of(axis))) != 0;
     timing.rising(axis, instant_ns, path.place());
     permission.rising(axis, positive, instant_ns, path.place());
+    motors.pulse(axis, positive, instant_ns, path.place());
     const std::int64_t moved = backlash.step(axis, positive);
     positions[a] += moved;
     ++pulses[a];
@@ -73,6 +77,7 @@ void Verifier::State::pins(const TraceEvent& event) {
     const SignalWord before = std::exchange(levels, event.levels);
     if ((changed & kPermissionMask) != 0) {
         permission.levels_changed(before, levels, instant_ns);
+        motors.levels_changed(before, levels, instant_ns);
         unsettled = unsettled || (changed & spindle_bit) != 0;
     }
     for (SignalWord turned = (changed & kDirMask) >> kAxisCount; turned != 0; turned &= turned - 1)
@@ -86,7 +91,9 @@ void Verifier::State::pins(const TraceEvent& event) {
 /// All pulses of one instant belong together: only now are the positions judged.
 void Verifier::State::settle() {
     if (!std::exchange(unsettled, false)) return;
+    const std::uint64_t visited = path.points_visited();
     path.settle(instant_ns, positions, spindle_on());
+    if (path.points_visited() != visited) motors.point_reached(instant_ns, path.place());
 }
 
 void Verifier::State::redefine(const TraceEvent& event) {
@@ -117,6 +124,7 @@ void Verifier::begin(const TraceStart& start) {
     s.spindle_bit = start.present & bit_of(Signal::spindle);
     s.positions = start.position_pulses;
     s.permission.begin(start.initial_levels, start.present, start.period_ns);
+    s.motors.begin(start.period_ns);
     s.path.begin(s.positions, s.spindle_on());
 }
 
@@ -139,6 +147,7 @@ VerifyReport Verifier::finish() {
     s.settle();
     s.path.finish(s.instant_ns);
     s.permission.finish();
+    s.motors.finish(s.instant_ns);
     VerifyReport report;
     report.rules = s.log.rules();
     report.pulses = s.pulses;

@@ -75,7 +75,7 @@ std::string report_json(const VerifyReport& report) {
 }
 
 std::string report_text(const VerifyReport& report) {
-    std::string text = report.ok ? "verified: the pins obey rules 1, 2 and 4 and carve the job\n"
+    std::string text = report.ok ? "verified: the pins obey rules 1 to 4 and carve the job\n"
                                  : "not verified: the pins differ from what the job asks\n";
     for (std::size_t r = 0; r < kRuleCount; ++r) {
         const RuleResult& result = report.rules[r];

@@ -36,7 +36,7 @@ SampleJob wavy_job(Joining joining = Joining::continuous, std::uint32_t layers =
 /// `kIteration_ns`. Knows nothing of the controller; written from the rules alone. Tests then break its pins.
 class PerfectMachine {
 public:
-    static constexpr std::int64_t kIteration_ns = 1'000'000;
+    static constexpr std::int64_t kIteration_ns = 2'500'000;
     static constexpr std::int64_t kSetup_ns = 100'000;  ///< directions lead each iteration's steps by this
     static constexpr std::int64_t kHigh_ns = 50'000;
 

@@ -72,6 +72,7 @@ TEST(PerfectTrace, WithPointsOnUnevenPulsesIsVerified) {
 TEST(PerfectTrace, WithAPointOnEveryPulseIsVerified) {
     Profile machine_profile;
     machine_profile.psi.pulses_per_rev = 400;
+    machine_profile.psi.speed_deg_s = machine_profile.psi.start_stop_deg_s = 360.0;
     const SampleJob job(machine_profile, 3, 201, Joining::continuous,
                         [](double angle, double) { return 8.0 + 0.3 * std::sin(3.0 * angle); });
     PerfectMachine machine(job);
@@ -199,7 +200,7 @@ TEST(PerfectTrace, CarveSecondsRunFromLeavingTheFirstPointToReachingTheLast) {
     const SampleJob job(Profile{}, 1, 5, Joining::continuous, [](double, double) { return 8.0; });
     PerfectMachine machine(job);
     machine.approach().wait(5 * kNsPerS).layer(0).wait(5 * kNsPerS).finish();
-    EXPECT_DOUBLE_EQ(verified(job, machine).carve_seconds, 3.199);  // 3200 pulses, one a millisecond
+    EXPECT_DOUBLE_EQ(verified(job, machine).carve_seconds, 7.9975);  // 3200 pulses, one in 2.5 ms
 }
 
 TEST(PerfectTrace, ComesOutAsTheWantedSurface) {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "hmi/verify/motion_witness.hpp"
+#include "hmi/verify/motor_reach.hpp"
+#include "hmi/verify/train_event.hpp"
+
+namespace psicarve::verify {
+
+/// Follows the pulses of one axis: after each, all states that a motor within the limits may be in, its
+/// position never more than 1.5 pulses from the count.
+///
+/// Most of the time a motion that is never slower, or never faster, than start-stop will do, and is cheap to
+/// follow (MotionWitness). Only when there is none is everything worked out, from as many events back as are
+/// kept (`late_`).
+class TrainFollower {
+public:
+    TrainFollower(const MotorLimits& limits, std::int64_t begin_ns);
+
+    /// False when no motion is left: then it starts anew, with any motion, at this event.
+    bool take(const TrainEvent& event);
+    /// Without events up to this time.
+    bool wait(std::int64_t time_ns);
+    /// Any motion, from here on.
+    void start_anew(std::int64_t time_ns);
+
+private:
+    static constexpr std::size_t kMostLate = 1024;
+    static constexpr std::size_t kFewLate = 64;
+
+    void step(const TrainEvent& event);
+    void choose_witness();
+    void open_window();
+    void keep_late(const TrainEvent& event);
+    void forget_earlier();
+    void catch_up();
+
+    MotorReach reach_;  ///< as of `reached_ns_`; what is late is not in it
+    std::int64_t reached_ns_;
+    std::int64_t count_ = 0;
+
+    // The pulses since a witness was last thought of.
+    int window_pulses_ = 0;
+    std::int64_t window_ns_ = 0;
+    std::int64_t window_count_ = 0;
+    int patience_ = 0;  ///< how many of them make one worth trying
+
+    bool has_witness_ = false;
+    MotionWitness witness_;
+    MotionWitness earlier_;  ///< the witness as it was after the first `earlier_count_` of what is late
+    std::size_t earlier_count_ = 0;
+    std::size_t late_count_ = 0;
+    std::array<TrainEvent, kMostLate> late_;
+};
+
+}  // namespace psicarve::verify

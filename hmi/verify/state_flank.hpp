@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace psicarve::verify {
+
+/// Two ends of a range; empty when `low` is above `high`.
+struct Range {
+    double low;
+    double high;
+    bool is_empty() const noexcept { return low > high; }
+    static constexpr Range none() noexcept { return {1.0, 0.0}; }
+};
+constexpr Range mirrored(Range range) noexcept {
+    return {-range.high, -range.low};
+}
+constexpr Range common(Range a, Range b) noexcept {
+    return {a.low > b.low ? a.low : b.low, a.high < b.high ? a.high : b.high};
+}
+
+/// One flank of a convex set of motor states (position, speed): how far the set reaches at each speed.
+///
+///     speed                     The flank is a chain of corners by rising speed; between two of them it is
+///       |      x..              straight. `reach` is the position on the right flank and minus the position
+///       |     /   ..            on the left one, so that both are concave and share their code.
+///       |    x     x   right
+///       |    |    /             Corners lie on the true boundary; what is cut off between them is bounded by
+///       |    x---x              `thin`.
+///       +------------ position
+class StateFlank {
+public:
+    enum class Side { left, right };
+    static constexpr std::size_t kMostCorners = 64;
+
+    StateFlank() noexcept {}  // NOLINT(modernize-use-equals-default): corners beyond size_ stay unset
+    StateFlank(const StateFlank& other) noexcept { *this = other; }
+    StateFlank& operator=(const StateFlank& other) noexcept;
+    ~StateFlank() = default;
+    /// Straight from `speeds.low` to `speeds.high` at one reach.
+    StateFlank(Side side, Range speeds, double reach);
+
+    std::size_t size() const noexcept { return size_; }
+    double speed(std::size_t i) const noexcept { return speed_[i]; }
+    double reach(std::size_t i) const noexcept { return reach_[i]; }
+    double slowest() const noexcept { return speed_[0]; }
+    double fastest() const noexcept { return speed_[size_ - 1]; }
+    /// Anywhere; beyond its ends the flank goes on level.
+    double reach_at(double speed) const noexcept;
+
+    /// Time passes under any acceleration up to `accel`. No speed on the way is above `ceiling`, if none is
+    /// now.
+    void run(double time_s, double accel, double ceiling) noexcept;
+    /// Any speed changes by up to `jump`.
+    void jump(double jump) noexcept { widen(0.0, jump, 0.0, 0.0); }
+
+    double furthest() const noexcept;
+    /// Speeds at which it reaches `level`; empty when none does.
+    Range speeds_reaching(double level) const noexcept;
+    void keep_speeds(Range speeds) noexcept;
+    /// Nothing reaches further than `level`.
+    void cap(double level) noexcept;
+    /// Takes the reach at its slowest speed further out. False, and nothing is done, when the convex hull
+    /// would then reach further than the flank by more than `tolerance` at a speed above `exact_from`.
+    bool extend_slowest(double reach, double exact_from, double tolerance) noexcept;
+    /// The flank of the convex hull of both sets.
+    void join(const StateFlank& other) noexcept;
+    /// Drops corners that stand out by less than `tolerance`.
+    void thin(double tolerance) noexcept;
+
+private:
+    void widen(double time_s, double speed_change, double reach_change, double bulge) noexcept;
+    void make_room(std::size_t corners) noexcept;
+    void replace(std::size_t from, std::size_t end, std::size_t wanted) noexcept;
+    void push(double speed, double reach) noexcept;
+    /// Where the chain between corners i - 1 and i crosses a level.
+    double crossing(std::size_t i, double level) const noexcept;
+
+    Side side_ = Side::right;
+    std::size_t size_ = 0;
+    std::array<double, kMostCorners> speed_;
+    std::array<double, kMostCorners> reach_;
+};
+
+}  // namespace psicarve::verify

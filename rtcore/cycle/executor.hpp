@@ -99,6 +99,7 @@ private:
     bool is_iteration_due() const noexcept;
     bool is_segment_done() const noexcept;
     void begin_segment(std::uint64_t tick) noexcept;
+    void turn_idle_axes(std::uint64_t tick) noexcept;
     void expect_iteration(double number) noexcept;
     bool is_slowest() const noexcept;
     void rest() noexcept;

@@ -60,6 +60,19 @@ void Executor::begin_segment(std::uint64_t tick) noexcept {
         iterations > 0 ? block_.path.length / static_cast<double>(iterations) : block_.path.length;
     expect_iteration(1.0);
     turn_axes(tick);
+    if (!is_taking_up_) turn_idle_axes(tick);
+}
+
+// An axis without a pulse in this segment may already turn for the next one: its pins then need not be waited
+// for.
+void Executor::turn_idle_axes(std::uint64_t tick) noexcept {
+    const MotionBlock* next = group_blocks_left_ > 0 ? blocks_->front() : nullptr;
+    if (next == nullptr || next->epoch != epoch_ || next->kind != BlockKind::path) return;
+    std::array<std::int64_t, kAxisCount> way = block_.delta_pulses;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        if (way[k] == 0) way[k] = next->delta_pulses[k];
+    }
+    if (way != block_.delta_pulses) pulses_->want_directions(way, tick);
 }
 
 void Executor::expect_iteration(double number) noexcept {

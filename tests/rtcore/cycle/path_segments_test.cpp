@@ -169,6 +169,25 @@ TEST(PathSegments, MakeUpForTheirWaitsForADirection) {
     EXPECT_LT(lateness(9'999), 3.0L);
 }
 
+// R1 turns round after a segment in which it stands still: that is when its pin turns.
+TEST(PathSegments, TurnAnAxisAheadWhileItStandsStill) {
+    CycleConfig config;
+    config.dir_setup_ticks = 5;
+    PathRig sut(config);
+    sut.program =
+        as_run({path_block({10, 0, 10, 0}, 10.0, 0.3, 0.3), path_block({0, 0, 10, 0}, 10.0, 0.3, 0.3),
+                path_block({-10, 0, 10, 0}, 10.0, 0.3, 0.3), path_block({0, 0, 10, 0}, 10.0, 0.3, 0.3),
+                path_block({10, 0, 10, 0}, 10.0, 0.3, 0.3)});
+    ASSERT_TRUE(sut.run());
+    EXPECT_EQ(sut.pulses.positions(), (Deltas{10, 0, 50, 0}));
+    // The first one waits for the pins as they stood before the run.
+    EXPECT_LT(sut.executor.waited_ticks(), 4U);
+    const std::vector<long double> due = due_ticks(sut.program);
+    for (std::size_t i = 10; i < due.size(); ++i) {
+        EXPECT_LT(static_cast<long double>(sut.iterations[i].tick - sut.start_tick), due[i] + 1.0L) << i;
+    }
+}
+
 TEST(PathSegments, FallBehindRatherThanBurstWhenAWaitIsLong) {
     CycleConfig config;
     config.dir_setup_ticks = 100;

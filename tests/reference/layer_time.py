@@ -75,7 +75,7 @@ def solve_jointly(layer, grid, limits, bent, coarser=None):
         share = next(share for share in (0.1, 0.3, 1.0) if problem.holds(_mixed(before, bent, share)))
         curve = _mixed(before, bent, share)
     # Well inside: from close to the limits the barrier's method creeps along them.
-    start = np.concatenate([*curve, 0.6 * _allowed_timing(problem, curve)])
+    start = problem.packed(curve, 0.6 * _allowed_timing(problem, curve))
     *curve, b = problem.parts(fastest_inside(problem, start, 0.02 if coarser is None else 0.005))
     return JointSolution(grid, curve, b)
 
@@ -90,10 +90,10 @@ def _allowed_timing(problem, curve):
     most = np.inf
     for _ in range(30):
         b = 0.97 * fastest_timing(sampled, problem.limits, most)
-        x = np.concatenate([*curve, b])
+        x = problem.packed(curve, b)
         if is_inside(problem, x):
             return b
         most = b / np.maximum(problem.excess(x), 0.9)
-    while not is_inside(problem, np.concatenate([*curve, b])):
+    while not is_inside(problem, problem.packed(curve, b)):
         b = 0.95 * b
     return b

@@ -41,6 +41,12 @@ std::string fixed(double value) {
     return text.data();
 }
 
+std::string digits(double value) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", value);
+    return text.data();
+}
+
 Result<double> scale_of(const JobOptions& options, const Box& box) {
     if (options.height_mm && options.scale) {
         return Error{ErrorCode::bad_usage, "--height and --scale exclude each other: both set the size"};
@@ -58,29 +64,45 @@ Result<double> scale_of(const JobOptions& options, const Box& box) {
     return scale;
 }
 
-Result<std::uint32_t> points_of(const JobOptions& options, const Profile& profile) {
+Result<std::uint32_t> points_of(const JobOptions& options, const Profile& profile, SliceReport& report) {
     const std::int64_t most = profile.psi.pulses_per_rev / 2 + 1;  // one for each pulse of half a turn
-    if (!options.point_count) return static_cast<std::uint32_t>(std::min<std::int64_t>(kUsualPoints, most));
+    if (!options.point_count) {
+        if (most < kUsualPoints) {
+            report.notes.push_back(std::to_string(most) + " points a layer, not " +
+                                   std::to_string(kUsualPoints) +
+                                   ": half a turn of axis psi has no more pulses");
+        }
+        return static_cast<std::uint32_t>(std::min<std::int64_t>(kUsualPoints, most));
+    }
     if (*options.point_count < 2) {
         return Error{ErrorCode::bad_usage, "--points must be at least 2"};
     }
     if (*options.point_count > most) {
         return bad_input("more points than pulses: " + std::to_string(*options.point_count) +
                          " points a layer, but half a turn of axis psi has " + std::to_string(most - 1) +
-                         " pulses (at most " + std::to_string(most) + " points)");
+                         " pulses: at most --points " + std::to_string(most));
     }
     return *options.point_count;
 }
 
-Result<std::uint32_t> layers_of(const JobOptions& options, const Profile& profile, double height_mm) {
-    const auto most = static_cast<std::int64_t>(height_mm * profile.y.pulses_per_mm);
+Result<std::uint32_t> layers_of(const JobOptions& options, const Profile& profile, double height_mm,
+                                const std::string& source_name, SliceReport& report) {
+    const auto most =
+        std::max<std::int64_t>(static_cast<std::int64_t>(height_mm * profile.y.pulses_per_mm), 1);
     if (!options.layer_count) {
-        return static_cast<std::uint32_t>(std::clamp<std::int64_t>(most, 1, kUsualLayers));
+        if (most < kUsualLayers) {
+            report.notes.push_back(std::to_string(most) + (most == 1 ? " layer" : " layers") + ", not " +
+                                   std::to_string(kUsualLayers) + ": " + source_name + " is only " +
+                                   fixed(height_mm) + " mm high, and a layer needs a pulse of axis y");
+        }
+        return static_cast<std::uint32_t>(std::min<std::int64_t>(most, kUsualLayers));
     }
     if (*options.layer_count < 1) return Error{ErrorCode::bad_usage, "--layers must be at least 1"};
-    if (*options.layer_count > std::max<std::int64_t>(most, 1)) {
-        return bad_input("more layers than pulses: " + std::to_string(*options.layer_count) +
-                         " layers, but the model is only " + std::to_string(most) + " pulses of axis y high");
+    if (*options.layer_count > most) {
+        return bad_input(source_name + ": more layers than pulses: " + std::to_string(*options.layer_count) +
+                         " layers, but the model is only " + fixed(height_mm) + " mm, " +
+                         std::to_string(most) + " pulses of axis y, high: at most --layers " +
+                         std::to_string(most) + ", or make it higher with --height or --scale");
     }
     return *options.layer_count;
 }
@@ -145,6 +167,18 @@ void warn_about_units(const JobOptions& options, SliceReport& report) {
                               " mm high: are its units inches (--scale 25.4) or metres (--scale 1000)?");
 }
 
+/// A file of floats far from its origin holds a staircase.
+void warn_about_rounding(const model::Mesh& mesh, const Profile& profile, SliceReport& report) {
+    const double step_mm = mesh.facts.coordinate_step * report.scale;
+    const double pulse_mm =
+        1.0 / std::max({profile.r1.pulses_per_mm, profile.r2.pulses_per_mm, profile.y.pulses_per_mm});
+    if (step_mm <= pulse_mm) return;
+    report.warnings.push_back(
+        "the model stands so far from its file's origin that its coordinates are rounded to " +
+        digits(step_mm) + " mm, more than a pulse (" + digits(pulse_mm) +
+        " mm): move it to the origin before it is exported");
+}
+
 }  // namespace
 
 double reachable_radius(const Profile& profile, double scale) {
@@ -181,16 +215,17 @@ Result<JobPlan> plan_job(const model::Mesh& mesh, const Profile& profile, const 
     report.scale = plan.scale;
     report.warnings = mesh.warnings;
     warn_about_units(options, report);
+    warn_about_rounding(mesh, profile, report);
 
     const double model_height = box.max[2] - box.min[2];
-    const auto points = points_of(options, profile);
+    const auto points = points_of(options, profile, report);
     if (!points) return points.error();
     // Before anything is counted in pulses: a model of kilometres has more than fit an integer.
     const AxisMotion y_motion = axis_motion(profile, Axis::y);
     const double top_mm = profile.job.base_height_mm + report.box_mm[2];
     const double most_mm = mm_from_pulses(y_motion.travel_max_pulses, profile.y.pulses_per_mm);
     if (!(top_mm <= 2.0 * std::max(most_mm, 1.0))) return too_large(mesh.source_name, "y", top_mm, y_motion);
-    const auto layers = layers_of(options, profile, report.box_mm[2]);
+    const auto layers = layers_of(options, profile, report.box_mm[2], mesh.source_name, report);
     if (!layers) return layers.error();
     plan.point_count = report.points = *points;
     plan.layer_count = report.layers = *layers;

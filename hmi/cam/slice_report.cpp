@@ -29,7 +29,8 @@ std::string to_json(const SliceReport& report) {
                        {"layers_without_axis", report.layers_without_axis},
                        {"r_min_mm", report.r_min_mm},
                        {"r_max_mm", report.r_max_mm},
-                       {"warnings", report.warnings}};
+                       {"warnings", report.warnings},
+                       {"notes", report.notes}};
     if (report.axis_search) {
         out["best_axis"] = {{"axis", report.axis_search->best},
                             {"loss", loss_json(report.axis_search->best_loss)},

@@ -32,6 +32,7 @@ struct SliceReport {
     /// What looking for a better axis found: always with axis choice "best", else when much is lost.
     std::optional<slice::AxisSearch> axis_search;
     std::vector<std::string> warnings;
+    std::vector<std::string> notes;  ///< what was chosen otherwise than usual
 };
 
 /// One JSON object, keys sorted, no line breaks.

@@ -112,6 +112,7 @@ Result<PreparedJob> slice_model(const std::string& path, const ModelOptions& opt
     if (!built) return built.error();
     auto job = checked(job_blob_from_table(built->table), *profile, path);
     if (job) job->warnings = std::move(built->report.warnings);
+    if (job) job->notes = std::move(built->report.notes);
     return job;
 }
 
@@ -190,6 +191,7 @@ Result<PreparedJob> prepare_job(const std::string& path, const ModelOptions& opt
     }();
     if (job) {
         for (const std::string& warning : job->warnings) print_warning(warning);
+        for (const std::string& note : job->notes) print_note(note);
     }
     return job;
 }

@@ -33,7 +33,8 @@ struct PreparedJob {
     std::vector<std::byte> blob;
     JobView view;  ///< into `blob`
     Profile profile;
-    std::vector<std::string> warnings;  ///< of the slicer, printed by print_warnings
+    std::vector<std::string> warnings;  ///< of the slicer, as its notes printed by prepare_job
+    std::vector<std::string> notes;
 };
 
 /// Slices a model, or loads a job or snapshot. Errors: the file is wrong, or the machine cannot carve it.

@@ -19,19 +19,22 @@ static_assert(sizeof(Triangle) == 36);
 
 using TriangleList = std::vector<Triangle, UnsetAllocator<Triangle>>;
 
-/// What was seen in a mesh while it was read. Nothing here is repaired.
+/// What was seen in a mesh while it was read. Nothing is repaired; only facets that stand there twice are
+/// taken once.
 struct MeshFacts {
     std::uint64_t dropped_count = 0;         ///< facets with a NaN or infinite coordinate, left out
     std::uint64_t degenerate_count = 0;      ///< facets without area, kept
-    std::uint64_t duplicate_count = 0;       ///< facets that stand there more than once, kept
+    std::uint64_t duplicate_count = 0;       ///< facets that stood there once more, left out
     std::uint64_t open_edge_count = 0;       ///< edges with an odd number of facets
     std::uint64_t turned_edge_count = 0;     ///< edges whose facets disagree about what is outside
     std::uint64_t doubled_vertex_count = 0;  ///< vertices of an indexed file that stand at the same place
     bool saw_duplicates = false;             ///< among one facet in 64: enough to notice a doubled mesh
     bool closed = true;                      ///< every edge belongs to an even number of facets
     bool same_orientation = true;            ///< along every edge the facets agree about what is outside
-    double signed_volume = 0.0;              ///< cubic file units; negative: inside out
-    std::array<double, 3> min{};             ///< bounding box, file units, origin included
+    /// From one number that the file can hold to the next, at the farthest vertex. Of text nothing is known.
+    double coordinate_step = 0.0;
+    double signed_volume = 0.0;   ///< cubic file units; negative: inside out
+    std::array<double, 3> min{};  ///< bounding box, file units, origin included
     std::array<double, 3> max{};
 };
 

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "hmi/model/duplicate_facets.hpp"
+#include "hmi/model/edge_count.hpp"
 #include "hmi/model/edge_hash.hpp"
 #include "hmi/model/mesh.hpp"
 #include "shared/result.hpp"
@@ -27,43 +29,12 @@ constexpr double kLeastVolumeShare = 1e-9;
 // Counting edges needs 24 bytes a facet; beyond this the warning goes without the count.
 constexpr std::size_t kMostFacetsCounted = 20'000'000;
 
+// Vertices this near to each other, in parts of the mesh's size, are one: some three steps of a float, and a
+// hundredth of a pulse on the finest machine.
+constexpr double kWeldRatio = 0x1p-22;
+
 // One facet in so many is looked at for duplicates while reading.
 constexpr std::uint64_t kSampledFacetsOneIn = 64;
-
-struct EdgeCounts {
-    std::uint64_t open = 0;
-    std::uint64_t turned = 0;
-};
-
-EdgeCounts count_edges(const TriangleList& triangles) {
-    std::vector<std::uint64_t> edges;  // hash without its lowest bit, which holds the direction
-    edges.reserve(triangles.size() * 3);
-    for (const Triangle& t : triangles) {
-        const std::array<std::uint64_t, 3> h{vertex_hash(t.vertices[0]), vertex_hash(t.vertices[1]),
-                                             vertex_hash(t.vertices[2])};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint64_t from = h[i];
-            const std::uint64_t to = h[(i + 1) % 3];
-            if (from != to) edges.push_back((edge_hash(from, to) & ~1ULL) | (from < to ? 1U : 0U));
-        }
-    }
-    std::sort(edges.begin(), edges.end());
-    EdgeCounts counts;
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t end = i;
-        std::int64_t balance = 0;
-        for (; end < edges.size() && (edges[end] | 1U) == (edges[i] | 1U); ++end) {
-            balance += (edges[end] & 1U) != 0 ? 1 : -1;
-        }
-        if ((end - i) % 2 != 0) {
-            ++counts.open;
-        } else if (balance != 0) {
-            ++counts.turned;
-        }
-        i = end;
-    }
-    return counts;
-}
 
 /// How often a hash follows an equal one.
 std::uint64_t count_equal(std::vector<std::uint64_t>& hashes) {
@@ -73,26 +44,41 @@ std::uint64_t count_equal(std::vector<std::uint64_t>& hashes) {
     return count;
 }
 
-std::uint64_t count_duplicates(const TriangleList& triangles) {
-    std::vector<std::uint64_t> hashes;
-    hashes.reserve(triangles.size());
-    for (const Triangle& t : triangles) {
-        hashes.push_back(vertex_hash(t.vertices[0]) + vertex_hash(t.vertices[1]) +
-                         vertex_hash(t.vertices[2]));
+/// The facts of what is left after duplicates were taken out.
+void look_again(Mesh& mesh) {
+    MeshCheck check;
+    for (const Triangle& triangle : mesh.triangles) {
+        Triangle again;
+        check.accept(reinterpret_cast<const char*>(&triangle), again);
     }
-    return count_equal(hashes);
+    const MeshFacts before = mesh.facts;
+    mesh.facts = check.facts(mesh.origin);
+    mesh.facts.dropped_count = before.dropped_count;
+    mesh.facts.duplicate_count = before.duplicate_count;
+    mesh.facts.doubled_vertex_count = before.doubled_vertex_count;
+    mesh.facts.coordinate_step = before.coordinate_step;
+}
+
+/// Every facet twice is not a surface behind a surface.
+void leave_out_duplicates(Mesh& mesh) {
+    MeshFacts& facts = mesh.facts;
+    if (mesh.triangles.size() > kMostFacetsCounted) return;
+    if (facts.closed && facts.same_orientation && !facts.saw_duplicates) return;
+    facts.duplicate_count = drop_duplicates(mesh.triangles);
+    if (facts.duplicate_count > 0) look_again(mesh);
 }
 
 void count_flaws(Mesh& mesh) {
     MeshFacts& facts = mesh.facts;
     if (mesh.triangles.size() > kMostFacetsCounted) return;
-    const bool suspicious = !facts.closed || !facts.same_orientation;
-    if (suspicious || facts.saw_duplicates) facts.duplicate_count = count_duplicates(mesh.triangles);
-    if (suspicious) {
-        const EdgeCounts counts = count_edges(mesh.triangles);
-        facts.open_edge_count = counts.open;
-        facts.turned_edge_count = counts.turned;
-    }
+    if (facts.closed && facts.same_orientation) return;
+    double size = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) size = std::max(size, facts.max[k] - facts.min[k]);
+    const EdgeCounts counts = count_edges(mesh.triangles, kWeldRatio * size);
+    facts.open_edge_count = counts.open;
+    facts.turned_edge_count = counts.turned;
+    facts.closed = counts.open == 0;
+    facts.same_orientation = counts.turned == 0;
 }
 
 std::string counted(std::uint64_t count, const std::string& one, const std::string& many) {
@@ -125,7 +111,7 @@ void write_warnings(Mesh& mesh) {
     }
     if (facts.duplicate_count > 0) {
         out.push_back(counted(facts.duplicate_count, "facet stands", "facets stand") +
-                      " in the file more than once");
+                      " in the file once more; left out");
     }
     if (facts.doubled_vertex_count > 0) {
         out.push_back(
@@ -267,6 +253,15 @@ MeshFacts MeshCheck::facts(const std::array<double, 3>& origin) {
     return facts;
 }
 
+double float_step_at(const MeshFacts& facts) noexcept {
+    double farthest = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        farthest = std::max({farthest, std::abs(facts.min[k]), std::abs(facts.max[k])});
+    }
+    const auto at = static_cast<float>(farthest);
+    return double{std::nextafter(at, std::numeric_limits<float>::max())} - double{at};
+}
+
 Result<void> judge_mesh(Mesh& mesh, const std::string& file) {
     const std::uint64_t dropped = mesh.facts.dropped_count;
     const std::uint64_t total = dropped + mesh.triangles.size();
@@ -275,6 +270,7 @@ Result<void> judge_mesh(Mesh& mesh, const std::string& file) {
         return bad_input(file + ": " + std::to_string(dropped) + " of " + std::to_string(total) +
                          " facets have NaN or infinite coordinates; this is not a usable mesh");
     }
+    leave_out_duplicates(mesh);
     if (!has_volume(mesh)) {
         return bad_input(file + ": the mesh has no volume (all of it is flat); there is nothing to carve");
     }

@@ -41,6 +41,9 @@ private:
     std::vector<std::uint64_t> sampled_facets_;
 };
 
+/// The step between two floats at the farthest coordinate of the box: what a file of floats can tell apart.
+double float_step_at(const MeshFacts& facts) noexcept;
+
 /// The last step of every reader: refuses meshes nobody can carve ("FILE: what, where"), counts open edges
 /// and duplicate facets where the quick check found something, and writes the warnings.
 Result<void> judge_mesh(Mesh& mesh, const std::string& file);

@@ -15,6 +15,7 @@
 #include "hmi/model/file_bytes.hpp"
 #include "hmi/model/indexed_mesh.hpp"
 #include "hmi/model/mesh.hpp"
+#include "hmi/model/mesh_check.hpp"
 #include "hmi/model/text_mesh_readers.hpp"
 #include "hmi/model/text_scan.hpp"
 #include "shared/result.hpp"
@@ -82,7 +83,9 @@ public:
                 if (auto done = read_row(element, i); !done) return done.error();
             }
         }
-        return mesh_.finish("PLY");
+        Mesh mesh = mesh_.finish("PLY");
+        if (has_float_points()) mesh.facts.coordinate_step = float_step_at(mesh.facts);
+        return mesh;
     }
 
 private:
@@ -210,6 +213,14 @@ private:
         }
         if (element.name == "vertex") mesh_.add_point(point);
         return element.properties.empty() ? Result<void>(row_error(element, row)) : Result<void>();
+    }
+
+    /// Whether the file itself holds its coordinates as floats.
+    bool has_float_points() const {
+        return binary_ && std::any_of(elements_.begin(), elements_.end(), [](const Element& element) {
+                   return element.name == "vertex" && !element.properties.empty() &&
+                          element.properties.front().kind == Kind::f32;
+               });
     }
 
     bool add_face() {

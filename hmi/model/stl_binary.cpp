@@ -75,6 +75,7 @@ Result<Mesh> read_facets(const InputFile& file, std::uint64_t facet_count) {
     if (auto done = hash_rest(file, end, buffer, hash.get()); !done) return done.error();
     mesh.source_hash = XXH3_64bits_digest(hash.get());
     mesh.facts = check.facts(mesh.origin);
+    mesh.facts.coordinate_step = float_step_at(mesh.facts);
     return mesh;
 }
 

@@ -266,23 +266,46 @@ TEST(JobSize, AModelOfKilometresIsRefused) {
 
 TEST(JobSize, MorePointsThanPulsesAreRefused) {
     EXPECT_EQ(built(oblong(), Profile{}, small(2, 3201)).table.point_count, 3201U);
-    EXPECT_THAT(refused(oblong(), Profile{}, small(2, 3202)).message, HasSubstr("more points than pulses"));
+    EXPECT_THAT(refused(oblong(), Profile{}, small(2, 3202)).message,
+                AllOf(HasSubstr("more points than pulses"), HasSubstr("at most --points 3201")));
 }
 
 TEST(JobSize, MoreLayersThanPulsesAreRefused) {
-    EXPECT_THAT(refused(oblong(), Profile{}, small(3201, 5)).message, HasSubstr("more layers than pulses"));
+    model::Mesh mesh = oblong();
+    mesh.source_name = "oblong.stl";
+    EXPECT_THAT(refused(mesh, Profile{}, small(3201, 5)).message,
+                AllOf(HasSubstr("oblong.stl: more layers than pulses"), HasSubstr("at most --layers 3200")));
 }
 
 TEST(JobSize, ASmallModelGetsNoMoreLayersThanItHasPulses) {
     const BuiltJob sut = built(shapes::cylinder(4.0, 0.0, 0.5, 20), Profile{}, JobOptions{});
     EXPECT_EQ(sut.table.layer_count, 200U);
     EXPECT_EQ(sut.table.point_count, 500U);
+    EXPECT_THAT(sut.report.notes, Contains(HasSubstr("200 layers, not 500")));
+}
+
+TEST(JobSize, ACoarseTableGetsNoMorePointsThanItHasPulses) {
+    Profile profile;
+    profile.psi.pulses_per_rev = 400;
+    const BuiltJob sut = built(oblong(), profile, JobOptions{});
+    EXPECT_EQ(sut.table.point_count, 201U);
+    EXPECT_THAT(sut.report.notes, Contains(HasSubstr("201 points a layer, not 500")));
 }
 
 TEST(JobSize, AUsualModelGetsTheOriginalsTable) {
     const BuiltJob sut = built(oblong(), Profile{}, JobOptions{});
     EXPECT_EQ(sut.table.layer_count, 500U);
     EXPECT_EQ(sut.table.point_count, 500U);
+    EXPECT_TRUE(sut.report.notes.empty());
+}
+
+TEST(SliceReport, WarnsWhereTheFilesFloatsAreCoarserThanAPulse) {
+    model::Mesh mesh = oblong();
+    mesh.facts.coordinate_step = 0.0024;  // a pulse is 0.0025 mm
+    EXPECT_TRUE(built(mesh, Profile{}, small(4, 5)).report.warnings.empty());
+    mesh.facts.coordinate_step = 0.0078;
+    EXPECT_THAT(built(mesh, Profile{}, small(4, 5)).report.warnings,
+                Contains(AllOf(HasSubstr("rounded to 0.0078 mm"), HasSubstr("a pulse (0.0025 mm)"))));
 }
 
 TEST(SliceReport, SuspectsInchesInATinyFigurine) {

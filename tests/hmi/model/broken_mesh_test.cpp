@@ -238,20 +238,6 @@ TEST(BrokenMesh, DegenerateFacetsAreCounted) {
     EXPECT_THAT(sut.warnings, Contains(HasSubstr("1 facet without area")));
 }
 
-TEST(BrokenMesh, ARepeatedFacetIsCounted) {
-    Mesh mesh = cylinder();
-    mesh.triangles.push_back(mesh.triangles[17]);
-    const Mesh sut = loaded(mesh_files::binary_stl(mesh));
-    EXPECT_EQ(sut.facts.duplicate_count, 1U);
-    EXPECT_THAT(sut.warnings, Contains(HasSubstr("1 facet stands in the file more than once")));
-}
-
-TEST(BrokenMesh, AMeshThatStandsThereTwiceIsNoted) {
-    const Mesh once = shapes::sphere(10.0, 40, 50);
-    const Mesh twice = shapes::Builder().add(once).add(once).mesh();
-    EXPECT_EQ(loaded(mesh_files::binary_stl(twice)).facts.duplicate_count, once.triangles.size());
-}
-
 TEST(BrokenMesh, VerticesThatStandThereTwiceAreCounted) {
     const std::string text =
         "v 0 0 0\nv 5 0 0\nv 0 5 0\nv 0 0 5\nv 0 0 5\n"

@@ -120,8 +120,8 @@ TEST(LoadMesh, IgnoresWhatFollowsTheLastFacet) {
 
 TEST(LoadMesh, ReadsSeveralSolidsOfAnAsciiStl) {
     const Folder folder;
-    const std::string text = mesh_files::ascii_stl(spring());
-    const auto sut = load_mesh(folder.write("a.stl", text + text));
+    const std::string text = mesh_files::ascii_stl(spring()) + mesh_files::ascii_stl(spring(), 60.0);
+    const auto sut = load_mesh(folder.write("a.stl", text));
     ASSERT_TRUE(sut.has_value());
     EXPECT_EQ(sut->triangles.size(), 2 * spring().triangles.size());
 }

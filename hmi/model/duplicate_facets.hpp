@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "hmi/model/mesh.hpp"
+
+namespace psicarve::model {
+
+/// Takes out every facet that stands there once more, and says how many those were. A facet that lies upon
+/// another one the other way round is a wall between two bodies and stays, unless nearly all facets are such
+/// pairs: then the model was written with both sides of its surface, and one of them is taken out.
+std::uint64_t drop_duplicates(TriangleList& triangles);
+
+}  // namespace psicarve::model

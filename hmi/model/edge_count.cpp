@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/model/edge_count.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "hmi/model/edge_hash.hpp"
+#include "hmi/model/mesh.hpp"
+
+namespace psicarve::model {
+namespace {
+
+using Vertex = std::array<float, 3>;
+
+/// Hash of an edge, whose lowest bit holds the direction; 0 for an edge without length.
+std::uint64_t key_of(std::uint64_t from, std::uint64_t to) noexcept {
+    if (from == to) return 0;
+    return (edge_hash(from, to) & ~1ULL) | (from < to ? 1U : 0U);
+}
+
+/// Sorts the keys and counts; the undirected hashes of the edges that are not in order go to `bad`, sorted.
+EdgeCounts count_keys(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& bad) {
+    std::sort(keys.begin(), keys.end());
+    EdgeCounts counts;
+    for (std::size_t i = 0; i < keys.size();) {
+        std::size_t end = i;
+        std::int64_t balance = 0;
+        for (; end < keys.size() && (keys[end] | 1U) == (keys[i] | 1U); ++end) {
+            balance += (keys[end] & 1U) != 0 ? 1 : -1;
+        }
+        const bool is_open = (end - i) % 2 != 0;
+        if (is_open) ++counts.open;
+        if (!is_open && balance != 0) ++counts.turned;
+        if (is_open || balance != 0) bad.push_back(keys[i] & ~1ULL);
+        i = end;
+    }
+    return counts;
+}
+
+std::array<std::uint64_t, 3> keys_of(const Triangle& t) noexcept {
+    const std::array<std::uint64_t, 3> h{vertex_hash(t.vertices[0]), vertex_hash(t.vertices[1]),
+                                         vertex_hash(t.vertices[2])};
+    return {key_of(h[0], h[1]), key_of(h[1], h[2]), key_of(h[2], h[0])};
+}
+
+using Edge = std::pair<Vertex, Vertex>;
+
+/// The edges with these hashes, each as often as facets have it.
+std::vector<Edge> edges_of(const TriangleList& triangles, const std::vector<std::uint64_t>& bad) {
+    std::vector<Edge> edges;
+    for (const Triangle& t : triangles) {
+        const auto keys = keys_of(t);
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (keys[i] == 0 || !std::binary_search(bad.begin(), bad.end(), keys[i] & ~1ULL)) continue;
+            edges.emplace_back(t.vertices[i], t.vertices[(i + 1) % 3]);
+        }
+    }
+    return edges;
+}
+
+/// Makes coordinates that lie within the tolerance of each other equal, on each axis apart.
+void weld(std::vector<Edge>& edges, double tolerance) {
+    std::vector<float*> coordinates;
+    coordinates.reserve(edges.size() * 2);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        coordinates.clear();
+        for (Edge& edge : edges) {
+            coordinates.push_back(&edge.first[axis]);
+            coordinates.push_back(&edge.second[axis]);
+        }
+        std::sort(coordinates.begin(), coordinates.end(),
+                  [](const float* a, const float* b) { return *a < *b; });
+        float first = *coordinates.front();
+        for (float* coordinate : coordinates) {
+            if (double{*coordinate} - double{first} > tolerance) first = *coordinate;
+            *coordinate = first;
+        }
+    }
+}
+
+}  // namespace
+
+EdgeCounts count_edges(const TriangleList& triangles, double tolerance) {
+    std::vector<std::uint64_t> keys;
+    keys.reserve(triangles.size() * 3);
+    for (const Triangle& t : triangles) {
+        for (const std::uint64_t key : keys_of(t)) {
+            if (key != 0) keys.push_back(key);
+        }
+    }
+    std::vector<std::uint64_t> bad;
+    const EdgeCounts counts = count_keys(keys, bad);
+    if (bad.empty() || !(tolerance > 0.0)) return counts;
+    // Only where something is wrong can rounding be the reason, and few vertices are welded more surely than
+    // many.
+    std::vector<Edge> edges = edges_of(triangles, bad);
+    weld(edges, tolerance);
+    keys.clear();
+    for (const auto& [from, to] : edges) {
+        if (const std::uint64_t key = key_of(vertex_hash(from), vertex_hash(to)); key != 0)
+            keys.push_back(key);
+    }
+    bad.clear();
+    return count_keys(keys, bad);
+}
+
+}  // namespace psicarve::model

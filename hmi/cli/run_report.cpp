@@ -57,10 +57,17 @@ std::string difference_text(const verify::VerifyReport& seen) {
     return first != nullptr ? first->sentence : "not every point was visited";
 }
 
+/// Right pins do not make the piece when the machine did not follow them.
+std::optional<bool> is_verified(const RunReport& report) {
+    if (!report.verification) return std::nullopt;
+    return report.verification->ok && report.lost_steps.empty();
+}
+
 std::string verification_text(const RunReport& report) {
     if (!report.verification) return "not verified: " + report.unverified_reason;
     const verify::VerifyReport& seen = *report.verification;
     if (!seen.ok) return "NO: " + difference_text(seen);
+    if (!report.lost_steps.empty()) return "NO: the pins are right, and the simulated machine lost steps";
     return formatted("yes: %llu points visited exactly, largest deviation %lld pulses",
                      static_cast<unsigned long long>(seen.points_visited),
                      static_cast<long long>(seen.max_deviation_pulses));
@@ -183,7 +190,7 @@ std::string run_json(const RunReport& report) {
                 {"ticks", figures.ticks},
                 {"missed_ticks", figures.missed_ticks},
                 {"alarms", alarms_json(figures)},
-                {"verified", report.verification ? Json(report.verification->ok) : Json(nullptr)},
+                {"verified", or_null(is_verified(report))},
                 {"max_deviation_pulses",
                  report.verification ? Json(report.verification->max_deviation_pulses) : Json(nullptr)},
                 {"undercut_share", or_null(report.undercut_share)},

@@ -64,7 +64,8 @@ Result<int> simulated_run(machine::CoreLaunch launch, const PreparedJob& job, co
                       " pin changes came faster than the trace could be written and are missing in it");
     }
     if (report.verification && !what.picture_path.empty()) {
-        const auto caption = verify::caption_of(job.view, *report.verification);
+        auto caption = verify::caption_of(job.view, *report.verification);
+        caption.has_lost_steps = !report.lost_steps.empty();
         const auto drawn = verify::write_picture(what.picture_path, core->surface(), caption);
         if (!drawn && !report.failure) report.failure = drawn.error();
         if (drawn) report.picture_path = what.picture_path;

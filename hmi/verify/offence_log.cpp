@@ -46,13 +46,19 @@ std::string shown_number(double value) {
     return text.data();
 }
 
+namespace {
+const char* word_of(Bound bound) {
+    return bound == Bound::at_most ? "allowed" : bound == Bound::at_least ? "needed" : "expected";
+}
+}  // namespace
+
 void OffenceLog::describe(Offence offence, const CarvePlace& place) {
     offence.layer = place.layer;
     offence.point = place.point;
     offence.sentence = "rule " + std::to_string(offence.rule) + ": " + offence.sentence + place_text(place) +
                        ", " + time_text(offence.time_ns) + ": " + shown_number(offence.measured) + " " +
                        offence.unit + " measured, " + shown_number(offence.allowed) + " " + offence.unit +
-                       " allowed";
+                       " " + word_of(offence.bound);
     rules_[static_cast<std::size_t>(offence.rule) - 1].first = std::move(offence);
 }
 

@@ -43,12 +43,19 @@ void PathRule::miss(std::int64_t time_ns, const Positions& at) {
                                     geometry_.cell_of(geometry_.direction(h, to_[kPsi])), closest - wanted);
     }
     consider(Axis::y, at[kY]);
+    if (const auto alone = near_.only_axis_off()) {
+        // All others met there: it is the one that has lost its way.
+        worst = *alone;
+        worst_off = near_.most_off;
+        measured = near_.at[index_of(worst)];
+    }
     if (log_.count(1, time_ns)) {
         Offence offence;
         offence.fault = "point-missed";
         offence.axis = worst;
         offence.measured = static_cast<double>(measured);
         offence.allowed = static_cast<double>(to_[index_of(worst)]);
+        offence.bound = Bound::exactly;
         offence.unit = "pulses";
         offence.sentence = worst_off > 0
                                ? "a point was not visited: " + shown_name(worst) + " stood elsewhere"
@@ -95,6 +102,7 @@ void PathRule::stray_in_height(std::int64_t time_ns, const Positions& at) {
         offence.axis = Axis::y;
         offence.measured = static_cast<double>(at[kY]);
         offence.allowed = static_cast<double>(to_[kY]);
+        offence.bound = Bound::exactly;
         offence.unit = "pulses";
         offence.sentence = "Y leaves its layer before the layer's end";
         report(time_ns, std::move(offence));
@@ -110,6 +118,7 @@ void PathRule::wrong_layer(std::int64_t time_ns, const Positions& at, std::uint3
         offence.axis = Axis::y;
         offence.measured = static_cast<double>(at[kY]);
         offence.allowed = static_cast<double>(to_[kY]);
+        offence.bound = Bound::exactly;
         offence.unit = "pulses";
         offence.sentence =
             "Y goes to layer " + std::to_string(layer) + " where layer " + std::to_string(layer_) + " is due";
@@ -159,6 +168,7 @@ void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& 
     offence.axis = kHeads[h];
     offence.measured = static_cast<double>(radius);
     offence.allowed = static_cast<double>(radius + too_deep);
+    offence.bound = Bound::at_least;
     offence.unit = "pulses";
     const auto row = geometry_.layer_at(at[kY]);
     offence.sentence = shown_name(kHeads[h]) + " stands deeper than " +
@@ -175,9 +185,16 @@ void PathRule::end_early(std::int64_t time_ns) {
     offence.fault = has_begun ? "ends-early" : "no-carving";
     offence.measured = static_cast<double>(visited_);
     offence.allowed = static_cast<double>(geometry_.total_points());
+    offence.bound = Bound::exactly;
     offence.unit = "points";
     offence.sentence = has_begun ? "the carving ends before the job's last point"
                                  : "nothing was carved: the first point is never reached with the spindle on";
+    if (const auto alone = ended_near_.only_axis_off(); has_begun && alone) {
+        offence.axis = alone;
+        offence.sentence += ", from which " + shown_name(*alone) + " alone stood " +
+                            std::to_string(ended_near_.most_off) +
+                            (ended_near_.most_off == 1 ? " pulse off" : " pulses off");
+    }
     place_ = ended_at_.value_or(CarvePlace{});
     report(time_ns, std::move(offence));
 }

@@ -2,6 +2,7 @@
 #include "hmi/verify/path_rule.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <utility>
 
@@ -145,6 +146,7 @@ void PathRule::end_attempt(std::int64_t time_ns) {
     is_complete_ = phase_ == Phase::done;
     if (!is_complete_) {
         ended_at_ = place_;
+        ended_near_ = near_;
         ended_ns_ = time_ns;
     }
     retraction_ = {};
@@ -174,6 +176,7 @@ void PathRule::aim(std::uint32_t layer, std::uint32_t step) {
     layer_ = layer;
     step_ = step;
     strayed_ = false;
+    near_ = {};
     from_ = to_;
     to_ = geometry_.target(layer, step);
     place_ = {layer, carved_point(geometry_.job().joining(), geometry_.point_count(), layer, step)};
@@ -218,6 +221,21 @@ void PathRule::reach(std::int64_t time_ns) {
         surface_.note_deviation(heading.surface_layer, cell, 0);
     }
     advance();
+}
+
+void PathRule::Nearest::note(const Positions& now, const Positions& wanted) noexcept {
+    std::int64_t most = 0;
+    for (std::size_t k = 0; k < kAxisCount; ++k) most = std::max(most, std::abs(now[k] - wanted[k]));
+    if (most > most_off) return;
+    unsigned off = 0;
+    for (std::size_t k = 0; k < kAxisCount; ++k) off |= now[k] != wanted[k] ? 1U << k : 0U;
+    if (most == most_off && std::popcount(off) >= std::popcount(axes_off)) return;
+    *this = {now, most, off};
+}
+
+std::optional<Axis> PathRule::Nearest::only_axis_off() const noexcept {
+    if (std::popcount(axes_off) != 1 || most_off > kNearPulses) return {};
+    return static_cast<Axis>(std::countr_zero(axes_off));
 }
 
 void PathRule::note_closest(const Positions& at) {
@@ -277,6 +295,7 @@ void PathRule::follow_segment(std::int64_t time_ns, const Positions& at) {
     else
         touch(time_ns, at);
     if (at == to_) return reach(time_ns);
+    near_.note(at, to_);
     if (at[kPsi] == to_[kPsi]) note_closest(at);
 }
 

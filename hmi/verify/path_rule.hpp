@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "hmi/verify/carved_surface.hpp"
@@ -50,6 +51,16 @@ private:
             closest;  ///< radius nearest to the wanted one, while psi stood at the point's
     };
 
+    /// The instant at which the axes were nearest to the point aimed at.
+    struct Nearest {
+        Positions at{};
+        std::int64_t most_off = std::numeric_limits<std::int64_t>::max();  ///< by any axis
+        unsigned axes_off = 0;                                             ///< bit by axis
+
+        void note(const Positions& now, const Positions& wanted) noexcept;
+        /// Nothing when several axes were off, or far.
+        std::optional<Axis> only_axis_off() const noexcept;
+    };
     struct Stray {
         std::int64_t time_ns;
         std::size_t head;
@@ -105,6 +116,7 @@ private:
     std::int64_t psi_sign_ = 1;  ///< which way this layer turns
     std::int64_t cells_at_psi_ = 0;
     std::array<Heading, kHeadCount> headings_;
+    Nearest near_;
     bool strayed_ = false;   ///< told already for this segment or link
     bool is_guess_ = false;  ///< the first point was only passed nearby
     CarvePlace place_;
@@ -119,6 +131,7 @@ private:
     Retraction retraction_;
     std::optional<CarvePlace> ended_at_;  ///< where the last attempt ended before its time
     std::int64_t ended_ns_ = 0;
+    Nearest ended_near_;
     std::uint64_t visited_ = 0;
     bool has_left_ = false;
     std::int64_t left_ns_ = 0;     ///< the first point

@@ -56,13 +56,18 @@ double round_length(double most) {
     return power;
 }
 
+std::string verdict_of(const PictureCaption& caption) {
+    if (!caption.verified) return "NOT verified";
+    return caption.has_lost_steps ? "STEPS LOST" : "verified on the pins";
+}
+
 void draw_title(Canvas& canvas, const PieceGrid& grid, const CarvedSurface& surface,
                 const PictureCaption& caption) {
     const Canvas::Font badge{13.0, true, {1.0, 1.0, 1.0}};
-    const std::string verdict = caption.verified ? "verified on the pins" : "NOT verified";
+    const bool is_good = caption.verified && !caption.has_lost_steps;
+    const std::string verdict = verdict_of(caption);
     const double badge_width = canvas.text_width(verdict, badge) + 22.0;
-    canvas.fill({kWidth - 20.0 - badge_width, 18.0, badge_width, 25.0}, caption.verified ? kGreen : kRed,
-                12.5);
+    canvas.fill({kWidth - 20.0 - badge_width, 18.0, badge_width, 25.0}, is_good ? kGreen : kRed, 12.5);
     canvas.text(kWidth - 20.0 - badge_width / 2.0, 35.0, verdict, badge, Align::centre);
     canvas.text(20.0, 38.0, caption.model_name.empty() ? "unnamed job" : caption.model_name, kTitle,
                 Align::left, kWidth - 60.0 - badge_width);

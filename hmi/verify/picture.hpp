@@ -18,6 +18,7 @@ struct PictureCaption {
     std::uint32_t layers = 0;
     std::uint32_t points = 0;
     bool verified = false;
+    bool has_lost_steps = false;  ///< the machine did not follow the pins
     std::int64_t max_deviation_pulses = 0;
 };
 PictureCaption caption_of(const JobView& job, const VerifyReport& report);

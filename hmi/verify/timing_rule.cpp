@@ -14,6 +14,7 @@ void TimingRule::check(Axis axis, std::int64_t time_ns, std::int64_t since_ns, s
     offence.time_ns = time_ns;
     offence.measured = static_cast<double>(measured_ns);
     offence.allowed = static_cast<double>(least_ns);
+    offence.bound = Bound::at_least;
     offence.unit = "ns";
     offence.sentence = shown_name(axis) + fault.text;
     log_.describe(std::move(offence), place);

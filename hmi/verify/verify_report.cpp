@@ -16,16 +16,21 @@ Json or_null(const std::optional<T>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
+const char* name_of(Bound bound) {
+    return bound == Bound::at_most ? "at-most" : bound == Bound::at_least ? "at-least" : "exactly";
+}
+
 Json offence_json(const Offence& offence) {
     Json json;
     json["rule"] = offence.rule;
     json["fault"] = offence.fault;
-    json["axis"] = offence.axis ? Json(std::string(name_of(*offence.axis))) : Json(nullptr);
+    json["axis"] = offence.axis ? Json(std::string(psicarve::name_of(*offence.axis))) : Json(nullptr);
     json["time_ns"] = offence.time_ns;
     json["layer"] = or_null(offence.layer);
     json["point"] = or_null(offence.point);
     json["measured"] = offence.measured;
     json["allowed"] = offence.allowed;
+    json["bound"] = name_of(offence.bound);
     json["unit"] = offence.unit;
     json["sentence"] = offence.sentence;
     return json;
@@ -61,7 +66,7 @@ std::string report_json(const VerifyReport& report) {
     json["verified"] = report.ok;
     json["rules"] = rules_json(report);
     for (const Axis axis : kAllAxes)
-        json["pulses"][std::string(name_of(axis))] = report.pulses[index_of(axis)];
+        json["pulses"][std::string(psicarve::name_of(axis))] = report.pulses[index_of(axis)];
     json["points_visited"] = report.points_visited;
     json["points_total"] = report.points_total;
     json["max_deviation_pulses"] = report.max_deviation_pulses;

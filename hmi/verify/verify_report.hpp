@@ -12,6 +12,9 @@ namespace psicarve::verify {
 
 inline constexpr std::size_t kRuleCount = 4;
 
+/// How a measured value has to stand to the allowed one.
+enum class Bound : std::uint8_t { at_most, at_least, exactly };
+
 /// One breach of one of the four rules that pulses must obey, with all that a person needs to find it.
 struct Offence {
     int rule = 0;  ///< 1..4 as in the rules' list in docs/verify.md
@@ -23,6 +26,7 @@ struct Offence {
     std::optional<std::uint32_t> point;  ///< index in the layer's row
     double measured = 0.0;
     double allowed = 0.0;
+    Bound bound = Bound::at_most;
     std::string unit;      ///< of both: "ns", "pulses", "mm"
     std::string sentence;  ///< one clear line that names all of it
 };

@@ -54,6 +54,43 @@ TEST(PathOffence, AMissingPulseIsNamedAtTheNextPoint) {
     EXPECT_NE(offence.sentence.find("layer 0 at point 3"), std::string::npos) << offence.sentence;
 }
 
+TEST(PathOffence, TheAxisThatLostAPulseIsNamedWhicheverItIs) {
+    for (const Axis axis : {Axis::r1, Axis::r2, Axis::psi}) {
+        for (const std::uint32_t from : {2U, 7U, 12U}) {
+            const SampleJob job = wavy_job(Joining::continuous, 1);
+            PerfectMachine machine(job);
+            machine.approach();
+            for (std::uint32_t step = 1; step <= from; ++step) machine.to_point(0, step);
+            const std::size_t pulse = pulses_before(machine, axis);
+            for (std::uint32_t step = from + 1; step < 21; ++step) machine.to_point(0, step);
+            machine.finish();
+            drop_pulse(machine, axis, pulse);
+            const VerifyReport report = verified(job, machine);
+            const Offence& offence = first_of(report, 1);
+            EXPECT_EQ(offence.axis, axis) << offence.sentence;
+            // A pulse of psi only shows where the radii change.
+            EXPECT_GE(offence.point, from + 1) << offence.sentence;
+            if (axis != Axis::psi) {
+                EXPECT_EQ(offence.point, from + 1) << offence.sentence;
+            }
+            EXPECT_EQ(std::abs(offence.measured - offence.allowed), 1.0);
+            EXPECT_NE(offence.sentence.find(" pulses expected"), std::string::npos) << offence.sentence;
+        }
+    }
+}
+
+TEST(PathOffence, APulseOfPsiThatARoundBodyHidesIsNamedAtTheEnd) {
+    const SampleJob job(Profile{}, 1, 21, Joining::continuous, [](double, double) { return 8.0; });
+    PerfectMachine machine(job);
+    machine.carve_job();
+    drop_pulse(machine, Axis::psi, 1000);
+    const VerifyReport report = verified(job, machine);
+    const Offence& offence = first_of(report, 1);
+    EXPECT_EQ(offence.fault, "ends-early") << offence.sentence;
+    EXPECT_EQ(offence.axis, Axis::psi);
+    EXPECT_NE(offence.sentence.find("psi alone stood 1 pulse off"), std::string::npos) << offence.sentence;
+}
+
 TEST(PathOffence, AnExtraPulseLeavesItsDepthInTheSurface) {
     const SampleJob job = wavy_job(Joining::continuous, 1);
     PerfectMachine machine(job);

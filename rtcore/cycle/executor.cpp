@@ -221,11 +221,7 @@ Executor::Progress Executor::begin_motion(std::uint64_t tick) noexcept {
     index_before_ = inputs_->is_tripped(block_.axis);
     next_axes_ = 0;
     in_motion_ = true;
-    if (block_.kind == BlockKind::path) {
-        law_.start(block_.path);
-        begin_segment(tick);
-        return kGroupStarted;
-    }
+    if (block_.kind == BlockKind::path) return begin_path(tick);
     bool has_way = false;
     if (block_.kind == BlockKind::move) {
         if (homing_axis_ != kNoAxis) lengthen_by_take_up();

@@ -38,7 +38,7 @@ public:
     static constexpr Progress kAtRest = 16;       ///< slowed down as asked; motion stands on an iteration
     static constexpr Progress kProgramEnd = 32;
     static constexpr Progress kNotFound = 64;  ///< the sensor of latch_axis() did not do what it should
-    static constexpr Progress kStarved = 128;  ///< a group's next line is not there
+    static constexpr Progress kStarved = 128;  ///< a group's next block is not there, or is none that ends
 
     Executor(const CycleConfig& config, BlockRing& blocks, PulseStage& pulses, const Inputs& inputs) noexcept
         : config_(&config),
@@ -98,6 +98,7 @@ private:
     Progress advance_take_up(std::uint64_t tick) noexcept;
     bool is_iteration_due() const noexcept;
     bool is_segment_done() const noexcept;
+    Progress begin_path(std::uint64_t tick) noexcept;
     void begin_segment(std::uint64_t tick) noexcept;
     void turn_idle_axes(std::uint64_t tick) noexcept;
     void expect_iteration(double number) noexcept;

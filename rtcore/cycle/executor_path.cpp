@@ -9,6 +9,12 @@ constexpr double kEarlyIterations = 1e-9;
 // Segments may be shorter than a tick; so many of them end in one, the rest in the next.
 constexpr int kSegmentsPerTick = 8;
 
+/// Whether time passes in it at all. What does not end would hold the machine for good, without a word.
+bool can_end(const PathTiming& timing) noexcept {
+    return timing.length > 0.0 && timing.start_speed2[0] >= 0.0 && timing.end_speed2[0] >= 0.0 &&
+           timing.start_speed2[0] + timing.end_speed2[0] > 0.0;
+}
+
 }  // namespace
 
 // At most one iteration a tick, and at most one segment of which is emitted: what else is due is late by a
@@ -35,7 +41,10 @@ Executor::Progress Executor::advance_path(std::uint64_t tick) noexcept {
             in_motion_ = false;
             return progress;
         }
-        if (!take_next_of_group()) return progress | kStarved;
+        if (!take_next_of_group() || !can_end(block_.path)) {
+            in_motion_ = false;
+            return progress | kStarved;
+        }
         law_.next(block_.path);
         begin_segment(tick);
         if (!has_stepped && is_iteration_due()) next_axes_ = dda_.iterate();
@@ -51,6 +60,16 @@ bool Executor::is_iteration_due() const noexcept {
 
 bool Executor::is_segment_done() const noexcept {
     return law_.is_at_end() && dda_.iterations_left() == 0 && next_axes_ == 0;
+}
+
+Executor::Progress Executor::begin_path(std::uint64_t tick) noexcept {
+    if (!can_end(block_.path)) {
+        in_motion_ = false;
+        return kStarved;
+    }
+    law_.start(block_.path);
+    begin_segment(tick);
+    return kGroupStarted;
 }
 
 void Executor::begin_segment(std::uint64_t tick) noexcept {

@@ -38,7 +38,9 @@ CoreStatus StatusMirror::compose(const cycle::Sample& sample, double seconds_lef
     status.job_generation = sample.job_generation;
     status.signals = sample.signals;
     status.move_end = sample.move_end;
-    status.seconds_left = seconds_left;
+    // Beyond 100 % only the motors know what they will make of it: as planned.
+    const auto slowed_percent = static_cast<double>(std::min<std::uint64_t>(sample.override_percent, 100));
+    status.seconds_left = slowed_percent > 0.0 ? seconds_left * 100.0 / slowed_percent : seconds_left;
     status.job_start_tick = sample.job_start_tick;
     status.carve_first_tick = sample.carve_first_tick;
     status.carve_last_tick = sample.carve_last_tick;

@@ -45,6 +45,7 @@ public:
     void set_sim(const SimFacts& sim) noexcept { sim_ = sim; }
 
     /// The whole status of this moment; the heartbeat grows by one each time.
+    /// `seconds_left` as planned; negative: unknown. The status shows what the override makes of it.
     CoreStatus compose(const cycle::Sample& sample, double seconds_left) noexcept;
 
 private:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -146,6 +147,23 @@ TEST(PathSegments, AreAnAlarmWhenTheNextOneIsNotThere) {
     EXPECT_FALSE(sut.run(1'000'000));
     EXPECT_NE(sut.seen & Executor::kStarved, 0U);
     EXPECT_EQ(sut.pulses.positions()[0], static_cast<std::int64_t>(kGroupStartBlocks));
+}
+
+TEST(PathSegments, AreAnAlarmWhenOneWouldNeverEnd) {
+    const MotionBlock good = path_block({3, 0, 0, 0}, 3.0, 0.2, 0.2);
+    MotionBlock standing = good;
+    standing.path.start_speed2[0] = standing.path.end_speed2[0] = 0.0;
+    MotionBlock unknown = good;
+    unknown.path.length = std::numeric_limits<double>::quiet_NaN();
+    for (const MotionBlock& bad : {standing, unknown}) {
+        for (const std::vector<MotionBlock>& run :
+             {std::vector<MotionBlock>{bad, good}, std::vector<MotionBlock>{good, bad}}) {
+            PathRig sut;
+            sut.program = as_run(run);
+            EXPECT_FALSE(sut.run(1000));
+            EXPECT_NE(sut.seen & Executor::kStarved, 0U);
+        }
+    }
 }
 
 // Every segment turns R1 round, and its pin has to be set five ticks ahead: Psi's iterations wait for it.

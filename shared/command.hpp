@@ -35,6 +35,14 @@ std::string_view name_of(CommandKind kind) noexcept;  ///< as on the command lin
 inline constexpr std::uint32_t kLeastOverride_percent = 10;
 inline constexpr std::uint32_t kMostOverride_percent = 200;
 
+/// How a move gets to its target.
+enum class MoveShape : std::uint32_t {
+    straight = 0,   ///< all axes together
+    stepped = 1,    ///< two of r1, r2, y: a line by point-by-point comparison, one axis at a time
+    arc = 2,        ///< a head and y, likewise: round `centre`, from +head towards +y
+    clockwise = 3,  ///< an arc the other way round
+};
+
 /// Fixed-size, trivially copyable. Written by a sender, read once by the core.
 struct Command {
     CommandKind kind;
@@ -45,8 +53,11 @@ struct Command {
     std::uint32_t lease_token = 0;   ///< jog, jog_on: see jog_lease.hpp; 0: nobody holds it
     std::uint32_t lease_ms = 0;      ///< jog, jog_on: how long it lives without being renewed
     double target[kAxisCount] = {};  ///< move: position by axis [mm; psi: deg]
+    double centre[kAxisCount] = {};  ///< move, arcs: likewise
+    MoveShape shape = MoveShape::straight;
+    std::uint32_t reserved = 0;
 };
-static_assert(sizeof(Command) == 72 && std::is_trivially_copyable_v<Command>, "bump kLayoutVersion");
+static_assert(sizeof(Command) == 112 && std::is_trivially_copyable_v<Command>, "bump kLayoutVersion");
 
 enum class AnswerKind : std::uint32_t { none = 0, done = 1, refused = 2 };
 

@@ -85,6 +85,8 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
                                offsetof(Command, speed),
                                offsetof(Command, lease_token),
                                offsetof(Command, target),
+                               offsetof(Command, centre),
+                               offsetof(Command, shape),
                                offsetof(Answer, reason),
                                offsetof(JobVerdict, accepted),
                                offsetof(JobVerdict, reason),

@@ -109,6 +109,8 @@ enum class RecordKind : std::uint16_t {
 enum class OrderPart : std::uint16_t {
     target = 0,  ///< axis; value: position, jog: distance, jog_on: direction [pulses]
     speed = 1,   ///< value: bits of a double [pulses/s]
+    shape = 2,   ///< value: MoveShape
+    centre = 3,  ///< of an arc; axis: 0 or 1, its first or second axis; value [pulses]
 };
 
 /// One entry of the flight recorder.

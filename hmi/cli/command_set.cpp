@@ -64,6 +64,12 @@ Syntax& Syntax::option(const char* names, std::string& target, const char* type,
     return *this;
 }
 
+Syntax& Syntax::words(const char* names, std::vector<std::string>& target, const char* type,
+                      const char* help) {
+    app_->add_option(names, target, help)->type_name(type)->delimiter(',')->allow_extra_args(false);
+    return *this;
+}
+
 Syntax& Syntax::required_option(const char* names, std::string& target, const char* type, const char* help) {
     app_->add_option(names, target, help)->type_name(type)->required();
     return *this;

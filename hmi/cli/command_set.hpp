@@ -43,6 +43,8 @@ public:
     explicit Syntax(CLI::App& app) noexcept : app_(&app) {}
 
     Syntax& argument(const char* name, std::string& target, const char* help);
+    /// May be left out.
+    Syntax& words(const char* names, std::vector<std::string>& target, const char* type, const char* help);
     /// A whole number within the bounds.
     Syntax& argument(const char* name, std::uint32_t& target, std::uint32_t least, std::uint32_t most,
                      const char* help);

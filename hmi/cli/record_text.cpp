@@ -48,6 +48,20 @@ std::string kind_text(RecordKind kind) {
     return std::to_string(static_cast<unsigned>(kind));
 }
 
+std::string part_text(OrderPart part) {
+    switch (part) {
+        case OrderPart::target:
+            return "target";
+        case OrderPart::speed:
+            return "speed";
+        case OrderPart::shape:
+            return "shape";
+        case OrderPart::centre:
+            return "centre";
+    }
+    return std::to_string(static_cast<unsigned>(part));
+}
+
 /// What the code means for this kind of record; empty when it means nothing.
 std::string code_text(const FlightRecord& record) {
     switch (record.kind) {
@@ -56,7 +70,7 @@ std::string code_text(const FlightRecord& record) {
                 return name_of(static_cast<CommandKind>(code));
             });
         case RecordKind::order:
-            return static_cast<OrderPart>(record.code) == OrderPart::target ? "target" : "speed";
+            return part_text(static_cast<OrderPart>(record.code));
         case RecordKind::state_change:
             return named_or_number(record.code, kMachineStateCount, [](std::uint16_t code) {
                 return name_of(static_cast<MachineState>(code));

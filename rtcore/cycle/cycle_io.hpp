@@ -63,6 +63,7 @@ enum class Refusal : std::uint8_t {
     heads_too_close,
     at_the_end,    ///< no way is left in this direction
     bad_override,  ///< beyond 10 to 200 per cent
+    not_an_arc,    ///< begin and end are not as far from the centre, or it is too small
 };
 
 /// tick -> supervisor, in the order in which things happened. Each carries the flight-recorder entry of it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <bit>
 
+#include "rtcore/cycle/arc_order.hpp"
 #include "rtcore/cycle/cycle.hpp"
 
 namespace psicarve::cycle {
@@ -38,7 +39,12 @@ Refusal Cycle::start_move(const Request& request) noexcept {
             to[k] = request.kind == RequestKind::jog ? from[k] + target : target;
         }
     }
-    const SoftBreach breach = first_breach(config_.soft_limits, from, to);
+    SoftBreach breach = first_breach(config_.soft_limits, from, to);
+    if (is_arc(request.order) && breach.limit == SoftLimit::none) {
+        const ArcInPlane arc = arc_of(request.order, from, to);
+        if (!arc.is_arc) return Refusal::not_an_arc;
+        breach = breach_on_arc(config_.soft_limits, arc, from);
+    }
     if (breach.limit != SoftLimit::none) return refuse_at(refusal_of(breach.limit), breach.axis);
     record_order(request);
     lease_.begin(request.lease_token, request.lease_ticks, io_->urgent.jog_lease.load(), tick_);
@@ -64,6 +70,12 @@ void Cycle::record_order(const Request& request) noexcept {
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         if ((order.axes >> k & 1U) == 0) continue;
         note(OrderPart::target, static_cast<std::uint8_t>(k), order.target_pulses[k]);
+    }
+    if (order.shape != OrderShape::straight) {
+        note(OrderPart::shape, kNoAxis, static_cast<std::int64_t>(order.shape));
+        for (std::size_t i = 0; i < order.centre_pulses.size(); ++i) {
+            note(OrderPart::centre, static_cast<std::uint8_t>(i), order.centre_pulses[i]);
+        }
     }
     if (order.speed_pps > 0.0) {
         note(OrderPart::speed, kNoAxis, std::bit_cast<std::int64_t>(order.speed_pps));

@@ -7,6 +7,7 @@
 #include "rtcore/plan/carve_program.hpp"
 #include "rtcore/plan/homing.hpp"
 #include "rtcore/plan/move.hpp"
+#include "rtcore/plan/stepped_program.hpp"
 
 namespace psicarve::plan {
 
@@ -76,6 +77,9 @@ std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
         case PlanKind::back_off:
             return list(back_off_blocks(limits_, static_cast<Axis>(request.axis)));
         case PlanKind::move:
+            if (request.order.shape != cycle::OrderShape::straight) {
+                return std::make_unique<SteppedProgram>(limits_, request.order, request.position_pulses);
+            }
             return list(move_blocks(limits_, request.order, request.position_pulses));
         case PlanKind::position:
             return job_ == nullptr ? nullptr : list(approach_blocks(limits_, *job_, request.position_pulses));

@@ -2,6 +2,7 @@
 #include "rtcore/supervisor/motion_request.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <string>
 
@@ -53,10 +54,43 @@ Result<void> add_jog(Request& request, const Command& command, const Profile& pr
     return {};
 }
 
+/// An arc is one only where a millimetre is as many pulses on both axes.
+Result<void> add_centre(Request& request, const Command& command, const Profile& profile) {
+    const bool is_first = (command.axis & 1U) != 0;
+    if (command.axis != 0b1001 && command.axis != 0b1010)
+        return refused("move: an arc takes r1 and y, or r2 and y");
+    const Axis head = is_first ? Axis::r1 : Axis::r2;
+    const double scale = axis_motion(profile, head).pulses_per_unit;
+    if (scale != profile.y.pulses_per_mm) {
+        return refused("move: no arc, " + std::string{name_of(head)} + " and y differ in pulses_per_mm");
+    }
+    std::size_t i = 0;
+    for (const Axis axis : {head, Axis::y}) {
+        const auto centre = pulses_of(command.centre[index_of(axis)], axis, profile, "move: the centre");
+        if (!centre) return centre.error();
+        request.order.centre_pulses[i++] = *centre;
+    }
+    return {};
+}
+
+Result<void> add_shape(Request& request, const Command& command, const Profile& profile) {
+    if (command.shape == MoveShape::straight) return {};
+    if (command.shape > MoveShape::clockwise)
+        return refused("move: unknown shape; is the sender another version?");
+    request.order.shape = static_cast<cycle::OrderShape>(command.shape);
+    if (command.shape != MoveShape::stepped) return add_centre(request, command, profile);
+    const bool has_psi = (command.axis >> index_of(Axis::psi) & 1U) != 0;
+    if (has_psi || std::popcount(command.axis) > 2) {
+        return refused("move: point by point takes one or two of r1, r2 and y");
+    }
+    return {};
+}
+
 Result<void> add_move(Request& request, const Command& command, const Profile& profile) {
     if (command.axis == 0 || (command.axis >> kAxisCount) != 0) return refused("move: no axis to move");
     request.order.axes = static_cast<std::uint8_t>(command.axis);
     request.order.drops_turns = 1;
+    if (const auto shaped = add_shape(request, command, profile); !shaped) return shaped;
     for (const Axis axis : kAllAxes) {
         const std::size_t k = index_of(axis);
         if ((command.axis >> k & 1U) == 0) continue;

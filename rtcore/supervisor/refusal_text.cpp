@@ -89,6 +89,8 @@ std::string refusal_text(const cycle::Report& answer, CommandKind command, const
             return "the axis' sensor is not tripped; nothing to back off from";
         case R::no_sensor:
             return "the axis has no sensor";
+        case R::not_an_arc:
+            return "move: begin and end of the arc are not equally far from its centre, or it is too small";
         case R::outside_travel:
         case R::inside_core_radius:
         case R::heads_too_close:

@@ -78,6 +78,12 @@ void add_part(cycle::MotionOrder& order, const FlightRecord& record) {
         case OrderPart::speed:
             order.speed_pps = std::bit_cast<double>(record.value);
             return;
+        case OrderPart::shape:
+            order.shape = static_cast<cycle::OrderShape>(record.value);
+            return;
+        case OrderPart::centre:
+            if (record.axis < order.centre_pulses.size()) order.centre_pulses[record.axis] = record.value;
+            return;
     }
 }
 

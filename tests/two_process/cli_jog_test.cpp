@@ -133,6 +133,28 @@ TEST_F(Jogging, ByADistanceAndMovesEndWhereTheyAreSent) {
     EXPECT_EQ(run({"move", "y=1"}).out, "move: the machine is ready\n");
 }
 
+TEST_F(Jogging, ArcsAndStepwiseLinesEndWhereTheyAreSent) {
+    start_core({"--clock", "virtual"});
+    ASSERT_EQ(run({"move", "r1=30", "y=20"}).exit_code, 0);
+    const auto position = [](const Outcome& outcome) { return outcome.json()["position_pulses"]; };
+    const Outcome arc = run({"move", "r1=20", "y=30", "--centre", "r1=20,y=20", "--json"});
+    ASSERT_EQ(arc.exit_code, 0) << arc.error;
+    EXPECT_EQ(position(arc)["r1"], 8000);
+    EXPECT_EQ(position(arc)["y"], 12000);
+    // Three quarters of a turn back: both axes make three times a quarter's pulses.
+    const auto emitted = arc.json()["emitted_pulses"]["y"].get<std::int64_t>();
+    const Outcome back = run({"move", "r1=30", "y=20", "--centre", "r1=20,y=20", "--json"});
+    ASSERT_EQ(back.exit_code, 0) << back.error;
+    EXPECT_EQ(back.json()["emitted_pulses"]["y"], emitted + 3 * 4000);
+    const Outcome line = run({"move", "r1=25.5", "y=10", "--stepwise", "--json"});
+    ASSERT_EQ(line.exit_code, 0) << line.error;
+    EXPECT_EQ(position(line)["r1"], 10200);
+    EXPECT_EQ(position(line)["y"], 4000);
+    const Outcome none = run({"move", "r1=30", "y=20", "--centre", "r1=20,y=20"});
+    EXPECT_EQ(none.exit_code, 4);
+    EXPECT_NE(none.error.find("not equally far from its centre"), std::string::npos) << none.error;
+}
+
 TEST_F(Jogging, WhatTheMachineCannotDoIsRefusedWithTheReason) {
     start_core({"--clock", "virtual"});
     const auto expect_refused = [&](std::vector<std::string> arguments, const std::string& reason) {

@@ -63,6 +63,36 @@ TEST(MotionRequest, PutsPositionsIntoPulsesByAxis) {
     EXPECT_EQ(sut->order.drops_turns, 1U);
 }
 
+TEST(MotionRequest, PutsAnArcsCentreIntoPulsesOfItsTwoAxes) {
+    Command command = move(0b1010, 30.0);
+    command.shape = MoveShape::clockwise;
+    command.centre[1] = 25.0;
+    command.centre[3] = -2.5;
+    const auto sut = motion_request(command, RequestKind::move, Profile{}, false);
+    ASSERT_TRUE(sut) << sut.error().message;
+    EXPECT_EQ(sut->order.shape, cycle::OrderShape::clockwise);
+    EXPECT_EQ(sut->order.centre_pulses, (std::array<std::int64_t, 2>{10'000, -1000}));
+}
+
+TEST(MotionRequest, RefusesShapesThatTheseAxesDoNotHave) {
+    const auto refusal_of = [](std::uint32_t axes, MoveShape shape, const Profile& profile = Profile{}) {
+        Command command = move(axes, 30.0);
+        command.shape = shape;
+        const auto request = motion_request(command, RequestKind::move, profile, false);
+        return request ? std::string{} : request.error().message;
+    };
+    EXPECT_EQ(refusal_of(0b1001, MoveShape::arc), "");
+    EXPECT_EQ(refusal_of(0b0011, MoveShape::stepped), "");
+    EXPECT_NE(refusal_of(0b0011, MoveShape::arc).find("takes r1 and y, or r2 and y"), std::string::npos);
+    EXPECT_NE(refusal_of(0b1100, MoveShape::arc).find("takes r1 and y"), std::string::npos);
+    EXPECT_NE(refusal_of(0b1011, MoveShape::stepped).find("one or two"), std::string::npos);
+    EXPECT_NE(refusal_of(0b0101, MoveShape::stepped).find("one or two"), std::string::npos);
+    EXPECT_NE(refusal_of(0b1001, static_cast<MoveShape>(9)).find("unknown shape"), std::string::npos);
+    Profile uneven;
+    uneven.y.pulses_per_mm = 200.0;
+    EXPECT_NE(refusal_of(0b1001, MoveShape::arc, uneven).find("pulses_per_mm"), std::string::npos);
+}
+
 TEST(MotionRequest, RefusesWhatMakesNoSenseByName) {
     Command no_axis = jog(1.0);
     no_axis.axis = 4;

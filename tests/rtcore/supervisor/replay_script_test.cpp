@@ -137,8 +137,9 @@ TEST(ReplayScript, GivesACommandTheOrderThatWasRecordedBeforeIt) {
     let_go.code = static_cast<std::uint16_t>(MoveEnd::lease_gone);
     const auto sut =
         script_from_records({state_change(10, MachineState::ready), order(20, OrderPart::target, 1, 4000),
-                             order(20, OrderPart::target, 3, -7), command(20, CommandKind::move),
-                             order(50, OrderPart::target, 2, 1),
+                             order(20, OrderPart::target, 3, -7), order(20, OrderPart::shape, kNoAxis, 2),
+                             order(20, OrderPart::centre, 0, 11), order(20, OrderPart::centre, 1, -12),
+                             command(20, CommandKind::move), order(50, OrderPart::target, 2, 1),
                              order(50, OrderPart::speed, kNoAxis, std::bit_cast<std::int64_t>(812.5)),
                              command(50, CommandKind::jog_on), let_go, command(70, CommandKind::home)});
     ASSERT_TRUE(sut.has_value());
@@ -146,7 +147,10 @@ TEST(ReplayScript, GivesACommandTheOrderThatWasRecordedBeforeIt) {
     EXPECT_EQ(sut->steps[0].request, cycle::RequestKind::move);
     EXPECT_EQ(sut->steps[0].order.axes, 0b1010U);
     EXPECT_EQ(sut->steps[0].order.target_pulses, (std::array<std::int64_t, kAxisCount>{0, 4000, 0, -7}));
+    EXPECT_EQ(sut->steps[0].order.shape, cycle::OrderShape::arc);
+    EXPECT_EQ(sut->steps[0].order.centre_pulses, (std::array<std::int64_t, 2>{11, -12}));
     EXPECT_EQ(sut->steps[1].request, cycle::RequestKind::jog_on);
+    EXPECT_EQ(sut->steps[1].order.shape, cycle::OrderShape::straight);
     EXPECT_EQ(sut->steps[1].order.axes, 0b100U);
     EXPECT_EQ(sut->steps[1].order.speed_pps, 812.5);
     EXPECT_EQ(sut->steps[2].request, cycle::RequestKind::end_jog);

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/stepped_program.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace psicarve::plan {
+
+using cycle::BlockKind;
+using cycle::MotionBlock;
+using cycle::PointByPoint;
+
+namespace {
+
+Pulses4 target_of(const cycle::MotionOrder& order, const Pulses4& from_pulses) {
+    Pulses4 to = from_pulses;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        if ((order.axes >> k & 1U) != 0) to[k] = order.target_pulses[k];
+    }
+    return to;
+}
+
+PointByPoint way_of(const cycle::ArcInPlane& plane, bool is_arc) {
+    if (is_arc) return PointByPoint::arc(plane.begin, plane.end, plane.counter_clockwise);
+    return PointByPoint::line({plane.end.x - plane.begin.x, plane.end.y - plane.begin.y});
+}
+
+}  // namespace
+
+SteppedProgram::SteppedProgram(const MachineLimits& limits, const cycle::MotionOrder& order,
+                               const Pulses4& from_pulses)
+    : limits_(&limits),
+      plane_(cycle::arc_of(order, from_pulses, target_of(order, from_pulses))),
+      way_(way_of(plane_, cycle::is_arc(order))) {
+    speeds_ = cycle::is_arc(order) ? arc_speeds() : line_speeds();
+    count_groups();
+}
+
+std::optional<SteppedProgram::Run> SteppedProgram::next_run(PointByPoint& way) {
+    if (way.is_finished()) return std::nullopt;
+    PointByPoint::Step step = way.next();
+    Run run{step.x != 0 ? std::size_t{0} : std::size_t{1}, step.x + step.y, 1};
+    for (PointByPoint ahead = way; !ahead.is_finished(); ++run.steps) {
+        if (ahead.next() != step) break;
+        way = ahead;
+    }
+    return run;
+}
+
+void SteppedProgram::count_groups() {
+    std::array<int, 2> last{};
+    PointByPoint way = way_;
+    while (const auto run = next_run(way)) {
+        const bool has_gap = limits_->axes[plane_.axes[run->axis]].backlash_pulses > 0;
+        const bool turns = has_gap && last[run->axis] != run->direction;
+        last[run->axis] = run->direction;
+        if (turns || groups_.empty()) groups_.push_back({0, 0});
+        ++groups_.back().blocks;
+        groups_.back().steps += static_cast<std::uint64_t>(run->steps);
+    }
+}
+
+// An axis makes its share of the steps, and never more than one in two ticks' time of the pins.
+GroupLimits SteppedProgram::line_speeds() const {
+    const std::array<std::int64_t, 2> way{std::abs(plane_.end.x - plane_.begin.x),
+                                          std::abs(plane_.end.y - plane_.begin.y)};
+    const auto steps = static_cast<double>(way[0] + way[1]);
+    GroupLimits speeds{limits_->max_iterations_per_s, limits_->max_iterations_per_s, 0.0};
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        if (way[i] == 0) continue;
+        const AxisMotion& axis = limits_->axes[plane_.axes[i]];
+        const double ratio = steps / static_cast<double>(way[i]);
+        speeds.start_per_s = std::min(speeds.start_per_s, axis.start_stop_pps);
+        speeds.max_per_s = std::min(speeds.max_per_s, axis.speed_pps * ratio);
+        const double accel = axis.accel_pps2 * ratio;
+        speeds.accel_per_s2 = speeds.accel_per_s2 > 0.0 ? std::min(speeds.accel_per_s2, accel) : accel;
+    }
+    speeds.start_per_s = std::min(speeds.start_per_s, speeds.max_per_s);
+    return speeds;
+}
+
+// With V steps a second at the angle t an axis moves at V*sin(t)/(|sin(t)| + |cos(t)|): at most V, its
+// acceleration at most V^2/R and the ramp's. Each of the two gets half of what the axis has.
+GroupLimits SteppedProgram::arc_speeds() const {
+    GroupLimits speeds{limits_->max_iterations_per_s, limits_->max_iterations_per_s, 0.0};
+    for (const std::size_t k : plane_.axes) {
+        const AxisMotion& axis = limits_->axes[k];
+        const double half = 0.5 * axis.accel_pps2;
+        speeds.start_per_s = std::min(speeds.start_per_s, axis.start_stop_pps);
+        speeds.max_per_s = std::min(
+            {speeds.max_per_s, axis.speed_pps, std::sqrt(half * static_cast<double>(plane_.radius_pulses))});
+        speeds.accel_per_s2 = speeds.accel_per_s2 > 0.0 ? std::min(speeds.accel_per_s2, half) : half;
+    }
+    speeds.start_per_s = std::min(speeds.start_per_s, speeds.max_per_s);
+    return speeds;
+}
+
+bool SteppedProgram::next(MotionBlock& block) {
+    if (is_ended_) return false;
+    block = MotionBlock{};
+    const auto run = next_run(way_);
+    if (!run) {
+        block.kind = BlockKind::program_end;
+        is_ended_ = true;
+        return true;
+    }
+    block.kind = BlockKind::line;
+    block.delta_pulses[plane_.axes[run->axis]] = run->direction * run->steps;
+    if (blocks_left_ == 0) {
+        const Group& group = groups_[group_++];
+        blocks_left_ = group.blocks;
+        block.group_blocks = group.blocks;
+        block.group_iterations = group.steps;
+        block.start_speed_per_s = speeds_.start_per_s;
+        block.max_speed_per_s = speeds_.max_per_s;
+        block.accel_per_s2 = speeds_.accel_per_s2;
+    }
+    --blocks_left_;
+    return true;
+}
+
+}  // namespace psicarve::plan

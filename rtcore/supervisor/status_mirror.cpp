@@ -38,9 +38,7 @@ CoreStatus StatusMirror::compose(const cycle::Sample& sample, double seconds_lef
     status.job_generation = sample.job_generation;
     status.signals = sample.signals;
     status.move_end = sample.move_end;
-    // Beyond 100 % only the motors know what they will make of it: as planned.
-    const auto slowed_percent = static_cast<double>(std::min<std::uint64_t>(sample.override_percent, 100));
-    status.seconds_left = slowed_percent > 0.0 ? seconds_left * 100.0 / slowed_percent : seconds_left;
+    status.seconds_left = seconds_left;
     status.job_start_tick = sample.job_start_tick;
     status.carve_first_tick = sample.carve_first_tick;
     status.carve_last_tick = sample.carve_last_tick;
@@ -57,7 +55,13 @@ CoreStatus StatusMirror::compose(const cycle::Sample& sample, double seconds_lef
     std::ranges::copy(sim_.ignored_pulses, status.sim_ignored_pulses);
     std::ranges::copy(sim_.timing_lost, status.sim_timing_lost);
     std::ranges::copy(sim_.stalls, status.sim_stalls);
+    status.seconds_left *= stretch_of(sample.override_percent);
     return status;
+}
+
+double stretch_of(std::uint64_t override_percent) noexcept {
+    if (override_percent == 0 || override_percent >= 100) return 1.0;
+    return 100.0 / static_cast<double>(override_percent);
 }
 
 }  // namespace psicarve::supervisor

@@ -33,6 +33,10 @@ struct SimFacts {
     std::array<std::uint64_t, kAxisCount> stalls{};
 };
 
+/// How much longer the planned time takes with this override. Beyond 100 % it depends on the motors' limits
+/// along the path: as planned.
+double stretch_of(std::uint64_t override_percent) noexcept;
+
 /// Composes CoreStatus from its sources and keeps what lasts longer than a sample: heartbeat and alarm
 /// history.
 class StatusMirror {
@@ -45,7 +49,6 @@ public:
     void set_sim(const SimFacts& sim) noexcept { sim_ = sim; }
 
     /// The whole status of this moment; the heartbeat grows by one each time.
-    /// `seconds_left` as planned; negative: unknown. The status shows what the override makes of it.
     CoreStatus compose(const cycle::Sample& sample, double seconds_left) noexcept;
 
 private:

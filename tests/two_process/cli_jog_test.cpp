@@ -155,6 +155,37 @@ TEST_F(Jogging, ArcsAndStepwiseLinesEndWhereTheyAreSent) {
     EXPECT_NE(none.error.find("not equally far from its centre"), std::string::npos) << none.error;
 }
 
+TEST_F(Jogging, ThePinsOfEveryKindOfMoveObeyTheRules) {
+    for (const std::string profile : {"",
+                                      "[axis.r1]\nbacklash_mm = 0.03\n[axis.y]\nbacklash_mm = 0.1\n"
+                                      "[axis.r2]\nbacklash_mm = 0.05\n[axis.psi]\nbacklash_deg = 0.4\n"}) {
+        write("machine.toml", profile);
+        const std::string job = file("box.job");
+        ASSERT_EQ(psicarve({"slice", box_stl("box.stl"), "-o", job, "--layers", "3", "--points", "9",
+                            "--profile", file("machine.toml")})
+                      .exit_code,
+                  0);
+        start_core({"--clock", "virtual", "--profile", file("machine.toml"), "--trace", file("pins.trace")});
+        for (const std::string command :
+             {"move r1=30 y=20", "move r1=30 y=20 --centre r1=20,y=20",
+              "move r1=20 y=30 --centre r1=20,y=20 --clockwise", "move r1=25 y=10 --stepwise",
+              "jog psi 123.4", "jog r2 -20 --speed 3", "jog r2 0.07", "jog y -",
+              "move r1=50 r2=50 y=20 psi=10"}) {
+            const Outcome outcome = run(words_of(command));
+            ASSERT_EQ(outcome.exit_code, 0) << command << ": " << outcome.error;
+        }
+        ASSERT_EQ(run({"publish", job}).exit_code, 0);
+        ASSERT_EQ(run({"start", "--carve"}).exit_code, 0);
+        ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
+        core_->send(SIGTERM);
+        ASSERT_EQ(core_->wait(), 0) << core_->error();
+        const Outcome verified = psicarve({"verify", job, file("pins.trace")});
+        EXPECT_EQ(verified.exit_code, 0) << verified.error << verified.out;
+        core_.reset();
+        ASSERT_TRUE(Segment::remove(segment_));
+    }
+}
+
 TEST_F(Jogging, WhatTheMachineCannotDoIsRefusedWithTheReason) {
     start_core({"--clock", "virtual"});
     const auto expect_refused = [&](std::vector<std::string> arguments, const std::string& reason) {

@@ -6,7 +6,8 @@ usage: bench_carve_time.py BUILD [--work DIR] [--jobs NAME ...] [--scan MESH] [-
                            [--halvings N] [--no-reference] [--linuxcnc] [--json]
 
 BUILD is a build folder with psicarve, psicarve-rtcore and job_from_csv. All carving is on the virtual clock, so the
-figures are the machine's and the same everywhere; every run is verified on its pins. Columns:
+figures are the machine's and the same everywhere; every run is verified on its pins, and the script fails if one is not as
+its job asks. Columns:
 
   whole job     angle, ahead       carving time with either planner [s]; angle/ahead
                 ahead/T_ref        T_ref: reference_seconds of the same run
@@ -67,7 +68,8 @@ def single_layer(programs, machine, work, table, number, options):
     }
     inputs = [table.read_text(), profile.read_text(), str(number)]
     if not options.no_reference:
-        found |= jobs.remembered(work, "reference", [*inputs, str(options.halvings)], lambda: reference(layer, limits, options))
+        key = [*inputs, str(options.halvings)]
+        found |= jobs.remembered(work, "reference", key, lambda: reference(layer, limits, options))
         found["t_ref/bending"] = ratio(found["t_ref_s"], found["bending_s"])
         found["t_ref/least"] = ratio(found["t_ref_s"], found["least_s"])
     if options.linuxcnc:
@@ -128,6 +130,7 @@ def main():
         report = measure(options, work)
     if options.json:
         print(json.dumps(report))
+    sys.exit("\n".join(jobs.found_wrong) or 0)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,9 @@ namespace {
 
 // So close to the target's speed squared it is met; the step is far below what any axis notices.
 constexpr double kMetRatio = 1e-12;
+// Of the acceleration that is left, so much is used to get to the target. The rest pays for the pulses' being
+// whole and on ticks, which a plan that goes to the limit has spent already.
+constexpr double kSteeringShare = 0.99;
 
 /// d2u/dt2 of motions that are known to be allowed here: along the profile of which the speed at hand is a
 /// part or a mixture, and along the 200 % profile scaled down.
@@ -202,7 +205,7 @@ double PathLaw::spare_accel(double speed2) const noexcept {
         spare = std::min(spare,
                          double{timing_.accel_free[k]} * per_tick2 - double{timing_.accel_bend[k]} * speed2);
     }
-    return spare;
+    return spare > 0.0 ? kSteeringShare * spare : spare;
 }
 
 double PathLaw::rising_accel(const Profiles& profiles) const noexcept {

@@ -16,6 +16,7 @@ namespace psicarve::cycle {
 namespace {
 
 constexpr double kSlack = 1.0 + 1e-6;
+constexpr double kStandingSpeed2 = 1e-14;  // where a profile all but touches 0
 
 /// Drives a law along a curve and judges every tick.
 class Drive {
@@ -90,7 +91,7 @@ private:
         jumped_ = false;
         ASSERT_LE(speed2, curve_.speed2(1, segment, law_.way()) * kSlack) << "tick " << ticks;
         if (has_met_) {
-            ASSERT_LE(speed2, target2() * kSlack) << "tick " << ticks;
+            ASSERT_LE(speed2, target2() * kSlack + kStandingSpeed2) << "tick " << ticks;
         }
         has_met_ = has_met_ || (feed > 0.0 && speed2 <= target2());
     }
@@ -152,7 +153,8 @@ TEST(PathLaw, ChangesSpeedFromTheNextTickOnAsFastAsTheAxisCan) {
     sut.start(path_block({}, 1e6, 0.2, 0.2).path);
     for (int n = 0; n < 100; ++n) sut.tick();
     EXPECT_DOUBLE_EQ(sut.speed(), 0.2);
-    constexpr double kAccel = 1e-4;
+    // A hundredth is left for the pulses.
+    constexpr double kAccel = 0.99e-4;
     for (const double feed : {0.5, 2.0, 1.5, 0.1, 1.0}) {
         const double before = sut.speed();
         const double after = 0.2 * feed;
@@ -172,13 +174,13 @@ TEST(PathLaw, ChangesSpeedFromTheNextTickOnAsFastAsTheAxisCan) {
     sut.aim(0.0);
     int ticks = 0;
     for (; !sut.is_slowest(); ++ticks) sut.tick();
-    EXPECT_NEAR(ticks, 1800, 1);
+    EXPECT_NEAR(ticks, 0.18 / kAccel, 1.0);
     EXPECT_NEAR(sut.way() - from, (0.04 - 0.0004) / (2.0 * kAccel), 0.1);
     sut.rest();
     EXPECT_EQ(sut.speed(), 0.0);
     sut.aim(1.0);
     EXPECT_NEAR(sut.speed(), 0.02, 1e-8);
-    for (int n = 0; n < 1802; ++n) sut.tick();
+    for (int n = 0; n < 1821; ++n) sut.tick();
     EXPECT_NEAR(sut.speed(), 0.2, 1e-12);
 }
 

@@ -129,6 +129,7 @@ RunReport report_of(const JobView& job, const machine::JobRun& run) {
     report.layer_count = job.layer_count();
     report.point_count = job.point_count();
     report.figures = machine::figures_of(run);
+    report.reference_seconds = report.figures.reference_seconds;
     report.has_started = run.has_started;
     report.wall_seconds = run.wall_seconds;
     report.failure = run.failure;

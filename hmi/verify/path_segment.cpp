@@ -41,9 +41,9 @@ PathLine::Distance PathLine::distance(std::int64_t psi_passed_pulses,
     const double along = along_psi_ * psi + along_radius_ * radius;
     const double outside = std::max({0.0, -along, along - length_mm_});
     if (outside <= pulse_along_mm_) return {across, across, across <= allowed_mm_, across, allowed_mm_};
+    // Past an end the way back to the line is longer; the tolerance is the same.
     const double mm = std::hypot(across, outside);
-    if (across > allowed_mm_) return {mm, across, false, across, allowed_mm_};
-    return {mm, across, false, outside, pulse_along_mm_};
+    return {mm, across, mm <= allowed_mm_, mm, allowed_mm_};
 }
 
 }  // namespace psicarve::verify

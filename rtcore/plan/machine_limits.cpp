@@ -39,8 +39,10 @@ MachineLimits machine_limits(const Profile& profile) {
     const double tick_s = seconds_from_ns(limits.tick.period_ns);
     limits.max_iterations_per_s =
         1.0 / (tick_s * static_cast<double>(limits.tick.step_high_ticks + limits.tick.step_low_ticks));
+    limits.planner = profile.job.planner;
     limits.feed_mm_s = profile.job.feed_mm_s;
     limits.plunge_mm_s = profile.job.plunge_mm_s;
+    limits.path_tolerance_mm = profile.job.path_tolerance_mm;
     limits.pulses_per_rev = profile.psi.pulses_per_rev;
     const SineCosine corner = sine_cosine(rad_from_deg(profile.job.corner_deg));
     limits.sin_corner = corner.sine;
@@ -50,6 +52,9 @@ MachineLimits machine_limits(const Profile& profile) {
         const double scale = limits.axes[head].pulses_per_unit;
         limits.clearance_pulses[head] = pulses_from_mm(profile.job.clearance_mm, scale);
         limits.retract_pulses[head] = pulses_from_mm(profile.job.retract_mm, scale);
+        limits.least_radius_pulses[head] =
+            std::max((profile.core_radius_mm - limits.tip_offset_mm[head]) * scale,
+                     static_cast<double>(limits.axes[head].travel_min_pulses));
     }
     limits.spinup_ticks = round_to_pulse(profile.job.spindle_spinup_s / tick_s);
     return limits;

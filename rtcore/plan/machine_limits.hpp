@@ -23,16 +23,19 @@ struct GroupLimits {
 /// A profile as the planners need it: pulses and seconds, and what the ticks allow.
 struct MachineLimits {
     std::array<AxisMotion, kAxisCount> axes;
+    psicarve::Planner planner = psicarve::Planner::lookahead;
     cycle::CycleConfig tick;
     double max_iterations_per_s = 0.0;  ///< one axis' step high and low over whole ticks
     double feed_mm_s = 0.0;
     double plunge_mm_s = 0.0;
+    double path_tolerance_mm = 0.0;
     std::int64_t pulses_per_rev = 6400;
     double sin_corner = 0.0;  ///< of corner_deg
     double cos_corner = 1.0;
     std::array<double, 2> tip_offset_mm{};           ///< by head: the tip stands this much further out
     std::array<std::int64_t, 2> clearance_pulses{};  ///< by head
     std::array<std::int64_t, 2> retract_pulses{};
+    std::array<double, 2> least_radius_pulses{};  ///< by head, as counted: the core, or the travel's end
     std::int64_t spinup_ticks = 0;
 };
 MachineLimits machine_limits(const Profile& profile);

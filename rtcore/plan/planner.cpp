@@ -6,6 +6,7 @@
 #include "rtcore/plan/approach.hpp"
 #include "rtcore/plan/carve_program.hpp"
 #include "rtcore/plan/homing.hpp"
+#include "rtcore/plan/lookahead_program.hpp"
 #include "rtcore/plan/move.hpp"
 #include "rtcore/plan/stepped_program.hpp"
 
@@ -37,6 +38,9 @@ void Planner::poll() {
             seconds_planned_.store(planned.seconds, std::memory_order_relaxed);
         }
         if (!has_pending_) {
+            if (const PlannedSoFar all = program_->planned(); all.is_reference) {
+                reference_seconds_.store(all.seconds, std::memory_order_relaxed);
+            }
             program_.reset();
             return;
         }
@@ -87,7 +91,11 @@ std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
             break;
     }
     if (job_ == nullptr) return nullptr;
+    reference_seconds_.store(-1.0, std::memory_order_relaxed);
     points_total_.store(std::uint64_t{job_->layer_count()} * job_->point_count(), std::memory_order_relaxed);
+    if (limits_.planner == psicarve::Planner::lookahead) {
+        return std::make_unique<LookaheadProgram>(limits_, job_);
+    }
     return std::make_unique<CarveProgram>(limits_, job_);
 }
 

@@ -33,6 +33,8 @@ public:
 
     /// Any thread. An estimate for the running job with so many points reached; negative: unknown.
     double seconds_left(std::uint64_t points_done) const noexcept;
+    /// Any thread. T_ref of the job last planned to its end; negative: there is none.
+    double reference_seconds() const noexcept { return reference_seconds_.load(std::memory_order_relaxed); }
 
 private:
     void take_requests();
@@ -50,6 +52,7 @@ private:
     std::atomic<std::uint64_t> points_total_{0};
     std::atomic<std::uint64_t> points_planned_{0};
     std::atomic<double> seconds_planned_{0.0};
+    std::atomic<double> reference_seconds_{-1.0};
 };
 
 }  // namespace psicarve::plan

@@ -13,6 +13,7 @@ namespace psicarve::plan {
 struct PlannedSoFar {
     std::uint64_t points = 0;
     double seconds = 0.0;
+    bool is_reference = false;  ///< the seconds are the least that the limits allow: T_ref
 };
 
 /// Motion blocks in order, made as they are asked for. The last one is program_end.

@@ -49,7 +49,7 @@ public:
     void set_sim(const SimFacts& sim) noexcept { sim_ = sim; }
 
     /// The whole status of this moment; the heartbeat grows by one each time.
-    CoreStatus compose(const cycle::Sample& sample, double seconds_left) noexcept;
+    CoreStatus compose(const cycle::Sample& sample, double seconds_left, double reference_seconds) noexcept;
 
 private:
     CoreFacts facts_;

@@ -195,7 +195,8 @@ void Supervisor::drain_increments() {
 void Supervisor::publish_status() {
     if (parts_->machine != nullptr && !is_machine_frozen_) mirror_.set_sim(sim_facts(*parts_->machine));
     write_record(segment_.header().status,
-                 mirror_.compose(sample_, parts_->planner->seconds_left(sample_.points_done)));
+                 mirror_.compose(sample_, parts_->planner->seconds_left(sample_.points_done),
+                                 parts_->planner->reference_seconds()));
     if (changes_ != changes_told_) {
         changes_told_ = changes_;
         event_signal(segment_.header().status_changed);

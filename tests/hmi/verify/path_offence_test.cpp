@@ -388,7 +388,7 @@ TEST(PathOffence, WhatIsMeasuredBeyondALinesEndIsComparedWithWhatIsAllowedThere)
     const SampleJob job(Profile{}, 1, 21, Joining::continuous,
                         [](double angle, double) { return angle < 0.01 ? 20.0 : 12.0; });
     PerfectMachine machine(job);
-    machine.approach().move(Axis::r1, 4).layer(0).finish();
+    machine.approach().move(Axis::r1, 20).layer(0).finish();
     const Offence offence = first_of(verified(job, machine), 1);
     EXPECT_EQ(offence.fault, "off-the-line");
     EXPECT_GT(offence.measured, offence.allowed);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rtcore/plan/path.hpp"
+
+namespace psicarve::plan {
+
+/// A stretch of path from rest to rest as a quadratic B-spline over nodes u_0 < u_1 < ... < u_n.
+///
+///     cell j     around node j: from half-way to the node before to half-way to the node after, H_j long;
+///                a parabola. The first and the last are half as long, and straight
+///     m_j        its middle (of the first and the last: u_0 and u_n), and its control point c_j
+///     s_j        = (c_j+1 - c_j) / (m_j+1 - m_j): slope where cell j meets cell j + 1
+///     q''_j      = (s_j - s_j-1) / H_j
+///     q(m_j + d) = c_j + q''_j * (H_j^2 / 8 + d^2 / 2) + d * (s_j-1 + s_j) / 2
+///
+/// So acceleration is constant in a cell and neither position nor speed jump. Lanes are axes, in pulses.
+struct CurveNodes {
+    std::vector<double> step;             ///< to the next node [s of u]; the last is unused
+    std::vector<double> cell;             ///< H_j
+    std::vector<double> control_step;     ///< m_j+1 - m_j; the last is unused
+    std::vector<double> offset;           ///< u_j - m_j
+    std::vector<Lanes> low, high;         ///< where q(u_j) may be
+    std::vector<std::uint32_t> point_at;  ///< index of the path point that the node stands on, or kNoPoint
+    std::vector<std::uint32_t> span_at;   ///< index of the span in which the node begins
+    static constexpr std::uint32_t kNoPoint = ~std::uint32_t{0};
+};
+
+/// Nodes for points [first, last] of a path: two a span, more where the tube is tight.
+CurveNodes curve_nodes(const MachineLimits& limits, std::span<const PathPoint> points,
+                       std::span<const PathSpan> spans, std::span<const PathCorner> corners,
+                       std::size_t first, std::size_t last);
+
+}  // namespace psicarve::plan

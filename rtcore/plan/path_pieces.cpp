@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/path_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/units.hpp"
+
+namespace psicarve::plan {
+namespace {
+
+constexpr double kLineErrorPulses = 0.5;
+// Within a bit the curve is taken as straight.
+constexpr double kBitErrorPulses = 0.25;
+// A segment's u is stretched so that its time and its end speeds are the curve's; by so much at most.
+constexpr double kMostStretch = 0.05;
+// So many segments of unequal length are tried before a point's way is cut bit by bit.
+constexpr std::size_t kMostBitsInALine = 16;
+
+}  // namespace
+
+PieceMaker::PieceMaker(const MachineLimits& limits, std::span<const PathPoint> points,
+                       std::uint32_t first_point, const Lanes& start, std::vector<PathPiece>& pieces)
+    : limits_(limits),
+      points_(points),
+      pieces_(pieces),
+      at_pulses_(points[first_point].pulses),
+      last_point_(first_point),
+      bits_begin_(start) {}
+
+void PieceMaker::begin_cell(const PathCell& cell, const Lanes& at, const Timings& begin2,
+                            const Timings& end2) {
+    cell_ = &cell;
+    cell_at_ = at;
+    begin2_ = begin2;
+    for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
+        rise2_[timing] = (end2[timing] - begin2[timing]) / cell.length;
+    }
+}
+
+void PieceMaker::add(double from, double to, std::uint32_t point) {
+    const double length = to - from;
+    double error = 0.0;
+    for (const double bend : cell_->bend) error = std::max(error, std::abs(bend) * length * length / 8.0);
+    const double count = std::max(1.0, std::ceil(std::sqrt(error / kBitErrorPulses)));
+    const auto last = static_cast<std::size_t>(count) - 1;
+    for (std::size_t i = 0; i <= last; ++i) {
+        const double begin = from + length * (static_cast<double>(i) / count);
+        add_bit(begin, i == last ? to : from + length * (static_cast<double>(i + 1) / count));
+    }
+    if (point != PathPiece::kNoPoint) flush(point);
+}
+
+void PieceMaker::add_bit(double from, double to) {
+    Bit bit{};
+    bit.length = to - from;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        const double bend = cell_->bend[k];
+        bit.end[k] = cell_at_[k] + to * (cell_->slope_begin[k] + 0.5 * to * bend);
+        bit.slope[k] = std::max(std::abs(cell_->slope_begin[k] + from * bend),
+                                std::abs(cell_->slope_begin[k] + to * bend));
+        bit.bend[k] = std::abs(bend);
+    }
+    for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
+        bit.begin_speed2[timing] = begin2_[timing] + from * rise2_[timing];
+        bit.end_speed2[timing] = begin2_[timing] + to * rise2_[timing];
+    }
+    bit.seconds = cell_seconds(bit.length, bit.begin_speed2[0], bit.end_speed2[0]);
+    bits_.push_back(bit);
+}
+
+void PieceMaker::flush(std::uint32_t point) {
+    std::size_t first = 0;
+    while (first < bits_.size()) {
+        const std::size_t end = longest(first);
+        const bool reaches = end == bits_.size();
+        add_piece(first, end, reaches ? points_[point].pulses : cut_at(end, point),
+                  reaches ? point : PathPiece::kNoPoint);
+        first = end;
+    }
+    last_point_ = point;
+    bits_begin_ = bits_.back().end;
+    bits_.clear();
+}
+
+// The table, and axes that have backlash, never turn back between two points for a pulse.
+void PieceMaker::keep_way(const Pulses4& to, Pulses4& pulses) const {
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        if (k != index_of(Axis::psi) && limits_.tick.axes[k].backlash_pulses == 0) continue;
+        pulses[k] = std::clamp(pulses[k], std::min(at_pulses_[k], to[k]), std::max(at_pulses_[k], to[k]));
+    }
+}
+
+// Where pulses of psi are coarser than the tolerance, rounding the curve could leave the chord by more than
+// the tolerance and a pulse; rounding the chord does not.
+Pulses4 PieceMaker::cut_at(std::size_t end, std::uint32_t point) const {
+    constexpr std::size_t kPsi = index_of(Axis::psi);
+    Pulses4 pulses;
+    for (std::size_t k = 0; k < kAxisCount; ++k) pulses[k] = round_to_pulse(bits_[end - 1].end[k]);
+    const Pulses4& from = points_[last_point_].pulses;
+    const Pulses4& to = points_[point].pulses;
+    double radius_mm = 0.0;
+    for (std::size_t head = 0; head < 2; ++head) {
+        radius_mm = std::max(
+            radius_mm, mm_from_pulses(std::max(from[head], to[head]), limits_.axes[head].pulses_per_unit) +
+                           limits_.tip_offset_mm[head]);
+    }
+    keep_way(to, pulses);
+    if (radius_mm * rad_from_pulses(1, limits_.pulses_per_rev) < limits_.path_tolerance_mm) return pulses;
+    double length = 0.0;
+    double part = 0.0;
+    for (std::size_t i = 0; i < bits_.size(); ++i) {
+        length += bits_[i].length;
+        if (i < end) part = length;
+    }
+    const auto way = static_cast<double>(to[kPsi] - from[kPsi]);
+    pulses[kPsi] = from[kPsi] + round_to_pulse(way * part / length);
+    keep_way(to, pulses);
+    return pulses;
+}
+
+std::size_t PieceMaker::longest(std::size_t first) const {
+    const std::size_t most = std::min(bits_.size(), first + kMostBitsInALine);
+    for (std::size_t end = most; end > first + 1; --end) {
+        if (is_straight(first, end)) return end;
+    }
+    return first + 1;
+}
+
+// Compared at the bits' ends, at the instants at which the curve is there.
+bool PieceMaker::is_straight(std::size_t first, std::size_t end) const {
+    const Lanes& from = first > 0 ? bits_[first - 1].end : bits_begin_;
+    const Lanes& to = bits_[end - 1].end;
+    double seconds = 0.0;
+    double length = 0.0;
+    for (std::size_t i = first; i < end; ++i) {
+        seconds += bits_[i].seconds;
+        length += bits_[i].length;
+    }
+    const double begin_speed = std::sqrt(bits_[first].begin_speed2[0]);
+    const double end_speed = std::sqrt(bits_[end - 1].end_speed2[0]);
+    const double mean_speed = 0.5 * (begin_speed + end_speed);
+    if (std::abs(mean_speed * seconds - length) > kMostStretch * length) return false;
+    const double accel = (end_speed - begin_speed) / seconds;
+    double at_seconds = 0.0;
+    for (std::size_t i = first; i + 1 < end; ++i) {
+        at_seconds += bits_[i].seconds;
+        const double share = at_seconds * (begin_speed + 0.5 * accel * at_seconds) / (mean_speed * seconds);
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            const double error = bits_[i].end[k] - (from[k] + share * (to[k] - from[k]));
+            if (std::abs(error) > kLineErrorPulses) return false;
+        }
+    }
+    return true;
+}
+
+void PieceMaker::add_piece(std::size_t first, std::size_t end, const Pulses4& to, std::uint32_t point) {
+    PathPiece piece{};
+    piece.point = point;
+    double seconds = 0.0;
+    for (std::size_t i = first; i < end; ++i) {
+        seconds += bits_[i].seconds;
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            piece.slope[k] = std::max(piece.slope[k], bits_[i].slope[k]);
+            piece.bend[k] = std::max(piece.bend[k], bits_[i].bend[k]);
+        }
+    }
+    for (std::size_t k = 0; k < kAxisCount; ++k) piece.delta_pulses[k] = to[k] - at_pulses_[k];
+    at_pulses_ = to;
+    piece.begin_speed2 = bits_[first].begin_speed2;
+    piece.end_speed2 = bits_[end - 1].end_speed2;
+    piece.length = 0.5 * seconds * (std::sqrt(piece.begin_speed2[0]) + std::sqrt(piece.end_speed2[0]));
+    pieces_.push_back(piece);
+}
+
+}  // namespace psicarve::plan

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/path_stretch.hpp"
+
+#include <algorithm>
+
+#include "shared/units.hpp"
+
+namespace psicarve::plan {
+namespace {
+
+Lanes accel_of(const MachineLimits& limits) {
+    Lanes accel;
+    for (std::size_t k = 0; k < kAxisCount; ++k) accel[k] = limits.axes[k].accel_pps2;
+    return accel;
+}
+
+}  // namespace
+
+StretchPlanner::StretchPlanner(const MachineLimits& limits)
+    : limits_(limits), fit_(accel_of(limits)), timing_(accel_of(limits)) {
+    for (std::size_t k = 0; k < kAxisCount; ++k) mm_per_pulse_[k] = 1.0 / limits.axes[k].pulses_per_unit;
+    rad_per_pulse_ = rad_from_pulses(1, limits.pulses_per_rev);
+}
+
+double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const PathSpan> spans,
+                            std::span<const PathCorner> corners, std::size_t first, std::size_t last,
+                            std::vector<PathPiece>& pieces) {
+    const CurveNodes nodes = curve_nodes(limits_, points, spans, corners, first, last);
+    fit_.solve(nodes);
+    make_cells(nodes);
+    limit_speeds(nodes, spans);
+    const PathSpan* before = first > 0 ? &spans[first - 1] : nullptr;
+    const PathSpan* after = last < spans.size() ? &spans[last] : nullptr;
+    const double begin2 = stop_speed2(limits_, spans[first], before);
+    const double end2 = stop_speed2(limits_, spans[last - 1], after);
+    for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
+        bound2_[timing].front() = std::min(bound2_[timing].front(), begin2);
+        bound2_[timing].back() = std::min(bound2_[timing].back(), end2);
+    }
+    timing_.solve(cells_, bound2_[0], middle2_[0], speed2_[0]);
+    if (bound2_[1] == bound2_[0]) {
+        speed2_[1] = speed2_[0];
+    } else {
+        timing_.solve(cells_, bound2_[1], middle2_[1], speed2_[1]);
+        // Greedy passes may lose a little where an axis turns back.
+        for (std::size_t i = 0; i < speed2_[1].size(); ++i) {
+            speed2_[1][i] = std::max(speed2_[1][i], speed2_[0][i]);
+        }
+    }
+    double seconds = 0.0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        seconds += cell_seconds(cells_[i].length, speed2_[0][i], speed2_[0][i + 1]);
+    }
+    add_pieces(points, nodes, pieces);
+
+    return seconds;
+}
+
+void StretchPlanner::make_cells(const CurveNodes& nodes) {
+    const std::vector<Lanes>& control = fit_.control();
+    const std::size_t last = nodes.step.size() - 1;
+    cells_.clear();
+    cell_at_.clear();
+    Lanes slope{};
+    Lanes at = control.front();
+    for (std::size_t j = 0; j <= last; ++j) {
+        PathCell cell{};
+        cell.length = nodes.cell[j];
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            const double next =
+                j < last ? (control[j + 1][k] - control[j][k]) / nodes.control_step[j] : slope[k];
+            cell.slope_begin[k] = j > 0 ? slope[k] : next;
+            cell.slope_end[k] = next;
+            cell.bend[k] = (cell.slope_end[k] - cell.slope_begin[k]) / cell.length;
+        }
+        cells_.push_back(cell);
+        cell_at_.push_back(at);
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            at[k] += 0.5 * cell.length * (cell.slope_begin[k] + cell.slope_end[k]);
+        }
+        slope = cell.slope_end;
+    }
+}
+
+// Motors' top speeds, and the feed of the tip over the surface: (r psi')^2 + R'^2 + Y'^2, the faster head.
+double StretchPlanner::greatest_speed2(const Lanes& slope, const Lanes& at, std::size_t timing) const {
+    double need = 0.0;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        const double share = slope[k] / limits_.axes[k].speed_pps;
+        need = std::max(need, share * share);
+    }
+    constexpr std::size_t kPsi = index_of(Axis::psi);
+    constexpr std::size_t kY = index_of(Axis::y);
+    const double turn = slope[kPsi] * rad_per_pulse_;
+    const double lift = slope[kY] * mm_per_pulse_[kY];
+    const double feed = limits_.feed_mm_s * kFeedFactor[timing];
+    for (std::size_t head = 0; head < 2; ++head) {
+        const double radius_mm = at[head] * mm_per_pulse_[head] + limits_.tip_offset_mm[head];
+        const double around = radius_mm * turn;
+        const double out = slope[head] * mm_per_pulse_[head];
+        need = std::max(need, (around * around + out * out + lift * lift) / (feed * feed));
+    }
+    return need > 0.0 ? 1.0 / need : 1.0;
+}
+
+void StretchPlanner::limit_speeds(const CurveNodes& nodes, std::span<const PathSpan> /*spans*/) {
+    const Lanes& end = fit_.control().back();
+    for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
+        std::vector<double>& bound2 = bound2_[timing];
+        std::vector<double>& middle2 = middle2_[timing];
+        bound2.clear();
+        middle2.clear();
+        for (std::size_t i = 0; i < cells_.size(); ++i) {
+            const PathCell& cell = cells_[i];
+            Lanes middle;
+            Lanes middle_at;
+            for (std::size_t k = 0; k < kAxisCount; ++k) {
+                middle[k] = 0.5 * (cell.slope_begin[k] + cell.slope_end[k]);
+                middle_at[k] = cell_at_[i][k] + 0.25 * cell.length * (cell.slope_begin[k] + middle[k]);
+            }
+            bound2.push_back(greatest_speed2(cell.slope_begin, cell_at_[i], timing));
+            middle2.push_back(greatest_speed2(middle, middle_at, timing));
+        }
+        bound2.push_back(greatest_speed2(cells_.back().slope_end, end, timing));
+    }
+    (void)nodes;
+}
+
+void StretchPlanner::add_pieces(std::span<const PathPoint> points, const CurveNodes& nodes,
+                                std::vector<PathPiece>& pieces) {
+    PieceMaker maker(limits_, points, nodes.point_at.front(), fit_.control().front(), pieces);
+    for (std::size_t j = 0; j < cells_.size(); ++j) {
+        std::array<double, kTimingCount> begin2;
+        std::array<double, kTimingCount> end2;
+        for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
+            begin2[timing] = speed2_[timing][j];
+            end2[timing] = speed2_[timing][j + 1];
+        }
+        maker.begin_cell(cells_[j], cell_at_[j], begin2, end2);
+        const std::uint32_t point = nodes.point_at[j];
+        const double before = j > 0 ? 0.5 * nodes.step[j - 1] : 0.0;
+        if (point == CurveNodes::kNoPoint || j == 0) {
+            maker.add(0.0, cells_[j].length, PathPiece::kNoPoint);
+        } else {
+            maker.add(0.0, before, point);
+            if (j + 1 < cells_.size()) maker.add(before, cells_[j].length, PathPiece::kNoPoint);
+        }
+    }
+}
+
+}  // namespace psicarve::plan

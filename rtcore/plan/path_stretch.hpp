@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rtcore/plan/curve_fit.hpp"
+#include "rtcore/plan/curve_nodes.hpp"
+#include "rtcore/plan/path.hpp"
+#include "rtcore/plan/path_pieces.hpp"
+#include "rtcore/plan/speed_profile.hpp"
+
+namespace psicarve::plan {
+
+/// Makes a path of points into timed pieces: curve, timing, cuts. Keeps its memory from stretch to stretch.
+class StretchPlanner {
+public:
+    explicit StretchPlanner(const MachineLimits& limits);
+
+    /// Points [first, last] of the path, from stop to stop. Appends to `pieces`; the result is the time that
+    /// they take at 100 % [s].
+    double plan(std::span<const PathPoint> points, std::span<const PathSpan> spans,
+                std::span<const PathCorner> corners, std::size_t first, std::size_t last,
+                std::vector<PathPiece>& pieces);
+
+    const CurveFit& fit() const noexcept { return fit_; }
+
+private:
+    void make_cells(const CurveNodes& nodes);
+    void limit_speeds(const CurveNodes& nodes, std::span<const PathSpan> spans);
+    double greatest_speed2(const Lanes& slope, const Lanes& at, std::size_t timing) const;
+    void add_pieces(std::span<const PathPoint> points, const CurveNodes& nodes,
+                    std::vector<PathPiece>& pieces);
+
+    MachineLimits limits_;
+    Lanes mm_per_pulse_{};
+    double rad_per_pulse_ = 0.0;
+    CurveFit fit_;
+    SpeedProfile timing_;
+    std::vector<PathCell> cells_;
+    std::vector<Lanes> cell_at_;  ///< position at each cell's begin [pulses]
+    std::array<std::vector<double>, kTimingCount> bound2_;
+    std::array<std::vector<double>, kTimingCount> middle2_;
+    std::array<std::vector<double>, kTimingCount> speed2_;
+};
+
+}  // namespace psicarve::plan

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/speed_profile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace psicarve::plan {
+namespace {
+
+// Rounding may not make a cell's two ends contradict each other.
+constexpr double kLeastSpeed2 = 1e-12;
+// What an axis may accelerate at a cell's ends, as a share of what it may in the middle, see the header.
+constexpr double kEndsShare = 1.25;
+constexpr std::size_t kMostRows = 6 * kAxisCount + 1;
+
+/// begin * x + end * z <= 1, for the speeds x and z at a cell's begin and end.
+struct SpeedRow {
+    double begin;
+    double end;
+};
+
+/// Everything that one cell asks of the speeds at its ends.
+class CellRows {
+public:
+    CellRows(const PathCell& cell, const Lanes& accel, double middle_speed2) {
+        const double half_inverse = 0.5 / cell.length;
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            const double inverse = 1.0 / accel[k];
+            const double bend = cell.bend[k] * inverse;
+            const double first = cell.slope_begin[k] * half_inverse * inverse;
+            const double last = cell.slope_end[k] * half_inverse * inverse;
+            if (first == 0.0 && last == 0.0) continue;
+            const double middle = 0.5 * (first + last);
+            add(0.5 * bend - middle, 0.5 * bend + middle);
+            add((bend - first) / kEndsShare, first / kEndsShare);
+            add(-last / kEndsShare, (bend + last) / kEndsShare);
+        }
+        rows_[count_++] = {0.5 / middle_speed2, 0.5 / middle_speed2};
+    }
+
+    /// The greatest end speed from this begin speed, at most `limit`.
+    double greatest_end(double begin, double limit) const {
+        double end = limit;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const SpeedRow& row = rows_[i];
+            const double left = 1.0 - row.begin * begin;
+            if (row.end > 0.0 && row.end * end > left) end = left / row.end;
+        }
+        return std::max(end, 0.0);
+    }
+
+    /// The greatest begin speed, at most `limit`, from which an end speed of at most `end_limit` is possible.
+    double greatest_begin(double limit, double end_limit) const {
+        double end = end_limit;
+        // The set of possible pairs is convex and holds (0, 0): walk down from end_limit along its upper edge
+        // as long as the begin speed rises.
+        for (std::size_t walked = 0; walked <= count_; ++walked) {
+            const Edge edge = upper_edge(end, limit);
+            if (edge.lower <= edge.upper && edge.slope >= 0.0) return edge.upper;
+            const double next = next_corner(end, limit, edge);
+            if (next >= end) return std::max(0.0, edge.upper);
+            end = next;
+        }
+        return std::max(0.0, upper_edge(end, limit).upper);
+    }
+
+private:
+    struct Edge {
+        double upper;  ///< greatest begin speed at this end speed
+        double slope;  ///< and how it changes with the end speed, downwards from here
+        double lower;  ///< least begin speed
+        double lower_slope;
+    };
+
+    void add(double begin, double end) {
+        rows_[count_++] = {begin, end};
+        rows_[count_++] = {-begin, -end};
+    }
+
+    Edge upper_edge(double end, double limit) const {
+        Edge edge{limit, 0.0, 0.0, 0.0};
+        for (std::size_t i = 0; i < count_; ++i) {
+            const SpeedRow& row = rows_[i];
+            const double left = 1.0 - row.end * end;
+            if (row.begin > 0.0) {
+                const double slope = -row.end / row.begin;
+                const double upper = left / row.begin;
+                if (upper < edge.upper || (upper == edge.upper && slope > edge.slope)) {
+                    edge.upper = upper;
+                    edge.slope = slope;
+                }
+            } else if (row.begin < 0.0 && left / row.begin > edge.lower) {
+                edge.lower = left / row.begin;
+                edge.lower_slope = -row.end / row.begin;
+            }
+        }
+        return edge;
+    }
+
+    // Where, going down, another row takes over: from above, or the gap between lower and upper closes up.
+    double next_corner(double end, double limit, const Edge& edge) const {
+        double next = 0.0;
+        if (edge.lower > edge.upper) {
+            const double closing = edge.lower_slope - edge.slope;
+            if (closing > 0.0) return std::max(0.0, end - (edge.lower - edge.upper) / closing);
+            return 0.0;
+        }
+        const auto consider = [&](double upper, double slope) {
+            if (slope <= edge.slope) return;
+            const double at = end - (upper - edge.upper) / (slope - edge.slope);
+            if (at < end) next = std::max(next, at);
+        };
+        consider(limit, 0.0);
+        for (std::size_t i = 0; i < count_; ++i) {
+            const SpeedRow& row = rows_[i];
+            if (row.begin > 0.0) consider((1.0 - row.end * end) / row.begin, -row.end / row.begin);
+        }
+        return next;
+    }
+
+    std::array<SpeedRow, kMostRows> rows_;
+    std::size_t count_ = 0;
+};
+
+}  // namespace
+
+void SpeedProfile::solve(std::span<const PathCell> cells, std::span<const double> bound_speed2,
+                         std::span<const double> middle_speed2, std::vector<double>& speed2) {
+    const std::size_t count = cells.size();
+    reachable2_.resize(count + 1);
+    reachable2_[count] = bound_speed2[count];
+    for (std::size_t i = count; i-- > 0;) {
+        const CellRows rows(cells[i], accel_, middle_speed2[i]);
+        reachable2_[i] = std::max(kLeastSpeed2, rows.greatest_begin(bound_speed2[i], reachable2_[i + 1]));
+    }
+    speed2.resize(count + 1);
+    speed2[0] = reachable2_[0];
+    for (std::size_t i = 0; i < count; ++i) {
+        const CellRows rows(cells[i], accel_, middle_speed2[i]);
+        speed2[i + 1] = std::max(kLeastSpeed2, rows.greatest_end(speed2[i], reachable2_[i + 1]));
+    }
+}
+
+double cell_seconds(double length, double begin_speed2, double end_speed2) {
+    return 2.0 * length / (std::sqrt(begin_speed2) + std::sqrt(end_speed2));
+}
+
+}  // namespace psicarve::plan

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "rtcore/plan/path.hpp"
+
+namespace psicarve::plan {
+
+/// A piece of curve with constant q'' (pulses and seconds of u).
+struct PathCell {
+    double length;  ///< > 0
+    Lanes slope_begin;
+    Lanes slope_end;
+    Lanes bend;
+};
+
+/// What the time-optimal timing may not exceed at a cell's begin or end, or in its middle: (du/dt)^2.
+struct CellSpeeds {
+    double begin2;
+    double middle2;
+};
+
+/// The fastest timing of a chain of cells: x = (du/dt)^2 at every cell bound, linear in between, with
+///
+///     |q' * x' / 2 + q'' * x| <= a_k          in the middle of every cell: its mean acceleration
+///                             <= 1.25 a_k     at its ends
+///     x <= the bounds' and middles' limits
+///
+/// The left side is linear in u. In a curve whose q'' changes evenly the cells' steps of q'' would cost time
+/// at every cell's end though the mean is what a motor follows; without any limit at the ends greedy passes
+/// zigzag where an axis turns back. A backward pass finds the fastest speeds from which the end can be
+/// reached, a forward pass goes as fast as they allow. O(cells). Source: Pham and Pham, A new approach to
+/// time-optimal path parameterization based on reachability analysis, IEEE Trans. Robotics 34 (2018).
+class SpeedProfile {
+public:
+    explicit SpeedProfile(const Lanes& accel) : accel_(accel) {}
+
+    /// bound_speed2: cells + 1 limits; its first and last are also the speeds to begin and end with.
+    /// middle_speed2: one a cell. The result has cells + 1 values.
+    void solve(std::span<const PathCell> cells, std::span<const double> bound_speed2,
+               std::span<const double> middle_speed2, std::vector<double>& speed2);
+
+private:
+    Lanes accel_;
+    std::vector<double> reachable2_;
+};
+
+/// Seconds that a cell takes between these speeds.
+double cell_seconds(double length, double begin_speed2, double end_speed2);
+
+}  // namespace psicarve::plan

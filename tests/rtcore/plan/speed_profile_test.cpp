@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/speed_profile.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <vector>
+
+namespace psicarve::plan {
+namespace {
+
+constexpr Lanes kAccel{100.0, 200.0, 300.0, 400.0};
+
+struct Chain {
+    std::vector<PathCell> cells;
+    std::vector<double> bound2;
+    std::vector<double> middle2;
+};
+
+/// Straight along axis 0, at one pulse per u.
+Chain straight(std::size_t count, double length, double speed) {
+    Chain chain;
+    PathCell cell{};
+    cell.length = length;
+    cell.slope_begin[0] = cell.slope_end[0] = 1.0;
+    chain.cells.assign(count, cell);
+    chain.bound2.assign(count + 1, speed * speed);
+    chain.middle2.assign(count, speed * speed);
+    return chain;
+}
+
+Chain random_chain(std::mt19937_64& random, std::size_t count) {
+    std::uniform_real_distribution<double> slope{-50.0, 50.0};
+    std::uniform_real_distribution<double> length{0.01, 0.2};
+    std::uniform_real_distribution<double> limit{0.1, 9.0};
+    Chain chain;
+    Lanes at{};
+    for (double& value : at) value = slope(random);
+    for (std::size_t i = 0; i < count; ++i) {
+        PathCell cell{};
+        cell.length = length(random);
+        cell.slope_begin = at;
+        for (double& value : at) value += 0.2 * slope(random);
+        cell.slope_end = at;
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            cell.bend[k] = (cell.slope_end[k] - cell.slope_begin[k]) / cell.length;
+        }
+        chain.cells.push_back(cell);
+        chain.bound2.push_back(limit(random));
+        chain.middle2.push_back(limit(random));
+    }
+    chain.bound2.push_back(limit(random));
+    return chain;
+}
+
+std::vector<double> solved(const Chain& chain) {
+    SpeedProfile profile{kAccel};
+    std::vector<double> speed2;
+    profile.solve(chain.cells, chain.bound2, chain.middle2, speed2);
+    return speed2;
+}
+
+double accel_share(const PathCell& cell, double begin2, double end2, double at) {
+    const double rise = 0.5 * (end2 - begin2) / cell.length;
+    const double speed2 = begin2 + at * (end2 - begin2);
+    double share = 0.0;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        const double slope = cell.slope_begin[k] + at * (cell.slope_end[k] - cell.slope_begin[k]);
+        share = std::max(share, std::abs(slope * rise + cell.bend[k] * speed2) / kAccel[k]);
+    }
+    return share;
+}
+
+TEST(SpeedProfile, AStraightWayIsATrapezoid) {
+    Chain chain = straight(400, 0.01, 10.0);
+    chain.bound2.front() = chain.bound2.back() = 0.0;
+    const std::vector<double> speed2 = solved(chain);
+    double seconds = 0.0;
+    for (std::size_t i = 0; i < chain.cells.size(); ++i) {
+        seconds += cell_seconds(chain.cells[i].length, speed2[i], speed2[i + 1]);
+    }
+    // 4 long, 100 of acceleration, 10 of speed: two ramps of 0.1 s and 0.5 each, 0.3 s in between.
+    EXPECT_NEAR(seconds, 0.5, 1e-6);
+}
+
+TEST(SpeedProfile, ACircleIsAsFastAsItsCentreAllows) {
+    // q0 = cos u, q1 = sin u: every axis' acceleration is at most (du/dt)^2.
+    Chain chain;
+    constexpr std::size_t kCount = 2000;
+    const double step = 6.0 / kCount;
+    for (std::size_t i = 0; i < kCount; ++i) {
+        const double u = static_cast<double>(i) * step;
+        PathCell cell{};
+        cell.length = step;
+        cell.slope_begin = {-std::sin(u), std::cos(u), 0.0, 0.0};
+        cell.slope_end = {-std::sin(u + step), std::cos(u + step), 0.0, 0.0};
+        for (std::size_t k = 0; k < 2; ++k) {
+            cell.bend[k] = (cell.slope_end[k] - cell.slope_begin[k]) / step;
+        }
+        chain.cells.push_back(cell);
+    }
+    chain.bound2.assign(kCount + 1, 1e6);
+    chain.middle2.assign(kCount, 1e6);
+    const std::vector<double> speed2 = solved(chain);
+    for (std::size_t i = 0; i < kCount; ++i) {
+        EXPECT_LE(accel_share(chain.cells[i], speed2[i], speed2[i + 1], 0.5), 1.0 + 1e-9);
+    }
+    // Axis 0 asks for no more than 100 where it turns back; in between it may be faster.
+    const double least = *std::min_element(speed2.begin(), speed2.end());
+    EXPECT_NEAR(least, 100.0, 2.0);
+    EXPECT_GT(*std::max_element(speed2.begin(), speed2.end()), 105.0);
+}
+
+TEST(SpeedProfile, RandomChainsStayWithinEveryLimit) {
+    std::mt19937_64 random{11};
+    for (int round = 0; round < 300; ++round) {
+        const Chain chain = random_chain(random, 2 + random() % 80);
+        const std::vector<double> speed2 = solved(chain);
+        ASSERT_EQ(speed2.size(), chain.cells.size() + 1);
+        for (std::size_t i = 0; i < chain.cells.size(); ++i) {
+            ASSERT_LE(speed2[i], chain.bound2[i] * (1.0 + 1e-9));
+            ASSERT_LE(0.5 * (speed2[i] + speed2[i + 1]), chain.middle2[i] * (1.0 + 1e-9));
+            ASSERT_GT(speed2[i], 0.0);
+            ASSERT_LE(accel_share(chain.cells[i], speed2[i], speed2[i + 1], 0.5), 1.0 + 1e-6) << round;
+            ASSERT_LE(accel_share(chain.cells[i], speed2[i], speed2[i + 1], 0.0), 1.25 + 1e-6) << round;
+            ASSERT_LE(accel_share(chain.cells[i], speed2[i], speed2[i + 1], 1.0), 1.25 + 1e-6) << round;
+        }
+    }
+}
+
+// Greedy passes are optimal here: no feasible timing is faster anywhere. Found by bisection on each cell.
+TEST(SpeedProfile, NoSingleSpeedCanBeRaised) {
+    std::mt19937_64 random{5};
+    for (int round = 0; round < 50; ++round) {
+        const Chain chain = random_chain(random, 40);
+        const std::vector<double> speed2 = solved(chain);
+        for (std::size_t i = 1; i < chain.cells.size(); ++i) {
+            const double raised = speed2[i] * 1.01;
+            const auto is_broken = [&](std::size_t cell, double begin2, double end2) {
+                const PathCell& of = chain.cells[cell];
+                return accel_share(of, begin2, end2, 0.5) > 1.0 ||
+                       accel_share(of, begin2, end2, 0.0) > 1.25 ||
+                       accel_share(of, begin2, end2, 1.0) > 1.25 ||
+                       0.5 * (begin2 + end2) > chain.middle2[cell];
+            };
+            EXPECT_TRUE(raised > chain.bound2[i] || is_broken(i - 1, speed2[i - 1], raised) ||
+                        is_broken(i, raised, speed2[i + 1]))
+                << round << " " << i;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace psicarve::plan

@@ -65,7 +65,9 @@ void PieceMaker::add_bit(double from, double to) {
         bit.begin_speed2[timing] = begin2_[timing] + from * rise2_[timing];
         bit.end_speed2[timing] = begin2_[timing] + to * rise2_[timing];
     }
-    bit.seconds = cell_seconds(bit.length, bit.begin_speed2[0], bit.end_speed2[0]);
+    bit.begin_speed = std::sqrt(bit.begin_speed2[0]);
+    bit.end_speed = std::sqrt(bit.end_speed2[0]);
+    bit.seconds = 2.0 * bit.length / (bit.begin_speed + bit.end_speed);
     bits_.push_back(bit);
 }
 
@@ -127,7 +129,8 @@ std::size_t PieceMaker::longest(std::size_t first) const {
     return first + 1;
 }
 
-// Compared at the bits' ends, at the instants at which the curve is there.
+// Compared at the bits' middles and ends, at the instants at which the curve is there: in a bit the
+// difference is a parabola.
 bool PieceMaker::is_straight(std::size_t first, std::size_t end) const {
     const Lanes& from = first > 0 ? bits_[first - 1].end : bits_begin_;
     const Lanes& to = bits_[end - 1].end;
@@ -137,19 +140,30 @@ bool PieceMaker::is_straight(std::size_t first, std::size_t end) const {
         seconds += bits_[i].seconds;
         length += bits_[i].length;
     }
-    const double begin_speed = std::sqrt(bits_[first].begin_speed2[0]);
-    const double end_speed = std::sqrt(bits_[end - 1].end_speed2[0]);
+    const double begin_speed = bits_[first].begin_speed;
+    const double end_speed = bits_[end - 1].end_speed;
     const double mean_speed = 0.5 * (begin_speed + end_speed);
     if (std::abs(mean_speed * seconds - length) > kMostStretch * length) return false;
-    const double accel = (end_speed - begin_speed) / seconds;
-    double at_seconds = 0.0;
-    for (std::size_t i = first; i + 1 < end; ++i) {
-        at_seconds += bits_[i].seconds;
-        const double share = at_seconds * (begin_speed + 0.5 * accel * at_seconds) / (mean_speed * seconds);
+    const double half_accel = 0.5 * (end_speed - begin_speed) / seconds;
+    const auto is_near = [&](double at_seconds, const Lanes& at) {
+        const double share = at_seconds * (begin_speed + half_accel * at_seconds) / (mean_speed * seconds);
         for (std::size_t k = 0; k < kAxisCount; ++k) {
-            const double error = bits_[i].end[k] - (from[k] + share * (to[k] - from[k]));
-            if (std::abs(error) > kLineErrorPulses) return false;
+            if (std::abs(at[k] - (from[k] + share * (to[k] - from[k]))) > kLineErrorPulses) return false;
         }
+        return true;
+    };
+    double at_seconds = 0.0;
+    for (std::size_t i = first; i < end; ++i) {
+        const Bit& bit = bits_[i];
+        const Lanes& begin = i > 0 ? bits_[i - 1].end : bits_begin_;
+        // Half its time takes it so far.
+        const double share =
+            0.25 * (3.0 * bit.begin_speed + bit.end_speed) / (bit.begin_speed + bit.end_speed);
+        Lanes middle;
+        for (std::size_t k = 0; k < kAxisCount; ++k) middle[k] = begin[k] + share * (bit.end[k] - begin[k]);
+        if (!is_near(at_seconds + 0.5 * bit.seconds, middle)) return false;
+        at_seconds += bit.seconds;
+        if (!is_near(at_seconds, bit.end)) return false;
     }
     return true;
 }
@@ -169,7 +183,7 @@ void PieceMaker::add_piece(std::size_t first, std::size_t end, const Pulses4& to
     at_pulses_ = to;
     piece.begin_speed2 = bits_[first].begin_speed2;
     piece.end_speed2 = bits_[end - 1].end_speed2;
-    piece.length = 0.5 * seconds * (std::sqrt(piece.begin_speed2[0]) + std::sqrt(piece.end_speed2[0]));
+    piece.length = 0.5 * seconds * (bits_[first].begin_speed + bits_[end - 1].end_speed);
     pieces_.push_back(piece);
 }
 

@@ -47,6 +47,8 @@ private:
     struct Bit {
         double length;
         double seconds;
+        double begin_speed;  ///< du/dt at 100 %
+        double end_speed;
         Lanes end;  ///< position [pulses]
         Timings begin_speed2;
         Timings end_speed2;

@@ -28,7 +28,7 @@ double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const P
     const CurveNodes nodes = curve_nodes(limits_, points, spans, corners, first, last);
     fit_.solve(nodes);
     make_cells(nodes);
-    limit_speeds(nodes, spans);
+    limit_speeds();
     const PathSpan* before = first > 0 ? &spans[first - 1] : nullptr;
     const PathSpan* after = last < spans.size() ? &spans[last] : nullptr;
     const double begin2 = stop_speed2(limits_, spans[first], before);
@@ -37,11 +37,11 @@ double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const P
         bound2_[timing].front() = std::min(bound2_[timing].front(), begin2);
         bound2_[timing].back() = std::min(bound2_[timing].back(), end2);
     }
-    timing_.solve(cells_, bound2_[0], middle2_[0], speed2_[0]);
+    timing_.solve(cells_, bound2_[0], inner2_[0], speed2_[0]);
     if (bound2_[1] == bound2_[0]) {
         speed2_[1] = speed2_[0];
     } else {
-        timing_.solve(cells_, bound2_[1], middle2_[1], speed2_[1]);
+        timing_.solve(cells_, bound2_[1], inner2_[1], speed2_[1]);
         // Greedy passes may lose a little where an axis turns back.
         for (std::size_t i = 0; i < speed2_[1].size(); ++i) {
             speed2_[1][i] = std::max(speed2_[1][i], speed2_[0][i]);
@@ -103,27 +103,30 @@ double StretchPlanner::greatest_speed2(const Lanes& slope, const Lanes& at, std:
     return need > 0.0 ? 1.0 / need : 1.0;
 }
 
-void StretchPlanner::limit_speeds(const CurveNodes& nodes, std::span<const PathSpan> /*spans*/) {
-    const Lanes& end = fit_.control().back();
+void StretchPlanner::limit_speeds() {
     for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
         std::vector<double>& bound2 = bound2_[timing];
-        std::vector<double>& middle2 = middle2_[timing];
+        std::vector<InnerSpeeds2>& inner2 = inner2_[timing];
         bound2.clear();
-        middle2.clear();
+        inner2.clear();
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             const PathCell& cell = cells_[i];
-            Lanes middle;
-            Lanes middle_at;
-            for (std::size_t k = 0; k < kAxisCount; ++k) {
-                middle[k] = 0.5 * (cell.slope_begin[k] + cell.slope_end[k]);
-                middle_at[k] = cell_at_[i][k] + 0.25 * cell.length * (cell.slope_begin[k] + middle[k]);
-            }
             bound2.push_back(greatest_speed2(cell.slope_begin, cell_at_[i], timing));
-            middle2.push_back(greatest_speed2(middle, middle_at, timing));
+            InnerSpeeds2 inner;
+            for (std::size_t part = 0; part < inner.size(); ++part) {
+                const double along = 0.25 * static_cast<double>(part + 1) * cell.length;
+                Lanes slope;
+                Lanes at;
+                for (std::size_t k = 0; k < kAxisCount; ++k) {
+                    slope[k] = cell.slope_begin[k] + along * cell.bend[k];
+                    at[k] = cell_at_[i][k] + 0.5 * along * (cell.slope_begin[k] + slope[k]);
+                }
+                inner[part] = greatest_speed2(slope, at, timing);
+            }
+            inner2.push_back(inner);
         }
-        bound2.push_back(greatest_speed2(cells_.back().slope_end, end, timing));
+        bound2.push_back(greatest_speed2(cells_.back().slope_end, fit_.control().back(), timing));
     }
-    (void)nodes;
 }
 
 void StretchPlanner::add_pieces(std::span<const PathPoint> points, const CurveNodes& nodes,

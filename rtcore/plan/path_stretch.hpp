@@ -30,7 +30,7 @@ public:
 
 private:
     void make_cells(const CurveNodes& nodes);
-    void limit_speeds(const CurveNodes& nodes, std::span<const PathSpan> spans);
+    void limit_speeds();
     double greatest_speed2(const Lanes& slope, const Lanes& at, std::size_t timing) const;
     void add_pieces(std::span<const PathPoint> points, const CurveNodes& nodes,
                     std::vector<PathPiece>& pieces);
@@ -43,7 +43,7 @@ private:
     std::vector<PathCell> cells_;
     std::vector<Lanes> cell_at_;  ///< position at each cell's begin [pulses]
     std::array<std::vector<double>, kTimingCount> bound2_;
-    std::array<std::vector<double>, kTimingCount> middle2_;
+    std::array<std::vector<InnerSpeeds2>, kTimingCount> inner2_;
     std::array<std::vector<double>, kTimingCount> speed2_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 constexpr double kLeastSpeed2 = 1e-12;
 // What an axis may accelerate at a cell's ends, as a share of what it may in the middle, see the header.
 constexpr double kEndsShare = 1.25;
-constexpr std::size_t kMostRows = 6 * kAxisCount + 1;
+constexpr std::size_t kMostRows = 6 * kAxisCount + 3;
 
 /// begin * x + end * z <= 1, for the speeds x and z at a cell's begin and end.
 struct SpeedRow {
@@ -23,7 +23,7 @@ struct SpeedRow {
 /// Everything that one cell asks of the speeds at its ends.
 class CellRows {
 public:
-    CellRows(const PathCell& cell, const Lanes& accel, double middle_speed2) {
+    CellRows(const PathCell& cell, const Lanes& accel, const InnerSpeeds2& inner_speed2) {
         const double half_inverse = 0.5 / cell.length;
         for (std::size_t k = 0; k < kAxisCount; ++k) {
             const double inverse = 1.0 / accel[k];
@@ -36,7 +36,10 @@ public:
             add((bend - first) / kEndsShare, first / kEndsShare);
             add(-last / kEndsShare, (bend + last) / kEndsShare);
         }
-        rows_[count_++] = {0.5 / middle_speed2, 0.5 / middle_speed2};
+        for (std::size_t i = 0; i < inner_speed2.size(); ++i) {
+            const double at = 0.25 * static_cast<double>(i + 1);
+            rows_[count_++] = {(1.0 - at) / inner_speed2[i], at / inner_speed2[i]};
+        }
     }
 
     /// The greatest end speed from this begin speed, at most `limit`.
@@ -126,18 +129,18 @@ private:
 }  // namespace
 
 void SpeedProfile::solve(std::span<const PathCell> cells, std::span<const double> bound_speed2,
-                         std::span<const double> middle_speed2, std::vector<double>& speed2) {
+                         std::span<const InnerSpeeds2> inner_speed2, std::vector<double>& speed2) {
     const std::size_t count = cells.size();
     reachable2_.resize(count + 1);
     reachable2_[count] = bound_speed2[count];
     for (std::size_t i = count; i-- > 0;) {
-        const CellRows rows(cells[i], accel_, middle_speed2[i]);
+        const CellRows rows(cells[i], accel_, inner_speed2[i]);
         reachable2_[i] = std::max(kLeastSpeed2, rows.greatest_begin(bound_speed2[i], reachable2_[i + 1]));
     }
     speed2.resize(count + 1);
     speed2[0] = reachable2_[0];
     for (std::size_t i = 0; i < count; ++i) {
-        const CellRows rows(cells[i], accel_, middle_speed2[i]);
+        const CellRows rows(cells[i], accel_, inner_speed2[i]);
         speed2[i + 1] = std::max(kLeastSpeed2, rows.greatest_end(speed2[i], reachable2_[i + 1]));
     }
 }

@@ -18,17 +18,14 @@ struct PathCell {
     Lanes bend;
 };
 
-/// What the time-optimal timing may not exceed at a cell's begin or end, or in its middle: (du/dt)^2.
-struct CellSpeeds {
-    double begin2;
-    double middle2;
-};
+/// The greatest (du/dt)^2 at a quarter, at the half and at three quarters of a cell.
+using InnerSpeeds2 = std::array<double, 3>;
 
 /// The fastest timing of a chain of cells: x = (du/dt)^2 at every cell bound, linear in between, with
 ///
 ///     |q' * x' / 2 + q'' * x| <= a_k          in the middle of every cell: its mean acceleration
 ///                             <= 1.25 a_k     at its ends
-///     x <= the bounds' and middles' limits
+///     x <= the limits at the cells' ends and in between
 ///
 /// The left side is linear in u. In a curve whose q'' changes evenly the cells' steps of q'' would cost time
 /// at every cell's end though the mean is what a motor follows; without any limit at the ends greedy passes
@@ -40,9 +37,9 @@ public:
     explicit SpeedProfile(const Lanes& accel) : accel_(accel) {}
 
     /// bound_speed2: cells + 1 limits; its first and last are also the speeds to begin and end with.
-    /// middle_speed2: one a cell. The result has cells + 1 values.
+    /// inner_speed2: one entry a cell. The result has cells + 1 values.
     void solve(std::span<const PathCell> cells, std::span<const double> bound_speed2,
-               std::span<const double> middle_speed2, std::vector<double>& speed2);
+               std::span<const InnerSpeeds2> inner_speed2, std::vector<double>& speed2);
 
 private:
     Lanes accel_;

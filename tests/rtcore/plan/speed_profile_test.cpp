@@ -16,7 +16,7 @@ constexpr Lanes kAccel{100.0, 200.0, 300.0, 400.0};
 struct Chain {
     std::vector<PathCell> cells;
     std::vector<double> bound2;
-    std::vector<double> middle2;
+    std::vector<InnerSpeeds2> inner2;
 };
 
 /// Straight along axis 0, at one pulse per u.
@@ -27,7 +27,7 @@ Chain straight(std::size_t count, double length, double speed) {
     cell.slope_begin[0] = cell.slope_end[0] = 1.0;
     chain.cells.assign(count, cell);
     chain.bound2.assign(count + 1, speed * speed);
-    chain.middle2.assign(count, speed * speed);
+    chain.inner2.assign(count, {speed * speed, speed * speed, speed * speed});
     return chain;
 }
 
@@ -49,7 +49,7 @@ Chain random_chain(std::mt19937_64& random, std::size_t count) {
         }
         chain.cells.push_back(cell);
         chain.bound2.push_back(limit(random));
-        chain.middle2.push_back(limit(random));
+        chain.inner2.push_back({limit(random), limit(random), limit(random)});
     }
     chain.bound2.push_back(limit(random));
     return chain;
@@ -58,8 +58,16 @@ Chain random_chain(std::mt19937_64& random, std::size_t count) {
 std::vector<double> solved(const Chain& chain) {
     SpeedProfile profile{kAccel};
     std::vector<double> speed2;
-    profile.solve(chain.cells, chain.bound2, chain.middle2, speed2);
+    profile.solve(chain.cells, chain.bound2, chain.inner2, speed2);
     return speed2;
+}
+
+double inner_share(const InnerSpeeds2& limit2, double begin2, double end2) {
+    double share = 0.0;
+    for (std::size_t i = 0; i < limit2.size(); ++i) {
+        share = std::max(share, (begin2 + 0.25 * static_cast<double>(i + 1) * (end2 - begin2)) / limit2[i]);
+    }
+    return share;
 }
 
 double accel_share(const PathCell& cell, double begin2, double end2, double at) {
@@ -102,7 +110,7 @@ TEST(SpeedProfile, ACircleIsAsFastAsItsCentreAllows) {
         chain.cells.push_back(cell);
     }
     chain.bound2.assign(kCount + 1, 1e6);
-    chain.middle2.assign(kCount, 1e6);
+    chain.inner2.assign(kCount, {1e6, 1e6, 1e6});
     const std::vector<double> speed2 = solved(chain);
     for (std::size_t i = 0; i < kCount; ++i) {
         EXPECT_LE(accel_share(chain.cells[i], speed2[i], speed2[i + 1], 0.5), 1.0 + 1e-9);
@@ -121,7 +129,7 @@ TEST(SpeedProfile, RandomChainsStayWithinEveryLimit) {
         ASSERT_EQ(speed2.size(), chain.cells.size() + 1);
         for (std::size_t i = 0; i < chain.cells.size(); ++i) {
             ASSERT_LE(speed2[i], chain.bound2[i] * (1.0 + 1e-9));
-            ASSERT_LE(0.5 * (speed2[i] + speed2[i + 1]), chain.middle2[i] * (1.0 + 1e-9));
+            ASSERT_LE(inner_share(chain.inner2[i], speed2[i], speed2[i + 1]), 1.0 + 1e-9);
             ASSERT_GT(speed2[i], 0.0);
             ASSERT_LE(accel_share(chain.cells[i], speed2[i], speed2[i + 1], 0.5), 1.0 + 1e-6) << round;
             ASSERT_LE(accel_share(chain.cells[i], speed2[i], speed2[i + 1], 0.0), 1.25 + 1e-6) << round;
@@ -143,7 +151,7 @@ TEST(SpeedProfile, NoSingleSpeedCanBeRaised) {
                 return accel_share(of, begin2, end2, 0.5) > 1.0 ||
                        accel_share(of, begin2, end2, 0.0) > 1.25 ||
                        accel_share(of, begin2, end2, 1.0) > 1.25 ||
-                       0.5 * (begin2 + end2) > chain.middle2[cell];
+                       inner_share(chain.inner2[cell], begin2, end2) > 1.0;
             };
             EXPECT_TRUE(raised > chain.bound2[i] || is_broken(i - 1, speed2[i - 1], raised) ||
                         is_broken(i, raised, speed2[i + 1]))

@@ -50,7 +50,8 @@ public:
         if (must_slow || spare <= 0.0) {
             slow_down(1.0, least_speed_);
         } else if (speed_ > top_speed_) {
-            // With less than a tick's way to spare, the rest of this tick must not run on at the new top speed.
+            // With less than a tick's way to spare, the rest of this tick must not run on at the new top
+            // speed.
             slow_down(1.0, spare < speed_ ? least_speed_ : top_speed_);
         } else if (speed_ < top_speed_ && spare >= 2.0 * (speed_ + accel_)) {
             speed_up();

@@ -34,10 +34,8 @@ void CurveFit::solve(const CurveNodes& nodes, std::span<const Lanes> fixed) {
     prepare(nodes);
     start(nodes, fixed);
     for (iterations_ = 0; iterations_ < kMostIterations && !has_converged(); ++iterations_) {
-        build_matrix();
-        factorise();
-        substitute(side_);
-        change_ = side_;
+        build_and_eliminate();
+        substitute_back(change_);
         Vec length;
         const Reach predicted = predict();
         length_within(predicted.shrink, length);
@@ -90,7 +88,8 @@ void CurveFit::start(const CurveNodes& nodes, std::span<const Lanes> fixed) {
     points_.resize(count_);
     side_.resize(count_);
     states_.resize(count_);
-    band_.resize(count_ + 2);
+    band_.resize(count_);
+    change_.resize(count_);
     for (std::size_t j = 0; j < count_; ++j) {
         for (std::size_t k = 0; k < kAxisCount; ++k) {
             states_[j].low[k] = nodes.low[j][k];
@@ -143,70 +142,71 @@ bool CurveFit::has_converged() {
     return is_done;
 }
 
-// stiffness + value' * (press / distance) * value, and the right side of the predictor.
-void CurveFit::build_matrix() {
-    for (std::size_t j = 0; j < count_; ++j) {
-        band_[j].at = Vec{} + stiffness_[j][0];
-        band_[j].next = Vec{} + stiffness_[j][1];
-        band_[j].second = Vec{} + stiffness_[j][2];
-        side_[j] = Vec{};
-    }
-    for (std::size_t j = 1; j + 1 < count_; ++j) {
-        const Row& bend_row = bend_[j];
-        const Row& row = value_[j];
-        State& state = states_[j];
-        Bound& lower = state.lower;
-        Bound& upper = state.upper;
-        lower.inverse_distance = 1.0 / lower.distance;
-        upper.inverse_distance = 1.0 / upper.distance;
-        const Vec lower_weight = lower.press * lower.inverse_distance;
-        const Vec upper_weight = upper.press * upper.inverse_distance;
-        const Vec weight = lower_weight + upper_weight;
-        const Vec before = weight * row.before;
-        const Vec at = weight * row.at;
-        band_[j - 1].at += before * row.before;
-        band_[j - 1].next += before * row.at;
-        band_[j - 1].second += before * row.after;
-        band_[j].at += at * row.at;
-        band_[j].next += at * row.after;
-        band_[j + 1].at += weight * (row.after * row.after);
-        const Vec push = upper_weight * (state.high - state.value - upper.distance) -
-                         lower_weight * (state.value - state.low - lower.distance);
-        const Vec bend =
-            bend_row.before * points_[j - 1] + bend_row.at * points_[j] + bend_row.after * points_[j + 1];
-        side_[j - 1] += row.before * push - bend_row.before * bend;
-        side_[j] += row.at * push - bend_row.at * bend;
-        side_[j + 1] += row.after * push - bend_row.after * bend;
+// One bound's pull on the matrix and on the right side of the predictor.
+void CurveFit::weigh(State& state, Vec& weight, Vec& push) {
+    Bound& lower = state.lower;
+    Bound& upper = state.upper;
+    lower.inverse_distance = 1.0 / lower.distance;
+    upper.inverse_distance = 1.0 / upper.distance;
+    const Vec lower_weight = lower.press * lower.inverse_distance;
+    const Vec upper_weight = upper.press * upper.inverse_distance;
+    weight = lower_weight + upper_weight;
+    push = upper_weight * (state.high - state.value - upper.distance) -
+           lower_weight * (state.value - state.low - lower.distance);
+}
+
+// stiffness + value' * (press / distance) * value = L D L', and the predictor's right side, forwards through
+// L: in one pass, since a row is complete once the node after it is known.
+void CurveFit::build_and_eliminate() {
+    Elimination rows;
+    Vec weight_before{};
+    Vec weight{};
+    Vec push_before{};
+    Vec push{};
+    Vec bend_before{};
+    Vec bend{};
+    for (std::size_t j = 0; j + 1 < count_; ++j) {
+        Vec weight_after{};
+        Vec push_after{};
+        Vec bend_after{};
+        if (j + 2 < count_) {
+            weigh(states_[j + 1], weight_after, push_after);
+            const Row& row = bend_[j + 1];
+            bend_after = row.before * points_[j] + row.at * points_[j + 1] + row.after * points_[j + 2];
+        }
+        if (j >= fixed_) {
+            const Row& before = value_[j - 1];
+            const Row& at = value_[j];
+            const Row& after = value_[j + 1];
+            Band& band = band_[j];
+            band.at = stiffness_[j][0] + weight_after * (after.before * after.before) +
+                      weight * (at.at * at.at) + weight_before * (before.after * before.after);
+            band.next =
+                stiffness_[j][1] + weight_after * (after.before * after.at) + weight * (at.at * at.after);
+            band.second = stiffness_[j][2] + weight_after * (after.before * after.after);
+            Vec side = after.before * push_after + at.at * push + before.after * push_before -
+                       bend_[j + 1].before * bend_after - bend_[j].at * bend -
+                       bend_[j - 1].after * bend_before;
+            rows.eliminate(band);
+            rows.substitute(band, side);
+            change_[j] = side;
+        }
+        weight_before = weight;
+        weight = weight_after;
+        push_before = push;
+        push = push_after;
+        bend_before = bend;
+        bend = bend_after;
     }
 }
 
-// L D L' of the rows of the points that may move: `at` becomes 1 / pivot, `next` and `second` the factors.
-void CurveFit::factorise() {
-    for (std::size_t j = fixed_; j + 1 < count_; ++j) {
-        Band& row = band_[j];
-        const Vec inverse = 1.0 / row.at;
-        const Vec next = row.next * inverse;
-        const Vec second = row.second * inverse;
-        band_[j + 1].at -= next * row.next;
-        band_[j + 1].next -= next * row.second;
-        band_[j + 2].at -= second * row.second;
-        row.at = inverse;
-        row.next = next;
-        row.second = second;
-    }
-}
-
-void CurveFit::substitute(std::vector<Vec>& side) const {
-    const std::size_t end = count_ - 1;
+// Backwards: what the rows' factors make of a right side that went forwards through them.
+void CurveFit::substitute_back(std::vector<Vec>& side) const {
     for (std::size_t j = 0; j < fixed_; ++j) side[j] = Vec{};
-    for (std::size_t j = fixed_; j < end; ++j) {
-        side[j + 1] -= band_[j].next * side[j];
-        if (j + 2 <= end) side[j + 2] -= band_[j].second * side[j];
-    }
-    side[end] = Vec{};
+    side[count_ - 1] = Vec{};
     Vec after{};
     Vec second{};
-    for (std::size_t j = end; j-- > fixed_;) {
+    for (std::size_t j = count_ - 1; j-- > fixed_;) {
         const Band& row = band_[j];
         side[j] = side[j] * row.at - row.next * after - row.second * second;
         second = after;
@@ -238,19 +238,28 @@ CurveFit::Reach CurveFit::predict() {
 
 // Towards the middle by `target`, and what the prediction left out to second order.
 void CurveFit::correct(const Vec& target) {
-    std::fill(side_.begin(), side_.end(), Vec{});
-    for (std::size_t j = 1; j + 1 < count_; ++j) {
-        const Row& row = value_[j];
-        const Bound& lower = states_[j].lower;
-        const Bound& upper = states_[j].upper;
-        const Vec push = (target - lower.distance_change * lower.press_change) * lower.inverse_distance -
+    Elimination rows;
+    Vec push_before{};
+    Vec push{};
+    for (std::size_t j = 0; j + 1 < count_; ++j) {
+        Vec push_after{};
+        if (j + 2 < count_) {
+            const Bound& lower = states_[j + 1].lower;
+            const Bound& upper = states_[j + 1].upper;
+            push_after = (target - lower.distance_change * lower.press_change) * lower.inverse_distance -
                          (target - upper.distance_change * upper.press_change) * upper.inverse_distance;
-        side_[j - 1] += row.before * push;
-        side_[j] += row.at * push;
-        side_[j + 1] += row.after * push;
+        }
+        if (j >= fixed_) {
+            Vec side =
+                value_[j + 1].before * push_after + value_[j].at * push + value_[j - 1].after * push_before;
+            rows.substitute(band_[j], side);
+            side_[j] = side;
+        }
+        push_before = push;
+        push = push_after;
     }
-    substitute(side_);
-    for (std::size_t j = 0; j < count_; ++j) change_[j] += side_[j];
+    substitute_back(side_);
+    for (std::size_t j = fixed_; j + 1 < count_; ++j) change_[j] += side_[j];
 }
 
 CurveFit::Reach CurveFit::reach_corrected(const Vec& target) {

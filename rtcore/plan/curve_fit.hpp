@@ -46,6 +46,32 @@ private:
     struct Band {
         Vec at, next, second;  ///< a row of the matrix from its diagonal on; later of its factors
     };
+    /// Rows of a band matrix, one after the other: what those before take off the present one.
+    class Elimination {
+    public:
+        /// at becomes 1 / pivot, next and second the factors.
+        void eliminate(Band& row) {
+            row.at -= at_;
+            row.next -= next_;
+            const Vec inverse = 1.0 / row.at;
+            const Vec next = row.next * inverse;
+            const Vec second = row.second * inverse;
+            at_ = at_after_ + next * row.next;
+            next_ = next * row.second;
+            at_after_ = second * row.second;
+            row.at = inverse;
+            row.next = next;
+            row.second = second;
+        }
+        void substitute(const Band& row, Vec& side) {
+            side -= side_;
+            side_ = side_after_ + row.next * side;
+            side_after_ = row.second * side;
+        }
+
+    private:
+        Vec at_{}, at_after_{}, next_{}, side_{}, side_after_{};
+    };
     /// For all axes: how far an iteration can go, and the sum of distance * press along it.
     struct Reach {
         Vec shrink;  ///< the greatest relative shrinking of a distance or a press
@@ -55,9 +81,9 @@ private:
     void prepare(const CurveNodes& nodes);
     void start(const CurveNodes& nodes, std::span<const Lanes> fixed);
     bool has_converged();
-    void build_matrix();
-    void factorise();
-    void substitute(std::vector<Vec>& side) const;
+    static void weigh(State& state, Vec& weight, Vec& push);
+    void build_and_eliminate();
+    void substitute_back(std::vector<Vec>& side) const;
     Reach predict();
     void correct(const Vec& target);
     Reach reach_corrected(const Vec& target);

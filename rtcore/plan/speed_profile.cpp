@@ -10,8 +10,11 @@ namespace {
 
 // Rounding may not make a cell's two ends contradict each other.
 constexpr double kLeastSpeed2 = 1e-12;
+// Rows that meet in a corner do so but for rounding.
+constexpr double kSame = 1e-12;
 // What an axis may accelerate at a cell's ends, as a share of what it may in the middle, see the header.
 constexpr double kEndsShare = 1.25;
+constexpr double kEndsWeight = 1.0 / kEndsShare;
 constexpr std::size_t kMostRows = 6 * kAxisCount + 3;
 
 /// begin * x + end * z <= 1, for the speeds x and z at a cell's begin and end.
@@ -23,18 +26,18 @@ struct SpeedRow {
 /// Everything that one cell asks of the speeds at its ends.
 class CellRows {
 public:
-    CellRows(const PathCell& cell, const Lanes& accel, const InnerSpeeds2& inner_speed2) {
+    CellRows(const PathCell& cell, const Lanes& inverse_accel, const InnerSpeeds2& inner_speed2) {
         const double half_inverse = 0.5 / cell.length;
         for (std::size_t k = 0; k < kAxisCount; ++k) {
-            const double inverse = 1.0 / accel[k];
+            const double inverse = inverse_accel[k];
             const double bend = cell.bend[k] * inverse;
             const double first = cell.slope_begin[k] * half_inverse * inverse;
             const double last = cell.slope_end[k] * half_inverse * inverse;
             if (first == 0.0 && last == 0.0) continue;
             const double middle = 0.5 * (first + last);
             add(0.5 * bend - middle, 0.5 * bend + middle);
-            add((bend - first) / kEndsShare, first / kEndsShare);
-            add(-last / kEndsShare, (bend + last) / kEndsShare);
+            add((bend - first) * kEndsWeight, first * kEndsWeight);
+            add(-last * kEndsWeight, (bend + last) * kEndsWeight);
         }
         for (std::size_t i = 0; i < inner_speed2.size(); ++i) {
             const double at = 0.25 * static_cast<double>(i + 1);
@@ -56,6 +59,7 @@ public:
     /// The greatest begin speed, at most `limit`, from which an end speed of at most `end_limit` is possible.
     double greatest_begin(double limit, double end_limit) const {
         double end = end_limit;
+        if (allows(limit, end_limit)) return limit;
         // The set of possible pairs is convex and holds (0, 0): walk down from end_limit along its upper edge
         // as long as the begin speed rises.
         for (std::size_t walked = 0; walked <= count_; ++walked) {
@@ -76,28 +80,43 @@ private:
         double lower_slope;
     };
 
+    bool allows(double begin, double end) const {
+        double most = 0.0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            most = std::max(most, rows_[i].begin * begin + rows_[i].end * end);
+        }
+        return most <= 1.0;
+    }
+
     void add(double begin, double end) {
         rows_[count_++] = {begin, end};
         rows_[count_++] = {-begin, -end};
     }
 
+    // Fractions are compared by cross multiplication: one division at the end.
     Edge upper_edge(double end, double limit) const {
         Edge edge{limit, 0.0, 0.0, 0.0};
+        double upper_left = limit;
+        SpeedRow upper{1.0, 0.0};
         for (std::size_t i = 0; i < count_; ++i) {
             const SpeedRow& row = rows_[i];
             const double left = 1.0 - row.end * end;
             if (row.begin > 0.0) {
-                const double slope = -row.end / row.begin;
-                const double upper = left / row.begin;
-                if (upper < edge.upper || (upper == edge.upper && slope > edge.slope)) {
-                    edge.upper = upper;
-                    edge.slope = slope;
+                const double margin = left * upper.begin - upper_left * row.begin;
+                const double same = kSame * std::abs(upper_left * row.begin);
+                // Of two that meet here the one that matters further down.
+                const bool falls_faster = row.end * upper.begin < upper.end * row.begin;
+                if (margin < -same || (margin <= same && falls_faster)) {
+                    upper_left = left;
+                    upper = row;
                 }
-            } else if (row.begin < 0.0 && left / row.begin > edge.lower) {
+            } else if (left < 0.0 && row.begin < 0.0 && left / row.begin > edge.lower) {
                 edge.lower = left / row.begin;
                 edge.lower_slope = -row.end / row.begin;
             }
         }
+        edge.upper = upper_left / upper.begin;
+        edge.slope = -upper.end / upper.begin;
         return edge;
     }
 
@@ -128,19 +147,23 @@ private:
 
 }  // namespace
 
+SpeedProfile::SpeedProfile(const Lanes& accel) {
+    for (std::size_t k = 0; k < kAxisCount; ++k) inverse_accel_[k] = 1.0 / accel[k];
+}
+
 void SpeedProfile::solve(std::span<const PathCell> cells, std::span<const double> bound_speed2,
                          std::span<const InnerSpeeds2> inner_speed2, std::vector<double>& speed2) {
     const std::size_t count = cells.size();
     reachable2_.resize(count + 1);
     reachable2_[count] = bound_speed2[count];
     for (std::size_t i = count; i-- > 0;) {
-        const CellRows rows(cells[i], accel_, inner_speed2[i]);
+        const CellRows rows(cells[i], inverse_accel_, inner_speed2[i]);
         reachable2_[i] = std::max(kLeastSpeed2, rows.greatest_begin(bound_speed2[i], reachable2_[i + 1]));
     }
     speed2.resize(count + 1);
     speed2[0] = reachable2_[0];
     for (std::size_t i = 0; i < count; ++i) {
-        const CellRows rows(cells[i], accel_, inner_speed2[i]);
+        const CellRows rows(cells[i], inverse_accel_, inner_speed2[i]);
         speed2[i + 1] = std::max(kLeastSpeed2, rows.greatest_end(speed2[i], reachable2_[i + 1]));
     }
 }

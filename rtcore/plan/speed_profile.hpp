@@ -34,7 +34,7 @@ using InnerSpeeds2 = std::array<double, 3>;
 /// time-optimal path parameterization based on reachability analysis, IEEE Trans. Robotics 34 (2018).
 class SpeedProfile {
 public:
-    explicit SpeedProfile(const Lanes& accel) : accel_(accel) {}
+    explicit SpeedProfile(const Lanes& accel);
 
     /// bound_speed2: cells + 1 limits; its first and last are also the speeds to begin and end with.
     /// inner_speed2: one entry a cell. The result has cells + 1 values.
@@ -42,7 +42,7 @@ public:
                std::span<const InnerSpeeds2> inner_speed2, std::vector<double>& speed2);
 
 private:
-    Lanes accel_;
+    Lanes inverse_accel_;
     std::vector<double> reachable2_;
 };
 

@@ -89,7 +89,8 @@ private:
             ASSERT_LE(change, (limits.accel[k] + jump) * kSlack) << "axis " << k << " tick " << ticks;
         }
         jumped_ = false;
-        ASSERT_LE(speed2, curve_.speed2(1, segment, law_.way()) * kSlack) << "tick " << ticks;
+        ASSERT_LE(speed2, curve_.speed2(1, segment, law_.way()) * kSlack + kStandingSpeed2)
+            << "tick " << ticks;
         if (has_met_) {
             ASSERT_LE(speed2, target2() * kSlack + kStandingSpeed2) << "tick " << ticks;
         }
@@ -153,8 +154,8 @@ TEST(PathLaw, ChangesSpeedFromTheNextTickOnAsFastAsTheAxisCan) {
     sut.start(path_block({}, 1e6, 0.2, 0.2).path);
     for (int n = 0; n < 100; ++n) sut.tick();
     EXPECT_DOUBLE_EQ(sut.speed(), 0.2);
-    // A hundredth is left for the pulses.
-    constexpr double kAccel = 0.99e-4;
+    // Three hundredths are left for the pulses.
+    constexpr double kAccel = 0.97e-4;
     for (const double feed : {0.5, 2.0, 1.5, 0.1, 1.0}) {
         const double before = sut.speed();
         const double after = 0.2 * feed;
@@ -180,7 +181,7 @@ TEST(PathLaw, ChangesSpeedFromTheNextTickOnAsFastAsTheAxisCan) {
     EXPECT_EQ(sut.speed(), 0.0);
     sut.aim(1.0);
     EXPECT_NEAR(sut.speed(), 0.02, 1e-8);
-    for (int n = 0; n < 1821; ++n) sut.tick();
+    for (int n = 0; n < 1860; ++n) sut.tick();
     EXPECT_NEAR(sut.speed(), 0.2, 1e-12);
 }
 

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+#include <string>
+
+#include "hmi/verify/verify_report.hpp"
+#include "tests/motion/carving_bench.hpp"
+
+namespace psicarve::motion {
+namespace {
+
+using cycle::MachineRig;
+using cycle::RequestKind;
+
+/// Holds, resumes and overrides at random ticks, 100 ms apart in the mean.
+class Operator {
+public:
+    explicit Operator(std::uint64_t seed) : random_(seed) {}
+    void operator()(MachineRig& rig) {
+        const std::uint64_t now = rig.cycle->next_tick();
+        if (now < next_tick_) return;
+        next_tick_ = now + 1 + random_() % 4000;
+        const MachineState state = rig.cycle->state();
+        if (state != MachineState::carving) {
+            rig.ask(RequestKind::resume);
+        } else if (random_() % 3 == 0) {
+            rig.ask(RequestKind::hold);
+        } else {
+            rig.ask(RequestKind::override, 0, 10 + random_() % 191);
+        }
+    }
+
+private:
+    std::mt19937_64 random_;
+    std::uint64_t next_tick_ = 0;
+};
+
+Profile usual_profile() {
+    Profile profile = cycle::quick_profile();
+    profile.job.planner = Planner::lookahead;
+    return profile;
+}
+
+class Shapes : public ::testing::TestWithParam<std::size_t> {
+protected:
+    void expect_obedience(const Profile& profile, const JobTable& table, std::uint64_t rounds);
+};
+
+void Shapes::expect_obedience(const Profile& profile, const JobTable& table, std::uint64_t rounds) {
+    const Carved undisturbed = carved(profile, table);
+    ASSERT_TRUE(undisturbed.report.ok) << verify::report_text(undisturbed.report);
+    for (const verify::RuleResult& rule : undisturbed.report.rules) EXPECT_TRUE(rule.judged);
+    RecordProperty("seconds", std::to_string(undisturbed.carve_s));
+    RecordProperty("waited_ticks", std::to_string(undisturbed.waited_ticks));
+    RecordProperty("iterations", std::to_string(undisturbed.iterations));
+    for (std::uint64_t seed = 1; seed <= rounds; ++seed) {
+        const Carved disturbed = carved(profile, table, Operator(seed));
+        ASSERT_TRUE(disturbed.report.ok) << "seed " << seed << '\n' << verify::report_text(disturbed.report);
+        ASSERT_EQ(disturbed.order, undisturbed.order) << "seed " << seed;
+    }
+}
+
+TEST_P(Shapes, ObeyTheFourRulesThroughThirtyRandomHoldsResumesAndOverrides) {
+    const Profile profile = usual_profile();
+    expect_obedience(profile, table_of(profile, sample_shapes()[GetParam()].shape, 2, 100), 30);
+}
+
+INSTANTIATE_TEST_SUITE_P(DisturbedCarving, Shapes, ::testing::Range(std::size_t{0}, std::size_t{4}),
+                         [](const auto& named) { return std::string{sample_shapes()[named.param].name}; });
+
+}  // namespace
+}  // namespace psicarve::motion

@@ -47,14 +47,19 @@ class _Programme:
             nearness = s @ z / len(s)
             if np.abs(gap / self.room).max() < 1e-7 and nearness < 1e-13:
                 break
-            factor = banded_factor(self.cost + self.across @ scipy.sparse.diags(z / s) @ self.both, 2)
+            with np.errstate(over="ignore"):
+                stiffness = z / s
+            if not np.all(np.isfinite(stiffness)):
+                raise NoCurve
+            factor = banded_factor(self.cost + self.across @ scipy.sparse.diags(stiffness) @ self.both, 2)
             dx, ds, dz = self._step(factor, s, z, dual, gap, s * z)
             ahead = (s + _reach(s, ds) * ds) @ (z + _reach(z, dz) * dz) / len(s)
             centre = nearness * min(1.0, ahead / nearness) ** 3
             dx, ds, dz = self._step(factor, s, z, dual, gap, s * z + ds * dz - centre)
             primal, second = (min(1.0, 0.995 * _reach(*pair, most=2.0)) for pair in ((s, ds), (z, dz)))
             x, s, z = x + primal * dx, s + primal * ds, z + second * dz
-        if ((self.bounds - self.both @ x) / self.room).max() > 1e-4:
+        # Written so that a solution that is not a number is none.
+        if not ((self.bounds - self.both @ x) / self.room).max() <= 1e-4:
             raise NoCurve
         return x
 

@@ -14,7 +14,7 @@ import scipy.sparse as sparse
 
 import path_timing
 from layer_time import bending_curve, least_layer_time, solve_jointly, time_along
-from least_bending import least_bending
+from least_bending import NoCurve, least_bending
 from machine_limits import AxisLimits, Layer, MachineLimits
 from spline_curve import SplineGrid
 from tube import cells_for, tube_of
@@ -112,6 +112,12 @@ class Curve(unittest.TestCase):
         )
         self.assertTrue(general.success, general.message)
         self.assertAlmostEqual(general.fun, 1.0, delta=1e-3)
+
+    def test_is_refused_on_a_grid_too_coarse_for_the_tube(self):
+        limits, layer = machine(), layer_of(lobed, 21, 800)
+        grid = SplineGrid(layer.psi_rad, np.full(20, 1))
+        with self.assertRaises(NoCurve):
+            bending_curve(layer, grid, limits)
 
     def test_stays_the_same_on_a_halved_grid(self):
         grid = SplineGrid(layer_of(lobed, 41, 800).psi_rad, np.full(40, 2))

@@ -66,7 +66,7 @@ def single_layer(programs, machine, work, table, number, options):
         "t_ref_s": ahead["reference_seconds"],
         "ahead/t_ref": ratio(ahead["carve_seconds"], ahead["reference_seconds"]),
     }
-    inputs = [table.read_text(), profile.read_text(), str(number)]
+    inputs = [table.read_text(), repr(limits), str(number)]
     if not options.no_reference:
         key = [*inputs, str(options.halvings)]
         found |= jobs.remembered(work, "reference", key, lambda: reference(layer, limits, options))

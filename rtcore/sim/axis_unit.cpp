@@ -20,7 +20,7 @@ void AxisUnit::set_direction(bool positive, std::int64_t time_ns) noexcept {
 }
 
 void AxisUnit::set_enabled(bool enabled) noexcept {
-    if (!enabled) settle();
+    if (!enabled) come_to_rest(motor_.release());
     enabled_ = enabled;
 }
 
@@ -83,9 +83,9 @@ void AxisUnit::lose_last_pulse(Counter& why) noexcept {
     move_load();
 }
 
-void AxisUnit::settle() noexcept {
+void AxisUnit::come_to_rest(bool ran_past) noexcept {
     settle_due_ns_ = kForeverNs;
-    if (!motor_.settle()) return;
+    if (!ran_past) return;
     note_stall();
     if (config_.has_ends) {
         motor_.put(std::clamp(motor_.position_pulses(), config_.low_end_pulses - config_.backlash_pulses,

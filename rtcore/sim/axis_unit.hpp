@@ -24,7 +24,7 @@ public:
 
     /// When settle() is due; kForeverNs at rest.
     std::int64_t settle_due_ns() const noexcept { return settle_due_ns_; }
-    void settle() noexcept;
+    void settle() noexcept { come_to_rest(motor_.settle()); }
     /// The mechanics move without a pulse.
     void slip(std::int64_t pulses) noexcept;
 
@@ -35,6 +35,7 @@ public:
 
 private:
     void take_pulse(std::int64_t time_ns) noexcept;
+    void come_to_rest(bool ran_past) noexcept;
     void lose_last_pulse(Counter& why) noexcept;
     void note_stall() noexcept;
     void move_load() noexcept;

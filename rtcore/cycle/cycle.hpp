@@ -82,7 +82,7 @@ private:
     void take_request(const Request& request) noexcept;
     Refusal judge(const Request& request) noexcept;
     Refusal start_home(bool only_height) noexcept;
-    Refusal start_job() noexcept;
+    Refusal start_job(std::uint64_t first_layer) noexcept;
     Refusal start_interpolation() noexcept;
     Refusal hold() noexcept;
     Refusal resume() noexcept;
@@ -143,6 +143,8 @@ private:
 
     std::uint64_t override_percent_ = 100;
     std::uint64_t points_total_ = 0;
+    std::uint64_t points_per_layer_ = 0;
+    std::uint64_t first_layer_ = 0;  ///< of the job at hand
     std::uint64_t job_generation_ = 0;
     std::uint64_t job_start_tick_ = 0;
     std::uint64_t carve_first_tick_ = 0;

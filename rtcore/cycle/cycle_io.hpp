@@ -21,7 +21,7 @@ namespace psicarve::cycle {
 /// supervisor -> tick. One request is answered by one report of kind `answer`.
 enum class RequestKind : std::uint8_t {
     home,
-    start,
+    start,  ///< value: the layer to begin with
     start_interpolation,
     hold,
     resume,
@@ -44,8 +44,9 @@ struct Request {
     std::uint8_t reserved[6];
     std::uint64_t value;
     std::uint64_t points_total;
-    MotionOrder order;          ///< jog, jog_on, move
-    std::uint32_t lease_token;  ///< jog, jog_on: see Lease; 0: nobody holds it
+    std::uint64_t points_per_layer;  ///< job_loaded
+    MotionOrder order;               ///< jog, jog_on, move
+    std::uint32_t lease_token;       ///< jog, jog_on: see Lease; 0: nobody holds it
     std::uint32_t lease_ticks;
 };
 
@@ -63,7 +64,8 @@ enum class Refusal : std::uint8_t {
     heads_too_close,
     at_the_end,    ///< no way is left in this direction
     bad_override,  ///< beyond 10 to 200 per cent
-    not_an_arc,    ///< begin and end are not as far from the centre, or it is too small
+    no_such_layer,
+    not_an_arc,  ///< begin and end are not as far from the centre, or it is too small
 };
 
 /// tick -> supervisor, in the order in which things happened. Each carries the flight-recorder entry of it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/cycle/cycle.hpp"
 #include "shared/command.hpp"
+#include "shared/job.hpp"
 
 namespace psicarve::cycle {
 
@@ -16,7 +17,7 @@ Refusal Cycle::judge(const Request& request) noexcept {
         case RequestKind::reset_height:
             return start_home(true);
         case RequestKind::start:
-            return start_job();
+            return start_job(request.value);
         case RequestKind::start_interpolation:
             return start_interpolation();
         case RequestKind::hold:
@@ -60,13 +61,17 @@ Refusal Cycle::start_home(bool only_height) noexcept {
     return Refusal::none;
 }
 
-Refusal Cycle::start_job() noexcept {
+Refusal Cycle::start_job(std::uint64_t first_layer) noexcept {
     if (state_ == MachineState::off) return Refusal::not_homed;
     if (!next_state(state_, MachineEvent::start).has_value()) return Refusal::not_in_this_state;
     if (points_total_ == 0) return Refusal::no_job;
+    if (first_layer >= kMaxJobCount || first_layer * points_per_layer_ >= points_total_) {
+        return Refusal::no_such_layer;
+    }
     if (!is_homed()) return Refusal::not_homed;
+    first_layer_ = first_layer;
     pulses_.clear_emitted();
-    executor_.clear_points();
+    executor_.clear_points(first_layer * points_per_layer_);
     job_start_tick_ = tick_;
     carve_first_tick_ = 0;
     carve_last_tick_ = 0;
@@ -99,6 +104,7 @@ Refusal Cycle::load_job(const Request& request) noexcept {
     }
     job_generation_ = request.value;
     points_total_ = request.points_total;
+    points_per_layer_ = request.points_per_layer;
     override_percent_ = 100;
     executor_.clear_points();
     next_publish_tick_ = tick_;

@@ -34,11 +34,11 @@ void Executor::set_feed_ratio(double feed_ratio) noexcept {
     fine_.set_ratio(up_to_plan);
 }
 
-void Executor::clear_points() noexcept {
+void Executor::clear_points(std::uint64_t points_before) noexcept {
     waited_ticks_ = 0;
     layer_ = 0;
     point_ = 0;
-    points_reached_ = 0;
+    points_reached_ = points_before;
 }
 
 std::uint32_t Executor::axes_in_motion() const noexcept {

@@ -80,7 +80,8 @@ public:
     std::uint64_t points_reached() const noexcept { return points_reached_; }
     /// Ticks in which an iteration was due and the pins kept it waiting, since clear_points().
     std::uint64_t waited_ticks() const noexcept { return waited_ticks_; }
-    void clear_points() noexcept;
+    /// The next run's points count on from so many.
+    void clear_points(std::uint64_t points_before = 0) noexcept;
     std::uint8_t latch_axis() const noexcept { return block_.axis; }
     /// How far the last latch or definition moved the count [pulses].
     std::int64_t latch_correction() const noexcept { return latch_correction_; }

@@ -99,7 +99,8 @@ struct PlanRequest {
     std::uint8_t tripped_mask;  ///< sensors that are tripped now
     std::array<std::int64_t, kAxisCount> position_pulses;
     std::uint64_t job_generation;
-    MotionOrder order;  ///< move: targets of all axes
+    std::uint64_t first_layer;  ///< position, carve: the layer to begin with
+    MotionOrder order;          ///< move: targets of all axes
 };
 using PlanRequestRing = SpscRing<PlanRequest, 16>;
 

@@ -32,10 +32,10 @@ Pulses4 heads_way(const Pulses4& from, const Pulses4& to, bool outwards) {
     return way;
 }
 
-Pulses4 first_point(const JobView& job) {
-    const std::uint32_t point = carved_point(job.joining(), job.point_count(), 0, 0);
-    return {job.r_left_pulses(0)[point], job.r_right_pulses(0)[point], job.psi_pulses(0, point),
-            job.layer_heights_pulses()[0]};
+Pulses4 first_point(const JobView& job, std::uint32_t layer) {
+    const std::uint32_t point = carved_point(job.joining(), job.point_count(), layer, 0);
+    return {job.r_left_pulses(layer)[point], job.r_right_pulses(layer)[point], job.psi_pulses(layer, point),
+            job.layer_heights_pulses()[layer]};
 }
 
 /// Of the table, whichever head carves it: before the carving the blank reaches out so far all round.
@@ -58,8 +58,8 @@ std::int64_t turns_to_drop(std::int64_t from_pulses, std::int64_t to_pulses, std
 }
 
 std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, const JobView& job,
-                                                const Pulses4& from_pulses) {
-    const Pulses4 first = first_point(job);
+                                                const Pulses4& from_pulses, std::uint32_t layer) {
+    const Pulses4 first = first_point(job, layer);
     Pulses4 from = from_pulses;
     Pulses4 outside = from;
     const double largest_mm = largest_radius_mm(limits, job);
@@ -85,7 +85,7 @@ std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, con
     Pulses4 plunge{};
     for (std::size_t k = 0; k < kHeads; ++k) plunge[k] = first[k] - outside[k];
     list.move(plunge, heads_at(limits, limits.plunge_mm_s));
-    list.reach(0, carved_point(job.joining(), job.point_count(), 0, 0));
+    list.reach(layer, carved_point(job.joining(), job.point_count(), layer, 0));
     list.end();
     return std::move(list.blocks());
 }

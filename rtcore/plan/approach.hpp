@@ -14,11 +14,11 @@ namespace psicarve::plan {
 /// Whole turns that the count is off, so that the way left is at most half a turn.
 std::int64_t turns_to_drop(std::int64_t from_pulses, std::int64_t to_pulses, std::int64_t pulses_per_rev);
 
-/// From anywhere to the job's first point: heads out to the table's largest radius and the clearance, psi the
-/// short way, Y, spindle up to speed, heads in at plunge speed. Whole turns of psi are dropped from the
-/// count, so that the first point's angle in the table is the count; the index compares modulo a turn.
+/// From anywhere to the first point of a layer: heads out to the table's largest radius and the clearance,
+/// psi the short way, Y, spindle up to speed, heads in at plunge speed. Whole turns of psi are dropped from
+/// the count, so that the first point's angle in the table is the count; the index compares modulo a turn.
 std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, const JobView& job,
-                                                const Pulses4& from_pulses);
+                                                const Pulses4& from_pulses, std::uint32_t layer = 0);
 
 /// Heads out by the retraction, as far as travel goes; spindle off.
 std::vector<cycle::MotionBlock> finish_blocks(const MachineLimits& limits, const Pulses4& from_pulses);

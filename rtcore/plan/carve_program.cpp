@@ -13,8 +13,9 @@ namespace psicarve::plan {
 using cycle::BlockKind;
 using cycle::MotionBlock;
 
-CarveProgram::CarveProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job)
-    : limits_(limits), job_(std::move(job)) {
+CarveProgram::CarveProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job,
+                           std::uint32_t first_layer)
+    : limits_(limits), job_(std::move(job)), first_layer_(first_layer), layer_(first_layer) {
     // The feed is the job's own; the profile's is what a slicer puts there.
     if (job_->header().feed_mm_s > 0.0) limits_.feed_mm_s = job_->header().feed_mm_s;
     at_pulses_ = point_at(0);
@@ -45,7 +46,7 @@ void CarveProgram::make_layer() {
         is_ended_ = true;
         return;
     }
-    if (layer_ > 0) {
+    if (layer_ > first_layer_) {
         const Pulses4 start = point_at(0);
         add_link(list, limits_, at_pulses_, start, layer_,
                  carved_point(job_->joining(), job_->point_count(), layer_, 0));

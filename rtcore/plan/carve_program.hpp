@@ -16,7 +16,8 @@ namespace psicarve::plan {
 /// between. Makes one layer's blocks at a time.
 class CarveProgram final : public Program {
 public:
-    CarveProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job);
+    CarveProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job,
+                 std::uint32_t first_layer = 0);
 
     bool next(cycle::MotionBlock& block) override;
     PlannedSoFar planned() const override { return planned_; }
@@ -29,8 +30,9 @@ private:
 
     MachineLimits limits_;
     std::shared_ptr<const JobView> job_;
-    std::uint32_t layer_ = 0;  ///< the next one to make
-    Pulses4 at_pulses_{};      ///< where the blocks made so far end
+    std::uint32_t first_layer_;  ///< the machine stands at its first point
+    std::uint32_t layer_;        ///< the next one to make
+    Pulses4 at_pulses_{};        ///< where the blocks made so far end
     std::vector<TableLine> lines_;
     std::vector<cycle::MotionBlock> blocks_;
     std::size_t next_ = 0;

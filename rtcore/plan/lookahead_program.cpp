@@ -39,9 +39,14 @@ cycle::PathTiming timing_of(const MachineLimits& limits, const PathPiece& piece)
 
 }  // namespace
 
-LookaheadProgram::LookaheadProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job)
-    : limits_(with_feed_of(limits, *job)), job_(std::move(job)), stretches_(limits_) {
-    planned_.is_reference = true;
+LookaheadProgram::LookaheadProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job,
+                                   std::uint32_t first_layer)
+    : limits_(with_feed_of(limits, *job)),
+      job_(std::move(job)),
+      stretches_(limits_),
+      first_layer_(first_layer),
+      layer_(first_layer) {
+    planned_.is_reference = first_layer == 0;
 }
 
 bool LookaheadProgram::next(MotionBlock& block) {
@@ -74,7 +79,7 @@ void LookaheadProgram::make_layer() {
     }
     gather_points();
     // One point more at either side belongs to them only so that those corners are seen.
-    const std::size_t begin = layer_ > 0 ? 1 : 0;
+    const std::size_t begin = layer_ > first_layer_ ? 1 : 0;
     const std::size_t last = points_.size() - (layer_ + 1 < job_->layer_count() ? 2 : 1);
     const std::vector<PathSpan> spans = path_spans(limits_, points_);
     const std::vector<PathCorner> corners = path_corners(limits_, spans);
@@ -94,7 +99,7 @@ void LookaheadProgram::make_layer() {
 void LookaheadProgram::gather_points() {
     points_.clear();
     const std::uint32_t count = job_->point_count();
-    if (layer_ > 0) {
+    if (layer_ > first_layer_) {
         points_.push_back(point_at(layer_ - 1, count - 2));
         points_.push_back(point_at(layer_ - 1, count - 1));
         add_way_between(points_.back(), point_at(layer_, 0));

@@ -19,7 +19,8 @@ namespace psicarve::plan {
 /// the layer before included.
 class LookaheadProgram final : public Program {
 public:
-    LookaheadProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job);
+    LookaheadProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job,
+                     std::uint32_t first_layer = 0);
 
     bool next(cycle::MotionBlock& block) override;
     PlannedSoFar planned() const override { return planned_; }
@@ -35,7 +36,8 @@ private:
     MachineLimits limits_;
     std::shared_ptr<const JobView> job_;
     StretchPlanner stretches_;
-    std::uint32_t layer_ = 0;  ///< the next one to make
+    std::uint32_t first_layer_;  ///< the machine stands at its first point
+    std::uint32_t layer_;        ///< the next one to make
     std::vector<PathPoint> points_;
     std::size_t first_of_layer_ = 0;  ///< its place in points_
     std::vector<PathPiece> pieces_;

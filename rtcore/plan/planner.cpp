@@ -67,6 +67,7 @@ void Planner::take_requests() {
 }
 
 std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
+    const auto first_layer = static_cast<std::uint32_t>(request.first_layer);
     const auto list = [](std::vector<MotionBlock> blocks) {
         return std::make_unique<ListProgram>(std::move(blocks));
     };
@@ -86,7 +87,9 @@ std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
             }
             return list(move_blocks(limits_, request.order, request.position_pulses));
         case PlanKind::position:
-            return job_ == nullptr ? nullptr : list(approach_blocks(limits_, *job_, request.position_pulses));
+            return job_ == nullptr
+                       ? nullptr
+                       : list(approach_blocks(limits_, *job_, request.position_pulses, first_layer));
         case PlanKind::carve:
             break;
     }
@@ -94,9 +97,9 @@ std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
     reference_seconds_.store(-1.0, std::memory_order_relaxed);
     points_total_.store(std::uint64_t{job_->layer_count()} * job_->point_count(), std::memory_order_relaxed);
     if (limits_.planner == psicarve::Planner::lookahead) {
-        return std::make_unique<LookaheadProgram>(limits_, job_);
+        return std::make_unique<LookaheadProgram>(limits_, job_, first_layer);
     }
-    return std::make_unique<CarveProgram>(limits_, job_);
+    return std::make_unique<CarveProgram>(limits_, job_, first_layer);
 }
 
 double Planner::seconds_left(std::uint64_t points_done) const noexcept {

@@ -11,7 +11,7 @@ namespace psicarve::plan {
 
 /// How much of a table has been planned: for estimates of the time left.
 struct PlannedSoFar {
-    std::uint64_t points = 0;
+    std::uint64_t points = 0;  ///< those of layers that are left out do not count
     double seconds = 0.0;
     bool is_reference = false;  ///< the seconds are the least that the limits allow: T_ref
 };

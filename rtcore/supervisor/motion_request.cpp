@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "shared/job.hpp"
 #include "shared/jog_lease.hpp"
 #include "shared/units.hpp"
 
@@ -101,6 +102,13 @@ Result<void> add_move(Request& request, const Command& command, const Profile& p
     return {};
 }
 
+Result<void> add_first_layer(Request& request, const Command& command) {
+    const bool is_layer = command.value >= 0.0 && command.value < kMaxJobCount;
+    request.value = is_layer ? static_cast<std::uint64_t>(command.value) : 0;
+    if (is_layer && static_cast<double>(request.value) == command.value) return {};
+    return refused("start: layers are counted from 0, in whole numbers");
+}
+
 /// What is no whole number of per cent becomes 0, which the tick refuses.
 std::uint64_t percent_of(double value) {
     const bool is_in_range = value >= kLeastOverride_percent && value <= kMostOverride_percent;
@@ -120,6 +128,8 @@ Result<Request> motion_request(const Command& command, RequestKind kind, const P
         added = add_jog(request, command, profile, is_virtual_clock);
     } else if (kind == RequestKind::move) {
         added = add_move(request, command, profile);
+    } else if (kind == RequestKind::start) {
+        added = add_first_layer(request, command);
     } else if (kind == RequestKind::spindle) {
         request.value = command.value != 0.0 ? 1 : 0;
     } else if (kind == RequestKind::override) {

@@ -96,6 +96,8 @@ std::string refusal_text(const cycle::Report& answer, CommandKind command, const
         case R::heads_too_close:
         case R::at_the_end:
             return std::string{name_of(command)} + ": " + limit_text(answer, profile);
+        case R::no_such_layer:
+            return "start: the job has no such layer; the first is 0";
         case R::bad_override:
             return "override: 10 to 200 per cent of the planned feed, whole";
     }

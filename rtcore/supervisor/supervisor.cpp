@@ -143,6 +143,7 @@ void Supervisor::take_job() {
     request.kind = cycle::RequestKind::job_loaded;
     request.value = loading_job_->generation;
     request.points_total = std::uint64_t{loading_job_->view.layer_count()} * loading_job_->view.point_count();
+    request.points_per_layer = loading_job_->view.point_count();
     parts_->io->requests.push(request);
 }
 

@@ -31,6 +31,31 @@ TEST_F(CoreCarving, CarvesAPublishedJobToTheLastPoint) {
     EXPECT_EQ(end.alarm_count, 0U);
 }
 
+TEST_F(CoreCarving, AStoppedJobIsCarvedOnFromALayer) {
+    start_core();
+    home();
+    ASSERT_EQ(publish(lobed_job(6, 33)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 2 * 33; }));
+    request_stop(*segment_);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    for (const double layer : {6.0, 1e9, 2.5, -1.0}) {
+        EXPECT_NE(refusal_of(CommandKind::start, layer).find("layer"), std::string::npos) << layer;
+    }
+    ASSERT_EQ(refusal_of(CommandKind::start, 2.0), "");
+    ASSERT_TRUE(reaches(MachineState::waiting));
+    EXPECT_EQ(status().layer, 2U);
+    EXPECT_EQ(status().points_done, 2U * 33U + 1U);
+    ASSERT_EQ(refusal_of(CommandKind::start_interpolation), "");
+    ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
+    const CoreStatus end = status();
+    EXPECT_EQ(end.points_done, end.points_total);
+    EXPECT_EQ(end.layer, 5U);
+    EXPECT_LT(end.carve_first_tick, end.carve_last_tick);
+    EXPECT_LT(end.reference_seconds, 0.0) << "T_ref is of whole jobs";
+    EXPECT_EQ(end.sim_true_position_pulses[2], end.position_pulses[2]);
+}
+
 TEST_F(CoreCarving, HoldRestsOnThePathAndResumeGoesOn) {
     start_core();
     home();
@@ -55,9 +80,10 @@ TEST_F(CoreCarving, HoldRestsOnThePathAndResumeGoesOn) {
 
 TEST_F(CoreCarving, AnOverrideBeyondItsBoundsIsRefusedByName) {
     start_core();
-    ASSERT_EQ(refusal_of_override(60.0), "");
+    ASSERT_EQ(refusal_of(CommandKind::override, 60.0), "");
     for (const double percent : {9.0, 201.0, 99.5, -1.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_NE(refusal_of_override(percent).find("override: 10 to 200"), std::string::npos) << percent;
+        EXPECT_NE(refusal_of(CommandKind::override, percent).find("override: 10 to 200"), std::string::npos)
+            << percent;
     }
     EXPECT_EQ(status().override_percent, 60U);
 }

@@ -78,11 +78,11 @@ TEST_F(CoreReplay, ARecordedRunIsAppliedAgainTickByTick) {
     home();
     start_carving();
     ASSERT_TRUE(eventually([&] { return status().points_done > 500; }));
-    ASSERT_EQ(refusal_of_override(40.0), "");
+    ASSERT_EQ(refusal_of(CommandKind::override, 40.0), "");
     ASSERT_TRUE(eventually([&] { return status().points_done > 1000; }));
     ASSERT_EQ(refusal_of(CommandKind::hold), "");
     ASSERT_TRUE(reaches(MachineState::held));
-    ASSERT_EQ(refusal_of_override(90.0), "");
+    ASSERT_EQ(refusal_of(CommandKind::override, 90.0), "");
     ASSERT_EQ(refusal_of(CommandKind::resume), "");
     ASSERT_TRUE(eventually([&] { return status().points_done > 1500; }));
     request_stop(*segment_);

@@ -90,10 +90,10 @@ CoreStatus CoreRig::status() {
            << "state is " << name_of(status().state) << ", not " << name_of(state);
 }
 
-std::string CoreRig::refusal_of_override(double percent) {
+std::string CoreRig::refusal_of(CommandKind kind, double value) {
     Command command{};
-    command.kind = CommandKind::override;
-    command.value = percent;
+    command.kind = kind;
+    command.value = value;
     const auto sent = send_command(*segment_, command, kLimit);
     return sent ? std::string{} : sent.error().message;
 }

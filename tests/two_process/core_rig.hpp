@@ -57,7 +57,7 @@ protected:
     CoreStatus status();
     ::testing::AssertionResult reaches(MachineState state);
     std::string refusal_of(CommandKind kind, Axis axis = Axis::r1);
-    std::string refusal_of_override(double percent);
+    std::string refusal_of(CommandKind kind, double value);
     std::string publish(const JobTable& table);
     void home();
     void start_carving();

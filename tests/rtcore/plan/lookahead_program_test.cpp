@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -53,8 +54,9 @@ std::shared_ptr<const JobView> job_of(const JobTable& table) {
     return {owned, &owned->view};
 }
 
-std::vector<cycle::MotionBlock> blocks_of(const std::shared_ptr<const JobView>& job) {
-    LookaheadProgram program(machine_limits(Profile{}), job);
+std::vector<cycle::MotionBlock> blocks_of(const std::shared_ptr<const JobView>& job,
+                                          std::uint32_t first_layer = 0) {
+    LookaheadProgram program(machine_limits(Profile{}), job, first_layer);
     std::vector<cycle::MotionBlock> blocks;
     cycle::MotionBlock block;
     while (program.next(block)) blocks.push_back(block);
@@ -146,6 +148,31 @@ TEST_P(Lookahead, NoHeadStandsDeeperThanTheLayerItIsIn) {
         is_link =
             block.point == carved_point(job->joining(), job->point_count(), layer, job->point_count() - 1) &&
             layer + 1 < job->layer_count();
+    }
+}
+
+// So are its pulses, since DDA and timing know nothing but the blocks.
+TEST_P(Lookahead, FromALayerOnTheBlocksAreThoseOfTheWholeRun) {
+    std::mt19937_64 random{59};
+    const auto job = job_of(random_table(random, GetParam(), 12));
+    const auto whole = blocks_of(job);
+    for (std::uint32_t layer = 1; layer < job->layer_count(); ++layer) {
+        const auto part = blocks_of(job, layer);
+        const std::uint32_t first = carved_point(job->joining(), job->point_count(), layer, 0);
+        const auto begins = std::ranges::find_if(whole, [&](const cycle::MotionBlock& block) {
+            return block.reaches_point != 0 && block.layer == layer && block.point == first;
+        });
+        ASSERT_NE(begins, whole.end());
+        ASSERT_EQ(part.size(), static_cast<std::size_t>(whole.end() - begins) - 1);
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            const cycle::MotionBlock& same = *(begins + 1 + static_cast<std::ptrdiff_t>(i));
+            ASSERT_EQ(part[i].delta_pulses, same.delta_pulses);
+            ASSERT_EQ(part[i].path.length, same.path.length);
+            ASSERT_EQ(part[i].path.start_speed2, same.path.start_speed2);
+            ASSERT_EQ(part[i].path.end_speed2, same.path.end_speed2);
+            ASSERT_EQ(part[i].group_blocks, same.group_blocks);
+            ASSERT_EQ(part[i].point, same.point);
+        }
     }
 }
 

@@ -37,8 +37,7 @@ bool MotionWitness::take_slow(const TrainEvent& event, double time_s) {
     const double way = limits_.jump_pps * time_s;
     const Range room = room_at(count_);
     slow_ = common({slow_.low - way, slow_.high + way}, room);
-    if (event.kind != TrainEvent::Kind::joint)
-        slow_ = common(slow_, room_between(count_, event.count_after(count_)));
+    if (event.is_pulse()) slow_ = common(slow_, room_between(count_, event.count_after(count_)));
     return !slow_.is_empty();
 }
 
@@ -59,6 +58,7 @@ bool MotionWitness::take_running(const TrainEvent& event, double time_s) {
         running_.keep_speeds(speeds);
         return !running_.is_empty();
     }
+    if (!event.is_pulse()) return true;
     const Range edge = room_between(count_, event.count_after(count_));
     const Range room = is_upward_ ? edge : mirrored(edge);
     running_.keep_below(room.high);

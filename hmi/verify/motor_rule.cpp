@@ -12,6 +12,8 @@ namespace psicarve::verify {
 
 namespace {
 
+/// Sets of states are exact to less than this: what is called an offence is one.
+constexpr double kTolerance_ratio = 1.001;
 constexpr std::size_t kHistory = 2048;  ///< pulses that a demand is measured on
 constexpr std::size_t kGathered = 512;  ///< of them after the offence
 constexpr std::int64_t kGather_ns = 100'000'000;
@@ -22,6 +24,7 @@ constexpr SignalWord kLimitMask =
 
 MotorRule::MotorRule(const Profile& profile, OffenceLog& log) : log_(log) {
     log_.set_judged(3);
+    has_joints_ = profile.job.planner == Planner::angle;
     const bool two_timer = profile.tick.schedule == Schedule::two_timer;
     reaction_ns_ = round_to_pulse((two_timer ? profile.tick.io_us : profile.tick.period_us) *
                                   static_cast<double>(kNsPerUs));
@@ -29,8 +32,8 @@ MotorRule::MotorRule(const Profile& profile, OffenceLog& log) : log_(log) {
     for (const Axis axis : kAllAxes) {
         const AxisMotion motion = axis_motion(profile, axis);
         Train& train = trains_[index_of(axis)];
-        train.limits = {.accel_pps2 = motion.accel_pps2,
-                        .speed_pps = motion.speed_pps,
+        train.limits = {.accel_pps2 = kTolerance_ratio * motion.accel_pps2,
+                        .speed_pps = kTolerance_ratio * motion.speed_pps,
                         .jump_pps = motion.start_stop_pps};
         train.pulses_per_unit = motion.pulses_per_unit;
         train.history.resize(kHistory);
@@ -39,7 +42,10 @@ MotorRule::MotorRule(const Profile& profile, OffenceLog& log) : log_(log) {
 
 void MotorRule::begin(std::int64_t period_ns) {
     reaction_ns_ = std::max(reaction_ns_, period_ns);
-    for (Train& train : trains_) train.follower = TrainFollower(train.limits, 0);
+    for (const Axis axis : kAllAxes) {
+        trains_[index_of(axis)].follower = TrainFollower(trains_[index_of(axis)].limits, 0);
+        take(axis, {{0, TrainEvent::Kind::pause}, {}});
+    }
 }
 
 void MotorRule::pulse(Axis axis, bool positive, std::int64_t time_ns, const CarvePlace& place) {
@@ -47,6 +53,7 @@ void MotorRule::pulse(Axis axis, bool positive, std::int64_t time_ns, const Carv
 }
 
 void MotorRule::point_reached(std::int64_t time_ns, const CarvePlace& place) {
+    if (!has_joints_) return;
     for (const Axis axis : kAllAxes) take(axis, {{time_ns, TrainEvent::Kind::joint}, place});
 }
 
@@ -73,6 +80,7 @@ void MotorRule::forget(Axis axis, std::int64_t until_ns) {
     train.entries = 0;
     train.silent_until_ns = until_ns;
     train.follower.start_anew(until_ns);
+    take(axis, {{until_ns, TrainEvent::Kind::pause}, {}});  // a demand is measured from here on
 }
 
 void MotorRule::levels_changed(SignalWord before, SignalWord now, std::int64_t time_ns) {
@@ -91,11 +99,10 @@ void MotorRule::levels_changed(SignalWord before, SignalWord now, std::int64_t t
 
 void MotorRule::finish(std::int64_t time_ns) {
     for (const Axis axis : kAllAxes) {
-        Train& train = trains_[index_of(axis)];
-        const Entry last{
-            {time_ns, TrainEvent::Kind::joint},
-            train.entries > 0 ? train.history[(train.entries - 1) % kHistory].place : CarvePlace{}};
-        if (time_ns > train.silent_until_ns && !train.follower.wait(time_ns)) found(train, last);
+        const Train& train = trains_[index_of(axis)];
+        const CarvePlace place =
+            train.entries > 0 ? train.history[(train.entries - 1) % kHistory].place : CarvePlace{};
+        take(axis, {{time_ns, TrainEvent::Kind::pause}, place});
         describe(axis);
     }
 }
@@ -118,8 +125,8 @@ void MotorRule::describe(Axis axis) {
     offence.axis = axis;
     offence.time_ns = train.broken_at.event.time_ns;
     offence.measured = demand.needed / train.pulses_per_unit;
-    offence.allowed =
-        (demand.is_speed ? train.limits.speed_pps : train.limits.accel_pps2) / train.pulses_per_unit;
+    offence.allowed = (demand.is_speed ? train.limits.speed_pps : train.limits.accel_pps2) /
+                      (kTolerance_ratio * train.pulses_per_unit);
     offence.unit = unit + (demand.is_speed ? "/s" : "/s2");
     offence.sentence = shown_name(axis) + " asks its motor for more " + offence.fault + " than it has";
     log_.describe(std::move(offence), train.broken_at.place);

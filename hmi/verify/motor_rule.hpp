@@ -25,8 +25,7 @@ public:
 
     void begin(std::int64_t period_ns);
     void pulse(Axis axis, bool positive, std::int64_t time_ns, const CarvePlace& place);
-    /// A point of the job was reached. It is a joint of the angle planner, which carves every job: speeds may
-    /// jump here.
+    /// A point of the job was reached: with planner "angle" speeds may jump here.
     void point_reached(std::int64_t time_ns, const CarvePlace& place);
     void levels_changed(SignalWord before, SignalWord now, std::int64_t time_ns);
     void finish(std::int64_t time_ns);
@@ -54,6 +53,7 @@ private:
 
     OffenceLog& log_;
     std::array<Train, kAxisCount> trains_;
+    bool has_joints_ = false;
     std::int64_t filter_ns_ = 0;
     std::int64_t reaction_ns_ = 0;
 };

@@ -38,6 +38,7 @@ void TrainFollower::step(const TrainEvent& event) {
         reach_.jump();
         return;
     }
+    if (!event.is_pulse()) return;
     reach_.cut(room_between(count_, event.count_after(count_)));
     count_ = event.count_after(count_);
 }
@@ -56,7 +57,7 @@ bool TrainFollower::take(const TrainEvent& event) {
         start_anew(event.time_ns);
         return false;
     }
-    if (event.kind != TrainEvent::Kind::joint) choose_witness();
+    if (event.is_pulse()) choose_witness();
     return true;
 }
 

@@ -10,12 +10,13 @@ namespace psicarve::verify {
 
 /// One entry of what an axis was told to do.
 struct TrainEvent {
-    enum class Kind : std::uint8_t { forward, backward, joint };
+    enum class Kind : std::uint8_t { forward, backward, joint, pause };
     std::int64_t time_ns = 0;
     Kind kind = Kind::forward;
 
+    bool is_pulse() const noexcept { return kind == Kind::forward || kind == Kind::backward; }
     std::int64_t count_after(std::int64_t count) const noexcept {
-        return kind == Kind::joint ? count : count + (kind == Kind::forward ? 1 : -1);
+        return is_pulse() ? count + (kind == Kind::forward ? 1 : -1) : count;
     }
 };
 

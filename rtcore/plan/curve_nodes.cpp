@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace psicarve::plan {
 namespace {
@@ -11,7 +12,12 @@ namespace {
 constexpr std::size_t kMostNodesToTheMiddle = 9;
 // Where a tight corner is, this many steps make up each half of the turn.
 constexpr double kStepsInATurn = 2.0;
+// Where speeds change much within a span: cells so short that they are known everywhere.
+constexpr std::size_t kPartsOfALongSpan = 8;
+constexpr double kLongSpan_s = 0.03;
 constexpr std::size_t kHeads = 2;
+// Past a span's end, as a share of the tolerance: between nodes it may be a little more.
+constexpr double kBeyondShare = 0.75;
 
 /// Distances from a span's end to its nodes before the middle.
 struct Grading {
@@ -49,6 +55,27 @@ public:
         add(low, high, point, static_cast<std::uint32_t>(point));
     }
 
+    /// The nodes between a span's ends: graded towards both, nowhere further apart than `most`.
+    void add_way(std::size_t span, const Grading& from, const Grading& to, double most) {
+        const double length = spans_[span].length;
+        const double half = 0.5 * length;
+        for (std::size_t i = 0; i < from.count; ++i) add_up_to(span, from.at[i], most);
+        add_up_to(span, half, most);
+        for (std::size_t i = to.count; i-- > 0;) add_up_to(span, length - to.at[i], most);
+        const double last = to.count > 0 ? length - to.at[0] : half;
+        const auto rest = static_cast<std::size_t>(std::max(1.0, std::ceil((length - last) / most * 0.999)));
+        for (std::size_t i = 1; i < rest; ++i) {
+            add_between(span, last + (length - last) * (static_cast<double>(i) / static_cast<double>(rest)));
+        }
+    }
+    void add_up_to(std::size_t span, double at, double most) {
+        const double begin = last_at_;
+        const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil((at - begin) / most * 0.999)));
+        for (std::size_t i = 1; i <= count; ++i) {
+            add_between(span, begin + (at - begin) * (static_cast<double>(i) / static_cast<double>(count)));
+        }
+    }
+
     void add_between(std::size_t span, double at) {
         const PathSpan& way = spans_[span];
         Lanes low;
@@ -83,7 +110,7 @@ private:
     }
     double tolerance_pulses(std::size_t axis) const {
         if (axis == index_of(Axis::psi)) return 1.0;
-        return std::max(1.0, limits_.path_tolerance_mm * limits_.axes[axis].pulses_per_unit);
+        return std::max(1.0, kBeyondShare * limits_.path_tolerance_mm * limits_.axes[axis].pulses_per_unit);
     }
     void add(const Lanes& low, const Lanes& high, std::size_t span, std::uint32_t point) {
         nodes_.low.push_back(low);
@@ -129,9 +156,8 @@ CurveNodes curve_nodes(const MachineLimits& limits, std::span<const PathPoint> p
             span == first || !corners[span - 1].is_tight ? Grading{} : graded(corners[span - 1].radius, half);
         const Grading to =
             span + 1 == last || !corners[span].is_tight ? Grading{} : graded(corners[span].radius, half);
-        for (std::size_t i = 0; i < from.count; ++i) maker.add_between(span, from.at[i]);
-        maker.add_between(span, half);
-        for (std::size_t i = to.count; i-- > 0;) maker.add_between(span, length - to.at[i]);
+        const std::size_t parts = length > kLongSpan_s || spans[span].is_link ? kPartsOfALongSpan : 2;
+        maker.add_way(span, from, to, length / static_cast<double>(parts));
         maker.add_point(span + 1, span + 1 == last);
         maker.end_span(length);
     }

@@ -19,6 +19,9 @@ constexpr double kRoughPulses = 8.0;
 constexpr double kEndBandPulses = 0.45;
 // The share of the tolerance that the table's own deviation may use up.
 constexpr double kPsiShare = 0.25;
+// The tube is looked at in the nodes; between them the curve may go a little further.
+constexpr double kTubeShare = 0.94;
+constexpr double kFlankShare = 0.75;
 
 constexpr std::size_t kPsi = index_of(Axis::psi);
 constexpr std::size_t kY = index_of(Axis::y);
@@ -44,10 +47,12 @@ void set_bands(const MachineLimits& limits, const Pulses4& delta_pulses, PathSpa
             static_cast<double>(std::abs(delta_pulses[kPsi])) * rad_per_pulse * span.radius_mm[head];
         const double rise_mm = static_cast<double>(std::abs(delta_pulses[head])) / scale;
         const double chord_mm = std::sqrt(along_mm * along_mm + rise_mm * rise_mm);
-        // What psi takes of it, and the rounding of R where the way is cut.
+        // What psi takes of it, and the rounding of both where the way is cut.
+        const double psi_used_mm = psi_band_mm + 0.5 * rad_per_pulse * largest_mm;
         const double used_mm =
-            chord_mm > 0.0 ? (psi_band_mm * rise_mm + 0.5 * along_mm / scale) / chord_mm : 0.0;
-        const double left_mm = std::max(tolerance_mm - used_mm, kPsiShare * tolerance_mm);
+            chord_mm > 0.0 ? (psi_used_mm * rise_mm + 0.5 * along_mm / scale) / chord_mm : 0.0;
+        const double share = rise_mm > along_mm ? kFlankShare : kTubeShare;
+        const double left_mm = std::max(share * tolerance_mm - used_mm, kPsiShare * tolerance_mm);
         const double widened_mm = along_mm > 0.0 ? left_mm * chord_mm / along_mm : left_mm + rise_mm;
         const double band_mm = std::min(widened_mm, left_mm + 0.25 * rise_mm);
         span.band[head] = std::max(kLeastBandPulses, band_mm * scale);
@@ -130,7 +135,7 @@ std::vector<PathSpan> path_spans(const MachineLimits& limits, std::span<const Pa
     spans.reserve(points.size());
     for (std::size_t i = 1; i < points.size(); ++i) {
         spans.push_back(span_between(limits, points[i - 1].pulses, points[i].pulses));
-        spans.back().is_link = points[i - 1].layer != points[i].layer || points[i].is_on_the_way;
+        spans.back().is_link = is_between_layers(points[i - 1], points[i]);
     }
     return spans;
 }

@@ -22,6 +22,10 @@ struct PathPoint {
     bool is_on_the_way;  ///< between two layers: not a point of the table
 };
 
+constexpr bool is_between_layers(const PathPoint& from, const PathPoint& to) noexcept {
+    return from.layer != to.layer || from.is_on_the_way || to.is_on_the_way;
+}
+
 /// The straight way between two neighbouring points, and the tube around it.
 ///
 ///     path parameter u of the span:  length = sqrt(sum (d_k / v_k)^2)  [s]

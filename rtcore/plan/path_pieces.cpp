@@ -9,7 +9,7 @@
 namespace psicarve::plan {
 namespace {
 
-constexpr double kLineErrorPulses = 0.5;
+constexpr double kLineErrorPulses = 0.25;
 // Within a bit the curve is taken as straight.
 constexpr double kBitErrorPulses = 0.25;
 // A segment's u is stretched so that its time and its end speeds are the curve's; by so much at most.
@@ -85,11 +85,17 @@ void PieceMaker::flush(std::uint32_t point) {
     bits_.clear();
 }
 
-// The table, and axes that have backlash, never turn back between two points for a pulse.
-void PieceMaker::keep_way(const Pulses4& to, Pulses4& pulses) const {
+// The table, and axes that have backlash, never turn back between two points for a pulse. Between layers a
+// head is never further in than at both ends.
+void PieceMaker::keep_way(std::uint32_t point, Pulses4& pulses) const {
+    const PathPoint& from = points_[last_point_];
+    const PathPoint& to = points_[point];
+    const bool is_link = is_between_layers(from, to);
     for (std::size_t k = 0; k < kAxisCount; ++k) {
+        if (is_link && k < 2) pulses[k] = std::max(pulses[k], std::min(from.pulses[k], to.pulses[k]));
         if (k != index_of(Axis::psi) && limits_.tick.axes[k].backlash_pulses == 0) continue;
-        pulses[k] = std::clamp(pulses[k], std::min(at_pulses_[k], to[k]), std::max(at_pulses_[k], to[k]));
+        pulses[k] = std::clamp(pulses[k], std::min(at_pulses_[k], to.pulses[k]),
+                               std::max(at_pulses_[k], to.pulses[k]));
     }
 }
 
@@ -107,7 +113,7 @@ Pulses4 PieceMaker::cut_at(std::size_t end, std::uint32_t point) const {
             radius_mm, mm_from_pulses(std::max(from[head], to[head]), limits_.axes[head].pulses_per_unit) +
                            limits_.tip_offset_mm[head]);
     }
-    keep_way(to, pulses);
+    keep_way(point, pulses);
     if (radius_mm * rad_from_pulses(1, limits_.pulses_per_rev) < limits_.path_tolerance_mm) return pulses;
     double length = 0.0;
     double part = 0.0;
@@ -117,7 +123,7 @@ Pulses4 PieceMaker::cut_at(std::size_t end, std::uint32_t point) const {
     }
     const auto way = static_cast<double>(to[kPsi] - from[kPsi]);
     pulses[kPsi] = from[kPsi] + round_to_pulse(way * part / length);
-    keep_way(to, pulses);
+    keep_way(point, pulses);
     return pulses;
 }
 
@@ -172,8 +178,10 @@ void PieceMaker::add_piece(std::size_t first, std::size_t end, const Pulses4& to
     PathPiece piece{};
     piece.point = point;
     double seconds = 0.0;
+    double length = 0.0;
     for (std::size_t i = first; i < end; ++i) {
         seconds += bits_[i].seconds;
+        length += bits_[i].length;
         for (std::size_t k = 0; k < kAxisCount; ++k) {
             piece.slope[k] = std::max(piece.slope[k], bits_[i].slope[k]);
             piece.bend[k] = std::max(piece.bend[k], bits_[i].bend[k]);
@@ -184,6 +192,12 @@ void PieceMaker::add_piece(std::size_t first, std::size_t end, const Pulses4& to
     piece.begin_speed2 = bits_[first].begin_speed2;
     piece.end_speed2 = bits_[end - 1].end_speed2;
     piece.length = 0.5 * seconds * (bits_[first].begin_speed + bits_[end - 1].end_speed);
+    // In stretched u slopes are as much flatter.
+    const double stretch = length / piece.length;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        piece.slope[k] *= stretch;
+        piece.bend[k] *= stretch * stretch;
+    }
     pieces_.push_back(piece);
 }
 

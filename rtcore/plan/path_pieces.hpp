@@ -60,7 +60,7 @@ private:
     void flush(std::uint32_t point);
     std::size_t longest(std::size_t first) const;
     bool is_straight(std::size_t first, std::size_t end) const;
-    void keep_way(const Pulses4& to, Pulses4& pulses) const;
+    void keep_way(std::uint32_t point, Pulses4& pulses) const;
     Pulses4 cut_at(std::size_t end, std::uint32_t point) const;
     void add_piece(std::size_t first, std::size_t end, const Pulses4& to, std::uint32_t point);
 

@@ -8,9 +8,14 @@
 namespace psicarve::plan {
 namespace {
 
+// Speeds are looked at in five places of a cell; between them they may be a little higher.
+constexpr double kSpeedShare = 0.998;
+// Whole pulses in whole ticks shake a little.
+constexpr double kAccelShare = 0.99;
+
 Lanes accel_of(const MachineLimits& limits) {
     Lanes accel;
-    for (std::size_t k = 0; k < kAxisCount; ++k) accel[k] = limits.axes[k].accel_pps2;
+    for (std::size_t k = 0; k < kAxisCount; ++k) accel[k] = kAccelShare * limits.axes[k].accel_pps2;
     return accel;
 }
 
@@ -86,7 +91,7 @@ void StretchPlanner::make_cells(const CurveNodes& nodes) {
 double StretchPlanner::greatest_speed2(const Lanes& slope, const Lanes& at, std::size_t timing) const {
     double need = 0.0;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
-        const double share = slope[k] / limits_.axes[k].speed_pps;
+        const double share = slope[k] / (kSpeedShare * limits_.axes[k].speed_pps);
         need = std::max(need, share * share);
     }
     constexpr std::size_t kPsi = index_of(Axis::psi);

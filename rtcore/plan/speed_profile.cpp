@@ -13,8 +13,11 @@ constexpr double kLeastSpeed2 = 1e-12;
 // Rows that meet in a corner do so but for rounding.
 constexpr double kSame = 1e-12;
 // What an axis may accelerate at a cell's ends, as a share of what it may in the middle, see the header.
-constexpr double kEndsShare = 1.25;
-constexpr double kEndsWeight = 1.0 / kEndsShare;
+constexpr double kMostExcess = 0.25;
+// So far the swing from less to more than the mean may take the axis off, in a cell of the time t = length:
+// excess * a * t^2 / 62.4.
+constexpr double kExcessPulses = 0.1;
+constexpr double kSwing = 62.4;
 constexpr std::size_t kMostRows = 6 * kAxisCount + 3;
 
 /// begin * x + end * z <= 1, for the speeds x and z at a cell's begin and end.
@@ -36,8 +39,11 @@ public:
             if (first == 0.0 && last == 0.0) continue;
             const double middle = 0.5 * (first + last);
             add(0.5 * bend - middle, 0.5 * bend + middle);
-            add((bend - first) * kEndsWeight, first * kEndsWeight);
-            add(-last * kEndsWeight, (bend + last) * kEndsWeight);
+            const double excess =
+                std::min(kMostExcess, kSwing * kExcessPulses * inverse / (cell.length * cell.length));
+            const double weight = 1.0 / (1.0 + excess);
+            add((bend - first) * weight, first * weight);
+            add(-last * weight, (bend + last) * weight);
         }
         for (std::size_t i = 0; i < inner_speed2.size(); ++i) {
             const double at = 0.25 * static_cast<double>(i + 1);

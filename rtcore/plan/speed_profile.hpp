@@ -24,7 +24,7 @@ using InnerSpeeds2 = std::array<double, 3>;
 /// The fastest timing of a chain of cells: x = (du/dt)^2 at every cell bound, linear in between, with
 ///
 ///     |q' * x' / 2 + q'' * x| <= a_k          in the middle of every cell: its mean acceleration
-///                             <= 1.25 a_k     at its ends
+///                             <= 1.25 a_k     at its ends, less in long cells: a tenth of a pulse at most
 ///     x <= the limits at the cells' ends and in between
 ///
 /// The left side is linear in u. In a curve whose q'' changes evenly the cells' steps of q'' would cost time

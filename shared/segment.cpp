@@ -104,6 +104,18 @@ Segment::~Segment() {
     if (mapping_) release_core();
 }
 
+Result<void> check_shared_memory_for(std::uint32_t capacity_layers, std::uint32_t capacity_points) {
+    constexpr std::uint64_t kBytesPerMb = 1'000'000;
+    const std::uint64_t wanted_bytes = segment_geometry(capacity_layers, capacity_points).slot_bytes;
+    const auto free_bytes = free_shared_memory_bytes();
+    if (!free_bytes || wanted_bytes <= *free_bytes) return {};
+    return Error{ErrorCode::bad_usage,
+                 "--capacity " + std::to_string(capacity_layers) + "x" + std::to_string(capacity_points) +
+                     ": a job of that size takes " + std::to_string(wanted_bytes / kBytesPerMb) +
+                     " MB of shared memory, /dev/shm has " + std::to_string(*free_bytes / kBytesPerMb) +
+                     " MB free: ask for less, or enlarge it: mount -o remount,size=1G /dev/shm"};
+}
+
 Result<Segment> Segment::create_or_attach(const SegmentOptions& options) {
     if (auto possible = check_capacity(options); !possible) return possible.error();
     const Result<std::string> name = SegmentObject::checked_name(options.name);

@@ -24,6 +24,10 @@ struct SegmentOptions {
     std::string group;  ///< mode 0660 and this group instead of 0600
 };
 
+/// Whether /dev/shm has room for one job of this capacity now. A segment is sparse and made all the same:
+/// this is for capacities that somebody asks for.
+Result<void> check_shared_memory_for(std::uint32_t capacity_layers, std::uint32_t capacity_points);
+
 /// The mapped shared-memory object. Move-only; unmaps when destroyed, never removes.
 /// Not for the tick. Exceptions of Boost end here.
 class Segment {

@@ -60,9 +60,8 @@ Result<gid_t> group_id(const std::string& group) {
 }
 
 std::string free_room() {
-    struct statvfs facts {};
-    if (::statvfs("/dev/shm", &facts) != 0) return {};
-    return std::to_string(facts.f_bavail * facts.f_frsize / kBytesPerMb) + " MB free, ";
+    const auto free_bytes = free_shared_memory_bytes();
+    return free_bytes ? std::to_string(*free_bytes / kBytesPerMb) + " MB free, " : "";
 }
 
 Error no_room(const std::string& name, std::uint64_t bytes) {
@@ -74,6 +73,12 @@ Error no_room(const std::string& name, std::uint64_t bytes) {
 }
 
 }  // namespace
+
+std::optional<std::uint64_t> free_shared_memory_bytes() noexcept {
+    struct statvfs facts {};
+    if (::statvfs("/dev/shm", &facts) != 0) return std::nullopt;
+    return std::uint64_t{facts.f_bavail} * facts.f_frsize;
+}
 
 Result<void> check_segment_owner(const std::string& name, const struct stat& facts,
                                  const std::string& group) {

@@ -24,6 +24,9 @@ enum class LockByte : std::int64_t {
 Result<void> check_segment_owner(const std::string& name, const struct ::stat& facts,
                                  const std::string& group);
 
+/// What /dev/shm has free; nothing when the system does not say.
+std::optional<std::uint64_t> free_shared_memory_bytes() noexcept;
+
 /// The shared-memory object as a file: opening, rights, locks, its name. Knows nothing of what is inside.
 /// Exceptions of Boost end here.
 class SegmentObject {

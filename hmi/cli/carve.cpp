@@ -112,7 +112,7 @@ void add_carve(CommandSet& commands) {
     Syntax syntax =
         commands.add(kText, [options](const CommonOptions& common) { return carve(common, *options); });
     syntax.argument("MODEL|JOB", options->path, "A mesh (STL, OBJ, PLY, 3MF, OFF), or a job or snapshot file")
-        .option("--picture", options->picture, "OUT.png", "Draw the piece as it comes out of the pins")
+        .picture_option(options->picture)
         .option("--trace", options->trace, "OUT.vcd", "Record every pin: .vcd, or compact binary")
         .flag("--real-time", options->real_time, "A core of our own runs by the wall clock");
     add_model_options(syntax, options->model);

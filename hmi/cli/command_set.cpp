@@ -2,10 +2,19 @@
 #include "hmi/cli/command_set.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <system_error>
 #include <utility>
 
 namespace psicarve::cli {
 namespace {
+
+std::string check_not_empty(const std::string& text) {
+    return text.empty() ? "the name is empty" : std::string{};
+}
 
 std::string check_segment_name(const std::string& name) {
     const bool is_plain = name.size() >= 2 && name.size() <= 200 && name.front() == '/' &&
@@ -20,10 +29,28 @@ void add_common(CLI::App& app, CommonOptions& common, bool has_json) {
         ->check(check_segment_name);
     app.add_option("--profile", common.profile,
                    "Machine profile; without it the built-in 'default', or the job's own")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(check_not_empty);
     app.add_option("--group", common.group, "The segment belongs to this group's service user")
-        ->type_name("NAME");
+        ->type_name("NAME")
+        ->check(check_not_empty);
     if (has_json) app.add_flag("--json", common.json, "Report as one JSON object on standard output");
+}
+
+std::string check_png_name(const std::string& name) {
+    const std::size_t dot = name.rfind('.');
+    std::string ending = dot == std::string::npos ? "" : name.substr(dot);
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending == ".png" ? std::string{}
+                            : "'" + name + "': a picture is a PNG file, its name ends in .png";
+}
+
+std::string check_more_than_zero(const std::string& text) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool is_good =
+        error == std::errc{} && end == text.data() + text.size() && value > 0.0 && std::isfinite(value);
+    return is_good ? std::string{} : "'" + text + "' is not a number greater than 0";
 }
 
 /// "x|y|z"
@@ -36,7 +63,7 @@ std::string one_of(const std::vector<std::string>& words) {
 }  // namespace
 
 Syntax& Syntax::argument(const char* name, std::string& target, const char* help) {
-    app_->add_option(name, target, help)->required()->type_name("");
+    app_->add_option(name, target, help)->required()->type_name("")->check(check_not_empty);
     return *this;
 }
 
@@ -50,7 +77,7 @@ Syntax& Syntax::argument(const char* name, std::uint32_t& target, std::uint32_t 
 }
 
 Syntax& Syntax::optional_argument(const char* name, std::string& target, const char* help) {
-    app_->add_option(name, target, help)->type_name("");
+    app_->add_option(name, target, help)->type_name("")->check(check_not_empty);
     return *this;
 }
 
@@ -60,7 +87,7 @@ Syntax& Syntax::arguments(const char* name, std::vector<std::string>& target, co
 }
 
 Syntax& Syntax::option(const char* names, std::string& target, const char* type, const char* help) {
-    app_->add_option(names, target, help)->type_name(type);
+    app_->add_option(names, target, help)->type_name(type)->check(check_not_empty);
     return *this;
 }
 
@@ -71,7 +98,7 @@ Syntax& Syntax::words(const char* names, std::vector<std::string>& target, const
 }
 
 Syntax& Syntax::required_option(const char* names, std::string& target, const char* type, const char* help) {
-    app_->add_option(names, target, help)->type_name(type)->required();
+    app_->add_option(names, target, help)->type_name(type)->required()->check(check_not_empty);
     return *this;
 }
 
@@ -82,9 +109,14 @@ Syntax& Syntax::option(const char* names, std::uint32_t& target, std::uint32_t l
 }
 
 Syntax& Syntax::option(const char* names, std::optional<double>& target, const char* type, const char* help) {
-    app_->add_option(names, target, help)
-        ->type_name(type)
-        ->check(CLI::Validator{CLI::PositiveNumber}.description(""));
+    app_->add_option(names, target, help)->type_name(type)->check(check_more_than_zero);
+    return *this;
+}
+
+Syntax& Syntax::picture_option(std::string& target) {
+    app_->add_option("--picture", target, "Draw the piece as it comes out of the pins")
+        ->type_name("OUT.png")
+        ->check(check_png_name);
     return *this;
 }
 

@@ -37,7 +37,7 @@ struct CommandText {
 };
 
 /// What one command takes: a thin cover over the parser, so that a command's file does not need it. Targets
-/// outlive the parsing and keep their values where the option is not given.
+/// outlive the parsing and keep their values where the option is not given. An empty text is wrong usage.
 class Syntax {
 public:
     explicit Syntax(CLI::App& app) noexcept : app_(&app) {}
@@ -58,6 +58,8 @@ public:
                    const char* help);
     /// A number greater than zero.
     Syntax& option(const char* names, std::optional<double>& target, const char* type, const char* help);
+    /// --picture, whose file is a PNG.
+    Syntax& picture_option(std::string& target);
     Syntax& choice(const char* names, std::string& target, const std::vector<std::string>& words,
                    const char* help);
     Syntax& choice_argument(const char* name, std::string& target, const std::vector<std::string>& words,

@@ -56,7 +56,7 @@ void add_replay(CommandSet& commands) {
     commands.add(kText, [options](const CommonOptions& common) { return replay(common, *options); })
         .argument("JOB", options->path, "A job or snapshot file")
         .option("--trace", options->trace, "FILE", "Record every pin: .vcd, or compact binary")
-        .option("--picture", options->picture, "OUT.png", "Draw the piece as it comes out of the pins")
+        .picture_option(options->picture)
         .flag("--real-time", options->real_time, "By the wall clock, to watch with psicarve status");
 }
 

@@ -33,6 +33,13 @@ Json by_axis(const Values& values) {
     return object;
 }
 
+/// The simulated machine counts as long as its core lives; a report is about one run.
+std::array<std::uint64_t, kAxisCount> since_start(const std::uint64_t* before, const std::uint64_t* last) {
+    std::array<std::uint64_t, kAxisCount> counts{};
+    for (std::size_t i = 0; i < kAxisCount; ++i) counts[i] = last[i] - std::min(before[i], last[i]);
+    return counts;
+}
+
 std::string pulses_text(const std::array<std::uint64_t, kAxisCount>& pulses) {
     std::string text;
     for (const Axis axis : kAllAxes) {
@@ -68,9 +75,14 @@ std::string verification_text(const RunReport& report) {
     const verify::VerifyReport& seen = *report.verification;
     if (!seen.ok) return "NO: " + difference_text(seen);
     if (!report.lost_steps.empty()) return "NO: the pins are right, and the simulated machine lost steps";
-    return formatted("yes: %llu points visited exactly, largest deviation %lld pulses",
-                     static_cast<unsigned long long>(seen.points_visited),
-                     static_cast<long long>(seen.max_deviation_pulses));
+    std::string text = formatted("yes: %llu points visited exactly, largest deviation %lld pulses",
+                                 static_cast<unsigned long long>(seen.points_visited),
+                                 static_cast<long long>(seen.max_deviation_pulses));
+    if (seen.uncarved_cells > 0) {
+        text += formatted(", %llu cells of the surface reached by no tip",
+                          static_cast<unsigned long long>(seen.uncarved_cells));
+    }
+    return text;
 }
 
 void read_slice_report(const JobView& job, RunReport& report) {
@@ -102,7 +114,7 @@ std::string model_text(const RunReport& report) {
 std::string lost_steps_text(const CoreStatus& before, const CoreStatus& after) {
     std::string text;
     const auto add = [&](Axis axis, const char* what, const std::uint64_t* was, const std::uint64_t* is) {
-        const std::uint64_t count = is[index_of(axis)] - std::min(was[index_of(axis)], is[index_of(axis)]);
+        const std::uint64_t count = since_start(was, is)[index_of(axis)];
         if (count == 0) return;
         text += (text.empty() ? "" : ", ") + std::string{name_of(axis)} + ' ' + what + ' ' +
                 std::to_string(count);
@@ -133,6 +145,7 @@ RunReport report_of(const JobView& job, const machine::JobRun& run) {
     report.has_started = run.has_started;
     report.wall_seconds = run.wall_seconds;
     report.failure = run.failure;
+    report.before = run.before;
     report.last = run.after;
     report.lost_steps = lost_steps_text(run.before, run.after);
     read_slice_report(job, report);
@@ -164,7 +177,9 @@ std::string run_text(const RunReport& report) {
         formatted("job        %s: %u layers x %u points\n", report.source_name.substr(0, 150).c_str(),
                   report.layer_count, report.point_count);
     text += "pulses     " + pulses_text(figures.pulses) + "\n";
-    text += "carving    " + clock_text(figures.carve_seconds) + " of machine time, " +
+    text += "carving    " +
+            (figures.carve_seconds ? clock_text(*figures.carve_seconds) + " of machine time, "
+                                   : std::string{"not finished, "}) +
             clock_text(figures.total_seconds) + " with approach and retraction\n";
     if (report.reference_seconds) text += "reference  " + clock_text(*report.reference_seconds) + "\n";
     text += formatted("run        %.2f s, %llu ticks (%.2f million a second), %llu missed\n",
@@ -180,26 +195,28 @@ std::string run_text(const RunReport& report) {
 
 std::string run_json(const RunReport& report) {
     const machine::RunFigures& figures = report.figures;
-    Json object{{"source", report.source_name},
-                {"layers", report.layer_count},
-                {"points", report.point_count},
-                {"pulses", by_axis(figures.pulses)},
-                {"carve_seconds", figures.carve_seconds},
-                {"total_seconds", figures.total_seconds},
-                {"reference_seconds", or_null(report.reference_seconds)},
-                {"wall_seconds", report.wall_seconds},
-                {"ticks", figures.ticks},
-                {"missed_ticks", figures.missed_ticks},
-                {"alarms", alarms_json(figures)},
-                {"verified", or_null(is_verified(report))},
-                {"max_deviation_pulses",
-                 report.verification ? Json(report.verification->max_deviation_pulses) : Json(nullptr)},
-                {"undercut_share", or_null(report.undercut_share)},
-                {"open_points", or_null(report.open_points)},
-                {"state", std::string{name_of(report.last.state)}},
-                {"sim_stalls", by_axis(report.last.sim_stalls)},
-                {"sim_timing_lost", by_axis(report.last.sim_timing_lost)},
-                {"sim_ignored_pulses", by_axis(report.last.sim_ignored_pulses)}};
+    Json object{
+        {"source", report.source_name},
+        {"layers", report.layer_count},
+        {"points", report.point_count},
+        {"pulses", by_axis(figures.pulses)},
+        {"carve_seconds", or_null(figures.carve_seconds)},
+        {"total_seconds", figures.total_seconds},
+        {"reference_seconds", or_null(report.reference_seconds)},
+        {"wall_seconds", report.wall_seconds},
+        {"ticks", figures.ticks},
+        {"missed_ticks", figures.missed_ticks},
+        {"alarms", alarms_json(figures)},
+        {"verified", or_null(is_verified(report))},
+        {"max_deviation_pulses",
+         report.verification ? Json(report.verification->max_deviation_pulses) : Json(nullptr)},
+        {"undercut_share", or_null(report.undercut_share)},
+        {"open_points", or_null(report.open_points)},
+        {"state", std::string{name_of(report.last.state)}},
+        {"sim_stalls", by_axis(since_start(report.before.sim_stalls, report.last.sim_stalls))},
+        {"sim_timing_lost", by_axis(since_start(report.before.sim_timing_lost, report.last.sim_timing_lost))},
+        {"sim_ignored_pulses",
+         by_axis(since_start(report.before.sim_ignored_pulses, report.last.sim_ignored_pulses))}};
     if (report.verification) object["verification"] = Json::parse(verify::report_json(*report.verification));
     if (!report.picture_path.empty()) object["picture"] = report.picture_path;
     if (const auto error = verdict_of(report))

@@ -26,6 +26,7 @@ struct RunReport {
     std::optional<std::uint64_t> open_points;
     std::optional<Error> failure;
     std::string picture_path;  ///< that was written
+    CoreStatus before{};       ///< as the run found the core
     CoreStatus last{};
     std::string lost_steps;  ///< what the simulated machine did not do in this run, in words; empty: nothing
 };

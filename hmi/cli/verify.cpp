@@ -56,7 +56,7 @@ void add_verify(CommandSet& commands) {
     commands.add(kText, [options](const CommonOptions& common) { return verify_files(common, *options); })
         .argument("JOB", options->job, "The job or snapshot file")
         .argument("TRACE", options->trace, "The pin trace: VCD or compact binary")
-        .option("--picture", options->picture, "OUT.png", "Draw the piece as it comes out of the pins");
+        .picture_option(options->picture);
 }
 
 }  // namespace psicarve::cli

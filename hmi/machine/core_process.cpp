@@ -35,16 +35,20 @@ constexpr int kExitAlarm = 4;
 constexpr int kSignalExitBase = 128;
 
 std::vector<std::string> arguments_of(const CoreLaunch& launch, const std::string& program) {
-    std::vector<std::string> arguments{
-        program,
-        "--segment",
-        launch.segment_name,
-        "--port",
-        "sim",
-        "--clock",
-        launch.on_real_clock ? "real" : "virtual",
-        "--capacity",
-        std::to_string(launch.capacity_layers) + "x" + std::to_string(launch.capacity_points)};
+    std::vector<std::string> arguments{program,
+                                       "--segment",
+                                       launch.segment_name,
+                                       "--port",
+                                       "sim",
+                                       "--clock",
+                                       launch.on_real_clock ? "real" : "virtual"};
+    const bool is_usual_capacity =
+        launch.capacity_layers == kDefaultCapacityLayers && launch.capacity_points == kDefaultCapacityPoints;
+    if (!is_usual_capacity) {
+        arguments.emplace_back("--capacity");
+        arguments.push_back(std::to_string(launch.capacity_layers) + "x" +
+                            std::to_string(launch.capacity_points));
+    }
     if (!launch.outlives_us) arguments.emplace_back("--exit-with-parent");
     const auto add = [&arguments](const char* option, const std::string& value) {
         if (value.empty()) return;

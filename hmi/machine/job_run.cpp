@@ -62,14 +62,15 @@ RunFigures figures_of(const JobRun& run) {
     }
     if (!run.has_started) return figures;  // the rest is about the job before
     std::copy(std::begin(after.emitted_pulses), std::end(after.emitted_pulses), figures.pulses.begin());
-    if (after.carve_first_tick != 0)
+    const bool is_last_reached = after.points_total > 0 && after.points_done == after.points_total;
+    if (is_last_reached && after.carve_first_tick != 0) {
         figures.carve_seconds = seconds(after.carve_first_tick, after.carve_last_tick);
+    }
     if (after.reference_seconds >= 0.0) figures.reference_seconds = after.reference_seconds;
     // A job that did not come to its end took as long as it ran.
     const std::uint64_t end_tick = after.job_end_tick != 0 ? after.job_end_tick : after.tick;
     figures.total_seconds = seconds(after.job_start_tick, end_tick);
-    figures.is_complete =
-        after.points_total > 0 && after.points_done == after.points_total && after.job_end_tick != 0;
+    figures.is_complete = is_last_reached && after.job_end_tick != 0;
     return figures;
 }
 

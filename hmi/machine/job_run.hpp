@@ -27,7 +27,8 @@ struct JobRun {
 struct RunFigures {
     /// As the core counts them: since the start, without homing. None of a job that was not started.
     std::array<std::uint64_t, kAxisCount> pulses{};
-    double carve_seconds = 0.0;  ///< machine time from leaving the first point to reaching the last
+    /// Machine time from leaving the first point to reaching the last; nothing when it was not reached.
+    std::optional<double> carve_seconds;
     std::optional<double> reference_seconds;  ///< T_ref, as the core planned it
     double total_seconds = 0.0;  ///< machine time of everything, approach and retraction included
     std::uint64_t ticks = 0;

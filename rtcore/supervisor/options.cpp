@@ -3,6 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <string>
+#include <vector>
+
+#include "shared/segment.hpp"
 
 namespace psicarve::supervisor {
 namespace {
@@ -27,7 +31,17 @@ std::string check_segment_name(const std::string& name) {
     return is_plain ? std::string{} : "a segment's name begins with / and has no other: --segment /psicarve";
 }
 
-void describe(CLI::App& app, CoreOptions& options, std::string& capacity) {
+std::string check_not_empty(const std::string& text) {
+    return text.empty() ? "the name is empty" : std::string{};
+}
+
+/// What is read from the command line as words and turned into something else.
+struct Texts {
+    std::string clock;
+    std::string capacity;
+};
+
+void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
     app.footer(
         "Example: psicarve-rtcore --port sim --clock real --profile machine.toml\n"
         "Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 alarm (replay), 5 no segment.");
@@ -38,27 +52,30 @@ void describe(CLI::App& app, CoreOptions& options, std::string& capacity) {
         ->capture_default_str()
         ->check(check_port);
     app.add_option(
-           "--clock", options.clock,
+           "--clock", texts.clock,
            "real: ticks by the wall clock; virtual: the same code as fast as it goes, the same every time")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, ClockKind>{
-            {"real", ClockKind::real}, {"virtual", ClockKind::virtual_time}}))
+        ->check(CLI::Validator{CLI::IsMember(std::vector<std::string>{"real", "virtual"})}.description(""))
         ->default_str("real");
     app.add_option(
-        "--profile", options.profile_path,
-        "Machine profile (TOML), or a job file whose profile is meant; without it the built-in default");
+           "--profile", options.profile_path,
+           "Machine profile (TOML), or a job file whose profile is meant; without it the built-in default")
+        ->check(check_not_empty);
     app.add_option(
-        "--machine", options.machine_path,
-        "What the simulated machine really is, as a profile: motors, sensors, wiring; without it the "
-        "core's own profile, with some reserve in its motors");
+           "--machine", options.machine_path,
+           "What the simulated machine really is, as a profile: motors, sensors, wiring; without it the "
+           "core's own profile, with some reserve in its motors")
+        ->check(check_not_empty);
     app.add_option(
-        "--trace", options.trace_paths,
-        "Record every pin: .vcd is a value-change dump, anything else compact binary; fd:N an open "
-        "descriptor; may be given more than once");
-    app.add_option("--capacity", capacity, "Largest job of a new segment, layers x points")
+           "--trace", options.trace_paths,
+           "Record every pin: .vcd is a value-change dump, anything else compact binary; fd:N an open "
+           "descriptor; may be given more than once")
+        ->check(check_not_empty);
+    app.add_option("--capacity", texts.capacity, "Largest job of a new segment, layers x points")
         ->default_str("4000x3600");
     app.add_option("--group", options.group, "Members of this group may use the segment, too (mode 0660)");
     app.add_option("--replay", options.replay_path,
-                   "Run this job or snapshot file from the home positions, then exit");
+                   "Run this job or snapshot file from the home positions, then exit")
+        ->check(check_not_empty);
     app.add_flag("--exit-with-parent", options.exit_with_parent, "End in order when the parent process ends");
     app.set_version_flag("--version", PSICARVE_VERSION);
 }
@@ -78,17 +95,22 @@ Result<void> parse_capacity(const std::string& text, CoreOptions& options) {
 
 std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
     CoreOptions options;
-    std::string capacity;
+    Texts texts;
     CLI::App app{"The real-time core of Psicarve: carves what is published in a shared-memory segment.",
                  "psicarve-rtcore"};
-    describe(app, options, capacity);
+    describe(app, options, texts);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : kExitUsage;
     }
-    if (!capacity.empty()) {
-        if (const auto parsed = parse_capacity(capacity, options); !parsed) {
+    if (!texts.clock.empty()) {
+        options.clock = texts.clock == "real" ? ClockKind::real : ClockKind::virtual_time;
+    }
+    if (!texts.capacity.empty()) {
+        auto parsed = parse_capacity(texts.capacity, options);
+        if (parsed) parsed = check_shared_memory_for(options.capacity_layers, options.capacity_points);
+        if (!parsed) {
             std::fprintf(stderr, "psicarve-rtcore: %s\n", parsed.error().message.c_str());
             return kExitUsage;
         }

@@ -30,8 +30,7 @@ void TraceOutlet::finish(std::uint64_t end_tick) {
 std::vector<std::string> TraceOutlet::take_errors() {
     std::vector<std::string> lines;
     for (const Named& named : writers_) {
-        if (const auto error = named.writer->take_error())
-            lines.push_back(named.path + ": " + error->message);
+        if (const auto error = named.writer->take_error()) lines.push_back(error->message);
     }
     return lines;
 }

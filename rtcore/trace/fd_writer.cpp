@@ -146,7 +146,7 @@ std::optional<Error> FdWriter::take_error() {
     error_taken_ = true;
     const bool is_full = failed_errno_ == ENOSPC || failed_errno_ == EDQUOT || failed_errno_ == EFBIG;
     return Error{is_full ? ErrorCode::out_of_room : ErrorCode::bad_input,
-                 "trace " + name_ + ": " + words_for(failed_errno_) + "; the trace ends here"};
+                 "trace " + name_ + ": " + words_for(failed_errno_) + "; it ends there and is not complete"};
 }
 
 }  // namespace psicarve::trace

@@ -185,7 +185,10 @@ TEST_F(Carve, ATraceOntoAFullDiskIsAnErrorAfterTheWork) {
         arguments.insert(arguments.end(), {"--trace", "/dev/full", "--json"});
         const Outcome outcome = psicarve(arguments);
         EXPECT_EQ(outcome.exit_code, 4) << outcome.error;
-        EXPECT_NE(outcome.error.find("/dev/full"), std::string::npos) << outcome.error;
+        const std::string said =
+            "trace /dev/full: No space left on device; it ends there and is not complete";
+        EXPECT_NE(outcome.error.find(said), std::string::npos) << outcome.error;
+        EXPECT_EQ(outcome.error.find("/dev/full: trace"), std::string::npos) << outcome.error;
         EXPECT_EQ(outcome.json()["error"]["exit_code"], 4) << outcome.out;
         EXPECT_EQ(outcome.json()["verified"], true);
     }

@@ -147,7 +147,7 @@ TEST_F(BrokenInput, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork) {
     const std::string nowhere = file("no/such/folder/out");
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"slice", model, "-o", nowhere},
-          {"carve", model, "--segment", segment_, "--picture", nowhere},
+          {"carve", model, "--segment", segment_, "--picture", nowhere + ".png"},
           {"carve", model, "--segment", segment_, "--trace", nowhere}}) {
         expect_refused(arguments, nowhere);
     }

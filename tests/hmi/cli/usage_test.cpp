@@ -119,7 +119,12 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUsage{"slice m.stl -o j --layers many", "--layers"},
         WrongUsage{"slice m.stl -o j --points 1", "--points"},
         WrongUsage{"slice m.stl -o j --height 10 --scale 2", "--scale"},
-        WrongUsage{"slice m.stl -o j --height -3", "--height"},
+        WrongUsage{"slice m.stl -o j --height -3", "--height: '-3' is not a number greater than 0 (see"},
+        WrongUsage{"slice m.stl -o j --scale 0", "--scale: '0' is not a number greater than 0 (see"},
+        WrongUsage{"slice m.stl -o j --scale nan", "--scale: 'nan' is not a number greater than 0 (see"},
+        WrongUsage{"carve m.stl --picture p.jpg", "--picture: 'p.jpg': a picture is a PNG file"},
+        WrongUsage{"replay j --picture png", "--picture: 'png': a picture is a PNG file"},
+        WrongUsage{"verify j t --picture p.png.jpg", "its name ends in .png"},
         WrongUsage{"slice m.stl -o j --axis-at middle", "--axis-at"},
         WrongUsage{"slice m.stl -o j --axis-at 1,2,3", "--axis-at"},
         WrongUsage{"slice m.stl -o j --joining snake", "--joining"}, WrongUsage{"back-off", "AXIS"},
@@ -134,6 +139,25 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUsage{"spindle fast", "fast"}, WrongUsage{"status --segment psicarve", "--segment"},
         WrongUsage{"status now", "unexpected argument 'now'"},
         WrongUsage{"snapshot export f --format xml", "--format"}, WrongUsage{"snapshot diff f", "B"}));
+
+TEST(Usage, AnEmptyNameIsWrong) {
+    const std::vector<std::vector<std::string>> commands{{"slice", "", "-o", "j"},
+                                                         {"slice", "m.stl", "-o", ""},
+                                                         {"slice", "m.stl", "-o", "j", "--profile", ""},
+                                                         {"carve", "m.stl", "--trace", ""},
+                                                         {"carve", "m.stl", "--picture", ""},
+                                                         {"replay", ""},
+                                                         {"verify", "j", ""},
+                                                         {"snapshot", "save", ""},
+                                                         {"profile", "check", ""},
+                                                         {"status", "--segment", ""},
+                                                         {"status", "--group", ""}};
+    for (const auto& command : commands) {
+        const Outcome outcome = psicarve(command);
+        EXPECT_EQ(outcome.exit_code, 2) << command[0] << ": " << outcome.error;
+        EXPECT_EQ(outcome.error_lines(), 1U) << outcome.error;
+    }
+}
 
 TEST(Usage, AnErrorIsAnObjectForProgramsThatRead) {
     const Outcome outcome = psicarve({"status", "--json", "--wtch"});

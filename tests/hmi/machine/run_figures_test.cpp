@@ -26,7 +26,7 @@ JobRun finished_run() {
 
 TEST(RunFigures, TimesAreTicksOfTheMachine) {
     const RunFigures sut = figures_of(finished_run());
-    EXPECT_DOUBLE_EQ(sut.carve_seconds, 3.0);
+    EXPECT_DOUBLE_EQ(sut.carve_seconds.value_or(0.0), 3.0);
     EXPECT_DOUBLE_EQ(sut.total_seconds, 4.0);
     EXPECT_EQ(sut.ticks, 100'000U);
     EXPECT_EQ(sut.missed_ticks, 2U);
@@ -38,6 +38,8 @@ TEST(RunFigures, AJobThatWasStoppedIsNotComplete) {
     JobRun run = finished_run();
     run.after.points_done = 99;
     EXPECT_FALSE(figures_of(run).is_complete);
+    EXPECT_FALSE(figures_of(run).carve_seconds.has_value());
+    EXPECT_DOUBLE_EQ(figures_of(run).total_seconds, 4.0);
     run = finished_run();
     run.after.job_end_tick = 0;
     EXPECT_FALSE(figures_of(run).is_complete);
@@ -49,7 +51,7 @@ TEST(RunFigures, AJobThatWasNotStartedHasNothingOfTheOneBefore) {
     run.has_started = false;
     const RunFigures sut = figures_of(run);
     EXPECT_EQ(sut.pulses, (std::array<std::uint64_t, kAxisCount>{}));
-    EXPECT_EQ(sut.carve_seconds, 0.0);
+    EXPECT_FALSE(sut.carve_seconds.has_value());
     EXPECT_EQ(sut.total_seconds, 0.0);
     EXPECT_FALSE(sut.is_complete);
     EXPECT_EQ(sut.ticks, 100'000U) << "time passes all the same";
@@ -59,7 +61,7 @@ TEST(RunFigures, AJobThatNeverLeftItsFirstPointCarvedNothing) {
     JobRun run = finished_run();
     run.after.carve_first_tick = 0;
     run.after.carve_last_tick = 0;
-    EXPECT_EQ(figures_of(run).carve_seconds, 0.0);
+    EXPECT_FALSE(figures_of(run).carve_seconds.has_value());
 }
 
 TEST(RunFigures, OnlyAlarmsOfTheRunCountOldestFirst) {

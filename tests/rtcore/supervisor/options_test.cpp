@@ -53,8 +53,28 @@ TEST(CoreOptions, RefuseWrongUsageWithExitCodeTwo) {
     EXPECT_EQ(exit_code_of({"--capacity", "0x5"}), 2);
     EXPECT_EQ(exit_code_of({"--capacity", "5"}), 2);
     EXPECT_EQ(exit_code_of({"--capacity", "5x5x"}), 2);
+    EXPECT_EQ(exit_code_of({"--trace", ""}), 2);
+    EXPECT_EQ(exit_code_of({"--profile", ""}), 2);
     EXPECT_EQ(exit_code_of({"--no-such-option"}), 2);
     EXPECT_EQ(exit_code_of({"stray"}), 2);
+}
+
+std::string error_of(const std::vector<std::string>& arguments) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(exit_code_of(arguments), 2);
+    return testing::internal::GetCapturedStderr();
+}
+
+TEST(CoreOptions, SayWhatAClockCanBe) {
+    const std::string error = error_of({"--clock", "fast"});
+    EXPECT_NE(error.find("fast not in {real,virtual}"), std::string::npos) << error;
+}
+
+TEST(CoreOptions, RefuseACapacityThatSharedMemoryHasNoRoomFor) {
+    const std::string error = error_of({"--capacity", "1000000x1000000"});
+    EXPECT_NE(error.find("--capacity 1000000x1000000: a job of that size takes 8000"), std::string::npos)
+        << error;
+    EXPECT_NE(error.find("MB free"), std::string::npos) << error;
 }
 
 TEST(CoreOptions, HelpIsNoError) {

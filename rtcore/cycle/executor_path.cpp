@@ -47,6 +47,7 @@ Executor::Progress Executor::advance_path(std::uint64_t tick) noexcept {
         }
         law_.next(block_.path);
         begin_segment(tick);
+        if (is_taking_up_) return progress;
         if (!has_stepped && is_iteration_due()) next_axes_ = dda_.iterate();
     }
     return progress;

@@ -27,8 +27,9 @@ bool Executor::begin_take_up(std::uint64_t tick) noexcept {
     std::array<std::int64_t, kAxisCount> way{};
     std::int64_t longest = 0;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
-        if (block_.delta_pulses[k] == 0) continue;
-        const bool up = block_.delta_pulses[k] > 0;
+        const bool up = block_.delta_pulses[k] > 0 || (block_.up_axes >> k & 1U) != 0;
+        const bool down = block_.delta_pulses[k] < 0 || (block_.down_axes >> k & 1U) != 0;
+        if (up == down) continue;
         const std::int64_t extra = pulses_->take_up_pulses(k, up);
         way[k] = up ? extra : -extra;
         longest = std::max(longest, extra);

@@ -18,6 +18,8 @@ constexpr double kLongSpan_s = 0.03;
 constexpr std::size_t kHeads = 2;
 // Past a span's end, as a share of the tolerance: between nodes it may be a little more.
 constexpr double kBeyondShare = 0.75;
+// Beyond both ends of a span by so little that no pulse comes of it.
+constexpr double kLeastBeyondPulses = 0.25;
 
 /// Distances from a span's end to its nodes before the middle.
 struct Grading {
@@ -108,7 +110,9 @@ private:
         if (axis >= kHeads) return chord - 1e9;
         return std::min(chord, limits_.least_radius_pulses[axis]);
     }
+    // With backlash there is no run-up against the way: every turn would have to cross the gap.
     double tolerance_pulses(std::size_t axis) const {
+        if (limits_.tick.axes[axis].backlash_pulses > 0) return kLeastBeyondPulses;
         if (axis == index_of(Axis::psi)) return 1.0;
         return std::max(1.0, kBeyondShare * limits_.path_tolerance_mm * limits_.axes[axis].pulses_per_unit);
     }

@@ -135,6 +135,19 @@ void LookaheadProgram::add_stretch() {
     const std::size_t begin = blocks_.size();
     for (const PathPiece& piece : pieces_) add_block(piece);
     blocks_[begin].group_blocks = static_cast<std::uint32_t>(blocks_.size() - begin);
+    note_gaps(std::span(blocks_).subspan(begin));
+}
+
+// A run has a stop wherever an axis with backlash turns round: in it such an axis goes one way.
+void LookaheadProgram::note_gaps(std::span<MotionBlock> run) const {
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        if (limits_.tick.axes[k].backlash_pulses == 0) continue;
+        const auto moves = [k](const MotionBlock& block) { return block.delta_pulses[k] != 0; };
+        const auto first = std::find_if(run.begin(), run.end(), moves);
+        if (first == run.end()) continue;
+        std::uint8_t& axes = first->delta_pulses[k] > 0 ? run.front().up_axes : run.front().down_axes;
+        axes = static_cast<std::uint8_t>(axes | 1U << k);
+    }
 }
 
 void LookaheadProgram::add_block(const PathPiece& piece) {

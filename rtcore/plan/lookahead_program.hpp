@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "rtcore/plan/machine_limits.hpp"
@@ -31,6 +32,7 @@ private:
     void gather_points();
     void add_way_between(const PathPoint& from, const PathPoint& to);
     void add_stretch();
+    void note_gaps(std::span<cycle::MotionBlock> run) const;
     void add_block(const PathPiece& piece);
 
     MachineLimits limits_;

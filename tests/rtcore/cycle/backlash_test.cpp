@@ -137,9 +137,13 @@ Positions worst_errors_at_points(MachineRig& rig, const JobTable& job) {
 }
 
 TEST(Backlash, ACarvedTableIsExactWithItsCompensation) {
-    for (const Joining joining : {Joining::continuous, Joining::zigzag}) {
-        MachineRig sut = rig_of(with_backlash());
-        EXPECT_EQ(worst_errors_at_points(sut, random_job(3, 40, 5, joining)), Positions{});
+    for (const Planner planner : {Planner::angle, Planner::lookahead}) {
+        for (const Joining joining : {Joining::continuous, Joining::zigzag}) {
+            Profile profile = with_backlash();
+            profile.job.planner = planner;
+            MachineRig sut = rig_of(profile);
+            EXPECT_EQ(worst_errors_at_points(sut, random_job(3, 40, 5, joining)), Positions{});
+        }
     }
 }
 

@@ -57,6 +57,11 @@ void set_bands(const MachineLimits& limits, const Pulses4& delta_pulses, PathSpa
         const double band_mm = std::min(widened_mm, left_mm + 0.25 * rise_mm);
         span.band[head] = std::max(kLeastBandPulses, band_mm * scale);
     }
+    // An axis with backlash must not turn back between two points, not even to take a run-up: it gets no room
+    // for that.
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        if (limits.tick.axes[k].backlash_pulses > 0) span.band[k] = std::min(span.band[k], kLeastBandPulses);
+    }
 }
 
 PathSpan span_between(const MachineLimits& limits, const Pulses4& from, const Pulses4& to) {

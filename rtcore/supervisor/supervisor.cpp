@@ -99,9 +99,8 @@ bool Supervisor::mirror_urgent_words() {
 // On the virtual clock ticks say nothing about how long somebody has been silent: there the lease runs here.
 void Supervisor::mirror_jog_lease() {
     const std::uint64_t word = segment_.header().jog_lease.load(std::memory_order_acquire);
-    if (!is_virtual_clock_ || sample_.state != MachineState::moving) {
-        jog_renewed_ = std::chrono::steady_clock::now();
-    } else if (word != parts_->io->urgent.jog_lease.load(std::memory_order_relaxed)) {
+    const bool is_renewed = word != parts_->io->urgent.jog_lease.load(std::memory_order_relaxed);
+    if (!is_virtual_clock_ || sample_.state != MachineState::moving || is_renewed) {
         jog_renewed_ = std::chrono::steady_clock::now();
     }
     parts_->io->urgent.jog_lease.store(word, std::memory_order_release);

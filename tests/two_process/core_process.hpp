@@ -16,8 +16,6 @@
 #include <thread>
 #include <vector>
 
-extern char** environ;
-
 namespace psicarve::two_process {
 
 /// A real psicarve-rtcore, started by a test and gone when the object is.
@@ -28,6 +26,7 @@ public:
         std::vector<std::string> words{std::string{PSICARVE_BIN} + "/psicarve-rtcore"};
         words.insert(words.end(), arguments.begin(), arguments.end());
         std::vector<char*> pointers;
+        pointers.reserve(words.size() + 1);
         for (std::string& word : words) pointers.push_back(word.data());
         pointers.push_back(nullptr);
         posix_spawn_file_actions_t actions;

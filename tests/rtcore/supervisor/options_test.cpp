@@ -12,6 +12,7 @@ namespace {
 std::variant<CoreOptions, int> parse(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "psicarve-rtcore");
     std::vector<char*> pointers;
+    pointers.reserve(arguments.size());
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     return parse_options(static_cast<int>(pointers.size()), pointers.data());
 }

@@ -89,7 +89,10 @@ public:
             const double beyond = tolerance_pulses(k);
             low[k] = std::max({chord - way.band[k], std::min(from, to) - beyond, least(k, chord)});
             high[k] = std::min(chord + way.band[k], std::max(from, to) + beyond);
-            if (way.is_link && k < kHeads) low[k] = std::max(low[k], std::min(from, to) - 0.25);
+            if (!way.is_link || k == index_of(Axis::psi)) continue;
+            // Between layers a head, or Y, that dips past an end stands deeper than the layer it is in asks.
+            low[k] = std::max(low[k], std::min(from, to) - kLeastBeyondPulses);
+            if (k >= kHeads) high[k] = std::min(high[k], std::max(from, to) + kLeastBeyondPulses);
         }
         add(low, high, span, CurveNodes::kNoPoint);
         nodes_.step[nodes_.step.size() - 2] = at - last_at_;

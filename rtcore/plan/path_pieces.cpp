@@ -85,15 +85,17 @@ void PieceMaker::flush(std::uint32_t point) {
     bits_.clear();
 }
 
-// The table, and axes that have backlash, never turn back between two points for a pulse. Between layers a
-// head is never further in than at both ends.
+// The table, and axes that have backlash, never turn back between two points for a pulse. Between layers Y
+// does not either, which would take a head back into the layer it has left, and a head is never further in
+// than at both ends.
 void PieceMaker::keep_way(std::uint32_t point, Pulses4& pulses) const {
     const PathPoint& from = points_[last_point_];
     const PathPoint& to = points_[point];
     const bool is_link = is_between_layers(from, to);
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         if (is_link && k < 2) pulses[k] = std::max(pulses[k], std::min(from.pulses[k], to.pulses[k]));
-        if (k != index_of(Axis::psi) && limits_.tick.axes[k].backlash_pulses == 0) continue;
+        const bool goes_one_way = k == index_of(Axis::psi) || (is_link && k == index_of(Axis::y));
+        if (!goes_one_way && limits_.tick.axes[k].backlash_pulses == 0) continue;
         pulses[k] = std::clamp(pulses[k], std::min(at_pulses_[k], to.pulses[k]),
                                std::max(at_pulses_[k], to.pulses[k]));
     }

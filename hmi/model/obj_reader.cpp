@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <xxhash.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +12,7 @@
 #include "hmi/model/mesh.hpp"
 #include "hmi/model/text_mesh_readers.hpp"
 #include "hmi/model/text_scan.hpp"
+#include "hmi/model/whole_file.hpp"
 #include "shared/result.hpp"
 
 namespace psicarve::model {
@@ -79,15 +77,7 @@ private:
 }  // namespace
 
 Result<Mesh> read_obj(const InputFile& file) {
-    const Result<std::vector<char>> text = file.read_all();
-    if (!text) return text.error();
-    try {
-        Result<Mesh> mesh = ObjReader({text->data(), text->size()}, file.path()).read();
-        if (mesh) mesh->source_hash = XXH3_64bits(text->data(), text->size());
-        return mesh;
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::out_of_room, file.path() + ": too large for this computer's memory"};
-    }
+    return read_whole<ObjReader>(file);
 }
 
 }  // namespace psicarve::model

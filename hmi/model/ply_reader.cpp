@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <xxhash.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +15,7 @@
 #include "hmi/model/mesh_check.hpp"
 #include "hmi/model/text_mesh_readers.hpp"
 #include "hmi/model/text_scan.hpp"
+#include "hmi/model/whole_file.hpp"
 #include "shared/result.hpp"
 
 namespace psicarve::model {
@@ -247,15 +245,7 @@ private:
 }  // namespace
 
 Result<Mesh> read_ply(const InputFile& file) {
-    const Result<std::vector<char>> bytes = file.read_all();
-    if (!bytes) return bytes.error();
-    try {
-        Result<Mesh> mesh = PlyReader({bytes->data(), bytes->size()}, file.path()).read();
-        if (mesh) mesh->source_hash = XXH3_64bits(bytes->data(), bytes->size());
-        return mesh;
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::out_of_room, file.path() + ": too large for this computer's memory"};
-    }
+    return read_whole<PlyReader>(file);
 }
 
 }  // namespace psicarve::model

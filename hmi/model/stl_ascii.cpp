@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <xxhash.h>
-
 #include <array>
 #include <cstddef>
-#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "hmi/model/file_bytes.hpp"
 #include "hmi/model/indexed_mesh.hpp"
@@ -15,6 +11,7 @@
 #include "hmi/model/mesh_check.hpp"
 #include "hmi/model/stl_reader.hpp"
 #include "hmi/model/text_scan.hpp"
+#include "hmi/model/whole_file.hpp"
 #include "shared/result.hpp"
 
 namespace psicarve::model {
@@ -108,15 +105,7 @@ private:
 }  // namespace
 
 Result<Mesh> read_ascii_stl(const InputFile& file) {
-    const Result<std::vector<char>> text = file.read_all();
-    if (!text) return text.error();
-    try {
-        Result<Mesh> mesh = AsciiReader({text->data(), text->size()}, file.path()).read();
-        if (mesh) mesh->source_hash = XXH3_64bits(text->data(), text->size());
-        return mesh;
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::out_of_room, file.path() + ": too large for this computer's memory"};
-    }
+    return read_whole<AsciiReader>(file);
 }
 
 }  // namespace psicarve::model

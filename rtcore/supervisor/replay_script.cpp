@@ -26,31 +26,30 @@ std::optional<cycle::RequestKind> request_of(const FlightRecord& record) {
     return cycle::request_of(static_cast<CommandKind>(record.code));
 }
 
+ReplayStep request_step(const FlightRecord& record, cycle::RequestKind request, std::uint64_t value) {
+    ReplayStep step{};
+    step.kind = ReplayStep::Kind::request;
+    step.axis = static_cast<std::uint8_t>(record.axis);
+    step.request = request;
+    step.value = value;
+    return step;
+}
+
 std::optional<ReplayStep> step_of(const FlightRecord& record) {
+    const auto value = static_cast<std::uint64_t>(record.value);
     ReplayStep step{};
     step.axis = static_cast<std::uint8_t>(record.axis);
     switch (record.kind) {
         case RecordKind::command:
-            if (const auto request = request_of(record)) {
-                step.kind = ReplayStep::Kind::request;
-                step.request = *request;
-                step.value = static_cast<std::uint64_t>(record.value);
-                return step;
-            }
+            if (const auto request = request_of(record)) return request_step(record, *request, value);
             return std::nullopt;
         case RecordKind::jog_end:
-            step.kind = ReplayStep::Kind::request;
-            step.request = cycle::RequestKind::end_jog;
-            step.value = record.code;
-            return step;
+            return request_step(record, cycle::RequestKind::end_jog, record.code);
+        case RecordKind::failure:
+            return request_step(record, cycle::RequestKind::fail, record.code);
         case RecordKind::gap:
             step.kind = ReplayStep::Kind::gap;
-            step.value = static_cast<std::uint64_t>(record.value);
-            return step;
-        case RecordKind::failure:
-            step.kind = ReplayStep::Kind::request;
-            step.request = cycle::RequestKind::fail;
-            step.value = record.code;
+            step.value = value;
             return step;
         case RecordKind::stop:
             step.kind = ReplayStep::Kind::stop;

@@ -52,16 +52,6 @@ private:
     std::int64_t period_ns_ = 0;
 };
 
-std::vector<std::uint32_t> order_of(const std::vector<cycle::PortWrite>& writes) {
-    cycle::PinCounter pins({});
-    std::vector<std::uint32_t> order;
-    for (const cycle::PortWrite& write : writes) {
-        const std::uint32_t axes = pins.take(write.levels);
-        if (axes != 0) order.push_back(axes);
-    }
-    return order;
-}
-
 bool is_at_work(const MachineRig& rig) {
     const MachineState state = rig.cycle->state();
     return state == MachineState::carving || state == MachineState::holding || state == MachineState::held;

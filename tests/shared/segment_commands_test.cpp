@@ -20,14 +20,10 @@ namespace {
 using std::chrono::milliseconds;
 using testing::HasSubstr;
 
-class SegmentCommands : public testing::Test {
+class SegmentCommands : public test::SegmentOfTwo {
 protected:
     void SetUp() override {
-        auto hmi = Segment::create_or_attach(name_.options());
-        auto core = Segment::attach(name_.get());
-        ASSERT_TRUE(hmi.has_value() && core.has_value());
-        hmi_.emplace(std::move(hmi).value());
-        core_.emplace(std::move(core).value());
+        ASSERT_NO_FATAL_FAILURE(SegmentOfTwo::SetUp());
         ASSERT_TRUE(core_->claim_core().has_value());
     }
     ReceivedCommand take() {
@@ -45,9 +41,6 @@ protected:
         for (const CommandSlot& slot : core_->header().commands) used += slot.state_and_sender.load() != 0;
         return used;
     }
-    test::SegmentName name_;
-    std::optional<Segment> hmi_;
-    std::optional<Segment> core_;
 };
 
 TEST_F(SegmentCommands, AnswerDoneReachesTheSender) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +42,21 @@ public:
 private:
     std::string name_;
     pid_t owner_;
+};
+
+/// One segment as an operator's program and a core that has not claimed it see it.
+class SegmentOfTwo : public testing::Test {
+protected:
+    void SetUp() override {
+        auto hmi = Segment::create_or_attach(name_.options());
+        auto core = Segment::attach(name_.get());
+        ASSERT_TRUE(hmi.has_value() && core.has_value());
+        hmi_.emplace(std::move(hmi).value());
+        core_.emplace(std::move(core).value());
+    }
+    SegmentName name_;
+    std::optional<Segment> hmi_;
+    std::optional<Segment> core_;
 };
 
 /// A job whose radii all are `mark`: two jobs can be told apart anywhere in their tables.

@@ -17,19 +17,7 @@ namespace {
 using std::chrono::milliseconds;
 using testing::HasSubstr;
 
-class SegmentJobs : public testing::Test {
-protected:
-    void SetUp() override {
-        auto hmi = Segment::create_or_attach(name_.options());
-        auto core = Segment::attach(name_.get());
-        ASSERT_TRUE(hmi.has_value() && core.has_value());
-        hmi_.emplace(std::move(hmi).value());
-        core_.emplace(std::move(core).value());
-    }
-    test::SegmentName name_;
-    std::optional<Segment> hmi_;
-    std::optional<Segment> core_;
-};
+class SegmentJobs : public test::SegmentOfTwo {};
 
 TEST_F(SegmentJobs, NothingIsPublishedAtFirst) {
     EXPECT_FALSE(take_published_job(*core_, 0).value().has_value());

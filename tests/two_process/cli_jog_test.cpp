@@ -44,19 +44,6 @@ protected:
         return read.value_or(CoreStatus{});
     }
     std::int64_t psi_pulses() const { return status().position_pulses[index_of(Axis::psi)]; }
-    /// Generous: a sanitizer on a busy machine.
-    static bool eventually(const std::function<bool()>& condition) {
-        const auto give_up = std::chrono::steady_clock::now() + milliseconds{120'000};
-        while (!condition()) {
-            if (std::chrono::steady_clock::now() > give_up) return false;
-            std::this_thread::sleep_for(milliseconds{2});
-        }
-        return true;
-    }
-    Outcome run(std::vector<std::string> arguments) const {
-        arguments.insert(arguments.end(), {"--segment", segment_});
-        return psicarve(arguments);
-    }
     std::unique_ptr<RunningProgram> begin_turning() const {
         auto jog = std::make_unique<RunningProgram>(
             "psicarve", std::vector<std::string>{"jog", "psi", "+", "--segment", segment_});

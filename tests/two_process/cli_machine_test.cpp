@@ -36,19 +36,6 @@ protected:
         const auto status = read_record(segment->header().status);
         return status ? status->state : MachineState::off;
     }
-    /// Generous: a sanitizer on a busy machine.
-    static bool eventually(const std::function<bool()>& condition) {
-        const auto give_up = std::chrono::steady_clock::now() + milliseconds{120'000};
-        while (!condition()) {
-            if (std::chrono::steady_clock::now() > give_up) return false;
-            std::this_thread::sleep_for(milliseconds{2});
-        }
-        return true;
-    }
-    Outcome run(std::vector<std::string> arguments) const {
-        arguments.insert(arguments.end(), {"--segment", segment_});
-        return psicarve(arguments);
-    }
     std::string job(const std::string& layers, const std::string& points) const {
         const std::string path = file("box.job");
         const Outcome outcome =

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "rtcore/cycle/cycle.hpp"
-#include "rtcore/port/port.hpp"
+#include "tests/bench/core/null_port.hpp"
 
 namespace {
 
@@ -24,16 +24,6 @@ using namespace psicarve;  // NOLINT(google-build-using-namespace)
 constexpr double kTick_s = 5e-5;
 constexpr std::size_t kTicks = 4'000'000;
 constexpr std::size_t kBatch = 16;  // reading the counter takes as long as a tick
-
-class NullPort final : public port::Port {
-public:
-    SignalWord read_inputs(std::int64_t) noexcept override { return 0; }
-    void write_outputs(SignalWord levels, std::int64_t) noexcept override { last_ = levels; }
-    bool is_healthy() const noexcept override { return true; }
-
-private:
-    SignalWord last_ = 0;
-};
 
 /// Endless path segments: psi the long axis, the others to and fro, the speed waves by a third.
 class Segments {
@@ -114,7 +104,7 @@ struct Core {
         }
     }
 
-    NullPort port;
+    bench::NullPort port;
     std::unique_ptr<cycle::CycleIo> io;
     cycle::Cycle cycle;
     Segments segments;

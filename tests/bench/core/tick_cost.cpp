@@ -20,20 +20,11 @@
 #include "shared/job.hpp"
 #include "shared/pin_map.hpp"
 #include "shared/profile.hpp"
+#include "tests/bench/core/null_port.hpp"
 
 namespace {
 
 using namespace psicarve;  // NOLINT(google-build-using-namespace)
-
-class NullPort final : public port::Port {
-public:
-    SignalWord read_inputs(std::int64_t) noexcept override { return 0; }
-    void write_outputs(SignalWord levels, std::int64_t) noexcept override { last_ = levels; }
-    bool is_healthy() const noexcept override { return true; }
-
-private:
-    SignalWord last_ = 0;
-};
 
 struct OwnedJob {
     std::vector<std::byte> blob;
@@ -127,7 +118,7 @@ double ns_per_count() {
 void measure_tick(const Profile& profile, const std::shared_ptr<const JobView>& job) {
     constexpr std::size_t kTicks = 4'000'000;
     constexpr std::size_t kBatch = 16;  // the counter's own steps are as long as a tick
-    NullPort port;
+    bench::NullPort port;
     Core core(profile, port);
     core.start(job, nullptr);
     std::vector<std::uint32_t> singles;

@@ -70,6 +70,11 @@ int RunningProgram::wait() {
     return exit_code_;
 }
 
+Outcome RunningProgram::outcome() {
+    const int exit_code = wait();
+    return {exit_code, out(), error()};
+}
+
 void RunningProgram::read_outputs() {
     std::array<pollfd, 2> waited{pollfd{outputs_[0], POLLIN, 0}, pollfd{outputs_[1], POLLIN, 0}};
     while (waited[0].fd >= 0 || waited[1].fd >= 0) {
@@ -97,12 +102,7 @@ std::size_t Outcome::error_lines() const {
 }
 
 Outcome psicarve(const std::vector<std::string>& arguments) {
-    RunningProgram program{"psicarve", arguments};
-    Outcome outcome;
-    outcome.exit_code = program.wait();
-    outcome.out = program.out();
-    outcome.error = program.error();
-    return outcome;
+    return RunningProgram{"psicarve", arguments}.outcome();
 }
 
 std::vector<std::string> words_of(const std::string& text) {
@@ -143,6 +143,21 @@ std::vector<std::string> CliTest::files_in_folder() const {
     }
     std::sort(names.begin(), names.end());
     return names;
+}
+
+Outcome CliTest::run(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.end(), {"--segment", segment_});
+    return psicarve(arguments);
+}
+
+bool CliTest::eventually(const std::function<bool()>& condition) {
+    constexpr std::chrono::seconds kLimit{120};
+    const auto give_up = std::chrono::steady_clock::now() + kLimit;
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > give_up) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds{2});
+    }
+    return true;
 }
 
 std::string CliTest::box_stl(const std::string& name, double height_mm) const {

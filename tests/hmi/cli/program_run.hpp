@@ -16,6 +16,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -27,6 +28,15 @@
 #include "shared/segment.hpp"
 
 namespace psicarve::test {
+
+struct Outcome {
+    int exit_code = -1;
+    std::string out;
+    std::string error;
+
+    nlohmann::json json() const;
+    std::size_t error_lines() const;
+};
 
 /// A program of ours with its two outputs piped to us. Killed at the end at the latest; dies with the test.
 class RunningProgram {
@@ -42,6 +52,8 @@ public:
     }
     /// Its exit code; 128 + signal when one ended it.
     int wait();
+    /// What came of it, once it has ended.
+    Outcome outcome();
     /// After wait().
     const std::string& out() const { return texts_[0]; }
     const std::string& error() const { return texts_[1]; }
@@ -55,15 +67,6 @@ private:
     std::array<int, 2> outputs_{};
     std::array<std::string, 2> texts_;
     std::thread reader_;
-};
-
-struct Outcome {
-    int exit_code = -1;
-    std::string out;
-    std::string error;
-
-    nlohmann::json json() const;
-    std::size_t error_lines() const;
 };
 
 /// psicarve with these arguments, until it ends.
@@ -81,6 +84,10 @@ protected:
     void write(const std::string& name, const std::string& text) const;
     static std::string text_of(const std::string& path);
     std::vector<std::string> files_in_folder() const;
+    /// psicarve on this test's segment, until it ends.
+    Outcome run(std::vector<std::string> arguments) const;
+    /// Generous: a sanitizer on a busy machine.
+    static bool eventually(const std::function<bool()>& condition);
 
     /// A box of 20 x 14 x `height_mm` that stands off its axis: no body of revolution.
     std::string box_stl(const std::string& name, double height_mm = 6.0) const;

@@ -176,4 +176,14 @@ std::uint32_t PinCounter::take(SignalWord levels) {
     return rising;
 }
 
+std::vector<std::uint32_t> order_of(const std::vector<PortWrite>& writes) {
+    PinCounter pins({});
+    std::vector<std::uint32_t> order;
+    for (const PortWrite& write : writes) {
+        const std::uint32_t axes = pins.take(write.levels);
+        if (axes != 0) order.push_back(axes);
+    }
+    return order;
+}
+
 }  // namespace psicarve::cycle

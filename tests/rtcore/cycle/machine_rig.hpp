@@ -107,5 +107,7 @@ private:
     Positions positions_;
     SignalWord levels_ = 0;
 };
+/// Which axes stepped together, write after write: the merged order of DDA iterations.
+std::vector<std::uint32_t> order_of(const std::vector<PortWrite>& writes);
 
 }  // namespace psicarve::cycle

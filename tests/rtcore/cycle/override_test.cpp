@@ -10,17 +10,6 @@
 namespace psicarve::cycle {
 namespace {
 
-/// Which axes stepped together, write after write.
-std::vector<std::uint32_t> order_of(const std::vector<PortWrite>& writes) {
-    PinCounter pins({});
-    std::vector<std::uint32_t> order;
-    for (const PortWrite& write : writes) {
-        const std::uint32_t axes = pins.take(write.levels);
-        if (axes != 0) order.push_back(axes);
-    }
-    return order;
-}
-
 struct Carving {
     std::vector<std::uint32_t> order;
     std::uint64_t approach_ticks;

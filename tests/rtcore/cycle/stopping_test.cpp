@@ -10,17 +10,6 @@
 namespace psicarve::cycle {
 namespace {
 
-/// Which axes stepped together, write after write: the merged order of DDA iterations.
-std::vector<std::uint32_t> order_of(const std::vector<PortWrite>& writes) {
-    PinCounter pins({});
-    std::vector<std::uint32_t> order;
-    for (const PortWrite& write : writes) {
-        const std::uint32_t axes = pins.take(write.levels);
-        if (axes != 0) order.push_back(axes);
-    }
-    return order;
-}
-
 /// Carves with a hold at each of these ticks after the start.
 std::vector<std::uint32_t> carved_order(const std::vector<std::uint64_t>& hold_after) {
     MachineRig rig(quick_profile());

@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 namespace psicarve {
 namespace {
@@ -35,8 +36,8 @@ public:
     ~OpenFile() {
         if (descriptor_ >= 0) ::close(descriptor_);
     }
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
+    OpenFile(OpenFile&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+    OpenFile& operator=(OpenFile&&) = delete;
     int get() const noexcept { return descriptor_; }
     /// The error number, or 0. Some file systems tell of a full disk only here.
     int close() noexcept {
@@ -138,6 +139,38 @@ void sync_folder(const std::string& path) noexcept {
     if (folder.get() >= 0) ::fsync(folder.get());
 }
 
+struct RegularFile {
+    OpenFile file;
+    std::uint64_t size_bytes;
+};
+
+Result<RegularFile> open_regular(const std::string& path) {
+    // Not blocking: a pipe that nobody writes is refused, not waited for.
+    OpenFile file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+    if (file.get() < 0) return file_error(path, "cannot be read", errno);
+    struct stat facts {};
+    if (::fstat(file.get(), &facts) != 0) return file_error(path, "cannot be read", errno);
+    if (S_ISDIR(facts.st_mode)) return bad_input(path + ": is a folder, not a file");
+    if (!S_ISREG(facts.st_mode)) return bad_input(path + ": is no regular file");
+    return RegularFile{std::move(file), static_cast<std::uint64_t>(facts.st_size)};
+}
+
+/// So many bytes; fewer when the file has become shorter.
+Result<std::vector<std::byte>> read_start(const RegularFile& file, const std::string& path,
+                                          std::uint64_t byte_count) {
+    std::vector<std::byte> bytes(byte_count);
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t got = ::read(file.file.get(), bytes.data() + done, bytes.size() - done);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return file_error(path, "cannot be read", errno);
+        if (got == 0) break;
+        done += static_cast<std::size_t>(got);
+    }
+    bytes.resize(done);
+    return bytes;
+}
+
 }  // namespace
 
 Result<void> write_parts_atomically(const std::string& path,
@@ -164,26 +197,16 @@ Result<void> write_file_atomically(const std::string& path, std::span<const std:
 }
 
 Result<std::vector<std::byte>> read_whole_file(const std::string& path) {
-    // Not blocking: a pipe that nobody writes is refused, not waited for.
-    const OpenFile file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-    if (file.get() < 0) return file_error(path, "cannot be read", errno);
-    struct stat facts {};
-    if (::fstat(file.get(), &facts) != 0) return file_error(path, "cannot be read", errno);
-    if (S_ISDIR(facts.st_mode)) return bad_input(path + ": is a folder, not a file");
-    if (!S_ISREG(facts.st_mode)) return bad_input(path + ": is no regular file");
-    const auto size = static_cast<std::uint64_t>(facts.st_size);
-    if (size > kLargestFileBytes) return file_error(path, "cannot be read", EFBIG);
-    std::vector<std::byte> bytes(size);
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return file_error(path, "cannot be read", errno);
-        if (got == 0) break;
-        done += static_cast<std::size_t>(got);
-    }
-    bytes.resize(done);
-    return bytes;
+    const Result<RegularFile> file = open_regular(path);
+    if (!file) return file.error();
+    if (file->size_bytes > kLargestFileBytes) return file_error(path, "cannot be read", EFBIG);
+    return read_start(*file, path, file->size_bytes);
+}
+
+Result<std::vector<std::byte>> read_file_start(const std::string& path, std::uint64_t most_bytes) {
+    const Result<RegularFile> file = open_regular(path);
+    if (!file) return file.error();
+    return read_start(*file, path, std::min(most_bytes, file->size_bytes));
 }
 
 }  // namespace psicarve

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,7 +19,9 @@ Result<void> write_file_atomically(const std::string& path, std::span<const std:
 Result<void> write_parts_atomically(const std::string& path,
                                     std::span<const std::span<const std::byte>> parts);
 
-/// The whole of a regular file, in memory.
+/// The whole of a regular file, in memory. Anything else (a pipe, a device) is refused, never waited for.
 Result<std::vector<std::byte>> read_whole_file(const std::string& path);
+/// Its first bytes: as many as it has, at most `most_bytes`.
+Result<std::vector<std::byte>> read_file_start(const std::string& path, std::uint64_t most_bytes);
 
 }  // namespace psicarve

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <type_traits>
 
+#include "shared/atomic_file.hpp"
 #include "shared/profile_table.hpp"
 
 #define TOML_EXCEPTIONS 0  // errors are values
@@ -302,14 +302,10 @@ Result<Profile> parse_profile(std::string_view toml, std::string_view file_name)
 }
 
 Result<Profile> load_profile(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return bad_input(path + ": the profile cannot be opened; check the name and its permissions");
-    // One byte more than allowed is enough to be refused; /dev/zero ends too.
-    std::string text(kProfileTextBytes + 1, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (file.bad()) return bad_input(path + ": the profile cannot be read; check the file");
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    return parse_profile(text, path);
+    // One byte more than allowed is enough to be refused.
+    const auto bytes = read_file_start(path, kProfileTextBytes + 1);
+    if (!bytes) return bytes.error();
+    return parse_profile({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path);
 }
 
 }  // namespace psicarve

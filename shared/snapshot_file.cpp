@@ -131,6 +131,11 @@ bool looks_like_snapshot(std::span<const std::byte> first_bytes) noexcept {
     return magic == kSnapshotMagic;
 }
 
+bool is_snapshot_file(const std::string& path) {
+    const auto start = read_file_start(path, sizeof(kSnapshotMagic));
+    return start && looks_like_snapshot(*start);
+}
+
 Result<Snapshot> parse_snapshot(std::span<const std::byte> bytes, const std::string& file_name) {
     if (!looks_like_snapshot(bytes)) return wrong(file_name, "is no psicarve job or snapshot file");
     SnapshotHeader header{};

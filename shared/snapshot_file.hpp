@@ -54,6 +54,8 @@ struct Snapshot {
 
 /// Says whether the file begins like one of ours (so that `carve FILE` can tell a job from a model).
 bool looks_like_snapshot(std::span<const std::byte> first_bytes) noexcept;
+/// The same of a file. One that cannot be read is none: its reader says why.
+bool is_snapshot_file(const std::string& path);
 
 /// Trusts nothing: magic, version, ABI hash, sizes, offsets, checksum, then the job blob. "FILE: what is
 /// wrong".

@@ -4,13 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <thread>
 #include <utility>
 
@@ -144,20 +142,12 @@ void add_model_options(Syntax& syntax, ModelOptions& options) {
 
 Result<Profile> chosen_profile(const CommonOptions& common) {
     if (common.profile.empty()) return Profile{};
-    if (!is_job_file(common.profile)) return load_profile(common.profile);
+    if (!is_snapshot_file(common.profile)) return load_profile(common.profile);
     const auto snapshot = load_snapshot(common.profile);
     if (!snapshot) return snapshot.error();
     const auto job = JobView::check(snapshot->job_blob);
     if (!job) return bad_input(common.profile + ": holds no job, and so no profile");
     return job_profile(*job);
-}
-
-bool is_job_file(const std::string& path) {
-    std::ifstream file{path, std::ios::binary};
-    std::array<char, 64> start{};
-    file.read(start.data(), start.size());
-    return looks_like_snapshot(
-        std::as_bytes(std::span{start}).first(static_cast<std::size_t>(file.gcount())));
 }
 
 Result<PreparedJob> job_of_snapshot(Snapshot snapshot, const std::string& path, const CommonOptions& common) {
@@ -180,7 +170,7 @@ Result<PreparedJob> job_of_snapshot(Snapshot snapshot, const std::string& path, 
 Result<PreparedJob> prepare_job(const std::string& path, const ModelOptions& options,
                                 const CommonOptions& common) {
     auto job = [&]() -> Result<PreparedJob> {
-        if (!is_job_file(path)) return slice_model(path, options, common);
+        if (!is_snapshot_file(path)) return slice_model(path, options, common);
         if (has_any(options)) {
             return Error{ErrorCode::bad_usage,
                          path + " is a job and already sliced: options for models do not apply"};

@@ -46,9 +46,6 @@ Result<PreparedJob> job_of_snapshot(Snapshot snapshot, const std::string& path, 
 /// --profile, which may be TOML or a job file; without it the built-in one.
 Result<Profile> chosen_profile(const CommonOptions& common);
 
-/// Whether the file begins like a job or snapshot. A file that cannot be read is none: its reader says why.
-bool is_job_file(const std::string& path);
-
 /// An output that cannot be written is better known before the work than after it.
 Result<void> check_output_folder(const std::string& path);
 

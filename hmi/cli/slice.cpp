@@ -49,7 +49,7 @@ std::string report_json(const PreparedJob& job, const std::string& output) {
 
 Result<int> slice(const CommonOptions& common, const Options& options) {
     if (const auto writable = check_output_folder(options.output); !writable) return writable.error();
-    if (is_job_file(options.path)) return bad_input(options.path + ": is a job already, not a model");
+    if (is_snapshot_file(options.path)) return bad_input(options.path + ": is a job already, not a model");
     auto job = prepare_job(options.path, options.model, common);
     if (!job) return job.error();
     // A job file is a snapshot without a status. The blob moves, the view's pointers into it stay good.

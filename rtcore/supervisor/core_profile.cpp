@@ -1,24 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/supervisor/core_profile.hpp"
 
-#include <array>
-#include <fstream>
-
 #include "shared/job.hpp"
 #include "shared/snapshot_file.hpp"
 
 namespace psicarve::supervisor {
-namespace {
-
-bool is_snapshot_file(const std::string& path) {
-    std::ifstream file{path, std::ios::binary};
-    std::array<char, 64> start{};
-    file.read(start.data(), start.size());
-    const auto bytes = std::as_bytes(std::span{start}).first(static_cast<std::size_t>(file.gcount()));
-    return looks_like_snapshot(bytes);
-}
-
-}  // namespace
 
 Result<Profile> load_core_profile(const std::string& path) {
     if (path.empty()) return Profile{};

@@ -52,6 +52,20 @@ protected:
         EXPECT_NE(outcome.error.find(name), std::string::npos) << outcome.error;
         EXPECT_EQ(files_in_folder(), before) << name;
     }
+
+    std::vector<std::vector<std::string>> commands_that_read(const std::string& path) const {
+        return {{"slice", path, "-o", file("out.job")},
+                {"carve", path, "--segment", segment_},
+                {"publish", path, "--segment", segment_},
+                {"replay", path},
+                {"verify", path, path},
+                {"snapshot", "info", path},
+                {"snapshot", "export", path},
+                {"snapshot", "diff", path, path},
+                {"profile", "check", path},
+                {"profile", "show", path},
+                {"status", "--segment", segment_, "--profile", path}};
+    }
 };
 
 TEST_F(BrokenInput, ModelsAreRefusedBySlice) {
@@ -73,18 +87,20 @@ TEST_F(BrokenInput, ModelsAreRefusedByCarveAndPublishBeforeAnythingIsMade) {
 }
 
 TEST_F(BrokenInput, MissingFilesAreRefusedByEveryCommandThatReads) {
-    const std::string gone = file("gone");
-    const std::vector<std::vector<std::string>> commands{{"slice", gone, "-o", file("out.job")},
-                                                         {"carve", gone, "--segment", segment_},
-                                                         {"publish", gone, "--segment", segment_},
-                                                         {"replay", gone},
-                                                         {"verify", gone, gone},
-                                                         {"snapshot", "info", gone},
-                                                         {"snapshot", "export", gone},
-                                                         {"snapshot", "diff", gone, gone},
-                                                         {"profile", "check", gone},
-                                                         {"profile", "show", gone}};
-    for (const auto& command : commands) expect_refused(command, "gone");
+    for (const auto& command : commands_that_read(file("gone"))) expect_refused(command, "gone");
+}
+
+// Opening a pipe waits for somebody to write it: a wrong name must not make a command hang.
+TEST_F(BrokenInput, PipesAndFoldersAreRefusedByEveryCommandThatReads) {
+    ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+    std::filesystem::create_directory(file("folder"));
+    for (const std::string name : {"pipe", "folder"}) {
+        for (const auto& command : commands_that_read(file(name))) expect_refused(command, name);
+        const Outcome core =
+            RunningProgram{"psicarve-rtcore", {"--segment", segment_, "--profile", file(name)}}.outcome();
+        EXPECT_EQ(core.exit_code, 3) << core.error;
+        EXPECT_NE(core.error.find(name), std::string::npos) << core.error;
+    }
 }
 
 TEST_F(BrokenInput, AModelThatIsTooTallNamesTheAxis) {

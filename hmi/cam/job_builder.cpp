@@ -121,8 +121,9 @@ void warn_about_losses(SliceReport& report) {
                                   (report.undercut_share >= 0.0005 ? "" : hint));
     }
     if (report.open_points > 0) {
-        report.warnings.push_back("the mesh is open at " + std::to_string(report.open_points) +
-                                  " of the samples; what is missing there is not carved");
+        report.warnings.push_back(
+            "the mesh is open at " + std::to_string(report.open_points) +
+            " of the samples; what is missing there is carved down to what lies behind it, or to the core");
     }
 }
 

@@ -82,9 +82,39 @@ void weld(std::vector<Edge>& edges, double tolerance) {
     }
 }
 
-}  // namespace
+/// By the hash of a vertex: the one whose place it takes.
+using Moves = std::vector<std::pair<std::uint64_t, Vertex>>;
 
-EdgeCounts count_edges(const TriangleList& triangles, double tolerance) {
+/// Of the vertices that welding makes one, all but the first move there.
+Moves moves_of(const std::vector<Edge>& edges, const std::vector<Edge>& welded) {
+    std::vector<std::pair<Vertex, Vertex>> places;  // welded, as it stands
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        places.emplace_back(welded[i].first, edges[i].first);
+        places.emplace_back(welded[i].second, edges[i].second);
+    }
+    std::sort(places.begin(), places.end());
+    Moves moves;
+    Vertex first{};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (i == 0 || places[i].first != places[i - 1].first) first = places[i].second;
+        if (places[i].second != first) moves.emplace_back(vertex_hash(places[i].second), first);
+    }
+    std::sort(moves.begin(), moves.end());
+    return moves;
+}
+
+void move_vertices(TriangleList& triangles, const Moves& moves) {
+    for (Triangle& t : triangles) {
+        for (Vertex& v : t.vertices) {
+            const std::uint64_t hash = vertex_hash(v);
+            const auto move = std::lower_bound(moves.begin(), moves.end(), hash,
+                                               [](const auto& m, std::uint64_t h) { return m.first < h; });
+            if (move != moves.end() && move->first == hash) v = move->second;
+        }
+    }
+}
+
+EdgeCounts count_all(const TriangleList& triangles, std::vector<std::uint64_t>& bad) {
     std::vector<std::uint64_t> keys;
     keys.reserve(triangles.size() * 3);
     for (const Triangle& t : triangles) {
@@ -92,20 +122,28 @@ EdgeCounts count_edges(const TriangleList& triangles, double tolerance) {
             if (key != 0) keys.push_back(key);
         }
     }
+    return count_keys(keys, bad);
+}
+
+}  // namespace
+
+EdgeCounts count_edges(const TriangleList& triangles) {
     std::vector<std::uint64_t> bad;
-    const EdgeCounts counts = count_keys(keys, bad);
+    return count_all(triangles, bad);
+}
+
+EdgeCounts join_torn_edges(TriangleList& triangles, double tolerance) {
+    std::vector<std::uint64_t> bad;
+    const EdgeCounts counts = count_all(triangles, bad);
     if (bad.empty() || !(tolerance > 0.0)) return counts;
     // Only where something is wrong can rounding be the reason, and few vertices are welded more surely than
     // many.
-    std::vector<Edge> edges = edges_of(triangles, bad);
-    weld(edges, tolerance);
-    keys.clear();
-    for (const auto& [from, to] : edges) {
-        if (const std::uint64_t key = key_of(vertex_hash(from), vertex_hash(to)); key != 0)
-            keys.push_back(key);
-    }
-    bad.clear();
-    return count_keys(keys, bad);
+    const std::vector<Edge> edges = edges_of(triangles, bad);
+    std::vector<Edge> welded = edges;
+    weld(welded, tolerance);
+    const Moves moves = moves_of(edges, welded);
+    if (!moves.empty()) move_vertices(triangles, moves);
+    return moves.empty() ? counts : count_edges(triangles);
 }
 
 }  // namespace psicarve::model

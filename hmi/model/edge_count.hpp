@@ -12,8 +12,11 @@ struct EdgeCounts {
     std::uint64_t turned = 0;  ///< whose facets disagree about what is outside
 };
 
-/// Counts the edges at which a mesh is not closed or not turned alike. Vertices nearer to each other than
-/// `tolerance` on each axis are one there: what an exporter's rounding tears apart is no hole.
-EdgeCounts count_edges(const TriangleList& triangles, double tolerance);
+/// Counts the edges at which a mesh is not closed or not turned alike.
+EdgeCounts count_edges(const TriangleList& triangles);
+
+/// The same, but vertices of such edges that are nearer to each other than `tolerance` on each axis are made
+/// one before: what an exporter's rounding tears apart is no hole. No other vertex is moved.
+EdgeCounts join_torn_edges(TriangleList& triangles, double tolerance);
 
 }  // namespace psicarve::model

@@ -20,7 +20,7 @@ static_assert(sizeof(Triangle) == 36);
 using TriangleList = std::vector<Triangle, UnsetAllocator<Triangle>>;
 
 /// What was seen in a mesh while it was read. Nothing is repaired; only facets that stand there twice are
-/// taken once.
+/// taken once, and vertices that rounding tore apart are joined.
 struct MeshFacts {
     std::uint64_t dropped_count = 0;         ///< facets with a NaN or infinite coordinate, left out
     std::uint64_t degenerate_count = 0;      ///< facets without area, kept

@@ -74,7 +74,7 @@ void count_flaws(Mesh& mesh) {
     if (facts.closed && facts.same_orientation) return;
     double size = 0.0;
     for (std::size_t k = 0; k < 3; ++k) size = std::max(size, facts.max[k] - facts.min[k]);
-    const EdgeCounts counts = count_edges(mesh.triangles, kWeldRatio * size);
+    const EdgeCounts counts = join_torn_edges(mesh.triangles, kWeldRatio * size);
     facts.open_edge_count = counts.open;
     facts.turned_edge_count = counts.turned;
     facts.closed = counts.open == 0;
@@ -93,11 +93,11 @@ void write_warnings(Mesh& mesh) {
                       " with a NaN or infinite coordinate left out");
     }
     if (!facts.closed) {
-        out.push_back("the mesh has holes: " +
-                      (facts.open_edge_count > 0
-                           ? counted(facts.open_edge_count, "edge belongs", "edges belong")
-                           : std::string("some edges belong")) +
-                      " to an odd number of facets; nothing is carved in a hole");
+        out.push_back(
+            "the mesh has holes: " +
+            (facts.open_edge_count > 0 ? counted(facts.open_edge_count, "edge belongs", "edges belong")
+                                       : std::string("some edges belong")) +
+            " to an odd number of facets; a hole is carved down to what lies behind it, or to the core");
     }
     if (facts.turned_edge_count > 0) {
         out.push_back("some facets are flipped: along " + counted(facts.turned_edge_count, "edge", "edges") +

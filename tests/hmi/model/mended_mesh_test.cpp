@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "hmi/model/edge_count.hpp"
 #include "hmi/model/load_mesh.hpp"
 #include "hmi/model/mesh.hpp"
 #include "tests/hmi/model/mesh_files.hpp"
@@ -101,6 +102,20 @@ TEST(Holes, WhatRoundingTearsApartIsNone) {
         EXPECT_TRUE(sut.facts.closed) << noise;
         EXPECT_THAT(sut.warnings, IsEmpty()) << noise;
     }
+}
+
+// Else a direction that falls into the tear would meet no surface and be carved down to the core.
+TEST(Holes, WhatRoundingTearsApartIsJoined) {
+    for (const double noise : {1e-15, 1e-12, 1e-9, 5e-7}) {
+        const Mesh sut = loaded(mesh_files::binary_stl(shaken(cylinder(), noise)));
+        EXPECT_EQ(count_edges(sut.triangles).open, 0U) << noise;
+    }
+}
+
+TEST(Holes, BesideAHoleWhatRoundingTearsApartIsJoinedToo) {
+    Mesh mesh = shaken(cylinder(), 1e-9);
+    mesh.triangles.erase(mesh.triangles.begin() + 8);
+    EXPECT_EQ(count_edges(loaded(mesh_files::binary_stl(mesh)).triangles).open, 3U);
 }
 
 TEST(Holes, AGapThatIsWiderThanRoundingIsOne) {

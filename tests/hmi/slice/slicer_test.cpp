@@ -9,10 +9,12 @@
 #include <numbers>
 #include <vector>
 
+#include "hmi/model/load_mesh.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/slice/directions.hpp"
 #include "hmi/slice/placement.hpp"
 #include "shared/result.hpp"
+#include "tests/hmi/model/mesh_files.hpp"
 #include "tests/hmi/model/shapes.hpp"
 
 namespace psicarve::slice {
@@ -110,6 +112,28 @@ TEST(LayerTotals, HaveNoOpenCellsWhereVerticesLieOnDirectionsAndLayers) {
 TEST(LayerTotals, HaveNoOpenCellsWhereTheAxisLiesOnTheSurface) {
     EXPECT_EQ(slice_all(shapes::box({0, 0, 0}, {5, 5, 5}), 5, 90).open_cells(), 0U);
     EXPECT_EQ(slice_all(shapes::box({-5, 0, 0}, {5, 5, 5}), 5, 90).open_cells(), 0U);
+}
+
+// sin(2 pi) is not 0: what the first and the last column of such a mesh have in common is not equal bit for
+// bit.
+TEST(RadialMap, HasNoGapWhereRoundingToreASeam) {
+    constexpr std::size_t kColumns = 40;
+    const auto at = [](std::size_t row, std::size_t column) {
+        const double turn = 2.0 * std::numbers::pi * static_cast<double>(column) / kColumns;
+        return shapes::Point{10.0 * std::cos(turn), 10.0 * std::sin(turn), static_cast<double>(row)};
+    };
+    shapes::Builder torn;
+    for (std::size_t column = 0; column < kColumns; ++column) {
+        torn.quad(at(0, column), at(0, column + 1), at(5, column + 1), at(5, column));
+        torn.facet({0, 0, 0}, at(0, column + 1), at(0, column));
+        torn.facet({0, 0, 5}, at(5, column), at(5, column + 1));
+    }
+    const mesh_files::Folder folder;
+    const auto mesh = model::load_mesh(folder.write("torn.stl", mesh_files::binary_stl(torn.mesh())));
+    ASSERT_TRUE(mesh.has_value()) << mesh.error().message;
+    const Sliced sut = slice_all(*mesh, 5, 41);
+    EXPECT_EQ(sut.open_cells(), 0U);
+    for (std::size_t layer = 0; layer < 5; ++layer) EXPECT_NEAR(sut.radius(layer, 0), 10.0, 1e-5) << layer;
 }
 
 TEST(LayerTotals, CountOpenCellsWhereAFacetIsMissing) {

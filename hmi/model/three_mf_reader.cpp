@@ -18,6 +18,7 @@
 #include "hmi/model/file_bytes.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/model/mesh_check.hpp"
+#include "hmi/model/three_mf_unit.hpp"
 #include "shared/result.hpp"
 
 namespace psicarve::model {
@@ -28,8 +29,10 @@ class SceneWalk {
 public:
     SceneWalk(const aiScene& scene, Mesh& mesh) : scene_(scene), mesh_(mesh) {}
 
-    void run() {
-        walk(*scene_.mRootNode, aiMatrix4x4());
+    void run(const ThreeMfUnit& unit) {
+        aiMatrix4x4 in_mm;
+        aiMatrix4x4::Scaling(aiVector3D(static_cast<float>(unit.mm)), in_mm);
+        walk(*scene_.mRootNode, in_mm);
         mesh_.facts = check_.facts(mesh_.origin);
     }
 
@@ -72,11 +75,13 @@ Result<Mesh> import(const InputFile& file, const std::vector<char>& bytes) {
     // No post-processing: 3MF holds triangles alone, and Assimp's steps end the process on empty meshes.
     const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "3mf");
     Mesh mesh;
-    mesh.format = "3MF";
+    const ThreeMfUnit unit = three_mf_unit(file.path());
+    mesh.format = unit.mm == 1.0 ? "3MF" : "3MF in units of a " + unit.name;
     if (scene == nullptr || scene->mRootNode == nullptr) {
-        return bad_input(file.path() + ": not a readable 3MF file: " + first_line(importer.GetErrorString()));
+        const std::string why = first_line(importer.GetErrorString());
+        return bad_input(file.path() + ": not a readable 3MF file" + (why.empty() ? "" : ": " + why));
     }
-    SceneWalk(*scene, mesh).run();
+    SceneWalk(*scene, mesh).run(unit);
     return mesh;
 }
 

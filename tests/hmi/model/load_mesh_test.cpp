@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "hmi/model/mesh.hpp"
 #include "shared/result.hpp"
@@ -65,6 +67,21 @@ TEST(LoadMesh, ReadsOff) {
 }
 TEST(LoadMesh, Reads3mfWhereItsBuildPlacesIt) {
     expect_spring("a.3mf", mesh_files::three_mf(spring()), "3MF", 5.0);
+}
+
+TEST(LoadMesh, Reads3mfInTheUnitItNames) {
+    const std::vector<std::pair<std::string, double>> heights_mm{
+        {"unit=\"inch\"", 25.4},    {"xml:lang=\"en\" unit='centimeter'", 10.0},
+        {"unit=\"micron\"", 0.001}, {"unit=\"foot\"", 304.8},
+        {"unit=\"meter\"", 1000.0}, {"", 1.0},
+        {"unit=\"cubit\"", 1.0}};
+    const double height = spring().facts.max[2] - spring().facts.min[2];
+    const Folder folder;
+    for (const auto& [unit, mm] : heights_mm) {
+        const auto sut = load_mesh(folder.write("a.3mf", mesh_files::three_mf(spring(), unit)));
+        ASSERT_TRUE(sut.has_value()) << unit << sut.error().message;
+        EXPECT_NEAR((sut->facts.max[2] - sut->facts.min[2]) / (height * mm), 1.0, 1e-6) << unit;
+    }
 }
 
 TEST(LoadMesh, ReadsBinaryPlyOfBothByteOrders) {

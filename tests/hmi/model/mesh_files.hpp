@@ -187,10 +187,12 @@ private:
 };
 
 /// One object, moved by 5 in x where the build places it.
-inline std::string three_mf(const model::Mesh& mesh) {
+inline std::string three_mf(const model::Mesh& mesh, const std::string& unit = "unit=\"millimeter\"") {
     std::string xml =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">"
+        "<model " +
+        unit +
+        " xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">"
         "<resources><object id=\"1\" type=\"model\"><mesh><vertices>";
     for (const auto& t : mesh.triangles) {
         for (const auto& v : t.vertices) {

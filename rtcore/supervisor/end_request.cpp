@@ -23,6 +23,7 @@ EndRequest::EndRequest() {
     sigemptyset(&action.sa_mask);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
     signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is a full disk, and no reason to die in motion
 }
 
 EndRequest::Progress EndRequest::poll(Supervisor& supervisor) {

@@ -89,12 +89,16 @@ Result<FdWriter> FdWriter::open(const std::string& path) {
 FdWriter::FdWriter(int fd, std::string name)
     : fd_(fd), name_(std::move(name)), buffer_(std::make_unique<std::uint8_t[]>(kBufferBytes)) {
     struct stat status {};
-    may_break_ = fstat(fd, &status) != 0 || S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode);
+    const bool is_known = fstat(fd, &status) == 0;
+    may_break_ = !is_known || S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode);
+    is_named_ = is_known && S_ISREG(status.st_mode) && name_ != "-" && !name_.starts_with("fd:");
 }
 
 FdWriter::FdWriter(FdWriter&& other) noexcept
     : fd_(std::exchange(other.fd_, -1)),
       may_break_(other.may_break_),
+      is_named_(other.is_named_),
+      is_removed_(other.is_removed_),
       failed_errno_(other.failed_errno_),
       error_taken_(other.error_taken_),
       name_(std::move(other.name_)),
@@ -134,6 +138,7 @@ void FdWriter::write_out(const std::uint8_t* bytes, std::size_t count) noexcept 
         if (written < 0 && errno == EINTR) continue;
         if (written <= 0) {
             failed_errno_ = written < 0 ? errno : EIO;
+            if (is_named_) remove_file();
             return;
         }
         bytes += written;
@@ -141,12 +146,24 @@ void FdWriter::write_out(const std::uint8_t* bytes, std::size_t count) noexcept 
     }
 }
 
+/// Unless the name stands for another file by now.
+void FdWriter::remove_file() noexcept {
+    struct stat ours {};
+    struct stat named {};
+    const bool is_ours = fstat(fd_, &ours) == 0 && ::lstat(name_.c_str(), &named) == 0 &&
+                         ours.st_dev == named.st_dev && ours.st_ino == named.st_ino;
+    is_removed_ = is_ours && ::unlink(name_.c_str()) == 0;
+    if (is_removed_) ::close(std::exchange(fd_, -1));  // else its room would stay taken
+}
+
 std::optional<Error> FdWriter::take_error() {
     if (failed_errno_ == 0 || error_taken_) return std::nullopt;
     error_taken_ = true;
     const bool is_full = failed_errno_ == ENOSPC || failed_errno_ == EDQUOT || failed_errno_ == EFBIG;
     return Error{is_full ? ErrorCode::out_of_room : ErrorCode::bad_input,
-                 "trace " + name_ + ": " + words_for(failed_errno_) + "; it ends there and is not complete"};
+                 "trace " + name_ + ": " + words_for(failed_errno_) +
+                     (is_removed_ ? "; what there was of it is not complete and was removed"
+                                  : "; it ends there and is not complete")};
 }
 
 }  // namespace psicarve::trace

@@ -13,7 +13,8 @@
 namespace psicarve::trace {
 
 /// Buffered writing to a file descriptor of our own. A failed write (disk full, reader gone) is kept as one
-/// error, after which everything is dropped: never a signal, never a crash.
+/// error, after which everything is dropped: never a signal, never a crash. A file that we made under a name
+/// is removed then: a part that looks like a whole helps nobody, and a full disk needs the room.
 class FdWriter {
 public:
     /// As open_trace: a path, "-", "fd:N".
@@ -40,11 +41,14 @@ public:
 
 private:
     FdWriter(int fd, std::string name);
+    void remove_file() noexcept;
     void write_out(const std::uint8_t* bytes, std::size_t count) noexcept;
 
     static constexpr std::size_t kBufferBytes = std::size_t{256} * 1024;
     int fd_;
     bool may_break_;  ///< a pipe or socket: its reader can go away
+    bool is_named_;   ///< a regular file that we opened by its name
+    bool is_removed_ = false;
     int failed_errno_ = 0;
     bool error_taken_ = false;
     std::string name_;

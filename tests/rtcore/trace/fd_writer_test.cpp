@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
@@ -60,6 +61,53 @@ TEST_F(FdWriterTest, FullDiskIsOneErrorAndNothingElse) {
     EXPECT_EQ(error->code, ErrorCode::out_of_room);
     EXPECT_NE(error->message.find("/dev/full"), std::string::npos);
     EXPECT_FALSE(sut.take_error()) << "said once";
+}
+
+/// Files of this process can grow no further than this while it lives: a disk that is full.
+class FileSizeLimit {
+public:
+    explicit FileSizeLimit(rlim_t bytes) : former_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &former_);
+        const rlimit limit{bytes, former_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() {
+        setrlimit(RLIMIT_FSIZE, &former_);
+        std::signal(SIGXFSZ, former_handler_);
+    }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+private:
+    using Handler = void (*)(int);
+    Handler former_handler_;
+    rlimit former_{};
+};
+
+TEST_F(FdWriterTest, FullDiskLeavesNoPartOfAFile) {
+    const FileSizeLimit limit{10'000};
+    FdWriter sut = FdWriter::open(path("out")).value();
+    sut.write(std::string(8'000, 'x'));
+    sut.flush();
+    ASSERT_TRUE(std::filesystem::exists(path("out")));
+    sut.write(std::string(4'000, 'x'));
+    sut.flush();
+    EXPECT_FALSE(std::filesystem::exists(path("out")));
+    const auto error = sut.take_error();
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->code, ErrorCode::out_of_room);
+    EXPECT_NE(error->message.find("was removed"), std::string::npos) << error->message;
+}
+
+TEST_F(FdWriterTest, FullDiskLeavesAnotherFileThatHasGotTheName) {
+    const FileSizeLimit limit{10'000};
+    FdWriter sut = FdWriter::open(path("out")).value();
+    std::filesystem::rename(path("out"), path("moved"));
+    { FdWriter::open(path("out")).value().write("precious"); }
+    sut.write(std::string(12'000, 'x'));
+    sut.flush();
+    EXPECT_TRUE(sut.take_error());
+    EXPECT_EQ(content(path("out")), "precious");
 }
 
 TEST_F(FdWriterTest, WritesToAPipeThatAParentReads) {

@@ -8,8 +8,8 @@
 namespace psicarve::plan {
 namespace {
 
-// Steps double away from a tight corner; so many reach from 1/256 of a span to its middle.
-constexpr std::size_t kMostNodesToTheMiddle = 9;
+// Steps double away from a tight corner; so many reach from 1/8192 of half a span to its middle.
+constexpr std::size_t kMostNodesToTheMiddle = 14;
 // Where a tight corner is, this many steps make up each half of the turn.
 constexpr double kStepsInATurn = 2.0;
 // Where speeds change much within a span: cells so short that they are known everywhere.
@@ -29,7 +29,7 @@ struct Grading {
 
 Grading graded(double radius, double half) {
     Grading grading;
-    double step = std::max(radius / kStepsInATurn, half / 256.0);
+    double step = std::max(radius / kStepsInATurn, half / 8192.0);
     double at = step;
     for (bool is_first = true; at < 0.75 * half && grading.count < kMostNodesToTheMiddle; is_first = false) {
         grading.at[grading.count++] = at;
@@ -116,7 +116,7 @@ private:
     // With backlash there is no run-up against the way: every turn would have to cross the gap.
     double tolerance_pulses(std::size_t axis) const {
         if (limits_.tick.axes[axis].backlash_pulses > 0) return kLeastBeyondPulses;
-        if (axis == index_of(Axis::psi)) return 1.0;
+        if (axis == index_of(Axis::psi)) return kMostTurnPulses;
         return std::max(1.0, kBeyondShare * limits_.path_tolerance_mm * limits_.axes[axis].pulses_per_unit);
     }
     void add(const Lanes& low, const Lanes& high, std::size_t span, std::uint32_t point) {

@@ -10,9 +10,6 @@
 namespace psicarve::plan {
 namespace {
 
-// Rounding to whole pulses moves a point by this much; less of a tube would force the steps of the rounding
-// upon the motors.
-constexpr double kLeastBandPulses = 0.5;
 // Over so many pulses the rounding of a span's ends hardly bends it.
 constexpr double kRoughPulses = 8.0;
 // Not quite half a pulse: the curve is to be rounded to the point, not beside it.
@@ -20,7 +17,7 @@ constexpr double kEndBandPulses = 0.45;
 // The share of the tolerance that the table's own deviation may use up.
 constexpr double kPsiShare = 0.25;
 // The tube is looked at in the nodes; between them the curve may go a little further.
-constexpr double kTubeShare = 0.94;
+constexpr double kTubeShare = 0.93;
 constexpr double kFlankShare = 0.75;
 
 constexpr std::size_t kPsi = index_of(Axis::psi);
@@ -77,11 +74,7 @@ PathSpan span_between(const MachineLimits& limits, const Pulses4& from, const Pu
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         span.slope[k] = static_cast<double>(delta_pulses[k]) / span.length;
     }
-    for (std::size_t head = 0; head < 2; ++head) {
-        span.radius_mm[head] =
-            mm_from_pulses(std::max(from[head], to[head]), limits.axes[head].pulses_per_unit) +
-            limits.tip_offset_mm[head];
-    }
+    span.radius_mm = greatest_radii_mm(limits, from, to);
     set_bands(limits, delta_pulses, span);
     return span;
 }
@@ -122,6 +115,20 @@ bool crosses_gap(const MachineLimits& limits, const PathSpan& span, Ways& ways) 
 }
 
 }  // namespace
+
+std::array<double, 2> greatest_radii_mm(const MachineLimits& limits, const Pulses4& from, const Pulses4& to) {
+    std::array<double, 2> radii_mm{};
+    for (std::size_t head = 0; head < 2; ++head) {
+        radii_mm[head] = mm_from_pulses(std::max(from[head], to[head]), limits.axes[head].pulses_per_unit) +
+                         limits.tip_offset_mm[head];
+    }
+    return radii_mm;
+}
+
+bool cuts_follow_table(const MachineLimits& limits, const std::array<double, 2>& radius_mm) {
+    return std::max(radius_mm[0], radius_mm[1]) * rad_from_pulses(1, limits.pulses_per_rev) <
+           limits.path_tolerance_mm;
+}
 
 double stop_speed2(const MachineLimits& limits, const PathSpan& span, const PathSpan* across) {
     double speed2 = 1.0;

@@ -14,6 +14,13 @@ namespace psicarve::plan {
 /// One number for each axis.
 using Lanes = std::array<double, kAxisCount>;
 
+/// Rounding to whole pulses moves a point by this much; less of a tube would force the steps of the rounding
+/// upon the motors.
+inline constexpr double kLeastBandPulses = 0.5;
+
+/// The table turning back by less is lost in the rounding of the cuts.
+inline constexpr double kMostTurnPulses = 0.5;
+
 /// A position that the machine passes exactly.
 struct PathPoint {
     Pulses4 pulses;
@@ -46,6 +53,13 @@ struct PathCorner {
     bool is_tight;  ///< the tube lets the curve turn over a part of the spans only
     double radius;  ///< half the length over which the tube lets the curve turn, in u [s]
 };
+
+/// By head: where its tip is at the larger of two radii.
+std::array<double, 2> greatest_radii_mm(const MachineLimits& limits, const Pulses4& from, const Pulses4& to);
+/// Whether a span is cut where the curve has the table: where the table's pulses are coarser than the
+/// tolerance, rounding the curve could leave the chord by more than the tolerance and a pulse; rounding the
+/// chord does not.
+bool cuts_follow_table(const MachineLimits& limits, const std::array<double, 2>& radius_mm);
 
 /// How fast one may leave or reach a stop, as the square of du/dt along this span: every axis within its
 /// start-stop speed, or half of that where it turns back.

@@ -19,6 +19,13 @@ constexpr std::size_t kMostBitsInALine = 16;
 
 }  // namespace
 
+std::size_t bits_in(const PathCell& cell, double length) {
+    double bend = 0.0;
+    for (const double of_axis : cell.bend) bend = std::max(bend, std::abs(of_axis));
+    const double error_pulses = bend * length * length / 8.0;
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(std::sqrt(error_pulses / kBitErrorPulses))));
+}
+
 PieceMaker::PieceMaker(const MachineLimits& limits, std::span<const PathPoint> points,
                        std::uint32_t first_point, const Lanes& start, std::vector<PathPiece>& pieces)
     : limits_(limits),
@@ -40,13 +47,11 @@ void PieceMaker::begin_cell(const PathCell& cell, const Lanes& at, const Timings
 
 void PieceMaker::add(double from, double to, std::uint32_t point) {
     const double length = to - from;
-    double error = 0.0;
-    for (const double bend : cell_->bend) error = std::max(error, std::abs(bend) * length * length / 8.0);
-    const double count = std::max(1.0, std::ceil(std::sqrt(error / kBitErrorPulses)));
-    const auto last = static_cast<std::size_t>(count) - 1;
-    for (std::size_t i = 0; i <= last; ++i) {
-        const double begin = from + length * (static_cast<double>(i) / count);
-        add_bit(begin, i == last ? to : from + length * (static_cast<double>(i + 1) / count));
+    const std::size_t count = bits_in(*cell_, length);
+    const double share = 1.0 / static_cast<double>(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double begin = from + length * (static_cast<double>(i) * share);
+        add_bit(begin, i + 1 == count ? to : from + length * (static_cast<double>(i + 1) * share));
     }
     if (point != PathPiece::kNoPoint) flush(point);
 }
@@ -101,22 +106,14 @@ void PieceMaker::keep_way(std::uint32_t point, Pulses4& pulses) const {
     }
 }
 
-// Where pulses of psi are coarser than the tolerance, rounding the curve could leave the chord by more than
-// the tolerance and a pulse; rounding the chord does not.
 Pulses4 PieceMaker::cut_at(std::size_t end, std::uint32_t point) const {
     constexpr std::size_t kPsi = index_of(Axis::psi);
     Pulses4 pulses;
     for (std::size_t k = 0; k < kAxisCount; ++k) pulses[k] = round_to_pulse(bits_[end - 1].end[k]);
     const Pulses4& from = points_[last_point_].pulses;
     const Pulses4& to = points_[point].pulses;
-    double radius_mm = 0.0;
-    for (std::size_t head = 0; head < 2; ++head) {
-        radius_mm = std::max(
-            radius_mm, mm_from_pulses(std::max(from[head], to[head]), limits_.axes[head].pulses_per_unit) +
-                           limits_.tip_offset_mm[head]);
-    }
     keep_way(point, pulses);
-    if (radius_mm * rad_from_pulses(1, limits_.pulses_per_rev) < limits_.path_tolerance_mm) return pulses;
+    if (cuts_follow_table(limits_, greatest_radii_mm(limits_, from, to))) return pulses;
     double length = 0.0;
     double part = 0.0;
     for (std::size_t i = 0; i < bits_.size(); ++i) {

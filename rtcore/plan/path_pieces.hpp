@@ -30,6 +30,10 @@ struct PathPiece {
     std::uint32_t point;  ///< index of the path point it reaches, or kNoPoint
 };
 
+/// Into how many bits of equal length a part of a cell is cut, each as good as straight: DDA segments end at
+/// such bits' ends alone.
+std::size_t bits_in(const PathCell& cell, double length);
+
 /// Cuts a timed curve into DDA segments: one from point to point where a straight line at an even
 /// acceleration stays within half a pulse of the curve at every instant, more where it does not.
 class PieceMaker {

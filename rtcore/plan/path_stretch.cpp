@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "rtcore/plan/curve_check.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::plan {
@@ -10,8 +11,10 @@ namespace {
 
 // Speeds are looked at in five places of a cell; between them they may be a little higher.
 constexpr double kSpeedShare = 0.998;
+// A curve that leaves its tube between the nodes is fitted again; once is enough as a rule.
+constexpr int kMostFits = 5;
 // Whole pulses in whole ticks shake a little.
-constexpr double kAccelShare = 0.99;
+constexpr double kAccelShare = 0.985;
 
 Lanes accel_of(const MachineLimits& limits) {
     Lanes accel;
@@ -30,9 +33,7 @@ StretchPlanner::StretchPlanner(const MachineLimits& limits)
 double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const PathSpan> spans,
                             std::span<const PathCorner> corners, std::size_t first, std::size_t last,
                             std::vector<PathPiece>& pieces) {
-    const CurveNodes nodes = curve_nodes(limits_, points, spans, corners, first, last);
-    fit_.solve(nodes);
-    make_cells(nodes);
+    const CurveNodes nodes = fit(points, spans, corners, first, last);
     limit_speeds();
     const PathSpan* before = first > 0 ? &spans[first - 1] : nullptr;
     const PathSpan* after = last < spans.size() ? &spans[last] : nullptr;
@@ -57,15 +58,30 @@ double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const P
         seconds += cell_seconds(cells_[i].length, speed2_[0][i], speed2_[0][i + 1]);
     }
     add_pieces(points, nodes, pieces);
-
     return seconds;
 }
 
-void StretchPlanner::make_cells(const CurveNodes& nodes) {
-    const std::vector<Lanes>& control = fit_.control();
+// The tube is looked at in the nodes; where the curve leaves it in between, the tube is narrowed and the
+// curve fitted again.
+CurveNodes StretchPlanner::fit(std::span<const PathPoint> points, std::span<const PathSpan> spans,
+                               std::span<const PathCorner> corners, std::size_t first, std::size_t last) {
+    narrowed_.resize(spans.size());
+    for (std::size_t span = first; span < last; ++span) narrowed_[span] = spans[span];
+    CurveNodes nodes = curve_nodes(limits_, points, narrowed_, corners, first, last);
+    for (int fits = 1;; ++fits) {
+        fit_.solve(nodes);
+        cells_of(nodes, fit_.control(), cells_, cell_at_);
+        if (fits == kMostFits || !narrow_where_outside(limits_, points, {nodes, cells_, cell_at_}, narrowed_))
+            return nodes;
+        nodes = curve_nodes(limits_, points, narrowed_, corners, first, last);
+    }
+}
+
+void cells_of(const CurveNodes& nodes, std::span<const Lanes> control, std::vector<PathCell>& cells,
+              std::vector<Lanes>& cell_at) {
     const std::size_t last = nodes.step.size() - 1;
-    cells_.clear();
-    cell_at_.clear();
+    cells.clear();
+    cell_at.clear();
     Lanes slope{};
     Lanes at = control.front();
     for (std::size_t j = 0; j <= last; ++j) {
@@ -78,8 +94,8 @@ void StretchPlanner::make_cells(const CurveNodes& nodes) {
             cell.slope_end[k] = next;
             cell.bend[k] = (cell.slope_end[k] - cell.slope_begin[k]) / cell.length;
         }
-        cells_.push_back(cell);
-        cell_at_.push_back(at);
+        cells.push_back(cell);
+        cell_at.push_back(at);
         for (std::size_t k = 0; k < kAxisCount; ++k) {
             at[k] += 0.5 * cell.length * (cell.slope_begin[k] + cell.slope_end[k]);
         }

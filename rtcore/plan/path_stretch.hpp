@@ -15,6 +15,10 @@
 
 namespace psicarve::plan {
 
+/// The parabolas of a B-spline, one a node, and where each begins [pulses].
+void cells_of(const CurveNodes& nodes, std::span<const Lanes> control, std::vector<PathCell>& cells,
+              std::vector<Lanes>& cell_at);
+
 /// Makes a path of points into timed pieces: curve, timing, cuts. Keeps its memory from stretch to stretch.
 class StretchPlanner {
 public:
@@ -26,10 +30,9 @@ public:
                 std::span<const PathCorner> corners, std::size_t first, std::size_t last,
                 std::vector<PathPiece>& pieces);
 
-    const CurveFit& fit() const noexcept { return fit_; }
-
 private:
-    void make_cells(const CurveNodes& nodes);
+    CurveNodes fit(std::span<const PathPoint> points, std::span<const PathSpan> spans,
+                   std::span<const PathCorner> corners, std::size_t first, std::size_t last);
     void limit_speeds();
     double greatest_speed2(const Lanes& slope, const Lanes& at, std::size_t timing) const;
     void add_pieces(std::span<const PathPoint> points, const CurveNodes& nodes,
@@ -40,6 +43,7 @@ private:
     double rad_per_pulse_ = 0.0;
     CurveFit fit_;
     SpeedProfile timing_;
+    std::vector<PathSpan> narrowed_;
     std::vector<PathCell> cells_;
     std::vector<Lanes> cell_at_;  ///< position at each cell's begin [pulses]
     std::array<std::vector<double>, kTimingCount> bound2_;

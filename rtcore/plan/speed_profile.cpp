@@ -12,11 +12,11 @@ namespace {
 constexpr double kLeastSpeed2 = 1e-12;
 // Rows that meet in a corner do so but for rounding.
 constexpr double kSame = 1e-12;
-// What an axis may accelerate at a cell's ends, as a share of what it may in the middle, see the header.
+// Of an axis' acceleration at a cell's ends over that in the middle, see the header.
 constexpr double kMostExcess = 0.25;
 // So far the swing from less to more than the mean may take the axis off, in a cell of the time t = length:
 // excess * a * t^2 / 62.4.
-constexpr double kExcessPulses = 0.1;
+constexpr double kExcessPulses = 0.02;
 constexpr double kSwing = 62.4;
 constexpr std::size_t kMostRows = 6 * kAxisCount + 3;
 
@@ -39,9 +39,7 @@ public:
             if (first == 0.0 && last == 0.0) continue;
             const double middle = 0.5 * (first + last);
             add(0.5 * bend - middle, 0.5 * bend + middle);
-            const double excess =
-                std::min(kMostExcess, kSwing * kExcessPulses * inverse / (cell.length * cell.length));
-            const double weight = 1.0 / (1.0 + excess);
+            const double weight = 1.0 / greatest_end_share(cell.length, inverse);
             add((bend - first) * weight, first * weight);
             add(-last * weight, (bend + last) * weight);
         }
@@ -172,6 +170,10 @@ void SpeedProfile::solve(std::span<const PathCell> cells, std::span<const double
         const CellRows rows(cells[i], inverse_accel_, inner_speed2[i]);
         speed2[i + 1] = std::max(kLeastSpeed2, rows.greatest_end(speed2[i], reachable2_[i + 1]));
     }
+}
+
+double greatest_end_share(double length, double inverse_accel) {
+    return 1.0 + std::min(kMostExcess, kSwing * kExcessPulses * inverse_accel / (length * length));
 }
 
 double cell_seconds(double length, double begin_speed2, double end_speed2) {

@@ -24,7 +24,7 @@ using InnerSpeeds2 = std::array<double, 3>;
 /// The fastest timing of a chain of cells: x = (du/dt)^2 at every cell bound, linear in between, with
 ///
 ///     |q' * x' / 2 + q'' * x| <= a_k          in the middle of every cell: its mean acceleration
-///                             <= 1.25 a_k     at its ends, less in long cells: a tenth of a pulse at most
+///                             <= 1.25 a_k     at its ends, less in long cells: a fiftieth of a pulse at most
 ///     x <= the limits at the cells' ends and in between
 ///
 /// The left side is linear in u. In a curve whose q'' changes evenly the cells' steps of q'' would cost time
@@ -45,6 +45,9 @@ private:
     Lanes inverse_accel_;
     std::vector<double> reachable2_;
 };
+
+/// What an axis may accelerate at a cell's ends, as a share of what it may in the middle.
+double greatest_end_share(double length, double inverse_accel);
 
 /// Seconds that a cell takes between these speeds.
 double cell_seconds(double length, double begin_speed2, double end_speed2);

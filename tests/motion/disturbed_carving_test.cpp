@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -79,6 +80,29 @@ TEST_P(Shapes, ObeyTheFourRulesThroughThirtyRandomHoldsResumesAndOverrides) {
 
 INSTANTIATE_TEST_SUITE_P(DisturbedCarving, Shapes, ::testing::Range(std::size_t{0}, std::size_t{4}),
                          [](const auto& named) { return std::string{sample_shapes()[named.param].name}; });
+
+/// Heads that run down steep steps for seconds while the table has next to nothing to do.
+double cliff_mm(double direction, std::uint32_t) {
+    return std::sin(2.0 * direction + 0.4) > 0.0 ? 11.0 : 3.0 + 0.5 * std::sin(9.0 * direction);
+}
+
+class FineShapes : public ::testing::TestWithParam<std::size_t> {};
+
+// As dense as tables are: half a hundred pulses from point to point, curves that use up their tubes.
+TEST_P(FineShapes, ObeyTheFourRules) {
+    const Profile profile = fine_profile();
+    const Carved result = carved(profile, table_of(profile, sample_shapes()[GetParam()].shape, 2, 500));
+    EXPECT_TRUE(result.report.ok) << verify::report_text(result.report);
+}
+
+INSTANTIATE_TEST_SUITE_P(FineMachine, FineShapes, ::testing::Range(std::size_t{0}, std::size_t{4}),
+                         [](const auto& named) { return std::string{sample_shapes()[named.param].name}; });
+
+TEST(FineMachine, CliffsObeyTheFourRulesAndNoMotorStalls) {
+    const Profile profile = fine_profile();
+    const Carved result = carved(profile, table_of(profile, cliff_mm, 2, 500));
+    EXPECT_TRUE(result.report.ok) << verify::report_text(result.report);
+}
 
 // The motors' accelerations are used to the last at each flank, and the verifier sees ten times more pulses.
 TEST(DisturbedCarving, OfSharpFlanksObeysTheFourRulesOnAFineMachineToo) {

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/curve_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "rtcore/plan/path_pieces.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::plan {
+namespace {
+
+constexpr std::size_t kPsi = index_of(Axis::psi);
+constexpr std::size_t kHeads = 2;
+// Narrowed a little further than needed, so that one more fit is enough as a rule.
+constexpr double kMargin = 0.96;
+constexpr double kTurnShare = 0.25;
+constexpr double kLeastShareOfTolerance = 0.5;
+
+/// One head's plane around a chord: along and across it [mm], from pulses past the chord's begin.
+class ChordPlane {
+public:
+    ChordPlane(const MachineLimits& limits, const PathSpan& span, std::size_t head) : head_(head) {
+        const double psi_mm = std::max(span.radius_mm[head], 0.0) * rad_from_pulses(1, limits.pulses_per_rev);
+        const double radius_mm = 1.0 / limits.axes[head].pulses_per_unit;
+        const double x_mm = span.slope[kPsi] * span.length * psi_mm;
+        const double y_mm = span.slope[head] * span.length * radius_mm;
+        length_mm_ = std::sqrt(x_mm * x_mm + y_mm * y_mm);
+        const double ux = length_mm_ > 0.0 ? x_mm / length_mm_ : 1.0;
+        const double uy = length_mm_ > 0.0 ? y_mm / length_mm_ : 0.0;
+        across_psi_ = -uy * psi_mm;
+        across_radius_ = ux * radius_mm;
+        along_psi_ = ux * psi_mm;
+        along_radius_ = uy * radius_mm;
+        pulse_along_mm_ = std::max(std::abs(along_psi_), std::abs(along_radius_));
+        // Rule 1 grants the greater of the two axes' pulses; half of both is the DDA's.
+        const double psi_share_mm = std::abs(across_psi_);
+        const double radius_share_mm = std::abs(across_radius_);
+        allowed_mm_ = limits.path_tolerance_mm + std::max(psi_share_mm, radius_share_mm) -
+                      0.5 * (psi_share_mm + radius_share_mm);
+    }
+
+    double allowed_mm() const { return allowed_mm_; }
+    /// How far from the chord, its ends included.
+    double distance_mm(const Lanes& passed) const {
+        const double across = across_psi_ * passed[kPsi] + across_radius_ * passed[head_];
+        const double along = along_psi_ * passed[kPsi] + along_radius_ * passed[head_];
+        const double outside = std::max({0.0, -along, along - length_mm_});
+        return outside <= pulse_along_mm_ ? std::abs(across) : std::hypot(across, outside);
+    }
+
+private:
+    std::size_t head_;
+    double length_mm_;
+    double across_psi_;
+    double across_radius_;
+    double along_psi_;
+    double along_radius_;
+    double pulse_along_mm_;
+    double allowed_mm_;
+};
+
+/// What one span's way has shown so far.
+class SpanWatch {
+public:
+    SpanWatch(const MachineLimits& limits, const PathPoint& from, const PathPoint& to, PathSpan& span)
+        : from_(from), span_(span), planes_{{{limits, span, 0}, {limits, span, 1}}} {
+        follows_table_ = cuts_follow_table(limits, span.radius_mm);
+        way_ = to.pulses[kPsi] < from.pulses[kPsi] ? -1.0 : 1.0;
+        turn_pulses_ = std::abs(static_cast<double>(to.pulses[kPsi] - from.pulses[kPsi]));
+    }
+
+    /// A part of a cell: where it may be cut.
+    void watch(const PathCell& cell, const Lanes& at, double from, double to) {
+        const std::size_t count = bits_in(cell, to - from);
+        const double step = (to - from) / static_cast<double>(count);
+        for (std::size_t i = 1; i <= count; ++i) {
+            along_span_ += step;
+            see(cell, at, from + static_cast<double>(i) * step);
+        }
+    }
+
+    bool narrow() {
+        bool narrowed = false;
+        for (std::size_t head = 0; head < kHeads; ++head) {
+            if (excess_[head] <= 1.0) continue;
+            narrowed = narrow_band(head, kMargin / excess_[head]) || narrowed;
+        }
+        if (turn_back_ > kMostTurnPulses) narrowed = narrow_band(kPsi, kTurnShare) || narrowed;
+        return narrowed;
+    }
+
+private:
+    void see(const PathCell& cell, const Lanes& at, double along) {
+        Lanes passed;
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            passed[k] = at[k] + along * (cell.slope_begin[k] + 0.5 * along * cell.bend[k]) -
+                        static_cast<double>(from_.pulses[k]);
+        }
+        if (follows_table_) {
+            const double psi = way_ * passed[kPsi];
+            turn_back_ = std::max({turn_back_, furthest_ - psi, psi - turn_pulses_});
+            furthest_ = std::max(furthest_, psi);
+        } else {
+            passed[kPsi] = span_.slope[kPsi] * along_span_;
+        }
+        for (double& pulses : passed) pulses = std::round(pulses);
+        for (std::size_t head = 0; head < kHeads; ++head) {
+            const ChordPlane& plane = planes_[head];
+            excess_[head] = std::max(excess_[head], plane.distance_mm(passed) / plane.allowed_mm());
+        }
+    }
+    bool narrow_band(std::size_t axis, double share) {
+        if (span_.band[axis] <= kLeastBandPulses) return false;
+        span_.band[axis] = std::max(kLeastBandPulses, share * span_.band[axis]);
+        return true;
+    }
+
+    const PathPoint& from_;
+    PathSpan& span_;
+    std::array<ChordPlane, kHeads> planes_;
+    std::array<double, kHeads> excess_{};
+    bool follows_table_ = false;
+    double along_span_ = 0.0;
+    double way_ = 1.0;
+    double turn_pulses_ = 0.0;
+    double furthest_ = 0.0;
+    double turn_back_ = 0.0;
+};
+
+}  // namespace
+
+bool narrow_where_outside(const MachineLimits& limits, std::span<const PathPoint> points,
+                          const FittedCurve& curve, std::span<PathSpan> spans) {
+    const CurveNodes& nodes = curve.nodes;
+    const std::size_t last = curve.cells.size() - 1;
+    const auto watch_of = [&](std::size_t span) {
+        return SpanWatch(limits, points[span], points[span + 1], spans[span]);
+    };
+    bool narrowed = false;
+    std::optional<SpanWatch> watch(watch_of(nodes.span_at[0]));
+    for (std::size_t j = 0; j <= last; ++j) {
+        const PathCell& cell = curve.cells[j];
+        if (nodes.point_at[j] == CurveNodes::kNoPoint || j == 0) {
+            watch->watch(cell, curve.cell_at[j], 0.0, cell.length);
+            continue;
+        }
+        const double before = 0.5 * nodes.step[j - 1];
+        watch->watch(cell, curve.cell_at[j], 0.0, before);
+        narrowed = watch->narrow() || narrowed;
+        if (j == last) break;
+        watch.emplace(watch_of(nodes.span_at[j]));
+        watch->watch(cell, curve.cell_at[j], before, cell.length);
+    }
+    return narrowed;
+}
+
+}  // namespace psicarve::plan

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What planning a job costs: processor time a point, and as a share of the time that the carving takes.
+//
+//     plan_cost JOB...     jobs as psicarve slice writes them; the profile is each job's own
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <memory>
+#include <vector>
+
+#include "rtcore/plan/lookahead_program.hpp"
+#include "rtcore/plan/machine_limits.hpp"
+#include "shared/snapshot_file.hpp"
+
+namespace {
+
+using namespace psicarve;  // NOLINT(google-build-using-namespace)
+
+constexpr int kRounds = 7;
+
+double processor_s() {
+    std::timespec at{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &at);
+    return static_cast<double>(at.tv_sec) + 1e-9 * static_cast<double>(at.tv_nsec);
+}
+
+struct Cost {
+    double seconds = 1e30;  ///< the least of all rounds
+    std::uint64_t blocks = 0;
+    double carving_s = 0.0;
+};
+
+double seconds_of(const cycle::MotionBlock& block) {
+    if (block.kind != cycle::BlockKind::path) return 0.0;
+    const cycle::PathTiming& path = block.path;
+    return 2.0 * path.length / (std::sqrt(path.start_speed2[0]) + std::sqrt(path.end_speed2[0]));
+}
+
+Cost cost_of(const plan::MachineLimits& limits, const std::shared_ptr<const JobView>& job) {
+    Cost cost;
+    for (int round = 0; round < kRounds; ++round) {
+        std::vector<cycle::MotionBlock> blocks;
+        blocks.reserve(cost.blocks);
+        const double begin_s = processor_s();
+        plan::LookaheadProgram program(limits, job);
+        cycle::MotionBlock block;
+        while (program.next(block)) blocks.push_back(block);
+        cost.seconds = std::min(cost.seconds, processor_s() - begin_s);
+        cost.blocks = blocks.size();
+        cost.carving_s = 0.0;
+        for (const cycle::MotionBlock& each : blocks) cost.carving_s += seconds_of(each);
+    }
+    return cost;
+}
+
+Result<void> measure(const char* path) {
+    const auto snapshot = load_snapshot(path);
+    if (!snapshot) return snapshot.error();
+    const auto view = JobView::check(snapshot.value().job_blob);
+    if (!view) return view.error();
+    const auto profile = job_profile(view.value());
+    if (!profile) return profile.error();
+    const auto job = std::make_shared<const JobView>(view.value());
+    const Cost cost = cost_of(plan::machine_limits(profile.value()), job);
+    const double points = static_cast<double>(job->layer_count()) * job->point_count();
+    std::printf("%s: %.0f ns a point, %.4f %% of %.0f s of carving, %.2f segments a point\n", path,
+                cost.seconds / points * 1e9, 100.0 * cost.seconds / cost.carving_s, cost.carving_s,
+                static_cast<double>(cost.blocks) / points);
+    return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::fputs("usage: plan_cost JOB...\n", stderr);
+        return 2;
+    }
+    bool all_read = true;
+    for (int i = 1; i < argc; ++i) {
+        const auto measured = measure(argv[i]);
+        if (measured) continue;
+        std::fprintf(stderr, "plan_cost: %s\n", measured.error().message.c_str());
+        all_read = false;
+    }
+    return all_read ? 0 : 3;
+}

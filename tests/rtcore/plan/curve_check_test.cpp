@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/curve_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "rtcore/plan/curve_fit.hpp"
+#include "rtcore/plan/path_stretch.hpp"
+
+namespace psicarve::plan {
+namespace {
+
+MachineLimits fine_limits() {
+    Profile profile;
+    profile.tick.period_us = 10;
+    for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) {
+        axis->pulses_per_mm = 4000;
+        axis->speed_mm_s = 12.0;
+    }
+    profile.psi.pulses_per_rev = 128'000;
+    profile.job.path_tolerance_mm = 0.005;
+    return machine_limits(profile);
+}
+
+std::vector<PathPoint> points_of(const std::vector<std::array<std::int64_t, 2>>& psi_and_radius) {
+    std::vector<PathPoint> points;
+    points.reserve(psi_and_radius.size());
+    for (const auto& [psi, radius] : psi_and_radius) {
+        points.push_back({{radius, 40'000, psi, 8'000}, 0, static_cast<std::uint32_t>(points.size()), false});
+    }
+    return points;
+}
+
+/// Greatest distance of the ends of all pieces from the chord that they lie on, and of psi's turns back.
+struct Way {
+    double off_mm = 0.0;
+    std::int64_t turn_pulses = 0;
+    std::vector<Pulses4> points;
+};
+
+Way way_of(const MachineLimits& limits, const std::vector<PathPoint>& points) {
+    const std::vector<PathSpan> spans = path_spans(limits, points);
+    const std::vector<PathCorner> corners = path_corners(limits, spans);
+    StretchPlanner planner(limits);
+    std::vector<PathPiece> pieces;
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        if (i + 1 < points.size() && !corners[i - 1].is_stop) continue;
+        planner.plan(points, spans, corners, first, i, pieces);
+        first = i;
+    }
+    Way way;
+    Pulses4 at = points[0].pulses;
+    std::size_t span = 0;
+    for (const PathPiece& piece : pieces) {
+        way.turn_pulses = std::max(way.turn_pulses, -piece.delta_pulses[2]);
+        for (std::size_t k = 0; k < kAxisCount; ++k) at[k] += piece.delta_pulses[k];
+        const Pulses4& from = points[span].pulses;
+        const Pulses4& to = points[span + 1].pulses;
+        const double psi_mm = spans[span].radius_mm[0] * 2.0 * std::numbers::pi / 128'000.0;
+        const double x_mm = static_cast<double>(to[2] - from[2]) * psi_mm;
+        const double y_mm = static_cast<double>(to[0] - from[0]) / 4000.0;
+        const double along_mm = static_cast<double>(at[2] - from[2]) * psi_mm;
+        const double out_mm = static_cast<double>(at[0] - from[0]) / 4000.0;
+        way.off_mm = std::max(way.off_mm, std::abs(x_mm * out_mm - y_mm * along_mm) / std::hypot(x_mm, y_mm));
+        if (piece.point == PathPiece::kNoPoint) continue;
+        way.points.push_back(at);
+        ++span;
+    }
+    return way;
+}
+
+TEST(CurveCheck, DownACliffTheTableNeverTurnsBackAndTheCutsStayInTheTube) {
+    const MachineLimits limits = fine_limits();
+    std::vector<std::array<std::int64_t, 2>> ways;
+    for (std::int64_t i = 0; i < 60; ++i) ways.push_back({128 * i, i < 30 ? 24'000 : 60'000 + 40 * i});
+    const auto points = points_of(ways);
+    const Way way = way_of(limits, points);
+    EXPECT_EQ(way.turn_pulses, 0);
+    EXPECT_LE(way.off_mm, limits.path_tolerance_mm + 0.5 * 0.00075);
+    ASSERT_EQ(way.points.size(), points.size() - 1);
+    for (std::size_t i = 1; i < points.size(); ++i) EXPECT_EQ(way.points[i - 1], points[i].pulses);
+}
+
+TEST(CurveCheck, NarrowsOnlyTheSpansInWhichTheCurveIsOutside) {
+    const MachineLimits limits = fine_limits();
+    std::vector<std::array<std::int64_t, 2>> ways;
+    for (std::int64_t i = 0; i < 12; ++i) ways.push_back({128 * i, 40'000 + (i == 6 ? 300 : 0)});
+    const auto points = points_of(ways);
+    const std::vector<PathSpan> spans = path_spans(limits, points);
+    const std::vector<PathCorner> corners = path_corners(limits, spans);
+    // A tube ten times too wide about one span: the fitted curve uses it.
+    std::vector<PathSpan> wide = spans;
+    for (const std::size_t span : {5U, 6U}) wide[span].band[0] *= 10.0;
+    const CurveNodes nodes = curve_nodes(limits, points, wide, corners, 0, points.size() - 1);
+    CurveFit fit({1e6, 1e6, 1e6, 1e6});
+    fit.solve(nodes);
+    std::vector<PathCell> cells;
+    std::vector<Lanes> cell_at;
+    cells_of(nodes, fit.control(), cells, cell_at);
+    const std::vector<PathSpan> before = wide;
+    EXPECT_TRUE(narrow_where_outside(limits, points, {nodes, cells, cell_at}, wide));
+    for (std::size_t span = 0; span < spans.size(); ++span) {
+        if (span == 5 || span == 6) {
+            EXPECT_LT(wide[span].band[0], before[span].band[0]) << span;
+        } else {
+            EXPECT_EQ(wide[span].band[0], before[span].band[0]) << span;
+        }
+        EXPECT_EQ(wide[span].band[1], before[span].band[1]) << span;
+    }
+}
+
+}  // namespace
+}  // namespace psicarve::plan

@@ -45,11 +45,22 @@ void CurveFit::solve(const CurveNodes& nodes, std::span<const Lanes> fixed) {
         correct(target);
         const Reach reach = reach_corrected(target);
         length_within(reach.shrink, length);
-        advance(length);
+        advance(is_done_ ? Vec{} : length);
     }
     control_.resize(count_);
     for (std::size_t j = 0; j < count_; ++j) {
         for (std::size_t k = 0; k < kAxisCount; ++k) control_[j][k] = points_[j][k];
+    }
+    mend(nodes);
+}
+
+// Should rounding ever get the better of an axis, its curve through the middle of the tube is slower, and
+// safe.
+void CurveFit::mend(const CurveNodes& nodes) {
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        const auto is_good = [k](const Lanes& control) { return std::isfinite(control[k]); };
+        if (std::all_of(control_.begin(), control_.end(), is_good)) continue;
+        for (std::size_t j = 0; j < count_; ++j) control_[j][k] = 0.5 * (nodes.low[j][k] + nodes.high[j][k]);
     }
 }
 
@@ -81,6 +92,7 @@ void CurveFit::prepare(const CurveNodes& nodes) {
         stiffness_[j][1] += row.at * row.after;
         stiffness_[j + 1][0] += row.after * row.after;
     }
+    is_done_ = Mask{};
     bound_count_ = 2.0 * static_cast<double>(count_ - 2);
 }
 
@@ -133,13 +145,16 @@ bool CurveFit::has_converged() {
         raise_to(outside, Vec(state.value - state.high));
     }
     gap_ = gap;
-    bool is_done = true;
+    bool all_done = true;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         const double least = kAccelTolerance * accel_[k];
         const double allowed = 0.5 * (kBendingTolerance * bending[k] + least * least * length_);
-        is_done = is_done && gap[k] <= allowed && outside[k] <= kBoundTolerancePulses;
+        // An axis that has arrived stays: driven on while others still need iterations, its gap would shrink
+        // until nothing of it can be represented.
+        is_done_[k] = is_done_[k] != 0 || (gap[k] <= allowed && outside[k] <= kBoundTolerancePulses) ? -1 : 0;
+        all_done = all_done && is_done_[k] != 0;
     }
-    return is_done;
+    return all_done;
 }
 
 // One bound's pull on the matrix and on the right side of the predictor.

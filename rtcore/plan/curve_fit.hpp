@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,8 @@ public:
 private:
     /// One number an axis, in the processor's own vectors. Never passed or returned by value.
     using Vec = double __attribute__((vector_size(kAxisCount * sizeof(double))));
+
+    using Mask = std::int64_t __attribute__((vector_size(kAxisCount * sizeof(std::int64_t))));
 
     /// A linear form of the control points before, at and after a node; the same for all axes.
     struct Row {
@@ -88,6 +91,7 @@ private:
     void correct(const Vec& target);
     Reach reach_corrected(const Vec& target);
     void advance(const Vec& length);
+    void mend(const CurveNodes& nodes);
 
     Lanes accel_;
     std::size_t count_ = 0;
@@ -104,6 +108,7 @@ private:
     std::vector<Band> band_;
     std::vector<Lanes> control_;
     Vec gap_{};
+    Mask is_done_{};  ///< by axis: -1 once it has converged
     int iterations_ = 0;
 };
 

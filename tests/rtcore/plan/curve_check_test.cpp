@@ -116,5 +116,29 @@ TEST(CurveCheck, NarrowsOnlyTheSpansInWhichTheCurveIsOutside) {
     }
 }
 
+// One axis needs three times the iterations of the table: the table's own must not be driven on meanwhile
+// until nothing of them can be represented.
+TEST(CurveCheck, OfAxesThatTakeUnequalEffortNoneIsLost) {
+    const MachineLimits limits = machine_limits(Profile{});
+    std::vector<PathPoint> points;
+    for (std::int64_t i = 0; i <= 1460; ++i) {
+        const std::int64_t r2 = 3400 + std::llround(10.0 * std::sin(0.05 * static_cast<double>(i)));
+        const auto point = static_cast<std::uint32_t>(i);
+        points.push_back({{i < 1460 ? 600 : 3521, r2, i, 100}, 0, point, false});
+    }
+    const std::vector<PathSpan> spans = path_spans(limits, points);
+    const std::vector<PathCorner> corners = path_corners(limits, spans);
+    const CurveNodes nodes = curve_nodes(limits, points, spans, corners, 0, 1460);
+    CurveFit fit({4e5, 4e5, 4e5, 4e5});
+    fit.solve(nodes);
+    EXPECT_LT(fit.iterations(), 40);
+    for (std::size_t j = 0; j < nodes.step.size(); ++j) {
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            ASSERT_NEAR(fit.control()[j][k], 0.5 * (nodes.low[j][k] + nodes.high[j][k]), 3000.0)
+                << j << ' ' << k;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace psicarve::plan

@@ -4,6 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+// Four axes fit one AVX register. The same operations in the same order, so the same bits, with or without;
+// sanitizers start too late for the linker's choice between the two.
+#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define PSICARVE_FOR_WIDE_REGISTERS __attribute__((target_clones("avx2", "default")))
+#else
+#define PSICARVE_FOR_WIDE_REGISTERS
+#endif
+
 namespace psicarve::plan {
 namespace {
 
@@ -49,7 +58,7 @@ void CurveFit::solve(const CurveNodes& nodes, std::span<const Lanes> fixed) {
     }
     control_.resize(count_);
     for (std::size_t j = 0; j < count_; ++j) {
-        for (std::size_t k = 0; k < kAxisCount; ++k) control_[j][k] = points_[j][k];
+        for (std::size_t k = 0; k < kAxisCount; ++k) control_[j][k] = points_[j].axes[k];
     }
     mend(nodes);
 }
@@ -64,6 +73,7 @@ void CurveFit::mend(const CurveNodes& nodes) {
     }
 }
 
+PSICARVE_FOR_WIDE_REGISTERS
 void CurveFit::prepare(const CurveNodes& nodes) {
     count_ = nodes.step.size();
     bend_.assign(count_, Row{});
@@ -96,6 +106,7 @@ void CurveFit::prepare(const CurveNodes& nodes) {
     bound_count_ = 2.0 * static_cast<double>(count_ - 2);
 }
 
+PSICARVE_FOR_WIDE_REGISTERS
 void CurveFit::start(const CurveNodes& nodes, std::span<const Lanes> fixed) {
     points_.resize(count_);
     side_.resize(count_);
@@ -106,7 +117,7 @@ void CurveFit::start(const CurveNodes& nodes, std::span<const Lanes> fixed) {
         for (std::size_t k = 0; k < kAxisCount; ++k) {
             states_[j].low[k] = nodes.low[j][k];
             states_[j].high[k] = nodes.high[j][k];
-            points_[j][k] = j < fixed.size() ? fixed[j][k] : 0.5 * (nodes.low[j][k] + nodes.high[j][k]);
+            points_[j].axes[k] = j < fixed.size() ? fixed[j][k] : 0.5 * (nodes.low[j][k] + nodes.high[j][k]);
         }
     }
     fixed_ = std::max<std::size_t>(1, fixed.size());
@@ -114,11 +125,11 @@ void CurveFit::start(const CurveNodes& nodes, std::span<const Lanes> fixed) {
     Vec press{};
     for (std::size_t j = 1; j + 1 < count_; ++j) {
         const Row& row = bend_[j];
-        const Vec force =
-            row.at * (row.before * points_[j - 1] + row.at * points_[j] + row.after * points_[j + 1]);
+        const Vec force = row.at * (row.before * points_[j - 1].axes + row.at * points_[j].axes +
+                                    row.after * points_[j + 1].axes);
         press += force < 0.0 ? -force : force;
-        states_[j].value =
-            value_[j].before * points_[j - 1] + value_[j].at * points_[j] + value_[j].after * points_[j + 1];
+        states_[j].value = value_[j].before * points_[j - 1].axes + value_[j].at * points_[j].axes +
+                           value_[j].after * points_[j + 1].axes;
     }
     press /= static_cast<double>(count_ - 2);
     for (std::size_t k = 0; k < kAxisCount; ++k) {
@@ -131,6 +142,7 @@ void CurveFit::start(const CurveNodes& nodes, std::span<const Lanes> fixed) {
     }
 }
 
+PSICARVE_FOR_WIDE_REGISTERS
 bool CurveFit::has_converged() {
     Vec gap{};
     Vec bending{};
@@ -138,7 +150,8 @@ bool CurveFit::has_converged() {
     for (std::size_t j = 1; j + 1 < count_; ++j) {
         const Row& row = bend_[j];
         const State& state = states_[j];
-        const Vec bend = row.before * points_[j - 1] + row.at * points_[j] + row.after * points_[j + 1];
+        const Vec bend =
+            row.before * points_[j - 1].axes + row.at * points_[j].axes + row.after * points_[j + 1].axes;
         bending += bend * bend;
         gap += state.lower.distance * state.lower.press + state.upper.distance * state.upper.press;
         raise_to(outside, Vec(state.low - state.value));
@@ -172,6 +185,7 @@ void CurveFit::weigh(State& state, Vec& weight, Vec& push) {
 
 // stiffness + value' * (press / distance) * value = L D L', and the predictor's right side, forwards through
 // L: in one pass, since a row is complete once the node after it is known.
+PSICARVE_FOR_WIDE_REGISTERS
 void CurveFit::build_and_eliminate() {
     Elimination rows;
     Vec weight_before{};
@@ -187,7 +201,8 @@ void CurveFit::build_and_eliminate() {
         if (j + 2 < count_) {
             weigh(states_[j + 1], weight_after, push_after);
             const Row& row = bend_[j + 1];
-            bend_after = row.before * points_[j] + row.at * points_[j + 1] + row.after * points_[j + 2];
+            bend_after =
+                row.before * points_[j].axes + row.at * points_[j + 1].axes + row.after * points_[j + 2].axes;
         }
         if (j >= fixed_) {
             const Row& before = value_[j - 1];
@@ -204,7 +219,7 @@ void CurveFit::build_and_eliminate() {
                        bend_[j - 1].after * bend_before;
             rows.eliminate(band);
             rows.substitute(band, side);
-            change_[j] = side;
+            change_[j].axes = side;
         }
         weight_before = weight;
         weight = weight_after;
@@ -216,26 +231,29 @@ void CurveFit::build_and_eliminate() {
 }
 
 // Backwards: what the rows' factors make of a right side that went forwards through them.
-void CurveFit::substitute_back(std::vector<Vec>& side) const {
-    for (std::size_t j = 0; j < fixed_; ++j) side[j] = Vec{};
-    side[count_ - 1] = Vec{};
+PSICARVE_FOR_WIDE_REGISTERS
+void CurveFit::substitute_back(std::vector<Four>& side) const {
+    for (std::size_t j = 0; j < fixed_; ++j) side[j].axes = Vec{};
+    side[count_ - 1].axes = Vec{};
     Vec after{};
     Vec second{};
     for (std::size_t j = count_ - 1; j-- > fixed_;) {
         const Band& row = band_[j];
-        side[j] = side[j] * row.at - row.next * after - row.second * second;
+        side[j].axes = side[j].axes * row.at - row.next * after - row.second * second;
         second = after;
-        after = side[j];
+        after = side[j].axes;
     }
 }
 
 // The way straight to the bounds: what it would change, without going.
+PSICARVE_FOR_WIDE_REGISTERS
 CurveFit::Reach CurveFit::predict() {
     Reach reach{};
     for (std::size_t j = 1; j + 1 < count_; ++j) {
         const Row& row = value_[j];
         State& state = states_[j];
-        const Vec shift = row.before * change_[j - 1] + row.at * change_[j] + row.after * change_[j + 1];
+        const Vec shift =
+            row.before * change_[j - 1].axes + row.at * change_[j].axes + row.after * change_[j + 1].axes;
         const auto bound_changes = [&reach](Bound& bound, const Vec& distance_change) {
             const Vec relative = distance_change * bound.inverse_distance;
             bound.distance_change = distance_change;
@@ -252,6 +270,7 @@ CurveFit::Reach CurveFit::predict() {
 }
 
 // Towards the middle by `target`, and what the prediction left out to second order.
+PSICARVE_FOR_WIDE_REGISTERS
 void CurveFit::correct(const Vec& target) {
     Elimination rows;
     Vec push_before{};
@@ -268,21 +287,23 @@ void CurveFit::correct(const Vec& target) {
             Vec side =
                 value_[j + 1].before * push_after + value_[j].at * push + value_[j - 1].after * push_before;
             rows.substitute(band_[j], side);
-            side_[j] = side;
+            side_[j].axes = side;
         }
         push_before = push;
         push = push_after;
     }
     substitute_back(side_);
-    for (std::size_t j = fixed_; j + 1 < count_; ++j) change_[j] += side_[j];
+    for (std::size_t j = fixed_; j + 1 < count_; ++j) change_[j].axes += side_[j].axes;
 }
 
+PSICARVE_FOR_WIDE_REGISTERS
 CurveFit::Reach CurveFit::reach_corrected(const Vec& target) {
     Reach reach{};
     for (std::size_t j = 1; j + 1 < count_; ++j) {
         const Row& row = value_[j];
         State& state = states_[j];
-        state.shift = row.before * change_[j - 1] + row.at * change_[j] + row.after * change_[j + 1];
+        state.shift =
+            row.before * change_[j - 1].axes + row.at * change_[j].axes + row.after * change_[j + 1].axes;
         const auto bound_changes = [&](Bound& bound, const Vec& distance_change) {
             const Vec relative = distance_change * bound.inverse_distance;
             const Vec second = bound.distance_change * bound.press_change;
@@ -297,8 +318,9 @@ CurveFit::Reach CurveFit::reach_corrected(const Vec& target) {
     return reach;
 }
 
+PSICARVE_FOR_WIDE_REGISTERS
 void CurveFit::advance(const Vec& length) {
-    for (std::size_t j = 0; j < count_; ++j) points_[j] += length * change_[j];
+    for (std::size_t j = 0; j < count_; ++j) points_[j].axes += length * change_[j].axes;
     for (std::size_t j = 1; j + 1 < count_; ++j) {
         State& state = states_[j];
         state.value += length * state.shift;

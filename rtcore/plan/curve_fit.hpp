@@ -29,10 +29,15 @@ public:
 
 private:
     /// One number an axis, in the processor's own vectors. Never passed or returned by value.
-    using Vec = double __attribute__((vector_size(kAxisCount * sizeof(double))));
+    /// Aligned alike in code for wide registers and in other code.
+    using Vec = double __attribute__((vector_size(kAxisCount * sizeof(double)), aligned(16)));
 
-    using Mask = std::int64_t __attribute__((vector_size(kAxisCount * sizeof(std::int64_t))));
+    using Mask = std::int64_t __attribute__((vector_size(kAxisCount * sizeof(std::int64_t)), aligned(16)));
 
+    /// Containers would forget a Vec's alignment.
+    struct Four {
+        Vec axes;
+    };
     /// A linear form of the control points before, at and after a node; the same for all axes.
     struct Row {
         double before, at, after;
@@ -86,7 +91,7 @@ private:
     bool has_converged();
     static void weigh(State& state, Vec& weight, Vec& push);
     void build_and_eliminate();
-    void substitute_back(std::vector<Vec>& side) const;
+    void substitute_back(std::vector<Four>& side) const;
     Reach predict();
     void correct(const Vec& target);
     Reach reach_corrected(const Vec& target);
@@ -101,9 +106,9 @@ private:
     std::vector<Row> bend_;                         ///< sqrt(H_j) * q''_j
     std::vector<Row> value_;                        ///< q(u_j)
     std::vector<std::array<double, 3>> stiffness_;  ///< bend' * bend, three diagonals
-    std::vector<Vec> points_;                       ///< control points
-    std::vector<Vec> change_;
-    std::vector<Vec> side_;
+    std::vector<Four> points_;                      ///< control points
+    std::vector<Four> change_;
+    std::vector<Four> side_;
     std::vector<State> states_;
     std::vector<Band> band_;
     std::vector<Lanes> control_;

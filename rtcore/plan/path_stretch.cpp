@@ -26,7 +26,14 @@ Lanes accel_of(const MachineLimits& limits) {
 
 StretchPlanner::StretchPlanner(const MachineLimits& limits)
     : limits_(limits), fit_(accel_of(limits)), timing_(accel_of(limits)) {
-    for (std::size_t k = 0; k < kAxisCount; ++k) mm_per_pulse_[k] = 1.0 / limits.axes[k].pulses_per_unit;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        mm_per_pulse_[k] = 1.0 / limits.axes[k].pulses_per_unit;
+        inverse_speed_[k] = 1.0 / (kSpeedShare * limits.axes[k].speed_pps);
+    }
+    for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
+        const double feed_mm_s = limits.feed_mm_s * kFeedFactor[timing];
+        inverse_feed2_[timing] = 1.0 / (feed_mm_s * feed_mm_s);
+    }
     rad_per_pulse_ = rad_from_pulses(1, limits.pulses_per_rev);
 }
 
@@ -43,11 +50,12 @@ double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const P
         bound2_[timing].front() = std::min(bound2_[timing].front(), begin2);
         bound2_[timing].back() = std::min(bound2_[timing].back(), end2);
     }
-    timing_.solve(cells_, bound2_[0], inner2_[0], speed2_[0]);
+    timing_.set_path(cells_);
+    timing_.solve(bound2_[0], inner2_[0], speed2_[0]);
     if (bound2_[1] == bound2_[0]) {
         speed2_[1] = speed2_[0];
     } else {
-        timing_.solve(cells_, bound2_[1], inner2_[1], speed2_[1]);
+        timing_.solve(bound2_[1], inner2_[1], speed2_[1]);
         // Greedy passes may lose a little where an axis turns back.
         for (std::size_t i = 0; i < speed2_[1].size(); ++i) {
             speed2_[1][i] = std::max(speed2_[1][i], speed2_[0][i]);
@@ -107,19 +115,18 @@ void cells_of(const CurveNodes& nodes, std::span<const Lanes> control, std::vect
 double StretchPlanner::greatest_speed2(const Lanes& slope, const Lanes& at, std::size_t timing) const {
     double need = 0.0;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
-        const double share = slope[k] / (kSpeedShare * limits_.axes[k].speed_pps);
+        const double share = slope[k] * inverse_speed_[k];
         need = std::max(need, share * share);
     }
     constexpr std::size_t kPsi = index_of(Axis::psi);
     constexpr std::size_t kY = index_of(Axis::y);
     const double turn = slope[kPsi] * rad_per_pulse_;
     const double lift = slope[kY] * mm_per_pulse_[kY];
-    const double feed = limits_.feed_mm_s * kFeedFactor[timing];
     for (std::size_t head = 0; head < 2; ++head) {
         const double radius_mm = at[head] * mm_per_pulse_[head] + limits_.tip_offset_mm[head];
         const double around = radius_mm * turn;
         const double out = slope[head] * mm_per_pulse_[head];
-        need = std::max(need, (around * around + out * out + lift * lift) / (feed * feed));
+        need = std::max(need, (around * around + out * out + lift * lift) * inverse_feed2_[timing]);
     }
     return need > 0.0 ? 1.0 / need : 1.0;
 }

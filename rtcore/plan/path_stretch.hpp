@@ -41,6 +41,8 @@ private:
     MachineLimits limits_;
     Lanes mm_per_pulse_{};
     double rad_per_pulse_ = 0.0;
+    Lanes inverse_speed_{};
+    Timings inverse_feed2_{};
     CurveFit fit_;
     SpeedProfile timing_;
     std::vector<PathSpan> narrowed_;

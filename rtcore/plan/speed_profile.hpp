@@ -36,13 +36,29 @@ class SpeedProfile {
 public:
     explicit SpeedProfile(const Lanes& accel);
 
+    /// What all timings of a path share.
+    void set_path(std::span<const PathCell> cells);
     /// bound_speed2: cells + 1 limits; its first and last are also the speeds to begin and end with.
     /// inner_speed2: one entry a cell. The result has cells + 1 values.
-    void solve(std::span<const PathCell> cells, std::span<const double> bound_speed2,
-               std::span<const InnerSpeeds2> inner_speed2, std::vector<double>& speed2);
+    void solve(std::span<const double> bound_speed2, std::span<const InnerSpeeds2> inner_speed2,
+               std::vector<double>& speed2);
+
+    /// x + tilt * z <= most, for the squared speeds x and z at a cell's begin and end.
+    struct SpeedRow {
+        double most;
+        double tilt;
+    };
+    /// What the axes' accelerations ask of one cell: |x + tilt * z| <= most.
+    struct AccelRows {
+        std::array<SpeedRow, 3 * kAxisCount> rows;
+        std::size_t count;
+    };
 
 private:
+    AccelRows accel_rows(const PathCell& cell) const;
+
     Lanes inverse_accel_;
+    std::vector<AccelRows> rows_;
     std::vector<double> reachable2_;
 };
 

@@ -58,7 +58,8 @@ Chain random_chain(std::mt19937_64& random, std::size_t count) {
 std::vector<double> solved(const Chain& chain) {
     SpeedProfile profile{kAccel};
     std::vector<double> speed2;
-    profile.solve(chain.cells, chain.bound2, chain.inner2, speed2);
+    profile.set_path(chain.cells);
+    profile.solve(chain.bound2, chain.inner2, speed2);
     return speed2;
 }
 

@@ -98,6 +98,9 @@ std::vector<cycle::MotionBlock> finish_blocks(const MachineLimits& limits, const
         way[k] = std::max<std::int64_t>(0, out - from_pulses[k]);
     }
     BlockList list(limits);
+    // The last point may have been reached inwards: stopping and going out again at once would be a jump of
+    // twice what a motor can do.
+    list.dwell(limits.rest_ticks);
     list.move(way);
     list.outputs(kAllDrives, Spindle::off);
     list.end();

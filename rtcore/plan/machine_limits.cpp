@@ -11,6 +11,8 @@
 namespace psicarve::plan {
 namespace {
 
+constexpr double kRest_s = 0.01;
+
 struct SineCosine {
     double sine;
     double cosine;
@@ -56,6 +58,7 @@ MachineLimits machine_limits(const Profile& profile) {
             std::max((profile.core_radius_mm - limits.tip_offset_mm[head]) * scale,
                      static_cast<double>(limits.axes[head].travel_min_pulses));
     }
+    limits.rest_ticks = round_to_pulse(kRest_s / tick_s);
     limits.spinup_ticks = round_to_pulse(profile.job.spindle_spinup_s / tick_s);
     return limits;
 }

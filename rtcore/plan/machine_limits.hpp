@@ -37,6 +37,7 @@ struct MachineLimits {
     std::array<std::int64_t, 2> retract_pulses{};
     std::array<double, 2> least_radius_pulses{};  ///< by head, as counted: the core, or the travel's end
     std::int64_t spinup_ticks = 0;
+    std::int64_t rest_ticks = 0;  ///< after which a motor that stopped with a jump may jump off again
 };
 MachineLimits machine_limits(const Profile& profile);
 

@@ -48,5 +48,17 @@ TEST(Approach, KeepsBothHeadsOutsideTheWholeTableWhilePsiTurns) {
     EXPECT_EQ(at[1], 3865);
 }
 
+// Whoever stops with a jump and jumps off the other way at once asks for twice what a motor can do.
+TEST(Finish, HeadsRestBeforeTheyGoOut) {
+    const MachineLimits limits = machine_limits(Profile{});
+    const auto blocks = finish_blocks(limits, {2000, 2000, 0, 400});
+    ASSERT_GE(blocks.size(), 2U);
+    EXPECT_EQ(blocks[0].kind, cycle::BlockKind::dwell);
+    EXPECT_EQ(blocks[0].ticks, 200) << "10 ms of 50 us";
+    EXPECT_EQ(blocks[1].kind, cycle::BlockKind::move);
+    EXPECT_GT(blocks[1].delta_pulses[0], 0);
+    EXPECT_GT(blocks[1].delta_pulses[1], 0);
+}
+
 }  // namespace
 }  // namespace psicarve::plan

@@ -34,6 +34,8 @@ std::string_view name_of(CommandKind kind) noexcept {
             return "spindle";
         case CommandKind::override:
             return "override";
+        case CommandKind::record:
+            return "record";
     }
     return "unknown";  // a number from shared memory may be anything
 }

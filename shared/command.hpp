@@ -28,8 +28,9 @@ enum class CommandKind : std::uint32_t {
     move = 12,         ///< axes, target: all of them together, in a straight line
     spindle = 13,      ///< value: 1 on, 0 off
     override = 14,     ///< value: so many per cent of the planned feed, whole, 10 to 200
+    record = 15,       ///< value: RecordingForm; lease_token: of the reader (recording.hpp)
 };
-inline constexpr std::uint32_t kCommandKindCount = 15;
+inline constexpr std::uint32_t kCommandKindCount = 16;
 std::string_view name_of(CommandKind kind) noexcept;  ///< as on the command line: "start-interpolation"
 
 inline constexpr std::uint32_t kLeastOverride_percent = 10;
@@ -50,7 +51,7 @@ struct Command {
     double value;        ///< meaning by kind; 0 where it has none
     std::uint64_t value2;
     double speed = 0.0;              ///< jog, jog_on: [mm/s; deg/s]; 0: the axis' home speed
-    std::uint32_t lease_token = 0;   ///< jog, jog_on: see jog_lease.hpp; 0: nobody holds it
+    std::uint32_t lease_token = 0;   ///< jog, jog_on: see jog_lease.hpp; record; 0: nobody holds it
     std::uint32_t lease_ms = 0;      ///< jog, jog_on: how long it lives without being renewed
     double target[kAxisCount] = {};  ///< move: position by axis [mm; psi: deg]
     double centre[kAxisCount] = {};  ///< move, arcs: likewise

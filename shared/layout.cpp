@@ -79,6 +79,10 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
                                sizeof(IncrementEntry),
                                sizeof(IncrementRing),
                                sizeof(FlightRecorder),
+                               sizeof(RecordingPiece),
+                               sizeof(RecordingRing),
+                               offsetof(RecordingPiece, bytes),
+                               offsetof(RecordingPiece, data),
                                offsetof(Command, axis),
                                offsetof(Command, value),
                                offsetof(Command, value2),
@@ -109,6 +113,8 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
                                offsetof(SegmentHeader, stop_requests),
                                offsetof(SegmentHeader, estop_requests),
                                offsetof(SegmentHeader, jog_lease),
+                               offsetof(SegmentHeader, recording_lease),
+                               offsetof(SegmentHeader, recording_taken),
                                offsetof(SegmentHeader, next_sequence),
                                offsetof(SegmentHeader, job_published),
                                offsetof(SegmentHeader, command_raised),
@@ -119,7 +125,8 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
                                offsetof(SegmentHeader, verdict),
                                offsetof(SegmentHeader, status),
                                offsetof(SegmentHeader, increments),
-                               offsetof(SegmentHeader, recorder)});
+                               offsetof(SegmentHeader, recorder),
+                               offsetof(SegmentHeader, recording)});
 }
 
 }  // namespace

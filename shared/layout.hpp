@@ -19,7 +19,7 @@ namespace psicarve {
 // command.hpp or job.hpp bumps kLayoutVersion; the ABI hash catches whoever forgets.
 
 inline constexpr std::uint64_t kSegmentMagic = 0x3147455341435350ULL;  // "PSCASEG1"
-inline constexpr std::uint32_t kLayoutVersion = 2;
+inline constexpr std::uint32_t kLayoutVersion = 3;
 inline constexpr std::uint32_t kSegmentReady = 0x52454459;  // written last by the creator
 
 inline constexpr std::uint32_t kDefaultCapacityLayers = 4000;
@@ -29,6 +29,7 @@ static_assert(kProfileTextBytes + kReportTextBytes <= kJobTextBytes);
 inline constexpr std::size_t kCommandSlots = 64;
 inline constexpr std::size_t kIncrementRingEntries = 65536;
 inline constexpr std::size_t kFlightRecords = 8192;
+inline constexpr std::size_t kRecordingPieces = 8192;
 inline constexpr std::size_t kReasonBytes = 256;
 
 using AtomicWord32 = std::atomic<std::uint32_t>;
@@ -111,6 +112,15 @@ struct SharedRing {
     AtomicWord64 first;      ///< entries before this one belong to a core that is no more
     AtomicWord64 words[kEntries][sizeof(T) / 8];
 };
+/// A piece of a pin trace on its way to the process that asked for it (recording.hpp).
+struct RecordingPiece {
+    std::uint32_t token;  ///< of the recording it belongs to
+    std::uint32_t bytes;  ///< in use; 0: the recording has ended
+    std::uint8_t data[248];
+};
+static_assert(sizeof(RecordingPiece) == 256 && std::is_trivially_copyable_v<RecordingPiece>,
+              "bump kLayoutVersion");
+using RecordingRing = SharedRing<RecordingPiece, kRecordingPieces>;
 using IncrementRing = SharedRing<IncrementEntry, kIncrementRingEntries>;
 using FlightRecorder = SharedRing<FlightRecord, kFlightRecords>;
 
@@ -138,7 +148,9 @@ struct SegmentHeader {
     AtomicWord64 core_profile_hash;  ///< XXH3 of the core's profile as TOML
     AtomicWord32 stop_requests;      ///< grows by one for each stop; the core acts on any change
     AtomicWord32 estop_requests;
-    AtomicWord64 jog_lease;  ///< who keeps a jog going, and a beat (jog_lease.hpp)
+    AtomicWord64 jog_lease;        ///< who keeps a jog going, and a beat (jog_lease.hpp)
+    AtomicWord64 recording_lease;  ///< whose recording goes on, and a beat (recording.hpp)
+    AtomicWord64 recording_taken;  ///< entries of `recording` that its reader has
     AtomicWord64 next_sequence;
     EventWord job_published;
     EventWord command_raised;  ///< also raised by stop and emergency stop
@@ -150,6 +162,7 @@ struct SegmentHeader {
     SharedRecord<CoreStatus> status;
     IncrementRing increments;
     FlightRecorder recorder;
+    RecordingRing recording;
 };
 static_assert(std::is_standard_layout_v<SegmentHeader>);
 

@@ -38,6 +38,8 @@ Result<void> Segment::take_core_lock() {
     write_record(shared.status, CoreStatus{});
     begin_ring_anew(shared.increments);
     begin_ring_anew(shared.recorder);
+    begin_ring_anew(shared.recording);
+    shared.recording_lease.store(0);
     clear_commands_of_dead_core(shared);
     return {};
 }

@@ -110,6 +110,9 @@ public:
         return std::nullopt;
     }
 
+    /// How many entries there were before the next one, since the segment was made.
+    std::uint64_t position() const noexcept { return position_; }
+
     /// Entries that were overwritten before they could be read.
     std::uint64_t lost() const noexcept { return lost_; }
 

@@ -6,22 +6,24 @@
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
+#include "hmi/cli/judged_pins.hpp"
 #include "hmi/cli/run_report.hpp"
 #include "hmi/cli/run_watch.hpp"
 #include "hmi/cli/simulated_run.hpp"
 #include "hmi/machine/job_run.hpp"
 #include "hmi/machine/machine_link.hpp"
+#include "hmi/machine/recorded_pins.hpp"
 
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{"carve",
-                            "The main job: slice if needed, publish, home if needed, carve, verify, report",
-                            "Uses the core that serves the segment. When none does, starts one on the "
-                            "simulated machine with the virtual\n"
-                            "clock, verifies its pins while it runs, and ends it. Ctrl-C stops the machine; "
-                            "twice is an emergency stop.",
-                            "psicarve carve figurine.stl --picture carved.png --trace pins.vcd --json"};
+constexpr CommandText kText{
+    "carve", "The main job: slice if needed, publish, home if needed, carve, verify, report",
+    "Uses the core that serves the segment. When none does, starts one on the "
+    "simulated machine with the virtual\n"
+    "clock, and ends it. Either way its pins are verified while it runs. Ctrl-C stops "
+    "the machine; twice is an\nemergency stop.",
+    "psicarve carve figurine.stl --picture carved.png --trace pins.vcd --json"};
 
 struct Options {
     std::string path;
@@ -41,39 +43,42 @@ Result<std::optional<machine::MachineLink>> running_core(const CommonOptions& co
 }
 
 Result<void> check_options_for_running_core(const Options& options, const machine::MachineLink& link) {
-    const std::string core = "segment " + link.segment_name() + " is served by a running core (pid " +
-                             std::to_string(link.core_pid().value_or(0)) + "): ";
-    const std::string remedy = "; or carve on a core of our own with another --segment";
-    if (!options.trace.empty()) {
-        return Error{ErrorCode::machine_refused,
-                     core +
-                         "its pins go into the trace that psicarve-rtcore was started with (--trace there)" +
-                         remedy};
-    }
-    if (!options.picture.empty()) {
-        return Error{ErrorCode::machine_refused,
-                     core +
-                         "psicarve verify JOB TRACE --picture draws from the trace that it was started with" +
-                         remedy};
-    }
-    if (options.real_time) {
-        return Error{
-            ErrorCode::machine_refused,
-            core + "it was started with its clock, and --real-time is for a core of our own" + remedy};
-    }
-    return {};
+    if (!options.real_time) return {};
+    return Error{
+        ErrorCode::machine_refused,
+        "segment " + link.segment_name() + " is served by a running core (pid " +
+            std::to_string(link.core_pid().value_or(0)) +
+            "): it was started with its clock, and --real-time is for a core of our own; or carve on "
+            "a core of our own with another --segment"};
 }
 
-Result<int> carve_on_running_core(machine::MachineLink& link, const PreparedJob& job,
+machine::JobRun watched_run(machine::MachineLink& link, const PreparedJob& job) {
+    RunWatch watch{link};
+    machine::JobRun run = machine::run_job(link, job.blob, watch.watch());
+    if (watch.was_stopped() && run.failure) run.failure = watch.stop_error(run.after);
+    return run;
+}
+
+/// Without its pins a job is carved all the same, unless they were asked for.
+Result<int> carve_unseen(machine::MachineLink& link, const PreparedJob& job, const Error& why,
+                         const CommonOptions& common) {
+    RunReport report = report_of(job.view, watched_run(link, job));
+    report.unverified_reason = why.message;
+    return print_run(report, common.json);
+}
+
+Result<int> carve_on_running_core(machine::MachineLink& link, const PreparedJob& job, const Options& options,
                                   const CommonOptions& common) {
-    machine::JobRun run;
-    {
-        RunWatch watch{link};
-        run = machine::run_job(link, job.blob, watch.watch());
-        if (watch.was_stopped() && run.failure) run.failure = watch.stop_error(run.after);
+    auto pins = machine::RecordedPins::start(link, job.view, job.profile, options.trace);
+    if (!pins) {
+        if (!options.trace.empty() || !options.picture.empty()) return pins.error();
+        return carve_unseen(link, job, pins.error(), common);
     }
-    RunReport report = report_of(job.view, run);
-    report.unverified_reason = "the pins of a running core are in the trace that it was started with";
+    RunReport report = report_of(job.view, watched_run(link, job));
+    add_verification(report, (*pins)->finish());
+    if (const auto& failed = (*pins)->trace_failure(); failed && !report.failure) report.failure = *failed;
+    warn_of_lost_pins(report);
+    add_picture(report, job.view, (*pins)->surface(), options.picture);
     return print_run(report, common.json);
 }
 
@@ -89,7 +94,7 @@ Result<int> carve(const CommonOptions& common, const Options& options) {
     }
     const auto job = prepare_job(options.path, options.model, common);
     if (!job) return job.error();
-    if (*running) return carve_on_running_core(**running, *job, common);
+    if (*running) return carve_on_running_core(**running, *job, options, common);
     machine::CoreLaunch launch;
     launch.segment_name = common.segment;
     launch.group = common.group;

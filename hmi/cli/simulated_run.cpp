@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/judged_pins.hpp"
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/cli/run_report.hpp"
 #include "hmi/cli/run_watch.hpp"
-#include "hmi/verify/picture.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -38,18 +38,6 @@ void pass_on_messages(const std::string& said, const std::vector<std::string>& t
     }
 }
 
-/// A job that was not carved to its end is neither right nor wrong. Its pins were counted all the same.
-void add_verification(RunReport& report, Result<verify::VerifyReport> verification) {
-    if (verification) report.figures.pulses = verification->pulses;
-    if (!verification) {
-        report.unverified_reason = verification.error().message;
-    } else if (!report.figures.is_complete) {
-        report.unverified_reason = "the job was not carved to its end";
-    } else {
-        report.verification = std::move(verification).value();
-    }
-}
-
 }  // namespace
 
 Result<int> simulated_run(machine::CoreLaunch launch, const PreparedJob& job, const SimulatedRun& what) {
@@ -59,17 +47,8 @@ Result<int> simulated_run(machine::CoreLaunch launch, const PreparedJob& job, co
     RunReport report = report_of(job.view, watched_run(*core, what));
     add_verification(report, core->finish());
     pass_on_messages(core->core().messages(), trace_paths, report);
-    if (report.last.trace_lost > 0) {
-        print_warning(std::to_string(report.last.trace_lost) +
-                      " pin changes came faster than the trace could be written and are missing in it");
-    }
-    if (report.verification && !what.picture_path.empty()) {
-        auto caption = verify::caption_of(job.view, *report.verification);
-        caption.has_lost_steps = !report.lost_steps.empty();
-        const auto drawn = verify::write_picture(what.picture_path, core->surface(), caption);
-        if (!drawn && !report.failure) report.failure = drawn.error();
-        if (drawn) report.picture_path = what.picture_path;
-    }
+    warn_of_lost_pins(report);
+    add_picture(report, job.view, core->surface(), what.picture_path);
     return print_run(report, what.as_json);
 }
 

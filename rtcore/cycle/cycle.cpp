@@ -32,7 +32,7 @@ void Cycle::tick() noexcept {
         if (progress != Executor::kNothing) after_step(progress);
     }
     if (pulses_.levels() != written_) write_port();
-    if (io_->trace != nullptr && (written_ | inputs_.raw()) != traced_) trace_pins();
+    if ((written_ | inputs_.raw()) != traced_ && is_tracing()) trace_pins();
     if (has_new_position_) trace_position();
     if (tick_ >= next_publish_tick_) publish();
     ++tick_;

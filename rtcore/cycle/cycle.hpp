@@ -104,7 +104,13 @@ private:
     FlightRecord record_of(RecordKind kind, std::uint16_t code, std::uint8_t axis = kNoAxis,
                            std::int64_t value = 0) const noexcept;
     void trace_position() noexcept;
+    // cycle_recording.cpp
+    Refusal record(const Request& request) noexcept;
+    void trace_all(trace::TraceEntry::Kind kind, std::uint32_t token) noexcept;
 
+    bool is_tracing() const noexcept {
+        return io_->trace != nullptr && (io_->traces_always || recording_token_ != 0);
+    }
     bool executes() const noexcept { return (kExecutingStates >> static_cast<unsigned>(state_) & 1U) != 0; }
     bool is_homed() const noexcept { return homed_mask_ == kAllAxesMask; }
     bool cause_remains() const noexcept {
@@ -137,7 +143,8 @@ private:
     std::uint32_t estop_seen_ = 0;
     SignalWord written_ = 0;
     SignalWord traced_ = 0;
-    bool has_new_position_ = false;  ///< of this tick, not traced yet
+    std::uint32_t recording_token_ = 0;  ///< whose recording goes on; 0: none
+    bool has_new_position_ = false;      ///< of this tick, not traced yet
     std::uint64_t next_publish_tick_ = 0;
     std::array<std::int64_t, kAxisCount> published_pulses_{};
 

@@ -36,6 +36,7 @@ enum class RequestKind : std::uint8_t {
     move,        ///< order; all its axes to their targets together
     end_jog,     ///< value: MoveEnd. A replay lets go of a jog where the recorded run did
     spindle,     ///< value: 1 on, 0 off
+    record,      ///< value: RecordingForm; lease_token: whose, 0 at the end: whoever's
 };
 struct Request {
     std::uint64_t sequence;  ///< echoed in the answer
@@ -46,7 +47,7 @@ struct Request {
     std::uint64_t points_total;
     std::uint64_t points_per_layer;  ///< job_loaded
     MotionOrder order;               ///< jog, jog_on, move
-    std::uint32_t lease_token;       ///< jog, jog_on: see Lease; 0: nobody holds it
+    std::uint32_t lease_token;       ///< jog, jog_on: see Lease; record; 0: nobody holds it
     std::uint32_t lease_ticks;
 };
 
@@ -66,6 +67,7 @@ enum class Refusal : std::uint8_t {
     bad_override,  ///< beyond 10 to 200 per cent
     no_such_layer,
     not_an_arc,  ///< begin and end are not as far from the centre, or it is too small
+    recording,   ///< another process has the pins recorded, or nobody can
 };
 
 /// tick -> supervisor, in the order in which things happened. Each carries the flight-recorder entry of it.
@@ -120,7 +122,7 @@ struct UrgentWords {
 };
 
 /// All of it together, made once before the tick starts; it is large, so not for a stack. The trace ring is
-/// apart: without one nothing is traced.
+/// apart: without one nothing is traced or recorded.
 struct CycleIo {
     RequestRing requests;
     ReportRing reports;
@@ -130,6 +132,7 @@ struct CycleIo {
     BlockRing blocks;
     SampleRecord<Sample> sample;
     trace::TraceRing* trace = nullptr;
+    bool traces_always = true;  ///< false: only while somebody has the pins recorded
 };
 
 }  // namespace psicarve::cycle

@@ -64,7 +64,9 @@ void Cycle::answer(const Request& request, Refusal refusal) noexcept {
                              static_cast<std::int64_t>(request.value));
     if (request.kind == RequestKind::back_off) entry.record.axis = request.axis;
     if (refusal != Refusal::none && refused_axis_ != kNoAxis) entry.record.axis = refused_axis_;
-    if (request.kind == RequestKind::end_jog) entry.record.kind = RecordKind::none;  // it recorded itself
+    // A jog's end recorded itself; who watches the pins is no part of what the machine did.
+    const bool is_told = request.kind == RequestKind::end_jog || request.kind == RequestKind::record;
+    if (is_told) entry.record.kind = RecordKind::none;
     if (request.kind == RequestKind::fail) {
         entry.record.kind = RecordKind::failure;
         entry.record.code = static_cast<std::uint16_t>(request.value);
@@ -84,13 +86,7 @@ void Cycle::push_report(const Report& report) noexcept {
 // After the pins of the same tick: what is counted from here on includes their pulses.
 void Cycle::trace_position() noexcept {
     has_new_position_ = false;
-    if (io_->trace == nullptr) return;
-    trace::TraceEntry entry{};
-    entry.tick = tick_;
-    entry.levels = written_ | inputs_.raw();
-    entry.kind = trace::TraceEntry::Kind::position;
-    entry.position_pulses = pulses_.positions();
-    if (!io_->trace->push(entry)) ++trace_lost_;
+    if (is_tracing()) trace_all(trace::TraceEntry::Kind::position, 0);
 }
 
 }  // namespace psicarve::cycle

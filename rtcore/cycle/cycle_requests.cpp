@@ -41,6 +41,8 @@ Refusal Cycle::judge(const Request& request) noexcept {
             return switch_spindle(request.value != 0);
         case RequestKind::override:
             return take_override(request.value);
+        case RequestKind::record:
+            return record(request);
         case RequestKind::fail:
             break;
     }

@@ -30,6 +30,7 @@ inline constexpr std::array kRequestCommands{
     RequestCommand{RequestKind::move, CommandKind::move},
     RequestCommand{RequestKind::spindle, CommandKind::spindle},
     RequestCommand{RequestKind::override, CommandKind::override},
+    RequestCommand{RequestKind::record, CommandKind::record},
 };
 
 /// Nothing: the tick has no such request.

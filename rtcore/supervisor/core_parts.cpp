@@ -59,10 +59,9 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
         return opened.error();
     }
     parts->io = std::make_unique<cycle::CycleIo>();
-    if (parts->traces.is_open()) {
-        parts->trace_ring = std::make_unique<trace::TraceRing>();
-        parts->io->trace = parts->trace_ring.get();
-    }
+    parts->trace_ring = std::make_unique<trace::TraceRing>();
+    parts->io->trace = parts->trace_ring.get();
+    parts->io->traces_always = parts->traces.is_open();
     parts->cycle =
         std::make_unique<cycle::Cycle>(plan::cycle_config_from_profile(profile), *parts->port, *parts->io);
     if (request.homed_start) parts->cycle->assume_homed(*request.homed_start);

@@ -8,6 +8,7 @@
 
 #include "shared/job.hpp"
 #include "shared/jog_lease.hpp"
+#include "shared/recording.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::supervisor {
@@ -109,6 +110,15 @@ Result<void> add_first_layer(Request& request, const Command& command) {
     return refused("start: layers are counted from 0, in whole numbers");
 }
 
+Result<void> add_recording(Request& request, const Command& command) {
+    const bool is_known = command.value >= 0.0 && command.value < kRecordingFormCount;
+    if (!is_known || command.lease_token == 0)
+        return refused("record: no such form, or nobody to record for");
+    request.value = static_cast<std::uint64_t>(command.value);
+    request.lease_token = command.lease_token;
+    return {};
+}
+
 /// What is no whole number of per cent becomes 0, which the tick refuses.
 std::uint64_t percent_of(double value) {
     const bool is_in_range = value >= kLeastOverride_percent && value <= kMostOverride_percent;
@@ -134,6 +144,8 @@ Result<Request> motion_request(const Command& command, RequestKind kind, const P
         request.value = command.value != 0.0 ? 1 : 0;
     } else if (kind == RequestKind::override) {
         request.value = percent_of(command.value);
+    } else if (kind == RequestKind::record) {
+        added = add_recording(request, command);
     }
     if (!added) return added.error();
     return request;

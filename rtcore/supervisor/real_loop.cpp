@@ -65,7 +65,7 @@ void run_ticks(CoreParts& parts, RecordDirector* record, Threads& threads) {
 }
 
 void move_traces(CoreParts& parts) {
-    if (parts.trace_ring != nullptr) parts.traces.drain(*parts.trace_ring);
+    parts.traces.drain(*parts.trace_ring);
     for (const std::string& line : parts.traces.take_errors())
         std::fprintf(stderr, "psicarve-rtcore: %s\n", line.c_str());
 }

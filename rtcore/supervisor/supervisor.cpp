@@ -2,6 +2,7 @@
 #include "rtcore/supervisor/supervisor.hpp"
 
 #include "shared/event.hpp"
+#include "shared/recording.hpp"
 #include "shared/shared_record.hpp"
 
 namespace psicarve::supervisor {
@@ -47,6 +48,9 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
       estop_seen_(segment_.header().estop_requests.load()),
       judged_generation_(0) {
     segment_.header().core_profile_hash.store(profile_hash(parts.profile));
+    parts.traces.set_recording_taker([this](std::uint32_t token, std::span<const std::uint8_t> bytes) {
+        recording_.put(segment_.header(), token, bytes, std::chrono::steady_clock::now());
+    });
     publish_status();
 }
 
@@ -62,6 +66,7 @@ bool Supervisor::poll() {
     handed_on = handed_on || parts_->io->requests.size() > requests_before;
     drain_reports();
     drain_increments();
+    watch_recording();
     publish_status();
     wake_seen_ = wake_count;
     return handed_on;
@@ -190,6 +195,12 @@ void Supervisor::drain_reports() {
 void Supervisor::drain_increments() {
     IncrementEntry entry;
     while (parts_->io->increments.pop_into(entry)) append_to_ring(segment_.header().increments, entry);
+}
+
+void Supervisor::watch_recording() {
+    if (!recording_.is_abandoned(segment_.header(), std::chrono::steady_clock::now())) return;
+    parts_->traces.drop_recording();
+    request(cycle::RequestKind::record, static_cast<std::uint64_t>(RecordingForm::none));
 }
 
 void Supervisor::publish_status() {

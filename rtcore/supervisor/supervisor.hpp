@@ -9,6 +9,7 @@
 #include "rtcore/supervisor/command_desk.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/loaded_job.hpp"
+#include "rtcore/supervisor/pin_recording.hpp"
 #include "rtcore/supervisor/status_mirror.hpp"
 #include "shared/segment.hpp"
 
@@ -21,6 +22,9 @@ class Supervisor {
 public:
     Supervisor(CoreParts& parts, const SegmentOptions& segment_options, Segment segment,
                const CoreFacts& facts);
+    ~Supervisor() { parts_->traces.set_recording_taker({}); }
+    Supervisor(const Supervisor&) = delete;
+    Supervisor& operator=(const Supervisor&) = delete;
 
     /// One round of everything. True when something was handed to the tick.
     bool poll();
@@ -42,6 +46,11 @@ public:
     /// From here on every command is refused with this reason, but for shutdown.
     void refuse_commands(const std::string& reason) { desk_.refuse_all(reason); }
 
+    /// On the virtual clock: time stands still until whoever has the pins recorded has read more, or is gone.
+    bool must_wait_for_reader() const noexcept {
+        return is_virtual_clock_ && recording_.is_reader_behind(segment_.header());
+    }
+
     bool shutdown_requested() const noexcept { return desk_.shutdown_requested(); }
     const cycle::Sample& sample() const noexcept { return sample_; }
     Segment& segment() noexcept { return segment_; }
@@ -56,6 +65,7 @@ private:
     void finish_job(const cycle::Report& report);
     void drain_reports();
     void drain_increments();
+    void watch_recording();
     void publish_status();
     void check_segment();
     void take_new_segment();
@@ -68,6 +78,7 @@ private:
     Segment segment_;
     CommandDesk desk_;
     StatusMirror mirror_;
+    PinRecording recording_;
     bool is_virtual_clock_;
     cycle::Sample sample_;
     std::uint32_t stop_seen_;

@@ -12,6 +12,7 @@ constexpr std::uint64_t kTicksPerSlice = 4096;  ///< so few that the trace ring 
 constexpr std::uint64_t kLongestSlice = trace::kTraceRingEntries / 2;
 constexpr std::uint64_t kSettleTicks = 16;  ///< after coming to rest: pins fall, filters settle
 constexpr std::chrono::milliseconds kIdleWait{20};
+constexpr std::chrono::milliseconds kReaderWait{1};
 
 /// Decides which ticks virtual time has. At rest a tick passes only to take a request, so that the moment a
 /// command comes in from another process does not show in the trace.
@@ -72,7 +73,7 @@ private:
 };
 
 void move_traces(CoreParts& parts) {
-    if (parts.trace_ring != nullptr) parts.traces.drain(*parts.trace_ring);
+    parts.traces.drain(*parts.trace_ring);
     for (const std::string& line : parts.traces.take_errors())
         std::fprintf(stderr, "psicarve-rtcore: %s\n", line.c_str());
 }
@@ -103,6 +104,10 @@ int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directo
         }
         const auto ending = end.poll(supervisor);
         if (ending == EndRequest::Progress::may_end || supervisor.shutdown_requested()) break;
+        if (supervisor.must_wait_for_reader()) {
+            supervisor.wait(kReaderWait);
+            continue;
+        }
         if (!time.run_slice(has_news || ending == EndRequest::Progress::told_tick)) {
             parts.traces.flush();
             supervisor.wait(kIdleWait);

@@ -10,7 +10,7 @@ namespace psicarve::trace {
 
 static_assert(std::endian::native == std::endian::little, "the header is written as it stands in memory");
 
-BinaryWriter::BinaryWriter(FdWriter out, const TraceStart& start) noexcept
+BinaryWriter::BinaryWriter(TraceOutput out, const TraceStart& start) noexcept
     : out_(std::move(out)), levels_(start.levels) {
     TraceHeader header{.magic = kTraceMagic,
                        .version = kTraceVersion,

@@ -4,16 +4,16 @@
 #include <cstdint>
 #include <optional>
 
-#include "rtcore/trace/fd_writer.hpp"
 #include "rtcore/trace/trace_writer.hpp"
 #include "shared/trace_format.hpp"
+#include "shared/trace_output.hpp"
 
 namespace psicarve::trace {
 
 /// The compact binary form: shared/trace_format.hpp.
 class BinaryWriter final : public TraceWriter {
 public:
-    BinaryWriter(FdWriter out, const TraceStart& start) noexcept;
+    BinaryWriter(TraceOutput out, const TraceStart& start) noexcept;
 
     void add(const TraceEntry& entry) noexcept override;
     void flush() noexcept override { out_.flush(); }
@@ -23,7 +23,7 @@ public:
 private:
     std::uint8_t* begin_record(std::uint64_t tick, TraceRecordKind kind) noexcept;
 
-    FdWriter out_;
+    TraceOutput out_;
     std::uint64_t last_tick_ = 0;
     SignalWord levels_;
 };

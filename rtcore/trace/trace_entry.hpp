@@ -10,15 +10,16 @@
 
 namespace psicarve::trace {
 
-/// What the tick tells a trace: the levels of all pins after a change, or positions that homing defined anew.
+/// What the tick tells a trace: the levels of all pins after a change, positions that homing defined anew,
+/// and where a recording for another process begins and ends.
 struct TraceEntry {
-    enum class Kind : std::uint32_t { pins, position };
+    enum class Kind : std::uint32_t { pins, position, begin_binary, begin_vcd, end };
     std::uint64_t tick;
     SignalWord levels;
     Kind kind;
-    std::uint32_t offset_ns;  ///< inside the tick
-    std::uint32_t reserved;
-    std::array<std::int64_t, kAxisCount> position_pulses;  ///< kind position only
+    std::uint32_t offset_ns;                               ///< inside the tick
+    std::uint32_t token;                                   ///< kinds begin and end: whose recording
+    std::array<std::int64_t, kAxisCount> position_pulses;  ///< kinds position and begin
 };
 
 inline constexpr std::size_t kTraceRingEntries = 65536;

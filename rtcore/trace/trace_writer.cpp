@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "rtcore/trace/binary_writer.hpp"
-#include "rtcore/trace/fd_writer.hpp"
 #include "rtcore/trace/vcd_writer.hpp"
+#include "shared/trace_output.hpp"
 
 namespace psicarve::trace {
 
 Result<std::unique_ptr<TraceWriter>> open_trace(const std::string& path, const TraceStart& start) {
-    Result<FdWriter> out = FdWriter::open(path);
+    Result<TraceOutput> out = TraceOutput::open(path);
     if (!out) return out.error();
     std::unique_ptr<TraceWriter> writer;
     if (path.ends_with(".vcd")) {

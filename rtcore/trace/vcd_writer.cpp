@@ -21,7 +21,7 @@ constexpr char code_of(std::size_t signal) noexcept {
     return static_cast<char>('!' + signal);
 }
 
-void write_number(FdWriter& out, std::int64_t number) noexcept {
+void write_number(TraceOutput& out, std::int64_t number) noexcept {
     char text[kNumberBytes];
     const auto [end, error] = std::to_chars(text, text + sizeof text, number);
     out.write(std::string_view(text, static_cast<std::size_t>(end - text)));
@@ -29,7 +29,7 @@ void write_number(FdWriter& out, std::int64_t number) noexcept {
 
 }  // namespace
 
-VcdWriter::VcdWriter(FdWriter out, const TraceStart& start) noexcept
+VcdWriter::VcdWriter(TraceOutput out, const TraceStart& start) noexcept
     : out_(std::move(out)),
       period_ns_(start.period_ns),
       levels_(start.levels),

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "rtcore/trace/fd_writer.hpp"
 #include "rtcore/trace/trace_writer.hpp"
+#include "shared/trace_output.hpp"
 
 namespace psicarve::trace {
 
@@ -18,7 +18,7 @@ namespace psicarve::trace {
 /// at a $comment among the values.
 class VcdWriter final : public TraceWriter {
 public:
-    VcdWriter(FdWriter out, const TraceStart& start) noexcept;
+    VcdWriter(TraceOutput out, const TraceStart& start) noexcept;
 
     void add(const TraceEntry& entry) noexcept override;
     void flush() noexcept override { out_.flush(); }
@@ -33,7 +33,7 @@ private:
     void write_time(std::int64_t time_ns) noexcept;
     void write_levels(SignalWord which, SignalWord levels) noexcept;
 
-    FdWriter out_;
+    TraceOutput out_;
     std::int64_t period_ns_;
     std::int64_t time_ns_ = 0;
     SignalWord levels_;

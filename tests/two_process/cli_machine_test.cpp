@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "shared/recording.hpp"
 #include "shared/segment.hpp"
 #include "shared/shared_record.hpp"
 #include "tests/hmi/cli/program_run.hpp"
@@ -21,7 +22,9 @@ protected:
         if (const auto pid = core_pid()) kill(static_cast<pid_t>(*pid), SIGKILL);
     }
     void start_core(const std::vector<std::string>& more = {}) {
-        std::vector<std::string> arguments{"--segment", segment_, "--clock", "virtual"};
+        std::vector<std::string> arguments{"--segment", segment_};
+        if (std::ranges::find(more, "--clock") == more.end())
+            arguments.insert(arguments.end(), {"--clock", "virtual"});
         arguments.insert(arguments.end(), more.begin(), more.end());
         core_ = std::make_unique<RunningProgram>("psicarve-rtcore", arguments);
         ASSERT_TRUE(eventually([&] { return core_pid().has_value(); }));
@@ -86,26 +89,99 @@ TEST_F(Machine, CarveUsesTheRunningCoreAndLeavesItRunning) {
     start_core();
     const Outcome outcome = run({"carve", job("3", "9"), "--json"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-    EXPECT_EQ(outcome.json()["verified"], nullptr);
+    EXPECT_EQ(outcome.json()["verified"], true);
     EXPECT_TRUE(core_pid().has_value());
     const Outcome again = run({"carve", file("box.job")});
     EXPECT_EQ(again.exit_code, 0) << again.error;
 }
 
-// The usage is right; it is the running core that cannot do it.
-TEST_F(Machine, WhatOnlyAnOwnCoreCanDoIsRefusedWithTheRemedy) {
+TEST_F(Machine, ARunningCoresPinsAreDrawnTracedAndJudged) {
     start_core();
-    for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{
-             {"--trace", file("out.vcd")}, {"--picture", file("out.png")}, {"--real-time"}}) {
-        std::vector<std::string> arguments{"carve", job("3", "9"), "--json"};
-        arguments.insert(arguments.end(), option.begin(), option.end());
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.exit_code, 4) << option[0];
-        EXPECT_EQ(outcome.json()["error"]["code"], "machine_refused") << outcome.out;
-        EXPECT_NE(outcome.error.find("served by a running core"), std::string::npos) << outcome.error;
-        EXPECT_NE(outcome.error.find("another --segment"), std::string::npos) << outcome.error;
-        EXPECT_FALSE(std::filesystem::exists(file("out.vcd")));
+    const std::string path = job("6", "40");
+    for (const char* name : {"pins.vcd", "pins.trace"}) {  // the second time without homing, psi turned on
+        const Outcome outcome =
+            run({"carve", path, "--trace", file(name), "--picture", file("out.png"), "--json"});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+        const auto report = outcome.json();
+        EXPECT_EQ(report["verified"], true);
+        EXPECT_EQ(report["verification"]["points_visited"], 240);
+        EXPECT_EQ(report["picture"], file("out.png"));
+        EXPECT_TRUE(std::filesystem::remove(file("out.png")));
+        const Outcome judged = psicarve({"verify", path, file(name), "--json"});
+        EXPECT_EQ(judged.exit_code, 0) << judged.error;
+        EXPECT_EQ(judged.json()["pulses"], report["pulses"]);
     }
+}
+
+// A computer that misses ticks may break rule 3; it must not lose a pulse on the way here.
+TEST_F(Machine, ARunningCoreByTheWallClockIsJudgedAsWell) {
+    write("slow.toml", profile_to_toml(two_process::slow_machine()));
+    start_core({"--clock", "real", "--profile", file("slow.toml")});
+    const std::vector<std::string> slice{
+        "slice",     box_stl("box.stl", 1.0), "-o", file("slow.job"), "--layers", "1", "--points", "3",
+        "--profile", file("slow.toml")};
+    ASSERT_EQ(psicarve(slice).exit_code, 0);
+    const auto report = run({"carve", file("slow.job"), "--trace", file("pins.vcd"), "--json"}).json();
+    EXPECT_TRUE(report["verified"].is_boolean()) << report;
+    EXPECT_EQ(report["verification"]["points_visited"], 3) << report;
+    const auto judged = psicarve({"verify", file("slow.job"), file("pins.vcd"), "--json"}).json();
+    EXPECT_EQ(judged["verified"], report["verification"]["verified"]);
+    EXPECT_EQ(judged["pulses"], report["pulses"]);
+}
+
+TEST_F(Machine, AKilledReaderOfThePinsHoldsUpNobodyAndLeavesThemToTheNext) {
+    start_core();
+    const std::string path = long_job();
+    RunningProgram killed{"psicarve", {"carve", path, "--trace", file("killed.vcd"), "--segment", segment_}};
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
+    killed.send(SIGKILL);
+    killed.wait();
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::ready; }));
+    ASSERT_TRUE(eventually([&] {
+        return run({"carve", job("3", "9"), "--picture", file("out.png")}).exit_code == 0;
+    }));
+}
+
+/// Has the pins recorded and renews nothing: its lease ends by itself.
+TEST_F(Machine, PinsThatAnotherHasRecordedAreRefusedBeforeAnythingMovesOrIsOverwritten) {
+    start_core();
+    write("old.vcd", "precious");
+    auto segment = Segment::attach(segment_);
+    ASSERT_TRUE(segment);
+    Command record{};
+    record.kind = CommandKind::record;
+    record.value = static_cast<double>(RecordingForm::binary);
+    record.lease_token = 77;
+    const auto asked = send_command(*segment, record, milliseconds{10'000});
+    ASSERT_TRUE(asked) << asked.error().message;
+    const Outcome outcome = run({"carve", job("3", "9"), "--trace", file("old.vcd"), "--json"});
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_EQ(outcome.json()["error"]["code"], "machine_refused") << outcome.out;
+    EXPECT_NE(outcome.error.find("another process has the pins recorded"), std::string::npos)
+        << outcome.error;
+    EXPECT_EQ(text_of(file("old.vcd")), "precious");
+    EXPECT_EQ(state(), MachineState::off);
+    const Outcome unseen = run({"carve", job("3", "9"), "--json"});
+    EXPECT_EQ(unseen.exit_code, 0) << unseen.error;
+    EXPECT_TRUE(unseen.json()["verified"] == nullptr || unseen.json()["verified"] == true);
+}
+
+TEST_F(Machine, ATraceOfARunningCoreOntoAFullDiskIsAnErrorAfterTheWork) {
+    start_core();
+    const Outcome outcome = run({"carve", job("3", "9"), "--trace", "/dev/full", "--json"});
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.error;
+    EXPECT_NE(outcome.error.find("trace /dev/full: No space left on device"), std::string::npos);
+    EXPECT_EQ(outcome.json()["verified"], true);
+}
+
+// The usage is right; it is the running core that cannot do it.
+TEST_F(Machine, TheClockOfARunningCoreIsWhatItIs) {
+    start_core();
+    const Outcome outcome = run({"carve", job("3", "9"), "--json", "--real-time"});
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_EQ(outcome.json()["error"]["code"], "machine_refused") << outcome.out;
+    EXPECT_NE(outcome.error.find("served by a running core"), std::string::npos) << outcome.error;
+    EXPECT_NE(outcome.error.find("another --segment"), std::string::npos) << outcome.error;
 }
 
 /// The report of a job that a core did not begin, after one that it carved.

@@ -155,7 +155,7 @@ TEST_F(SegmentCreation, FullSharedMemoryIsAnErrorMessageAndLeavesNoObject) {
 
 TEST_F(SegmentCreation, FullSharedMemoryWhilePublishingKeepsTheOldJob) {
     ChildProcess child{[this](const ChildProcess::Signal&) {
-        get_small_shm(6 * kMib);
+        get_small_shm(8 * kMib);
         Segment segment = create().value();
         ASSERT_TRUE(publish_job(segment, test::make_job(1, 500, 500)).has_value());
 

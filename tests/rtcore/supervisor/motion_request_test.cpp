@@ -116,5 +116,23 @@ TEST(MotionRequest, RefusesWhatMakesNoSenseByName) {
     EXPECT_NE(refusal(move(0b10001, 1.0), RequestKind::move).find("no axis"), std::string::npos);
 }
 
+TEST(MotionRequest, OfARecordingNeedsAFormAndAReader) {
+    Command command{};
+    command.kind = CommandKind::record;
+    command.lease_token = 9;
+    command.value = 2.0;
+    const auto sut = motion_request(command, RequestKind::record, Profile{}, false);
+    ASSERT_TRUE(sut);
+    EXPECT_EQ(sut->value, 2U);
+    EXPECT_EQ(sut->lease_token, 9U);
+    for (const double form : {-1.0, 3.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+        command.value = form;
+        EXPECT_NE(refusal(command, RequestKind::record), "") << form;
+    }
+    command.value = 1.0;
+    command.lease_token = 0;
+    EXPECT_NE(refusal(command, RequestKind::record), "");
+}
+
 }  // namespace
 }  // namespace psicarve::supervisor

@@ -40,7 +40,7 @@ inline TraceEntry pins(std::uint64_t tick, SignalWord levels, std::uint32_t offs
             .levels = levels,
             .kind = TraceEntry::Kind::pins,
             .offset_ns = offset_ns,
-            .reserved = 0,
+            .token = 0,
             .position_pulses = {}};
 }
 inline TraceEntry position(std::uint64_t tick, std::array<std::int64_t, kAxisCount> pulses) {
@@ -48,7 +48,7 @@ inline TraceEntry position(std::uint64_t tick, std::array<std::int64_t, kAxisCou
             .levels = 0,
             .kind = TraceEntry::Kind::position,
             .offset_ns = 0,
-            .reserved = 0,
+            .token = 0,
             .position_pulses = pulses};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/trace/fd_writer.hpp"
+#include "shared/trace_output.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -9,20 +9,34 @@
 #include <array>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
 #include <string>
+#include <utility>
 
-#include "tests/rtcore/trace/trace_files.hpp"
+#include "tests/shared/temporary_folder.hpp"
 
-namespace psicarve::trace {
+namespace psicarve {
 namespace {
 
-using FdWriterTest = TraceFolder;
+class TraceOutputTest : public testing::Test {
+protected:
+    std::string path(const std::string& name) const { return folder_.path(name); }
+    static std::string content(const std::string& path) {
+        std::ifstream file(path, std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
 
-TEST_F(FdWriterTest, GathersAndWritesOutAtTheEnd) {
+private:
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(TraceOutputTest, GathersAndWritesOutAtTheEnd) {
     const std::string file = path("out");
     std::string expected;
     {
-        FdWriter sut = FdWriter::open(file).value();
+        TraceOutput sut = TraceOutput::open(file).value();
         for (int i = 0; i < 100'000; ++i) {
             const std::string line = "line " + std::to_string(i) + "\n";
             sut.write(line);
@@ -33,25 +47,25 @@ TEST_F(FdWriterTest, GathersAndWritesOutAtTheEnd) {
     EXPECT_EQ(content(file), expected);
 }
 
-TEST_F(FdWriterTest, RefusesToFollowALink) {
+TEST_F(TraceOutputTest, RefusesToFollowALink) {
     const std::string victim = path("victim");
-    { FdWriter::open(victim).value().write("precious"); }
+    { TraceOutput::open(victim).value().write("precious"); }
     std::filesystem::create_symlink(victim, path("link"));
-    const Result<FdWriter> sut = FdWriter::open(path("link"));
+    const Result<TraceOutput> sut = TraceOutput::open(path("link"));
     ASSERT_FALSE(sut);
     EXPECT_NE(sut.error().message.find("symbolic link"), std::string::npos) << sut.error().message;
     EXPECT_EQ(content(victim), "precious");
 }
 
-TEST_F(FdWriterTest, NamesAFolderThatIsNotThere) {
-    const Result<FdWriter> sut = FdWriter::open(path("nowhere/out"));
+TEST_F(TraceOutputTest, NamesAFolderThatIsNotThere) {
+    const Result<TraceOutput> sut = TraceOutput::open(path("nowhere/out"));
     ASSERT_FALSE(sut);
     EXPECT_NE(sut.error().message.find("nowhere/out"), std::string::npos);
     EXPECT_EQ(sut.error().code, ErrorCode::bad_input);
 }
 
-TEST_F(FdWriterTest, FullDiskIsOneErrorAndNothingElse) {
-    FdWriter sut = FdWriter::open("/dev/full").value();
+TEST_F(TraceOutputTest, FullDiskIsOneErrorAndNothingElse) {
+    TraceOutput sut = TraceOutput::open("/dev/full").value();
     for (int round = 0; round < 5; ++round) {
         sut.write(std::string(4'000, 'x'));
         sut.flush();
@@ -84,9 +98,9 @@ private:
     rlimit former_{};
 };
 
-TEST_F(FdWriterTest, FullDiskLeavesNoPartOfAFile) {
+TEST_F(TraceOutputTest, FullDiskLeavesNoPartOfAFile) {
     const FileSizeLimit limit{10'000};
-    FdWriter sut = FdWriter::open(path("out")).value();
+    TraceOutput sut = TraceOutput::open(path("out")).value();
     sut.write(std::string(8'000, 'x'));
     sut.flush();
     ASSERT_TRUE(std::filesystem::exists(path("out")));
@@ -99,22 +113,37 @@ TEST_F(FdWriterTest, FullDiskLeavesNoPartOfAFile) {
     EXPECT_NE(error->message.find("was removed"), std::string::npos) << error->message;
 }
 
-TEST_F(FdWriterTest, FullDiskLeavesAnotherFileThatHasGotTheName) {
+TEST_F(TraceOutputTest, FullDiskLeavesAnotherFileThatHasGotTheName) {
     const FileSizeLimit limit{10'000};
-    FdWriter sut = FdWriter::open(path("out")).value();
+    TraceOutput sut = TraceOutput::open(path("out")).value();
     std::filesystem::rename(path("out"), path("moved"));
-    { FdWriter::open(path("out")).value().write("precious"); }
+    { TraceOutput::open(path("out")).value().write("precious"); }
     sut.write(std::string(12'000, 'x'));
     sut.flush();
     EXPECT_TRUE(sut.take_error());
     EXPECT_EQ(content(path("out")), "precious");
 }
 
-TEST_F(FdWriterTest, WritesToAPipeThatAParentReads) {
+TEST_F(TraceOutputTest, GivesWhatHasGatheredToATaker) {
+    std::string taken;
+    {
+        TraceOutput sut{
+            [&taken](std::span<const std::uint8_t> bytes) { taken.append(bytes.begin(), bytes.end()); }};
+        sut.write("one ");
+        EXPECT_EQ(taken, "");
+        sut.flush();
+        EXPECT_EQ(taken, "one ");
+        TraceOutput moved = std::move(sut);
+        moved.write("two");
+    }
+    EXPECT_EQ(taken, "one two");
+}
+
+TEST_F(TraceOutputTest, WritesToAPipeThatAParentReads) {
     std::array<int, 2> ends{};
     ASSERT_EQ(pipe(ends.data()), 0);
     {
-        FdWriter sut = FdWriter::open("fd:" + std::to_string(ends[1])).value();
+        TraceOutput sut = TraceOutput::open("fd:" + std::to_string(ends[1])).value();
         EXPECT_TRUE((fcntl(ends[1], F_GETFD) & FD_CLOEXEC) != 0);
         sut.write("through");
     }
@@ -124,11 +153,11 @@ TEST_F(FdWriterTest, WritesToAPipeThatAParentReads) {
     close(ends[0]);
 }
 
-TEST_F(FdWriterTest, ReaderThatGoesAwayIsAnErrorAndNoSignal) {
+TEST_F(TraceOutputTest, ReaderThatGoesAwayIsAnErrorAndNoSignal) {
     std::array<int, 2> ends{};
     ASSERT_EQ(pipe(ends.data()), 0);
     std::signal(SIGPIPE, SIG_DFL);  // it would end this test
-    FdWriter sut = FdWriter::open("fd:" + std::to_string(ends[1])).value();
+    TraceOutput sut = TraceOutput::open("fd:" + std::to_string(ends[1])).value();
     close(ends[0]);
     sut.write("to nobody");
     sut.flush();
@@ -138,17 +167,17 @@ TEST_F(FdWriterTest, ReaderThatGoesAwayIsAnErrorAndNoSignal) {
     EXPECT_EQ(sigismember(&pending, SIGPIPE), 0);
 }
 
-TEST_F(FdWriterTest, RefusesDescriptorsThatCannotBeWritten) {
+TEST_F(TraceOutputTest, RefusesDescriptorsThatCannotBeWritten) {
     for (const char* const name : {"fd:", "fd:x", "fd:1x", "fd:-1"}) {
-        const Result<FdWriter> sut = FdWriter::open(name);
+        const Result<TraceOutput> sut = TraceOutput::open(name);
         ASSERT_FALSE(sut) << name;
         EXPECT_EQ(sut.error().code, ErrorCode::bad_usage) << name;
     }
-    EXPECT_FALSE(FdWriter::open("fd:987"));
+    EXPECT_FALSE(TraceOutput::open("fd:987"));
     const int read_only = open("/dev/null", O_RDONLY | O_CLOEXEC);
-    EXPECT_FALSE(FdWriter::open("fd:" + std::to_string(read_only)));
+    EXPECT_FALSE(TraceOutput::open("fd:" + std::to_string(read_only)));
     close(read_only);
 }
 
 }  // namespace
-}  // namespace psicarve::trace
+}  // namespace psicarve

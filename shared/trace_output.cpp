@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/trace/fd_writer.hpp"
+#include "shared/trace_output.hpp"
 
 #include <fcntl.h>
 #include <pthread.h>
@@ -14,7 +14,7 @@
 #include <ctime>
 #include <utility>
 
-namespace psicarve::trace {
+namespace psicarve {
 namespace {
 
 /// Keeps SIGPIPE from this thread while it writes to a pipe, whatever the program does about signals.
@@ -80,13 +80,13 @@ Result<int> open_any(const std::string& path) {
 
 }  // namespace
 
-Result<FdWriter> FdWriter::open(const std::string& path) {
+Result<TraceOutput> TraceOutput::open(const std::string& path) {
     const Result<int> fd = open_any(path);
     if (!fd) return fd.error();
-    return FdWriter{*fd, path};
+    return TraceOutput{*fd, path};
 }
 
-FdWriter::FdWriter(int fd, std::string name)
+TraceOutput::TraceOutput(int fd, std::string name)
     : fd_(fd), name_(std::move(name)), buffer_(std::make_unique<std::uint8_t[]>(kBufferBytes)) {
     struct stat status {};
     const bool is_known = fstat(fd, &status) == 0;
@@ -94,8 +94,12 @@ FdWriter::FdWriter(int fd, std::string name)
     is_named_ = is_known && S_ISREG(status.st_mode) && name_ != "-" && !name_.starts_with("fd:");
 }
 
-FdWriter::FdWriter(FdWriter&& other) noexcept
+TraceOutput::TraceOutput(Taker taker)
+    : taker_(std::move(taker)), buffer_(std::make_unique<std::uint8_t[]>(kBufferBytes)) {}
+
+TraceOutput::TraceOutput(TraceOutput&& other) noexcept
     : fd_(std::exchange(other.fd_, -1)),
+      taker_(std::exchange(other.taker_, {})),
       may_break_(other.may_break_),
       is_named_(other.is_named_),
       is_removed_(other.is_removed_),
@@ -105,13 +109,12 @@ FdWriter::FdWriter(FdWriter&& other) noexcept
       buffer_(std::move(other.buffer_)),
       used_(std::exchange(other.used_, 0)) {}
 
-FdWriter::~FdWriter() {
-    if (fd_ < 0) return;
+TraceOutput::~TraceOutput() {
     flush();
-    ::close(fd_);
+    if (fd_ >= 0) ::close(fd_);
 }
 
-void FdWriter::write(std::string_view text) noexcept {
+void TraceOutput::write(std::string_view text) noexcept {
     while (!text.empty()) {
         const std::size_t count = std::min(text.size(), kLongestPiece);
         std::uint8_t* const place = room(count);
@@ -121,10 +124,12 @@ void FdWriter::write(std::string_view text) noexcept {
     }
 }
 
-void FdWriter::flush() noexcept {
+void TraceOutput::flush() noexcept {
     const std::size_t count = std::exchange(used_, 0);
     if (count == 0 || failed_errno_ != 0) return;
-    if (may_break_) {
+    if (taker_) {
+        taker_({buffer_.get(), count});
+    } else if (may_break_) {
         const NoPipeSignal no_signal;
         write_out(buffer_.get(), count);
     } else {
@@ -132,7 +137,7 @@ void FdWriter::flush() noexcept {
     }
 }
 
-void FdWriter::write_out(const std::uint8_t* bytes, std::size_t count) noexcept {
+void TraceOutput::write_out(const std::uint8_t* bytes, std::size_t count) noexcept {
     while (count > 0) {
         const ssize_t written = ::write(fd_, bytes, count);
         if (written < 0 && errno == EINTR) continue;
@@ -147,7 +152,7 @@ void FdWriter::write_out(const std::uint8_t* bytes, std::size_t count) noexcept 
 }
 
 /// Unless the name stands for another file by now.
-void FdWriter::remove_file() noexcept {
+void TraceOutput::remove_file() noexcept {
     struct stat ours {};
     struct stat named {};
     const bool is_ours = fstat(fd_, &ours) == 0 && ::lstat(name_.c_str(), &named) == 0 &&
@@ -156,7 +161,14 @@ void FdWriter::remove_file() noexcept {
     if (is_removed_) ::close(std::exchange(fd_, -1));  // else its room would stay taken
 }
 
-std::optional<Error> FdWriter::take_error() {
+void TraceOutput::discard() noexcept {
+    used_ = 0;
+    if (failed_errno_ == 0 && is_named_) remove_file();
+    failed_errno_ = failed_errno_ == 0 ? ECANCELED : failed_errno_;
+    error_taken_ = true;
+}
+
+std::optional<Error> TraceOutput::take_error() {
     if (failed_errno_ == 0 || error_taken_) return std::nullopt;
     error_taken_ = true;
     const bool is_full = failed_errno_ == ENOSPC || failed_errno_ == EDQUOT || failed_errno_ == EFBIG;
@@ -166,4 +178,4 @@ std::optional<Error> FdWriter::take_error() {
                                   : "; it ends there and is not complete")};
 }
 
-}  // namespace psicarve::trace
+}  // namespace psicarve

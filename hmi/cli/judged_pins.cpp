@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cli/judged_pins.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "hmi/cli/exit_code.hpp"
+#include "hmi/verify/picture.hpp"
+
+namespace psicarve::cli {
+
+void add_verification(RunReport& report, Result<verify::VerifyReport> verification) {
+    if (verification) report.figures.pulses = verification->pulses;
+    if (!verification) {
+        report.unverified_reason = verification.error().message;
+    } else if (!report.figures.is_complete) {
+        report.unverified_reason = "the job was not carved to its end";
+    } else {
+        report.verification = std::move(verification).value();
+    }
+}
+
+void add_picture(RunReport& report, const JobView& job, const verify::CarvedSurface& surface,
+                 const std::string& picture_path) {
+    if (!report.verification || picture_path.empty()) return;
+    auto caption = verify::caption_of(job, *report.verification);
+    caption.has_lost_steps = !report.lost_steps.empty();
+    const auto drawn = verify::write_picture(picture_path, surface, caption);
+    if (!drawn && !report.failure) report.failure = drawn.error();
+    if (drawn) report.picture_path = picture_path;
+}
+
+void warn_of_lost_pins(const RunReport& report) {
+    const std::uint64_t lost =
+        report.last.trace_lost - std::min(report.before.trace_lost, report.last.trace_lost);
+    if (lost == 0) return;
+    print_warning(std::to_string(lost) +
+                  " pin changes came faster than the trace could be written and are missing in it");
+}
+
+}  // namespace psicarve::cli

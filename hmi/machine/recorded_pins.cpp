@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/machine/recorded_pins.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <random>
+#include <span>
+#include <utility>
+
+#include "shared/jog_lease.hpp"
+
+namespace psicarve::machine {
+namespace {
+
+constexpr std::chrono::milliseconds kPoll{1};
+/// So few that the lease is renewed in between, however slow the verifier is.
+constexpr int kMostAtOnce = 256;
+/// What the core has put into the ring by the end of the recording is there to be read.
+constexpr std::chrono::milliseconds kEndLimit{5000};
+
+std::uint32_t any_token() {
+    std::random_device random;
+    const std::uint32_t token = random();
+    return token != 0 ? token : 1;
+}
+
+void write_all(int fd, std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t put = ::write(fd, bytes.data(), bytes.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put <= 0) return;  // the verifier says that its trace was cut off
+        bytes = bytes.subspan(static_cast<std::size_t>(put));
+    }
+}
+
+}  // namespace
+
+RecordedPins::RecordedPins(MachineLink& link) noexcept
+    : link_(&link), token_(any_token()), pieces_(link.segment().header().recording, true) {}
+
+Result<std::unique_ptr<RecordedPins>> RecordedPins::start(MachineLink& link, const JobView& job,
+                                                          const Profile& profile,
+                                                          const std::string& trace_path) {
+    std::unique_ptr<RecordedPins> made{new RecordedPins{link}};
+    auto pipe = open_pipe();
+    if (!pipe) return pipe.error();
+    auto verification = PipeVerification::start(job, profile, std::move(pipe->read_end));
+    if (!verification) return verification.error();
+    made->verification_ = std::move(verification).value();
+    made->pipe_ = std::move(pipe->write_end);
+    if (const auto begun = made->begin(trace_path); !begun) return begun.error();
+    made->thread_ = std::thread{[self = made.get()] { self->read_pieces(); }};
+    return made;
+}
+
+/// The core comes first: a file that stands where the trace is to go stays as it is when it refuses.
+Result<void> RecordedPins::begin(const std::string& trace_path) {
+    renew();
+    const bool is_vcd = trace_path.ends_with(".vcd");
+    if (const auto asked = ask(is_vcd ? RecordingForm::vcd : RecordingForm::binary); !asked) return asked;
+    if (trace_path.empty()) return {};
+    auto opened = TraceOutput::open(trace_path);
+    if (!opened) {
+        (void)ask(RecordingForm::none);
+        return opened.error();
+    }
+    file_.emplace(std::move(opened).value());
+    return {};
+}
+
+RecordedPins::~RecordedPins() {
+    phase_.store(Phase::given_up);
+    if (thread_.joinable()) thread_.join();
+    pipe_.reset();  // before the verifier is waited for
+    if (file_ && !is_whole_) file_->discard();
+}
+
+Result<void> RecordedPins::ask(RecordingForm form) {
+    Command command{};
+    command.kind = CommandKind::record;
+    command.value = static_cast<double>(form);
+    command.lease_token = token_;
+    return link_->send(command);
+}
+
+Result<verify::VerifyReport> RecordedPins::finish() {
+    phase_.store(ask(RecordingForm::none) ? Phase::ending : Phase::given_up);
+    if (thread_.joinable()) thread_.join();
+    auto report = verification_->finish();
+    if (is_whole_) {
+        if (file_) file_->flush();
+        if (file_) trace_failure_ = file_->take_error();
+        return report;
+    }
+    const Error lost{ErrorCode::machine_refused,
+                     pieces_.lost() > 0
+                         ? "the pins came faster than this computer could take them from the core"
+                         : "the core's recording of its pins ended early"};
+    if (file_) {
+        file_->discard();
+        trace_failure_ = Error{lost.code, "there is no whole trace, and so none: " + lost.message};
+    }
+    return lost;
+}
+
+void RecordedPins::renew() noexcept {
+    SegmentHeader& shared = link_->segment().header();
+    shared.recording_taken.store(pieces_.position(), std::memory_order_release);
+    shared.recording_lease.store(jog_lease_word(token_, ++beat_), std::memory_order_release);
+}
+
+void RecordedPins::read_pieces() {
+    using Clock = std::chrono::steady_clock;
+    auto last_piece = Clock::now();
+    while (!is_whole_ && pieces_.lost() == 0) {
+        const int taken = take_pieces();
+        renew();
+        if (taken > 0) last_piece = Clock::now();
+        if (taken == kMostAtOnce) continue;
+        const Phase phase = phase_.load();
+        const bool is_silent = Clock::now() - last_piece > kEndLimit;
+        if (taken == 0 && (phase == Phase::given_up || (phase == Phase::ending && is_silent))) break;
+        std::this_thread::sleep_for(kPoll);
+    }
+    pipe_.reset();  // the verifier reads to the end of what there is
+}
+
+/// How many there were.
+int RecordedPins::take_pieces() {
+    for (int n = 0; n < kMostAtOnce; ++n) {
+        const auto piece = pieces_.next();
+        if (!piece || is_whole_ || pieces_.lost() > 0) return n;
+        if (piece->token == token_) hand_on(*piece);
+    }
+    return kMostAtOnce;
+}
+
+void RecordedPins::hand_on(const RecordingPiece& piece) {
+    if (piece.bytes == 0) {
+        is_whole_ = true;
+        return;
+    }
+    const std::size_t count = std::min<std::size_t>(piece.bytes, sizeof piece.data);
+    write_all(pipe_.get(), {piece.data, count});
+    if (file_) file_->write({reinterpret_cast<const char*>(piece.data), count});
+}
+
+}  // namespace psicarve::machine

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "hmi/machine/machine_link.hpp"
+#include "hmi/machine/pipe_verification.hpp"
+#include "hmi/machine/unique_fd.hpp"
+#include "shared/job.hpp"
+#include "shared/profile.hpp"
+#include "shared/recording.hpp"
+#include "shared/result.hpp"
+#include "shared/shared_record.hpp"
+#include "shared/trace_output.hpp"
+
+namespace psicarve::machine {
+
+/// The pins of a core that others started: it records them for us into the segment; a thread of ours hands
+/// what comes to the verifier and, if asked for, to a trace file.
+class RecordedPins {
+public:
+    /// Has the core record from here on; it must be at rest. `trace_path` empty: no file. The link and the
+    /// job's blob outlive this.
+    static Result<std::unique_ptr<RecordedPins>> start(MachineLink& link, const JobView& job,
+                                                       const Profile& profile, const std::string& trace_path);
+    ~RecordedPins();
+    RecordedPins(const RecordedPins&) = delete;
+    RecordedPins& operator=(const RecordedPins&) = delete;
+
+    /// Ends the recording and gives what the pins came to; an error when not all of them came through.
+    Result<verify::VerifyReport> finish();
+    /// After finish().
+    const verify::CarvedSurface& surface() const noexcept { return verification_->surface(); }
+    /// After finish(): why there is no whole trace file, if one was asked for.
+    const std::optional<Error>& trace_failure() const noexcept { return trace_failure_; }
+
+private:
+    explicit RecordedPins(MachineLink& link) noexcept;
+    Result<void> begin(const std::string& trace_path);
+    Result<void> ask(RecordingForm form);
+    void read_pieces();
+    int take_pieces();
+    void hand_on(const RecordingPiece& piece);
+    void renew() noexcept;
+
+    MachineLink* link_;
+    std::uint32_t token_;
+    std::uint32_t beat_ = 0;
+    RingReader<RecordingPiece, kRecordingPieces> pieces_;
+    UniqueFd pipe_;  ///< to the verifier
+    std::optional<TraceOutput> file_;
+    std::unique_ptr<PipeVerification> verification_;
+    enum class Phase : std::uint8_t { running, ending, given_up };
+    std::atomic<Phase> phase_{Phase::running};
+    bool is_whole_ = false;  // written by the thread, read after join
+    std::optional<Error> trace_failure_;
+    std::thread thread_;
+};
+
+}  // namespace psicarve::machine

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "shared/atomic_file.hpp"
+#include "shared/snapshot_file.hpp"
+
+// The inputs that the fuzzer of snapshots begins with lose their worth when the layout changes: then it sees
+// nothing but refusals by version. snapshot.psi is made anew by
+//   PSICARVE_WRITE_SEEDS=1 build/dev/tests/shared_file_test --gtest_filter='FuzzSeeds.*'
+namespace psicarve {
+namespace {
+
+std::string seed(const std::string& name) {
+    return std::string{PSICARVE_FUZZ_SEEDS} + "/" + name;
+}
+
+/// The job of job.psi with a status and a few records.
+std::vector<std::byte> snapshot_of_today() {
+    auto snapshot = load_snapshot(seed("job.psi"));
+    EXPECT_TRUE(snapshot.has_value()) << snapshot.error().message;
+    if (!snapshot) return {};
+    snapshot->status.emplace();
+    snapshot->status->tick = 4711;
+    snapshot->status->state = MachineState::ready;
+    for (const RecordKind kind : {RecordKind::command, RecordKind::state_change, RecordKind::input_edge}) {
+        FlightRecord record{};
+        record.tick = 4000 + snapshot->records.size();
+        record.kind = kind;
+        snapshot->records.push_back(record);
+    }
+    return snapshot_bytes(*snapshot);
+}
+
+TEST(FuzzSeeds, HoldASnapshotOfThisLayout) {
+    const auto wanted = snapshot_of_today();
+    if (std::getenv("PSICARVE_WRITE_SEEDS") != nullptr) {
+        ASSERT_TRUE(write_file_atomically(seed("snapshot.psi"), wanted).has_value());
+    }
+    const auto kept = read_whole_file(seed("snapshot.psi"));
+    ASSERT_TRUE(kept.has_value()) << kept.error().message;
+    EXPECT_TRUE(*kept == wanted) << "the layout has changed: make it anew, see above";
+}
+
+TEST(FuzzSeeds, HoldAnOldSnapshotThatIsRefusedByItsVersion) {
+    const auto old = load_snapshot(seed("snapshot_layout_1.psi"));
+    ASSERT_FALSE(old.has_value());
+    EXPECT_THAT(old.error().message, testing::HasSubstr("layout version 1, this program knows"));
+}
+
+}  // namespace
+}  // namespace psicarve

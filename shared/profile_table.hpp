@@ -63,10 +63,6 @@ std::string_view table_of(std::string_view path) noexcept;
 /// "speed_mm_s" of "axis.r1.speed_mm_s".
 std::string_view leaf_of(std::string_view path) noexcept;
 
-/// Line of the first character beyond ASCII outside of comments and one-line strings, where TOML for profiles
-/// has none: toml++ 3.3 runs into undefined behaviour on many of them (is it white space?).
-std::optional<std::int64_t> first_foreign_line(std::string_view text);
-
 /// What is wrong with a profile, before file and line are known.
 struct Problem {
     std::string key;                ///< the key that the message names

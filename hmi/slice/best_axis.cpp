@@ -33,7 +33,7 @@ public:
     Sections(const model::Mesh& mesh, Up up, double bottom, double height) {
         const auto origin = placed(up, mesh.origin);
         const std::vector<double> heights = layer_heights(bottom - origin[2], height, kSections);
-        const LayerBuckets buckets(mesh.triangles, up, heights);
+        const LayerBuckets buckets(mesh.triangles, up, heights, heights);
         const FacetCutter cutter(up, -origin[0], -origin[1]);
         std::vector<CutFacet> reaching;
         for (std::size_t layer = 0; layer < heights.size(); ++layer) {

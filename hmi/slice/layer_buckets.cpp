@@ -43,10 +43,12 @@ private:
 
 }  // namespace
 
-LayerBuckets::LayerBuckets(const model::TriangleList& triangles, Up up, std::span<const double> heights)
-    : starts_(heights.size() + 1, 0), cut_counts_(heights.size(), 0) {
-    if (heights.empty()) return;
-    const LayerFinder finder(heights);
+LayerBuckets::LayerBuckets(const model::TriangleList& triangles, Up up, std::span<const double> bottoms,
+                           std::span<const double> tops)
+    : starts_(tops.size() + 1, 0), cut_counts_(tops.size(), 0) {
+    if (tops.empty()) return;
+    const LayerFinder bottom_finder(bottoms);
+    const LayerFinder top_finder(tops);
     const std::array<std::size_t, 3> from = source_coordinate(up);
     constexpr std::uint32_t kNone = 0xFFFFFFFFU;
     struct Range {
@@ -54,7 +56,7 @@ LayerBuckets::LayerBuckets(const model::TriangleList& triangles, Up up, std::spa
         std::uint32_t end;
     };
     std::vector<Range, model::UnsetAllocator<Range>> ranges(triangles.size());
-    std::vector<std::int64_t> change(heights.size() + 1, 0);
+    std::vector<std::int64_t> change(tops.size() + 1, 0);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto& v = triangles[i].vertices;
         const float z0 = v[0][from[2]];
@@ -62,7 +64,7 @@ LayerBuckets::LayerBuckets(const model::TriangleList& triangles, Up up, std::spa
         const float z2 = v[2][from[2]];
         const float low = std::min(std::min(z0, z1), z2);
         const float high = std::max(std::max(z0, z1), z2);
-        const Range range{finder.first_at_or_above(low), finder.first_at_or_above(high)};
+        const Range range{top_finder.first_at_or_above(low), bottom_finder.first_at_or_above(high)};
         ranges[i] = range.first < range.end ? range : Range{kNone, kNone};
         if (range.first >= range.end) continue;
         ++starts_[range.first + 1];
@@ -70,7 +72,7 @@ LayerBuckets::LayerBuckets(const model::TriangleList& triangles, Up up, std::spa
         --change[range.end];
     }
     std::int64_t cut = 0;
-    for (std::size_t layer = 0; layer < heights.size(); ++layer) {
+    for (std::size_t layer = 0; layer < tops.size(); ++layer) {
         starts_[layer + 1] += starts_[layer];
         cut += change[layer];
         cut_counts_[layer] = static_cast<std::uint32_t>(cut);

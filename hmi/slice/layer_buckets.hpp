@@ -18,11 +18,14 @@ struct CutFacet {
     std::uint32_t end_layer;  ///< the first layer above that it does not reach
 };
 
-/// Which layers cut which facets of a mesh: layer i cuts a facet when lowest z <= height[i] < highest z.
+/// Which layers cut which facets of a mesh: layer i cuts a facet when lowest z <= height[i] < highest z. A
+/// row that rises from a bottom to a top may cut what has lowest z <= top and bottom < highest z.
 class LayerBuckets {
 public:
-    /// `heights`: ascending, in stored coordinates (file units less the mesh's origin).
-    LayerBuckets(const model::TriangleList& triangles, Up up, std::span<const double> heights);
+    /// Heights are ascending, in stored coordinates (file units less the mesh's origin). Rows that do not
+    /// rise: give the same heights twice.
+    LayerBuckets(const model::TriangleList& triangles, Up up, std::span<const double> bottoms,
+                 std::span<const double> tops);
 
     /// The facets whose first layer this is, in the mesh's order.
     std::span<const CutFacet> starting_in(std::size_t layer) const noexcept {

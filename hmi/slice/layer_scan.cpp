@@ -68,6 +68,15 @@ struct LayerScan::Wall {
     std::uint32_t count;  ///< kOutside or kInside
 };
 
+/// A wall with the cells that it stands in: [from, to), or, where it passes angle 0, [from, end) and [0, to).
+struct LayerScan::SeenWall {
+    Wall wall;
+    std::uint32_t from;
+    std::uint32_t to;
+    bool wraps;
+    bool is_narrow;
+};
+
 LayerScan::LayerScan(const Directions& directions)
     : directions_(directions),
       outer_(directions.count(), 0.0),
@@ -102,28 +111,46 @@ void LayerScan::draw_radial(const Wall& s, std::uint32_t first, std::uint32_t en
     }
 }
 
-void LayerScan::add_segment(const SectionSegment& segment) noexcept {
+bool LayerScan::see(const SectionSegment& segment, SeenWall& seen) const noexcept {
     const auto& [px, py, qx, qy] = segment;
     const double p_angle = diamond_angle(px, py);
     const double q_angle = diamond_angle(qx, qy);
     const std::uint32_t p_cell = directions_.count_up_to(p_angle);
     const std::uint32_t q_cell = directions_.count_up_to(q_angle);
-    if (p_cell == q_cell) return;
+    if (p_cell == q_cell) return false;
     // The short way round is the way the segment goes: opposite directions are exactly 2 apart.
     const double turn = q_angle - p_angle;
-    const bool wraps = std::abs(turn) > 2.0;
-    const bool counter_clockwise = (turn > 0.0) != wraps;
-    const Wall wall{px, py, qx - px, qy - py, counter_clockwise ? kOutside : kInside};
-    const std::uint32_t from = counter_clockwise ? p_cell : q_cell;
-    const std::uint32_t to = counter_clockwise ? q_cell : p_cell;
-    const double width = wraps ? 4.0 - std::abs(turn) : std::abs(turn);
-    const auto count = static_cast<std::uint32_t>(directions_.count());
-    const auto paint = width < kNarrow ? &LayerScan::draw_radial : &LayerScan::draw;
-    if (!wraps) {
-        (this->*paint)(wall, from, to);
+    seen.wraps = std::abs(turn) > 2.0;
+    const bool counter_clockwise = (turn > 0.0) != seen.wraps;
+    seen.wall = {px, py, qx - px, qy - py, counter_clockwise ? kOutside : kInside};
+    seen.from = counter_clockwise ? p_cell : q_cell;
+    seen.to = counter_clockwise ? q_cell : p_cell;
+    seen.is_narrow = (seen.wraps ? 4.0 - std::abs(turn) : std::abs(turn)) < kNarrow;
+    return true;
+}
+
+void LayerScan::add_segment(const SectionSegment& segment) noexcept {
+    SeenWall seen;
+    if (!see(segment, seen)) return;
+    const auto paint = seen.is_narrow ? &LayerScan::draw_radial : &LayerScan::draw;
+    if (!seen.wraps) {
+        (this->*paint)(seen.wall, seen.from, seen.to);
     } else {
-        (this->*paint)(wall, from, count);
-        (this->*paint)(wall, 0, to);
+        (this->*paint)(seen.wall, seen.from, static_cast<std::uint32_t>(directions_.count()));
+        (this->*paint)(seen.wall, 0, seen.to);
+    }
+}
+
+void LayerScan::add_segment_in(const SectionSegment& segment, std::uint32_t cell) noexcept {
+    SeenWall seen;
+    if (!see(segment, seen)) return;
+    const bool is_after = cell >= seen.from;
+    const bool is_before = cell < seen.to;
+    if (seen.wraps ? !is_after && !is_before : !is_after || !is_before) return;
+    if (seen.is_narrow) {
+        draw_radial(seen.wall, cell, cell + 1);
+    } else {
+        draw(seen.wall, cell, cell + 1);
     }
 }
 

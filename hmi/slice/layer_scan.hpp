@@ -53,6 +53,17 @@ public:
     /// that both facets of an edge get the same point, bit for bit.
     SectionSegment cut(const model::Triangle& facet, double z) const noexcept;
 
+    /// A vertex, upright and shifted; z in stored coordinates.
+    struct Corner {
+        double x;
+        double y;
+        float z;
+    };
+    Corner corner(const model::Triangle& facet, std::size_t vertex) const noexcept {
+        const auto& v = facet.vertices[vertex];
+        return {v[from_[0]] - shift_x_, v[from_[1]] - shift_y_, v[from_[2]]};
+    }
+
 private:
     std::array<std::size_t, 3> from_;
     double shift_x_;
@@ -68,13 +79,21 @@ public:
 
     /// Draws a segment as seen from the axis at (0, 0).
     void add_segment(const SectionSegment& segment) noexcept;
+    /// The same, in one sorted cell alone.
+    void add_segment_in(const SectionSegment& segment, std::uint32_t cell) noexcept;
 
+    /// Whether an odd number of walls stands in a sorted cell so far: its ray has left the solid for good.
+    bool is_odd(std::uint32_t cell) const noexcept {
+        return ((walls_[cell] ^ walls_[cell] >> 16U) & 1U) != 0;
+    }
     /// Ends the layer: its totals and radii, valid until the next segment. Clears the cells for the next.
     const LayerTotals& finish() noexcept;
     std::span<const double> radius() const noexcept { return result_; }
 
 private:
     struct Wall;
+    struct SeenWall;
+    bool see(const SectionSegment& segment, SeenWall& seen) const noexcept;
     void draw(const Wall& wall, std::uint32_t first, std::uint32_t end) noexcept;
     void draw_radial(const Wall& wall, std::uint32_t first, std::uint32_t end) noexcept;
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <system_error>
 #include <thread>
@@ -17,16 +18,25 @@
 #include "hmi/slice/layer_buckets.hpp"
 #include "hmi/slice/layer_scan.hpp"
 #include "hmi/slice/placement.hpp"
+#include "hmi/slice/spiral_scan.hpp"
 #include "shared/result.hpp"
 
 namespace psicarve::slice {
 namespace {
 
+/// Heights at which rows begin and end, in stored coordinates; the same twice where a row is a flat layer.
+struct Rows {
+    std::vector<double> bottoms;
+    std::vector<double> tops;
+
+    std::size_t count() const noexcept { return tops.size(); }
+};
+
 /// What the threads share. Layers are split into one range a thread; a layer's cells belong to one thread.
 struct Work {
     const model::TriangleList& triangles;
     const LayerBuckets& buckets;
-    std::span<const double> heights;  ///< stored coordinates
+    const Rows& rows;
     FacetCutter cutter;
     const LayerSink& sink;
     std::vector<LayerTotals>& totals;
@@ -39,6 +49,7 @@ class RangeWorker {
 public:
     RangeWorker(Work& work, const Directions& directions, std::size_t first, std::size_t end)
         : work_(work), scan_(directions), first_(first), end_(end) {
+        if (work.rows.tops != work.rows.bottoms) spiral_.emplace(directions);
         const auto& counts = work.buckets.cut_counts();
         const auto begin = counts.begin() + static_cast<std::ptrdiff_t>(first);
         const auto stop = counts.begin() + static_cast<std::ptrdiff_t>(end);
@@ -53,7 +64,7 @@ public:
             cut(layer);
             const std::size_t done = 1 + work_.layers_done.fetch_add(1, std::memory_order_relaxed);
             if (progress != nullptr && *progress &&
-                !(*progress)(static_cast<double>(done) / static_cast<double>(work_.heights.size()))) {
+                !(*progress)(static_cast<double>(done) / static_cast<double>(work_.rows.count()))) {
                 work_.cancelled.store(true, std::memory_order_relaxed);
             }
         }
@@ -66,19 +77,34 @@ private:
         }
     }
 
-    void add(std::span<const CutFacet> facets, double z) noexcept {
+    template <typename Draw>
+    void for_each(std::span<const CutFacet> facets, const Draw& draw) noexcept {
         constexpr std::size_t kAhead = 8;  // facets of a layer lie anywhere in the mesh's memory
         for (std::size_t i = 0; i < facets.size(); ++i) {
             if (i + kAhead < facets.size()) __builtin_prefetch(&work_.triangles[facets[i + kAhead].facet]);
-            scan_.add_segment(work_.cutter.cut(work_.triangles[facets[i].facet], z));
+            draw(work_.triangles[facets[i].facet]);
         }
+    }
+    template <typename Draw>
+    void for_each_in(std::size_t layer, const Draw& draw) noexcept {
+        for_each(carried_, draw);
+        for_each(work_.buckets.starting_in(layer), draw);
     }
 
     void cut(std::size_t layer) noexcept {
-        const double z = work_.heights[layer];
-        add(carried_, z);
-        add(work_.buckets.starting_in(layer), z);
+        const double bottom = work_.rows.bottoms[layer];
+        const double top = work_.rows.tops[layer];
+        const bool rises = spiral_ && bottom != top;
+        if (!rises) {
+            for_each_in(layer,
+                        [&](const model::Triangle& t) { scan_.add_segment(work_.cutter.cut(t, top)); });
+        } else {
+            spiral_->begin_row(layer, bottom, top);
+            for_each_in(layer, [&](const model::Triangle& t) { spiral_->add(work_.cutter, t, scan_); });
+        }
+        const std::uint32_t open_cells = rises ? spiral_->open_cells(scan_) : 0;
         work_.totals[layer] = scan_.finish();
+        if (rises) work_.totals[layer].open_cells = open_cells;
         work_.sink(LayerSection{layer, scan_.radius(), &work_.totals[layer]});
         std::erase_if(carried_, [layer](const CutFacet& t) { return t.end_layer <= layer + 1; });
         carry(layer, layer + 1);
@@ -86,6 +112,7 @@ private:
 
     Work& work_;
     LayerScan scan_;
+    std::optional<SpiralScan> spiral_;  ///< where rows rise
     std::size_t first_;
     std::size_t end_;
     std::vector<CutFacet> carried_;
@@ -122,31 +149,62 @@ void run_workers(std::vector<RangeWorker>& workers, const Progress& progress) {
     for (std::thread& thread : threads) thread.join();
 }
 
+Result<std::vector<LayerTotals>> slice_rows(const model::Mesh& mesh, const Placement& placement, Rows rows,
+                                            const Directions& directions, const LayerSink& sink,
+                                            const SliceOptions& options) {
+    const auto origin = placed(placement.up, mesh.origin);
+    for (double& height : rows.bottoms) height -= origin[2];
+    for (double& height : rows.tops) height -= origin[2];
+    const LayerBuckets buckets(mesh.triangles, placement.up, rows.bottoms, rows.tops);
+    std::vector<LayerTotals> totals(rows.count());
+    const FacetCutter cutter(placement.up, placement.axis_x - origin[0], placement.axis_y - origin[1]);
+    Work work{mesh.triangles, buckets, rows, cutter, sink, totals, {}, {}};
+    const std::size_t parts =
+        std::clamp<std::size_t>(options.thread_count, 1, std::max<std::size_t>(1, rows.count()));
+    std::vector<RangeWorker> workers;
+    workers.reserve(parts);
+    std::size_t first = 0;
+    for (const std::size_t end : split_layers(buckets.cut_counts(), parts, directions.count())) {
+        workers.emplace_back(work, directions, first, end);
+        first = end;
+    }
+    run_workers(workers, options.progress);
+    if (work.cancelled) return Error{ErrorCode::cancelled, "slicing was cancelled"};
+    return totals;
+}
+
+/// Rows of a spiral: a ring, one row from each layer's height to the next, a ring.
+Rows spiral_rows(std::span<const double> heights) {
+    Rows rows;
+    if (heights.empty()) return rows;
+    rows.bottoms.push_back(heights.front());
+    rows.bottoms.insert(rows.bottoms.end(), heights.begin(), heights.end());
+    rows.tops.assign(heights.begin(), heights.end());
+    rows.tops.push_back(heights.back());
+    if (heights.size() > 1) return rows;
+    rows.bottoms.pop_back();
+    rows.tops.pop_back();
+    return rows;
+}
+
 }  // namespace
 
 Result<std::vector<LayerTotals>> slice_layers(const model::Mesh& mesh, const Placement& placement,
                                               std::span<const double> heights, const Directions& directions,
                                               const LayerSink& sink, const SliceOptions& options) {
     try {
-        const auto origin = placed(placement.up, mesh.origin);
-        std::vector<double> stored_heights(heights.begin(), heights.end());
-        for (double& height : stored_heights) height -= origin[2];
-        const LayerBuckets buckets(mesh.triangles, placement.up, stored_heights);
-        std::vector<LayerTotals> totals(heights.size());
-        const FacetCutter cutter(placement.up, placement.axis_x - origin[0], placement.axis_y - origin[1]);
-        Work work{mesh.triangles, buckets, stored_heights, cutter, sink, totals, {}, {}};
-        const std::size_t parts =
-            std::clamp<std::size_t>(options.thread_count, 1, std::max<std::size_t>(1, heights.size()));
-        std::vector<RangeWorker> workers;
-        workers.reserve(parts);
-        std::size_t first = 0;
-        for (const std::size_t end : split_layers(buckets.cut_counts(), parts, directions.count())) {
-            workers.emplace_back(work, directions, first, end);
-            first = end;
-        }
-        run_workers(workers, options.progress);
-        if (work.cancelled) return Error{ErrorCode::cancelled, "slicing was cancelled"};
-        return totals;
+        const std::vector<double> flat(heights.begin(), heights.end());
+        return slice_rows(mesh, placement, Rows{flat, flat}, directions, sink, options);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::out_of_room, "not enough memory to slice " + mesh.source_name};
+    }
+}
+
+Result<std::vector<LayerTotals>> slice_spiral(const model::Mesh& mesh, const Placement& placement,
+                                              std::span<const double> heights, const Directions& directions,
+                                              const LayerSink& sink, const SliceOptions& options) {
+    try {
+        return slice_rows(mesh, placement, spiral_rows(heights), directions, sink, options);
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::out_of_room, "not enough memory to slice " + mesh.source_name};
     }

@@ -30,6 +30,13 @@ Result<std::vector<LayerTotals>> slice_layers(const model::Mesh& mesh, const Pla
                                               std::span<const double> heights, const Directions& directions,
                                               const LayerSink& sink, const SliceOptions& options);
 
+/// The rows of a spiral through the layers' heights, see SpiralScan: a ring at the first, then a row that
+/// rises from each height to the next, then a ring at the last (of one height: one ring). Requires an even
+/// number of directions.
+Result<std::vector<LayerTotals>> slice_spiral(const model::Mesh& mesh, const Placement& placement,
+                                              std::span<const double> heights, const Directions& directions,
+                                              const LayerSink& sink, const SliceOptions& options);
+
 /// All of r(theta, h) at once: radius[layer * direction_count + direction], file units, 0 where nothing is.
 struct RadialMap {
     std::size_t direction_count = 0;

@@ -16,13 +16,17 @@ namespace psicarve {
 /// One point/layer table and all that is needed to carve it, as a slicer makes it (heap memory, one process).
 /// Point j of every layer stands at point_angle_pulses(j) within the layer's sweep, also where zigzag carves
 /// the layer backwards; rows of the radius tables are layers. See `table_angle_pulses`.
+///
+/// The rows of a spiral are joined: row 0 is a ring at heights[0]; row i rises from heights[i - 1] to
+/// heights[i], where row i + 1 begins in the very point in which it ends; the last row closes with a ring:
+/// its height is that of the row before. So L layers make L + 1 rows (one layer: one ring).
 struct JobTable {
     std::uint32_t layer_count = 0;
     std::uint32_t point_count = 0;  ///< per head and layer
     std::int64_t psi_sweep_pulses = 0;
     Joining joining = Joining::continuous;
     double feed_mm_s = 0.0;
-    std::vector<std::int64_t> layer_height_pulses;  ///< [layer_count], Y
+    std::vector<std::int64_t> layer_height_pulses;  ///< [layer_count], Y at the layer's end
     std::vector<std::int32_t> r_left_pulses;        ///< [layer_count * point_count], head R1
     std::vector<std::int32_t> r_right_pulses;       ///< [layer_count * point_count], head R2
     std::string source_name;                        ///< file name without folders
@@ -35,13 +39,17 @@ struct JobTable {
 /// zigzag stays within one sweep. RT: yes.
 std::int64_t table_angle_pulses(Joining joining, std::int64_t psi_sweep_pulses, std::int64_t point_count,
                                 std::int64_t layer, std::int64_t point) noexcept;
+/// Y of point `point` in layer `layer`: the layer's own, but for the rising rows of a spiral. RT: yes.
+std::int64_t table_height_pulses(Joining joining, std::span<const std::int64_t> layer_heights_pulses,
+                                 std::int64_t point_count, std::size_t layer, std::int64_t point) noexcept;
 /// Which point of a layer is carved as its `step`-th: zigzag runs odd layers backwards. RT: yes.
 std::uint32_t carved_point(Joining joining, std::uint32_t point_count, std::uint32_t layer,
                            std::uint32_t step) noexcept;
 
-inline constexpr std::uint32_t kMaxJobCount = 1'000'000;      ///< layers, and points in a layer
-inline constexpr std::int64_t kMaxSweepPulses = 50'000'000;   ///< half the greatest pulses_per_rev
-inline constexpr std::uint64_t kReportTextBytes = 16 * 1024;  ///< a longer report is refused
+inline constexpr std::uint32_t kMaxJobCount = 1'000'000;             ///< layers, and points in a layer
+inline constexpr std::int64_t kMaxSweepPulses = 50'000'000;          ///< half the greatest pulses_per_rev
+inline constexpr std::int64_t kMaxHeightPulses = 1'000'000'000'000;  ///< of a spiral, up or down
+inline constexpr std::uint64_t kReportTextBytes = 16 * 1024;         ///< a longer report is refused
 
 inline constexpr std::uint64_t kJobMagic = 0x31424f4a41435350ULL;  // "PSCAJOB1"
 
@@ -102,6 +110,14 @@ public:
     std::int64_t psi_pulses(std::uint32_t layer, std::uint32_t point) const noexcept {
         return table_angle_pulses(joining(), psi_sweep_pulses(), point_count(), layer, point);
     }
+    /// Y of a point. `layer_heights_pulses` says where layers end.
+    std::int64_t y_pulses(std::uint32_t layer, std::uint32_t point) const noexcept {
+        return table_height_pulses(joining(), heights_, point_count(), layer, point);
+    }
+    /// Whether this point of a layer is where the layer before has ended: not to be gone to.
+    bool is_joint(std::uint32_t layer, std::uint32_t point) const noexcept {
+        return joining() == Joining::spiral && layer > 0 && point == 0;
+    }
     std::int32_t max_radius_pulses(Axis head) const noexcept;
 
 private:
@@ -114,7 +130,8 @@ private:
 };
 
 /// Whether a machine with this profile can carve the job: travel, core radius, head clearance, at least one
-/// layer and two points, heights that rise, psi_sweep. Refused with the first offending layer and point.
+/// layer and two points, heights that rise, psi_sweep; that the rows of a spiral meet. Refused with the first
+/// offending layer and point.
 Result<void> check_job(const JobView& job, const Profile& profile);
 
 /// The profile inside a job, parsed.

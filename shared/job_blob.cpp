@@ -33,7 +33,15 @@ void copy_part(std::vector<std::byte>& blob, std::uint64_t offset, const Contain
 std::int64_t table_angle_pulses(Joining joining, std::int64_t psi_sweep_pulses, std::int64_t point_count,
                                 std::int64_t layer, std::int64_t point) noexcept {
     const std::int64_t within = point_angle_pulses(point, psi_sweep_pulses, point_count);
-    return joining == Joining::continuous ? layer * psi_sweep_pulses + within : within;
+    return joining == Joining::zigzag ? within : layer * psi_sweep_pulses + within;
+}
+
+std::int64_t table_height_pulses(Joining joining, std::span<const std::int64_t> layer_heights_pulses,
+                                 std::int64_t point_count, std::size_t layer, std::int64_t point) noexcept {
+    const std::int64_t height = layer_heights_pulses[layer];
+    if (joining != Joining::spiral || layer == 0) return height;
+    const std::int64_t below = layer_heights_pulses[layer - 1];
+    return below + point_angle_pulses(point, height - below, point_count);
 }
 
 std::uint32_t carved_point(Joining joining, std::uint32_t point_count, std::uint32_t layer,

@@ -160,11 +160,35 @@ Result<void> check_heights(const JobView& job, const Profile& profile) {
                              text(y.travel_max_pulses) +
                              "; make the model smaller, or change job.base_height_mm");
         }
-        if (layer > 0 && height <= heights[layer - 1]) {
+        if (layer == 0) continue;
+        if (job.joining() == Joining::spiral && layer + 1 == job.layer_count()) {
+            if (height == heights[layer - 1]) continue;
+            return bad_input(place(layer, 0) + "the height of " + text(height) +
+                             " is not that of the layer below, " + text(heights[layer - 1]) +
+                             ", as it must be in the ring that closes a spiral; slice the model again");
+        }
+        if (height <= heights[layer - 1]) {
             return bad_input(place(layer, 0) + "the height of " + text(height) +
                              " does not lie above the layer below, " + text(heights[layer - 1]) +
                              "; use fewer layers, so that each is at least a pulse higher");
         }
+    }
+    return {};
+}
+
+/// The row ends in one point, and the next one of a spiral begins in it.
+Result<void> check_joint(const JobView& job, std::uint32_t layer) {
+    for (const Axis head : {Axis::r1, Axis::r2}) {
+        const auto row = [&](std::uint32_t of) {
+            return head == Axis::r1 ? job.r_left_pulses(of) : job.r_right_pulses(of);
+        };
+        const std::int32_t end = row(layer - 1).back();
+        const std::int32_t begin = row(layer).front();
+        if (begin == end) continue;
+        return bad_input(place(layer, 0) + "the radius of " + std::string(name_of(head)) + ", " +
+                         std::to_string(begin) + " pulses, is not the " + std::to_string(end) +
+                         " pulses in which the layer below ends: a spiral has no links; slice the model "
+                         "again");
     }
     return {};
 }
@@ -179,6 +203,8 @@ Result<void> check_job(const JobView& job, const Profile& profile) {
         const auto left = job.r_left_pulses(layer);
         const auto right = job.r_right_pulses(layer);
         if (!check.layer_is_fine(left, right)) return check.first_problem(layer, left, right);
+        if (!job.is_joint(layer, 0)) continue;
+        if (auto joint = check_joint(job, layer); !joint) return joint.error();
     }
     return {};
 }

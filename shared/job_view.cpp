@@ -54,7 +54,7 @@ Result<void> check_places(const JobHeader& header, std::uint64_t blob_bytes) {
 }
 
 Result<void> check_values(const JobHeader& header) {
-    if (header.joining > static_cast<std::uint32_t>(Joining::zigzag)) {
+    if (header.joining > static_cast<std::uint32_t>(Joining::spiral)) {
         return not_a_job("its way to join the layers is the unknown number " + text_of(header.joining));
     }
     for (const std::int32_t sign : header.direction_sign) {
@@ -76,6 +76,17 @@ Result<void> check_values(const JobHeader& header) {
     // The name goes to terminals: no escape sequences.
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
     if (std::any_of(name, end, is_control)) return not_a_job("the source's name holds a control character");
+    return {};
+}
+
+/// Heights of points lie between those of rows: with these no sum can overflow.
+Result<void> check_spiral_heights(const JobHeader& header, std::span<const std::int64_t> heights_pulses) {
+    if (header.joining != static_cast<std::uint32_t>(Joining::spiral)) return {};
+    for (const std::int64_t height : heights_pulses) {
+        if (height >= -kMaxHeightPulses && height <= kMaxHeightPulses) continue;
+        return not_a_job("a row of its spiral ends at the height of " + std::to_string(height) +
+                         " pulses, where " + std::to_string(kMaxHeightPulses) + " is the most");
+    }
     return {};
 }
 
@@ -108,6 +119,7 @@ Result<JobView> JobView::check(std::span<const std::byte> blob) {
     view.profile_ = {profile.data(), profile.size()};
     view.report_ = {report.data(), report.size()};
     view.heights_ = part_of<std::int64_t>(blob, header.heights_offset, header.layer_count);
+    if (auto heights = check_spiral_heights(header, view.heights_); !heights) return heights.error();
     view.r_left_ = part_of<std::int32_t>(blob, header.r_left_offset, cells);
     view.r_right_ = part_of<std::int32_t>(blob, header.r_right_offset, cells);
     return view;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,9 @@ namespace psicarve {
 enum class Schedule : std::uint8_t { single, two_timer };
 enum class HomeSensor : std::uint8_t { none, min, max, index };
 enum class Planner : std::uint8_t { lookahead, angle };
-enum class Joining : std::uint8_t { continuous, zigzag };
+enum class Joining : std::uint8_t { continuous, zigzag, spiral };
+std::string_view name_of(Joining joining) noexcept;  ///< as in a profile: "continuous"
+std::optional<Joining> joining_from_name(std::string_view name) noexcept;
 
 struct TickProfile {
     double period_us = 50.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/profile_table.hpp"
 
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace psicarve::profile_detail {
@@ -20,7 +22,8 @@ constexpr Word kScheduleWords[]{{"single", number_of(Schedule::single)},
 constexpr Word kPlannerWords[]{{"lookahead", number_of(Planner::lookahead)},
                                {"angle", number_of(Planner::angle)}};
 constexpr Word kJoiningWords[]{{"continuous", number_of(Joining::continuous)},
-                               {"zigzag", number_of(Joining::zigzag)}};
+                               {"zigzag", number_of(Joining::zigzag)},
+                               {"spiral", number_of(Joining::spiral)}};
 constexpr Word kLinearHomeWords[]{{"min", number_of(HomeSensor::min)},
                                   {"max", number_of(HomeSensor::max)},
                                   {"none", number_of(HomeSensor::none)}};
@@ -161,9 +164,10 @@ void add_head_and_job(std::vector<KeySpec>& keys) {
                "Planner angle: directions that differ by less belong to one segment.");
     job.number(&J::path_tolerance_mm, "path_tolerance_mm", "mm", {0.000001, 10}, kMotion,
                "Between two points the path may leave the straight line by this.");
-    job.word(
-        &J::joining, "joining", kJoiningWords, kNoMotion,
-        "Whether the table keeps turning from layer to layer or runs to and fro; a job carries its own.");
+    job.word(&J::joining, "joining", kJoiningWords, kNoMotion,
+             "The table keeps turning, runs to and fro, or the heads rise as it turns, without links; a job "
+             "carries "
+             "its own.");
 }
 
 void add_port(std::vector<KeySpec>& keys) {
@@ -249,3 +253,21 @@ std::string_view leaf_of(std::string_view path) noexcept {
 }
 
 }  // namespace psicarve::profile_detail
+
+namespace psicarve {
+
+std::string_view name_of(Joining joining) noexcept {
+    for (const profile_detail::Word& word : profile_detail::kJoiningWords) {
+        if (word.value == profile_detail::number_of(joining)) return word.text;
+    }
+    return {};
+}
+
+std::optional<Joining> joining_from_name(std::string_view name) noexcept {
+    for (const profile_detail::Word& word : profile_detail::kJoiningWords) {
+        if (word.text == name) return static_cast<Joining>(word.value);
+    }
+    return std::nullopt;
+}
+
+}  // namespace psicarve

@@ -45,7 +45,8 @@ Result<std::vector<slice::LayerTotals>> sample(const model::Mesh& mesh, const Pr
         tables.fill_left(section.layer, section.radius);
         if (one_pass) tables.fill_right(section.layer, section.radius);
     };
-    auto totals = slice::slice_layers(mesh, plan.placement, plan.heights, directions, both, slicing);
+    const auto slice_rows = plan.joining == Joining::spiral ? slice::slice_spiral : slice::slice_layers;
+    auto totals = slice_rows(mesh, plan.placement, plan.heights, directions, both, slicing);
     if (!totals || one_pass) return totals;
 
     std::vector<double> heights = plan.heights;
@@ -58,7 +59,7 @@ Result<std::vector<slice::LayerTotals>> sample(const model::Mesh& mesh, const Pr
     const auto right = [&tables](const slice::LayerSection& section) {
         tables.fill_right(section.layer, section.radius);
     };
-    auto done = slice::slice_layers(mesh, plan.placement, heights, turned, right, slicing);
+    auto done = slice_rows(mesh, plan.placement, heights, turned, right, slicing);
     if (!done) return done.error();
     return totals;
 }
@@ -135,10 +136,10 @@ Result<BuiltJob> build(const model::Mesh& mesh, const Profile& profile, const Jo
     const JobPlan& plan = *planned;
 
     JobTable& table = built.table;
-    table.layer_count = plan.layer_count;
+    table.layer_count = report.layers;
     table.point_count = plan.point_count;
     table.psi_sweep_pulses = profile.psi.pulses_per_rev / 2;
-    table.joining = options.joining.value_or(profile.job.joining);
+    table.joining = plan.joining;
     table.feed_mm_s = profile.job.feed_mm_s;
     table.layer_height_pulses = plan.height_pulses;
     table.source_name = mesh.source_name;
@@ -147,6 +148,7 @@ Result<BuiltJob> build(const model::Mesh& mesh, const Profile& profile, const Jo
     RadiusTables tables(profile, table, plan.scale);
     const auto totals = sample(mesh, profile, plan, options, tables);
     if (!totals) return totals.error();
+    tables.join_rows();
     if (auto fits = tables.check_travel(mesh.source_name); !fits) return fits.error();
     report_totals(*totals, report);
     tables.report(report);

@@ -233,6 +233,11 @@ Result<JobPlan> plan_job(const model::Mesh& mesh, const Profile& profile, const 
     auto pulses = height_pulses(plan, profile, box, mesh.source_name);
     if (!pulses) return pulses.error();
     plan.height_pulses = std::move(*pulses);
+    plan.joining = options.joining.value_or(profile.job.joining);
+    if (plan.joining == Joining::spiral && plan.layer_count > 1) {
+        plan.height_pulses.push_back(plan.height_pulses.back());
+        ++report.layers;
+    }
     if (auto done = place_axis(mesh, profile, options, box, plan, report); !done) return done.error();
     return plan;
 }

@@ -18,10 +18,11 @@ namespace psicarve::cam {
 struct JobPlan {
     double scale = 1.0;  ///< mm per file unit
     slice::Placement placement;
+    Joining joining = Joining::continuous;
     std::uint32_t layer_count = 0;
     std::uint32_t point_count = 0;
     std::vector<double> heights;              ///< of the layers in the model, file units
-    std::vector<std::int64_t> height_pulses;  ///< Y of the layers
+    std::vector<std::int64_t> height_pulses;  ///< Y of the table's rows: a spiral closes with a ring
 };
 
 /// Settles the plan and writes what it settled, and its warnings, into the report.

@@ -54,7 +54,7 @@ RadiusTables::Head RadiusTables::make_head(const Profile& profile, Axis axis, do
 }
 
 std::size_t RadiusTables::first_direction(std::size_t layer) const noexcept {
-    const bool half_a_turn_on = table_.joining == Joining::continuous && layer % 2 != 0;
+    const bool half_a_turn_on = table_.joining != Joining::zigzag && layer % 2 != 0;
     return half_a_turn_on ? table_.point_count - 1 : 0;
 }
 
@@ -69,8 +69,11 @@ void RadiusTables::fill_right(std::size_t layer, std::span<const double> once_ro
 
 void RadiusTables::fill(Head& head, std::size_t layer, std::span<const double> once_round,
                         std::size_t first) {
-    const std::size_t points = table_.point_count;
-    std::int32_t* row = head.radii->data() + layer * points;
+    // A joint is sampled where the row before ends.
+    const std::size_t joint = is_joint(layer) ? 1 : 0;
+    const std::size_t points = table_.point_count - joint;
+    std::int32_t* row = head.radii->data() + layer * table_.point_count + joint;
+    first = (first + joint) % once_round.size();
     std::uint32_t at_core = 0;
     // From the first direction to the end of the turn, then on from its beginning.
     const std::size_t before_wrap = std::min(points, once_round.size() - first);
@@ -87,6 +90,14 @@ void RadiusTables::fill(Head& head, std::size_t layer, std::span<const double> o
     convert(once_round.subspan(first, before_wrap), row);
     convert(once_round.first(points - before_wrap), row + before_wrap);
     head.core_points[layer] = at_core;
+}
+
+void RadiusTables::join_rows() {
+    for (std::size_t layer = 1; layer < table_.layer_count; ++layer) {
+        if (!is_joint(layer)) return;
+        const std::size_t begin = layer * table_.point_count;
+        for (Head* head : {&left_, &right_}) (*head->radii)[begin] = (*head->radii)[begin - 1];
+    }
 }
 
 Result<void> RadiusTables::check_travel(const std::string& source_name) const {
@@ -114,7 +125,7 @@ void RadiusTables::keep_apart(SliceReport& report) {
         // Half of what is missing each; rounding up keeps the sum above the clearance.
         l += static_cast<std::int32_t>(std::ceil(0.5 * missing_mm * left_.pulses_per_mm));
         r += static_cast<std::int32_t>(std::ceil(0.5 * missing_mm * right_.pulses_per_mm));
-        ++report.clearance_points;
+        if (i % table_.point_count != 0 || !is_joint(i / table_.point_count)) ++report.clearance_points;
     }
 }
 

@@ -26,6 +26,8 @@ public:
     void fill_left(std::size_t layer, std::span<const double> once_round);
     void fill_right(std::size_t layer, std::span<const double> once_round);
 
+    /// After all layers are filled, before all that follows: a spiral's rows begin where those before end.
+    void join_rows();
     /// After all layers are filled: whether the heads can go where the tables send them.
     Result<void> check_travel(const std::string& source_name) const;
     /// After all layers are filled: keeps the heads apart and counts what was changed.
@@ -46,6 +48,7 @@ private:
                           std::vector<std::int32_t>& radii);
     void fill(Head& head, std::size_t layer, std::span<const double> once_round, std::size_t first);
     std::size_t first_direction(std::size_t layer) const noexcept;
+    bool is_joint(std::size_t layer) const noexcept { return table_.joining == Joining::spiral && layer > 0; }
     void keep_apart(SliceReport& report);
     static double real_mm(const Head& head, std::int32_t counted_pulses) noexcept;
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace psicarve::cli {
 namespace {
@@ -38,6 +39,20 @@ void write_table(const JobView& job, Axis head, std::FILE* out) {
     write(out, "]");
 }
 
+void write_point_heights(const JobView& job, std::FILE* out) {
+    std::vector<std::int64_t> heights(job.point_count());
+    std::string text;
+    for (std::uint32_t layer = 0; layer < job.layer_count(); ++layer) {
+        for (std::uint32_t point = 0; point < job.point_count(); ++point) {
+            heights[point] = job.y_pulses(layer, point);
+        }
+        text.assign(layer == 0 ? "[" : ",");
+        append_row(text, std::span<const std::int64_t>(heights));
+        write(out, text);
+    }
+    write(out, "]");
+}
+
 }  // namespace
 
 void write_csv(const JobView& job, std::FILE* out) {
@@ -50,7 +65,7 @@ void write_csv(const JobView& job, std::FILE* out) {
         for (std::uint32_t point = 0; point < job.point_count(); ++point) {
             append(rows, layer, ',');
             append(rows, point, ',');
-            append(rows, job.layer_heights_pulses()[layer], ',');
+            append(rows, job.y_pulses(layer, point), ',');
             append(rows, job.psi_pulses(layer, point), ',');
             append(rows, left[point], ',');
             append(rows, right[point], '\n');
@@ -66,7 +81,7 @@ void write_json(const JobView& job, std::FILE* out) {
                     {"layers", job.layer_count()},
                     {"points", job.point_count()},
                     {"psi_sweep_pulses", job.psi_sweep_pulses()},
-                    {"joining", job.joining() == Joining::zigzag ? "zigzag" : "continuous"},
+                    {"joining", name_of(job.joining())},
                     {"feed_mm_s", job.header().feed_mm_s},
                     {"profile", std::string{job.profile_toml()}},
                     {"slice_report", slicer.is_discarded() ? Json(nullptr) : slicer}};
@@ -74,7 +89,12 @@ void write_json(const JobView& job, std::FILE* out) {
     text.back() = ',';
     text += "\"y_pulses\":";
     append_row(text, job.layer_heights_pulses());
-    write(out, text + ",\"r_left_pulses\":");
+    write(out, text);
+    if (job.joining() == Joining::spiral) {
+        write(out, ",\"point_y_pulses\":");
+        write_point_heights(job, out);
+    }
+    write(out, ",\"r_left_pulses\":");
     write_table(job, Axis::r1, out);
     write(out, ",\"r_right_pulses\":");
     write_table(job, Axis::r2, out);

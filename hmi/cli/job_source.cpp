@@ -61,9 +61,7 @@ Result<cam::JobOptions> job_options(const ModelOptions& options) {
     if (const auto read = read_axis_at(options.axis_at, job); !read) return read.error();
     job.height_mm = options.height_mm;
     job.scale = options.scale;
-    if (!options.joining.empty()) {
-        job.joining = options.joining == "zigzag" ? Joining::zigzag : Joining::continuous;
-    }
+    job.joining = joining_from_name(options.joining);
     job.thread_count =
         options.thread_count > 0 ? options.thread_count : std::max(1U, std::thread::hardware_concurrency());
     return job;
@@ -134,8 +132,8 @@ void add_model_options(Syntax& syntax, ModelOptions& options) {
         .option("--height", options.height_mm, "MM", "Scale the model, uniformly, to this height")
         .option("--scale", options.scale, "F", "Scale the model, uniformly, by this factor")
         .excludes("--height", "--scale")
-        .choice("--joining", options.joining, {"continuous", "zigzag"},
-                "How one layer follows another (default: the profile's)")
+        .choice("--joining", options.joining, {"continuous", "zigzag", "spiral"},
+                "How one layer follows another (default: the profile's); a spiral rises as it turns")
         .option("--threads", options.thread_count, 1, kMostThreads,
                 "Threads that slice (default: one a processor); the job is the same for any number");
 }

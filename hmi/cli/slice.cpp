@@ -40,7 +40,7 @@ std::string report_json(const PreparedJob& job, const std::string& output) {
                       {"layers", job.view.layer_count()},
                       {"points", job.view.point_count()},
                       {"psi_sweep_pulses", job.view.psi_sweep_pulses()},
-                      {"joining", job.view.joining() == Joining::zigzag ? "zigzag" : "continuous"},
+                      {"joining", name_of(job.view.joining())},
                       {"undercut_share", slicer.is_object() ? slicer.value("undercut_share", 0.0) : 0.0},
                       {"open_points", slicer.is_object() ? slicer.value("open_points", std::uint64_t{0}) : 0},
                       {"report", slicer.is_discarded() ? Json(nullptr) : slicer}};

@@ -107,8 +107,7 @@ void compare_jobs(const JobView& a, const JobView& b, Comparison& found) {
     found.number("layers", a.layer_count(), b.layer_count());
     found.number("points", a.point_count(), b.point_count());
     found.number("psi_sweep_pulses", a.psi_sweep_pulses(), b.psi_sweep_pulses());
-    found.text("joining", a.joining() == Joining::zigzag ? "zigzag" : "continuous",
-               b.joining() == Joining::zigzag ? "zigzag" : "continuous");
+    found.text("joining", std::string{name_of(a.joining())}, std::string{name_of(b.joining())});
     found.number("feed_mm_s", a.header().feed_mm_s, b.header().feed_mm_s);
     compare_profiles(a, b, found);
     if (a.layer_count() == b.layer_count() && a.point_count() == b.point_count()) compare_tables(a, b, found);

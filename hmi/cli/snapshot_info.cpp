@@ -61,7 +61,7 @@ Json job_json(const JobView& job) {
             {"layers", job.layer_count()},
             {"points", job.point_count()},
             {"psi_sweep_pulses", job.psi_sweep_pulses()},
-            {"joining", job.joining() == Joining::zigzag ? "zigzag" : "continuous"},
+            {"joining", name_of(job.joining())},
             {"feed_mm_s", job.header().feed_mm_s},
             {"y_pulses", {heights.front(), heights.back()}},
             {"r_pulses", {extent.least, extent.greatest}},
@@ -92,7 +92,7 @@ void print_job(const JobView& job) {
     std::printf("source     %s (%s)\n", std::string{job.source_name()}.c_str(),
                 hash_text(job.header().source_hash).c_str());
     std::printf("tables     %u layers x %u points, %s\n", job.layer_count(), job.point_count(),
-                job.joining() == Joining::zigzag ? "zigzag" : "continuous");
+                std::string{name_of(job.joining())}.c_str());
     std::printf("sweep      %lld pulses of psi a layer\n", static_cast<long long>(job.psi_sweep_pulses()));
     std::printf("heights    %lld to %lld pulses\n", static_cast<long long>(heights.front()),
                 static_cast<long long>(heights.back()));

@@ -20,10 +20,10 @@ CarvedSurface::CarvedSurface(const JobGeometry& geometry)
 void CarvedSurface::expect_points() {
     for (std::uint32_t row = 0; row < layer_count(); ++row) {
         for (std::size_t h = 0; h < kHeadCount; ++h) {
-            const auto layer =
-                geometry_.layer_at(geometry_.height(row) + geometry_.head(h).height_offset_pulses);
-            if (!layer) continue;
+            auto layer = geometry_.layer_of_point(h, row, 0);
             for (std::uint32_t point = 0; point < geometry_.point_count(); ++point) {
+                if (geometry_.is_spiral()) layer = geometry_.layer_of_point(h, row, point);
+                if (!layer) continue;
                 const std::int64_t psi = geometry_.job().psi_pulses(row, point);
                 const std::uint32_t cell = geometry_.cell_of(geometry_.direction(h, psi));
                 deviation_[std::size_t{*layer} * direction_count() + cell] = kUntouched;
@@ -34,6 +34,11 @@ void CarvedSurface::expect_points() {
 
 double CarvedSurface::layer_height_mm(std::uint32_t layer) const noexcept {
     return static_cast<double>(geometry_.height(layer)) / geometry_.y_pulses_per_mm();
+}
+
+double CarvedSurface::height_mm(std::uint32_t layer, std::uint32_t direction) const noexcept {
+    return static_cast<double>(geometry_.height(layer, geometry_.direction_of(direction))) /
+           geometry_.y_pulses_per_mm();
 }
 
 void CarvedSurface::note_deviation(std::uint32_t layer, std::uint32_t cell, std::int64_t pulses) noexcept {

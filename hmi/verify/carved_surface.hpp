@@ -23,6 +23,9 @@ public:
     std::uint32_t layer_count() const noexcept { return geometry_.layer_count(); }
     std::uint32_t direction_count() const noexcept { return geometry_.direction_count(); }
     double layer_height_mm(std::uint32_t layer) const noexcept;
+    /// Layers that rise as they turn: never lower than the one before in the same direction, but not level.
+    bool is_spiral() const noexcept { return geometry_.is_spiral(); }
+    double height_mm(std::uint32_t layer, std::uint32_t direction) const noexcept;
     double blank_radius_mm() const noexcept { return geometry_.blank_radius_mm(); }
     double pulses_per_mm() const noexcept { return geometry_.head(0).pulses_per_mm; }  ///< of head R1
 

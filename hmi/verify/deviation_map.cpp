@@ -38,6 +38,32 @@ std::int32_t largest_in(const CarvedSurface& surface, Range layers, Range direct
     return largest;
 }
 
+/// The layers that a row of pixels stands for in one direction: its share of the piece's height.
+Range spiral_layers(const CarvedSurface& surface, std::uint32_t direction, std::size_t pixel,
+                    std::size_t pixels) {
+    const std::uint32_t count = surface.layer_count();
+    const double bottom_mm = surface.layer_height_mm(0);
+    const double height_mm = surface.layer_height_mm(count - 1) - bottom_mm;
+    const auto first_from = [&](std::size_t edge) {
+        const double edge_mm =
+            bottom_mm + height_mm * static_cast<double>(edge) / static_cast<double>(pixels);
+        std::uint32_t first = 0;
+        for (std::uint32_t end = count; first < end;) {
+            const std::uint32_t middle = first + (end - first) / 2;
+            if (surface.height_mm(middle, direction) < edge_mm) {
+                first = middle + 1;
+            } else {
+                end = middle;
+            }
+        }
+        return first;
+    };
+    const std::uint32_t first = first_from(pixel);
+    const std::uint32_t end = pixel + 1 == pixels ? count : first_from(pixel + 1);
+    if (first < end) return {first, end};
+    return {std::min(first, count - 1), std::min(first, count - 1) + 1};
+}
+
 /// Light falling flat from the upper left onto the unrolled relief: 0.6 .. 1.
 double relief_grey(const CarvedSurface& surface, std::uint32_t layer, std::uint32_t direction,
                    Range step_layers, Range step_directions) {
@@ -92,9 +118,11 @@ PixelImage draw_deviation_map(const CarvedSurface& surface, const DeviationScale
     image.height = height_px;
     image.argb.resize(width_px * height_px);
     for (std::size_t y = 0; y < height_px; ++y) {
-        const Range layers = cells_of(height_px - 1 - y, height_px, surface.layer_count());
+        Range layers = cells_of(height_px - 1 - y, height_px, surface.layer_count());
         for (std::size_t x = 0; x < width_px; ++x) {
             const Range directions = cells_of(x, width_px, surface.direction_count());
+            if (surface.is_spiral())
+                layers = spiral_layers(surface, directions.first, height_px - 1 - y, height_px);
             const double pulses = largest_in(surface, layers, directions);
             const double grey = relief_grey(surface, layers.first, directions.first, layers, directions);
             image.argb[y * width_px + x] = pixel_of(scale.colour(pulses), grey);

@@ -60,28 +60,57 @@ Result<JobGeometry> JobGeometry::make(const JobView& job, const Profile& profile
     const auto heights = job.layer_heights_pulses();
     const std::int64_t base = pulses_from_mm(profile.job.base_height_mm, profile.y.pulses_per_mm);
     const std::int64_t alone = std::max<std::int64_t>(std::abs(heights.front() - base), 1);
-    const bool one = heights.size() == 1;
+    // The ring that closes a spiral lies as high as the row before it.
+    const std::size_t count = heights.size() - (g.is_spiral() ? 1 : 0);
+    const bool one = count == 1;
     g.outer_margin_low_ = one ? alone : (heights[1] - heights[0] + 1) / 2;
-    g.outer_margin_high_ = one ? alone : (heights.back() - heights[heights.size() - 2] + 1) / 2;
+    g.outer_margin_high_ = one ? alone : (heights[count - 1] - heights[count - 2] + 1) / 2;
     return g;
 }
 
 Positions JobGeometry::target(std::uint32_t layer, std::uint32_t step) const noexcept {
     const std::uint32_t point = carved_point(job_.joining(), point_count(), layer, step);
     return {job_.r_left_pulses(layer)[point], job_.r_right_pulses(layer)[point],
-            job_.psi_pulses(layer, point), height(layer)};
+            job_.psi_pulses(layer, point), job_.y_pulses(layer, point)};
 }
 
-std::optional<std::uint32_t> JobGeometry::layer_at(std::int64_t height_pulses) const noexcept {
+std::int64_t JobGeometry::height(std::uint32_t layer, std::int64_t direction_pulses) const noexcept {
+    if (!is_spiral() || layer == 0) return height(layer);
+    // Both heads rise alike; where one of them begins, the other one ends.
+    const std::int64_t sweep = job_.psi_sweep_pulses();
+    const std::int64_t turned = wrapped(direction_pulses - (layer % 2) * sweep, sweep);
+    const double part = turned == 0 ? 1.0 : static_cast<double>(turned) / static_cast<double>(sweep);
+    const std::int64_t below = height(layer - 1);
+    return below + round_to_pulse(part * static_cast<double>(height(layer) - below));
+}
+
+std::optional<std::uint32_t> JobGeometry::layer_at(std::int64_t height_pulses,
+                                                   std::int64_t direction_pulses) const noexcept {
     const auto heights = job_.layer_heights_pulses();
     if (height_pulses < heights.front() - outer_margin_low_ ||
         height_pulses > heights.back() + outer_margin_high_)
         return std::nullopt;
-    const auto above = std::lower_bound(heights.begin(), heights.end(), height_pulses);
-    if (above == heights.begin()) return 0;
-    auto index = static_cast<std::uint32_t>(above - heights.begin());
-    if (above == heights.end() || height_pulses - *(above - 1) <= *above - height_pulses) --index;
-    return index;
+    std::uint32_t above = 0;  // the first layer that is not below
+    for (std::uint32_t end = layer_count(); above < end;) {
+        const std::uint32_t middle = above + (end - above) / 2;
+        if (height(middle, direction_pulses) < height_pulses) {
+            above = middle + 1;
+        } else {
+            end = middle;
+        }
+    }
+    if (above == 0) return 0;
+    const bool is_nearer_below =
+        above == layer_count() || height_pulses - height(above - 1, direction_pulses) <=
+                                      height(above, direction_pulses) - height_pulses;
+    return is_nearer_below ? above - 1 : above;
+}
+
+std::optional<std::uint32_t> JobGeometry::layer_of_point(std::size_t h, std::uint32_t layer,
+                                                         std::uint32_t point) const noexcept {
+    const std::int64_t offset = heads_[h].height_offset_pulses;
+    if (offset == 0) return job_.is_joint(layer, point) ? layer - 1 : layer;
+    return layer_at(job_.y_pulses(layer, point) + offset, direction(h, job_.psi_pulses(layer, point)));
 }
 
 std::int64_t JobGeometry::direction(std::size_t h, std::int64_t psi_pulses) const noexcept {
@@ -105,6 +134,7 @@ std::optional<double> JobGeometry::on_row(std::size_t h, std::uint32_t row, std:
     const std::int64_t sweep = job_.psi_sweep_pulses();
     const std::int64_t start = table_angle_pulses(job_.joining(), sweep, point_count(), row, 0);
     std::int64_t along = wrapped(direction_pulses - heads_[h].facing_pulses - start, rev_pulses_);
+    if (along == 0 && job_.is_joint(row, 0)) return std::nullopt;  // the row before says it
     // Between the two heads' halves the angle error leaves a gap; the nearer end speaks for it.
     const std::int64_t gap =
         bridging == Gap::bridged ? std::abs(heads_[1].facing_pulses - rev_pulses_ / 2) : 0;
@@ -124,15 +154,32 @@ std::optional<double> JobGeometry::on_row(std::size_t h, std::uint32_t row, std:
     return along == b ? far : near + part * (far - near);
 }
 
+std::optional<double> JobGeometry::least_near(std::size_t h, std::uint32_t layer, std::int64_t y_pulses,
+                                              std::int64_t direction_pulses) const noexcept {
+    auto least = on_row(h, layer, direction_pulses, Gap::empty);
+    if (!is_spiral()) return least;
+    const std::int64_t off = std::abs(height(layer, direction_pulses) - y_pulses);
+    const auto consider = [&](std::uint32_t other) {
+        if (std::abs(height(other, direction_pulses) - y_pulses) > off + 1) return;
+        const auto radius = on_row(h, other, direction_pulses, Gap::empty);
+        if (radius && (!least || *radius < *least)) least = radius;
+    };
+    if (layer > 0) consider(layer - 1);
+    if (layer + 1 < layer_count()) consider(layer + 1);
+    return least;
+}
+
 std::optional<double> JobGeometry::floor_mm(std::size_t h, std::int64_t y_pulses,
                                             std::int64_t direction_pulses) const noexcept {
-    const auto row = layer_at(y_pulses);
-    const auto own = row ? on_row(h, *row, direction_pulses, Gap::empty) : std::nullopt;
+    const auto row = layer_at(y_pulses, direction_pulses);
+    const auto own = row ? least_near(h, *row, y_pulses, direction_pulses) : std::nullopt;
     if (own) return own;
     const std::size_t other = 1 - h;
-    const auto others_row =
-        layer_at(y_pulses + heads_[h].height_offset_pulses - heads_[other].height_offset_pulses);
-    const auto others = others_row ? on_row(other, *others_row, direction_pulses, Gap::empty) : std::nullopt;
+    const std::int64_t others_y =
+        y_pulses + heads_[h].height_offset_pulses - heads_[other].height_offset_pulses;
+    const auto others_row = layer_at(others_y, direction_pulses);
+    const auto others =
+        others_row ? least_near(other, *others_row, others_y, direction_pulses) : std::nullopt;
     if (others || !row) return others;
     return on_row(h, *row, direction_pulses);
 }
@@ -141,9 +188,10 @@ std::optional<double> JobGeometry::wanted_mm(std::uint32_t layer,
                                              std::int64_t direction_pulses) const noexcept {
     const auto left = on_row(0, layer, direction_pulses);
     if (left && heads_[1].facing_pulses == rev_pulses_ / 2) return left;
-    const auto row = heads_[1].height_offset_pulses == 0
-                         ? std::optional<std::uint32_t>(layer)
-                         : layer_at(height(layer) - heads_[1].height_offset_pulses);
+    const auto row =
+        heads_[1].height_offset_pulses == 0
+            ? std::optional<std::uint32_t>(layer)
+            : layer_at(height(layer, direction_pulses) - heads_[1].height_offset_pulses, direction_pulses);
     const auto right = row ? on_row(1, *row, direction_pulses) : std::nullopt;
     if (left && right) return std::min(*left, *right);
     return left ? left : right;

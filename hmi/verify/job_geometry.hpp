@@ -47,14 +47,22 @@ public:
     double tolerance_mm() const noexcept { return tolerance_mm_; }
     double y_pulses_per_mm() const noexcept { return y_pulses_per_mm_; }
     double blank_radius_mm() const noexcept { return blank_radius_mm_; }
+    /// Rows that rise as they turn: each holds every direction once, at a height of its own.
+    bool is_spiral() const noexcept { return job_.joining() == Joining::spiral && layer_count() > 1; }
     std::int64_t height(std::uint32_t layer) const noexcept { return job_.layer_heights_pulses()[layer]; }
+    /// Of a layer where the piece's direction is this.
+    std::int64_t height(std::uint32_t layer, std::int64_t direction_pulses) const noexcept;
 
     /// Axis positions of the point that is carved as the layer's `step`-th; psi is the job's absolute angle.
     Positions target(std::uint32_t layer, std::uint32_t step) const noexcept;
 
-    /// The layer that lies nearest to a height; nothing when it is further from the outermost layers than
-    /// half the distance to their neighbours.
-    std::optional<std::uint32_t> layer_at(std::int64_t height_pulses) const noexcept;
+    /// The layer that lies nearest to a height in this direction; nothing when it is further from the
+    /// outermost layers than half the distance to their neighbours.
+    std::optional<std::uint32_t> layer_at(std::int64_t height_pulses,
+                                          std::int64_t direction_pulses) const noexcept;
+    /// The layer of the surface that a head's tip works on at a point.
+    std::optional<std::uint32_t> layer_of_point(std::size_t h, std::uint32_t layer,
+                                                std::uint32_t point) const noexcept;
 
     /// Direction that a head faces at a table angle.
     std::int64_t direction(std::size_t h, std::int64_t psi_pulses) const noexcept;
@@ -75,6 +83,10 @@ public:
 
 private:
     enum class Gap { empty, bridged };
+    /// On a head's row of this layer; where a spiral's rings meet the rows that rise, on the deeper of the
+    /// two.
+    std::optional<double> least_near(std::size_t h, std::uint32_t layer, std::int64_t y_pulses,
+                                     std::int64_t direction_pulses) const noexcept;
     std::optional<double> on_row(std::size_t h, std::uint32_t row, std::int64_t direction_pulses,
                                  Gap gap = Gap::bridged) const noexcept;
 

@@ -95,19 +95,23 @@ void PathRule::keep_retraction() {
 }
 
 void PathRule::stray_in_height(std::int64_t time_ns, const Positions& at) {
-    if (step_ + 1 == geometry_.point_count()) return miss(time_ns, at);  // Y moves on: it will not come
+    const bool is_spiral = geometry_.is_spiral();
+    // Y moves on: it will not come.
+    if (!is_spiral && step_ + 1 == geometry_.point_count()) return miss(time_ns, at);
     if (!std::exchange(strayed_, true) && log_.count(1, time_ns)) {
         Offence offence;
         offence.fault = "height";
         offence.axis = Axis::y;
         offence.measured = static_cast<double>(at[kY]);
-        offence.allowed = static_cast<double>(to_[kY]);
+        offence.allowed = height_line(at[kPsi]).at;
         offence.bound = Bound::exactly;
         offence.unit = "pulses";
-        offence.sentence = "Y leaves its layer before the layer's end";
+        offence.sentence =
+            is_spiral ? "Y leaves the straight line to a point" : "Y leaves its layer before the layer's end";
         report(time_ns, std::move(offence));
     }
-    const auto layer = geometry_.layer_at(at[kY]);
+    if (is_spiral) return;
+    const auto layer = geometry_.layer_at(at[kY], geometry_.direction(0, at[kPsi]));
     if (!layer || *layer != layer_) miss_rest_of_layer(time_ns, at);
 }
 
@@ -143,8 +147,8 @@ void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& 
         headings_[h].is_too_deep = false;
         return;
     }
-    const auto layer = geometry_.layer_at(at[kY] + head.height_offset_pulses);  // of the surface
     const std::int64_t direction = geometry_.direction(h, at[kPsi]);
+    const auto layer = geometry_.layer_at(at[kY] + head.height_offset_pulses, direction);  // of the surface
     const std::uint32_t cell = geometry_.cell_of(direction);
     if (layer) surface_.touch(*layer, cell, static_cast<float>(real_mm));
     const auto wanted_mm = geometry_.floor_mm(h, at[kY], direction);
@@ -170,7 +174,7 @@ void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& 
     offence.allowed = static_cast<double>(radius + too_deep);
     offence.bound = Bound::at_least;
     offence.unit = "pulses";
-    const auto row = geometry_.layer_at(at[kY]);
+    const auto row = geometry_.layer_at(at[kY], direction);
     offence.sentence = shown_name(kHeads[h]) + " stands deeper than " +
                        (row ? "layer " + std::to_string(*row) : std::string("the job")) +
                        " asks, off the way between two points";

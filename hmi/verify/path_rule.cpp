@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kPsi = index_of(Axis::psi);
 constexpr std::size_t kY = index_of(Axis::y);
 constexpr std::int64_t kNearPulses = 64;  // how far off the first point a carving is still recognised
-constexpr std::int64_t kHeightSlackPulses = 1;
+constexpr double kHeightSlackPulses = 1.0;
 
 }  // namespace
 
@@ -179,16 +179,14 @@ void PathRule::aim(std::uint32_t layer, std::uint32_t step) {
     near_ = {};
     from_ = to_;
     to_ = geometry_.target(layer, step);
-    place_ = {layer, carved_point(geometry_.job().joining(), geometry_.point_count(), layer, step)};
+    const std::uint32_t point = carved_point(geometry_.job().joining(), geometry_.point_count(), layer, step);
+    place_ = {layer, point};
     for (std::size_t h = 0; h < kHeadCount; ++h) {
         Heading& heading = headings_[h];
         heading.closest.reset();
         if (step > 0) heading.line = PathLine::between(geometry_, h, from_, to_);
-        if (step > 1) continue;
-        const auto row = geometry_.layer_at(to_[kY] + geometry_.head(h).height_offset_pulses);
-        heading.has_surface = row.has_value();
-        heading.surface_layer = row.value_or(0);
     }
+    if (step <= 1 || geometry_.is_spiral()) aim_surface(layer, point);
     if (step > 0) {
         psi_sign_ = to_[kPsi] >= from_[kPsi] ? 1 : -1;
         phase_ = Phase::segment;
@@ -198,11 +196,22 @@ void PathRule::aim(std::uint32_t layer, std::uint32_t step) {
     }
 }
 
+void PathRule::aim_surface(std::uint32_t layer, std::uint32_t point) {
+    for (std::size_t h = 0; h < kHeadCount; ++h) {
+        Heading& heading = headings_[h];
+        heading.from_layer = heading.surface_layer;
+        heading.from_cell = geometry_.cell_of(geometry_.direction(h, from_[kPsi]));
+        const auto row = geometry_.layer_of_point(h, layer, point);
+        heading.has_surface = row.has_value();
+        heading.surface_layer = row.value_or(0);
+    }
+}
+
 void PathRule::advance() {
     if (step_ + 1 < geometry_.point_count()) {
         aim(layer_, step_ + 1);
     } else if (layer_ + 1 < geometry_.layer_count()) {
-        aim(layer_ + 1, 0);
+        aim(layer_ + 1, geometry_.is_spiral() ? 1 : 0);
     } else {
         phase_ = Phase::done;
         place_ = {};
@@ -211,6 +220,9 @@ void PathRule::advance() {
 
 void PathRule::reach(std::int64_t time_ns) {
     ++visited_;
+    // The next row of a spiral begins here.
+    if (geometry_.is_spiral() && step_ + 1 == geometry_.point_count() && layer_ + 1 < geometry_.layer_count())
+        ++visited_;
     arrived_ns_ = time_ns;
     for (std::size_t h = 0; h < kHeadCount; ++h) {
         const Heading& heading = headings_[h];
@@ -274,8 +286,19 @@ void PathRule::carve(const Positions& at) {
         if (turned) heading.cell = geometry_.cell_of(geometry_.direction(h, at[kPsi]));
         if (!heading.has_surface) continue;
         const double mm = geometry_.head(h).real_mm(at[index_of(kHeads[h])]);
-        surface_.touch(heading.surface_layer, heading.cell, static_cast<float>(mm));
+        const bool is_at_from = geometry_.is_spiral() && heading.cell == heading.from_cell;
+        surface_.touch(is_at_from ? heading.from_layer : heading.surface_layer, heading.cell,
+                       static_cast<float>(mm));
     }
+}
+
+PathRule::HeightLine PathRule::height_line(std::int64_t psi_pulses) const noexcept {
+    const auto rise = static_cast<double>(to_[kY] - from_[kY]);
+    const auto turn = static_cast<double>(to_[kPsi] - from_[kPsi]);
+    if (rise == 0.0 || turn == 0.0) return {static_cast<double>(to_[kY]), kHeightSlackPulses};
+    const double part = std::clamp(static_cast<double>(psi_pulses - from_[kPsi]) / turn, 0.0, 1.0);
+    // Psi is known to a pulse.
+    return {static_cast<double>(from_[kY]) + part * rise, kHeightSlackPulses + std::abs(rise / turn)};
 }
 
 void PathRule::follow_segment(std::int64_t time_ns, const Positions& at) {
@@ -284,9 +307,12 @@ void PathRule::follow_segment(std::int64_t time_ns, const Positions& at) {
         left_ns_ = time_ns;
     }
     while (phase_ == Phase::segment && forward(at[kPsi]) > 0) miss(time_ns, at);
-    if (phase_ == Phase::segment && std::abs(at[kY] - to_[kY]) > kHeightSlackPulses) {
-        stray_in_height(time_ns, at);
-        if (phase_ == Phase::segment) return touch(time_ns, at);
+    if (phase_ == Phase::segment) {
+        const HeightLine line = height_line(at[kPsi]);
+        if (std::abs(static_cast<double>(at[kY]) - line.at) > line.allowed) {
+            stray_in_height(time_ns, at);
+            if (phase_ == Phase::segment) return touch(time_ns, at);
+        }
     }
     if (phase_ == Phase::link) return follow_link(time_ns, at);
     if (phase_ == Phase::done) return touch(time_ns, at);
@@ -302,7 +328,9 @@ void PathRule::follow_segment(std::int64_t time_ns, const Positions& at) {
 void PathRule::follow_link(std::int64_t time_ns, const Positions& at) {
     touch(time_ns, at);
     if (at == to_) return reach(time_ns);
-    if (const auto layer = geometry_.layer_at(at[kY]); layer && *layer != layer_ && *layer + 1 != layer_)
+    const std::int64_t direction = geometry_.direction(0, at[kPsi]);
+    if (const auto layer = geometry_.layer_at(at[kY], direction);
+        layer && *layer != layer_ && *layer + 1 != layer_)
         wrong_layer(time_ns, at, *layer);
     if (phase_ != Phase::link || at[kY] != to_[kY]) return;
     if (at[kPsi] == to_[kPsi]) note_closest(at);

@@ -45,6 +45,8 @@ private:
         PathLine line;
         std::uint32_t surface_layer = 0;  ///< row of the carved surface that the tip works on
         bool has_surface = false;
+        std::uint32_t from_layer = 0;  ///< of a spiral: on which it worked at the point it comes from
+        std::uint32_t from_cell = 0;
         std::uint32_t cell = 0;
         bool is_too_deep = false;  ///< told already for this stay
         std::optional<std::int64_t>
@@ -94,7 +96,14 @@ private:
     void miss_rest_of_layer(std::int64_t time_ns, const Positions& at);
     void note_closest(const Positions& at);
     void stray(std::int64_t time_ns, std::size_t h, const PathLine::Distance& distance);
+    /// Where Y is to be on the straight way between two points [pulses], and how far off it may be.
+    struct HeightLine {
+        double at;
+        double allowed;
+    };
+    HeightLine height_line(std::int64_t psi_pulses) const noexcept;
     void stray_in_height(std::int64_t time_ns, const Positions& at);
+    void aim_surface(std::uint32_t layer, std::uint32_t point);
     void wrong_layer(std::int64_t time_ns, const Positions& at, std::uint32_t layer);
     void touch(std::int64_t time_ns, const Positions& at);
     void touch_head(std::size_t h, std::int64_t time_ns, const Positions& at);

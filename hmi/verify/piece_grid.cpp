@@ -80,6 +80,45 @@ Radii resample(const CarvedSurface& surface) {
     return radii;
 }
 
+/// A spiral's rows are not level: between the two of them that lie around a height in its direction.
+float radius_at(const CarvedSurface& surface, std::uint32_t direction, double height_mm) {
+    std::uint32_t above = 1;
+    for (std::uint32_t end = surface.layer_count() - 1; above < end;) {
+        const std::uint32_t middle = above + (end - above) / 2;
+        if (surface.height_mm(middle, direction) < height_mm) {
+            above = middle + 1;
+        } else {
+            end = middle;
+        }
+    }
+    const double low_mm = surface.height_mm(above - 1, direction);
+    const double high_mm = surface.height_mm(above, direction);
+    const double part =
+        high_mm > low_mm ? std::clamp((height_mm - low_mm) / (high_mm - low_mm), 0.0, 1.0) : 0.0;
+    const auto low = static_cast<double>(surface.radii_mm(above - 1)[direction]);
+    const auto high = static_cast<double>(surface.radii_mm(above)[direction]);
+    return static_cast<float>(low + part * (high - low));
+}
+
+Radii resample_spiral(const CarvedSurface& surface) {
+    const std::size_t directions = surface.direction_count();
+    const double bottom_mm = surface.layer_height_mm(0);
+    const double height_mm = surface.layer_height_mm(surface.layer_count() - 1) - bottom_mm;
+    Radii radii;
+    radii.columns = std::min(directions, kMostColumns);
+    radii.rows = std::clamp<std::size_t>(2 * surface.layer_count(), 2, kMostRows);
+    for (std::size_t row = 0; row < radii.rows; ++row) {
+        const double part = static_cast<double>(row) / static_cast<double>(radii.rows - 1);
+        const double at_mm = bottom_mm + part * height_mm;
+        radii.height_mm.push_back(static_cast<float>(at_mm));
+        for (std::size_t c = 0; c < radii.columns; ++c) {
+            const auto direction = static_cast<std::uint32_t>(c * directions / radii.columns);
+            radii.mm.push_back(radius_at(surface, direction, at_mm));
+        }
+    }
+    return radii;
+}
+
 /// Running mean over a window of columns (round) and rows.
 std::vector<float> blurred(const Radii& radii, std::size_t half_columns, std::size_t half_rows) {
     const std::size_t rows = radii.rows;
@@ -155,7 +194,7 @@ void find_normals(PieceGrid& grid) {
 }  // namespace
 
 PieceGrid make_piece_grid(const CarvedSurface& surface) {
-    const Radii radii = resample(surface);
+    const Radii radii = surface.is_spiral() ? resample_spiral(surface) : resample(surface);
     PieceGrid grid;
     grid.rows = radii.rows;
     grid.columns = radii.columns;

@@ -158,11 +158,11 @@ bool Executor::take_next_of_group() noexcept {
 }
 
 Executor::Progress Executor::reached() noexcept {
-    if (block_.reaches_point == 0) return kNothing;
+    if (block_.reaches_points == 0) return kNothing;
     layer_ = block_.layer;
     point_ = block_.point;
-    ++points_reached_;
-    block_.reaches_point = 0;
+    points_reached_ += block_.reaches_points;
+    block_.reaches_points = 0;
     return kPoint;
 }
 

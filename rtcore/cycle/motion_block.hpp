@@ -57,11 +57,11 @@ struct MotionBlock {
     Until until;
     Latch latch;
     Spindle spindle;
-    std::uint8_t axis;           ///< Axis of until, latch, define
-    std::uint8_t enable_mask;    ///< outputs: drives on, bit by axis; others off
-    std::uint8_t is_homing;      ///< 1: sensors of `axis` raise no alarm during this block
-    std::uint8_t reaches_point;  ///< 1: at its end the job's `layer`, `point` is reached
-    std::uint8_t up_axes;        ///< a run's first block, bit by axis: those with backlash that go up in it,
+    std::uint8_t axis;            ///< Axis of until, latch, define
+    std::uint8_t enable_mask;     ///< outputs: drives on, bit by axis; others off
+    std::uint8_t is_homing;       ///< 1: sensors of `axis` raise no alarm during this block
+    std::uint8_t reaches_points;  ///< of the job, at its end; the last of them is `layer`, `point`
+    std::uint8_t up_axes;         ///< a run's first block, bit by axis: those with backlash that go up in it,
     std::uint8_t down_axes;  ///< or down, wherever in it they begin to move; their gaps are taken up first
     std::uint8_t reserved[2];
     std::uint32_t epoch;         ///< of the plan request it belongs to; others are dropped

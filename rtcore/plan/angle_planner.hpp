@@ -10,12 +10,12 @@
 
 namespace psicarve::plan {
 
-/// One line of a table: to the next point of a layer.
+/// One line of a table: to the point that is carved as a layer's `step`-th.
 struct TableLine {
     Pulses4 delta_pulses;
     std::array<double, 2> radius_mm;  ///< by head: of the tip, the larger of the line's two ends
     std::uint32_t layer;              ///< of the point at its end
-    std::uint32_t point;
+    std::uint32_t step;
 };
 
 /// Lines [first, first + count) under one speed profile.

@@ -35,7 +35,7 @@ Pulses4 heads_way(const Pulses4& from, const Pulses4& to, bool outwards) {
 Pulses4 first_point(const JobView& job, std::uint32_t layer) {
     const std::uint32_t point = carved_point(job.joining(), job.point_count(), layer, 0);
     return {job.r_left_pulses(layer)[point], job.r_right_pulses(layer)[point], job.psi_pulses(layer, point),
-            job.layer_heights_pulses()[layer]};
+            job.y_pulses(layer, point)};
 }
 
 /// Of the table, whichever head carves it: before the carving the blank reaches out so far all round.

@@ -88,10 +88,10 @@ void BlockList::dwell(std::int64_t ticks) {
 
 // A block without any way ends at once and still marks its point.
 void BlockList::reach(std::uint32_t layer, std::uint32_t point) {
-    if (blocks_.empty() || blocks_.back().kind != BlockKind::move || blocks_.back().reaches_point != 0) {
+    if (blocks_.empty() || blocks_.back().kind != BlockKind::move || blocks_.back().reaches_points != 0) {
         add_motion({}, {});
     }
-    blocks_.back().reaches_point = 1;
+    blocks_.back().reaches_points = 1;
     blocks_.back().layer = layer;
     blocks_.back().point = point;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "rtcore/plan/speed_up.hpp"
+
 namespace psicarve::plan {
 namespace {
 
@@ -12,13 +14,6 @@ using cycle::MotionBlock;
 
 // Stands for "no limit" where an axis does not move.
 constexpr float kNoLimit = 1e30F;
-
-MachineLimits with_feed_of(const MachineLimits& limits, const JobView& job) {
-    MachineLimits result = limits;
-    // The feed is the job's own; the profile's is what a slicer puts there.
-    if (job.header().feed_mm_s > 0.0) result.feed_mm_s = job.header().feed_mm_s;
-    return result;
-}
 
 cycle::PathTiming timing_of(const MachineLimits& limits, const PathPiece& piece) {
     cycle::PathTiming timing{};
@@ -41,72 +36,70 @@ cycle::PathTiming timing_of(const MachineLimits& limits, const PathPiece& piece)
 
 LookaheadProgram::LookaheadProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job,
                                    std::uint32_t first_layer)
-    : limits_(with_feed_of(limits, *job)),
-      job_(std::move(job)),
-      stretches_(limits_),
-      first_layer_(first_layer),
-      layer_(first_layer) {
+    : TableProgram(limits, std::move(job), first_layer), stretches_(limits_) {
     planned_.is_reference = first_layer == 0;
+    layer_ -= first_layer % layers_at_once();
 }
 
-bool LookaheadProgram::next(MotionBlock& block) {
-    while (next_ == blocks_.size()) {
-        if (is_ended_) return false;
-        blocks_.clear();
-        next_ = 0;
-        make_layer();
-    }
-    block = blocks_[next_++];
-    return true;
-}
-
-PathPoint LookaheadProgram::point_at(std::uint32_t layer, std::uint32_t step) const {
-    const std::uint32_t point = carved_point(job_->joining(), job_->point_count(), layer, step);
-    return {{job_->r_left_pulses(layer)[point], job_->r_right_pulses(layer)[point],
-             job_->psi_pulses(layer, point), job_->layer_heights_pulses()[layer]},
-            layer,
-            point,
-            false};
-}
-
-void LookaheadProgram::make_layer() {
-    if (layer_ == job_->layer_count()) {
-        MotionBlock end{};
-        end.kind = BlockKind::program_end;
-        blocks_.push_back(end);
-        is_ended_ = true;
-        return;
-    }
-    gather_points();
+void LookaheadProgram::make_layers() {
+    points_.clear();
+    const std::uint32_t first = layer_;
+    const std::uint32_t end = std::min(layer_ + layers_at_once(), job_->layer_count());
     // One point more at either side belongs to them only so that those corners are seen.
-    const std::size_t begin = layer_ > first_layer_ ? 1 : 0;
-    const std::size_t last = points_.size() - (layer_ + 1 < job_->layer_count() ? 2 : 1);
+    const bool has_before = is_spiral() ? first > 0 : first > first_layer_;
+    const bool has_after = end < job_->layer_count();
+    if (is_spiral()) {
+        gather_rows(end);
+    } else {
+        gather_layer();
+    }
+    add_stretches(has_before ? 1 : 0, points_.size() - (has_after ? 2 : 1));
+    if (first < first_layer_) begin_in_between();
+    layer_ = end;
+}
+
+// A layer begins and ends at rest: psi stands still while Y moves on. So do the rows of a spiral made at
+// once.
+void LookaheadProgram::add_stretches(std::size_t first, std::size_t last) {
     const std::vector<PathSpan> spans = path_spans(limits_, points_);
     const std::vector<PathCorner> corners = path_corners(limits_, spans);
-    std::size_t first = begin;
-    for (std::size_t i = begin + 1; i <= last; ++i) {
-        // A layer begins and ends at rest: psi stands still while Y moves on.
-        const bool begins_layer = i == first_of_layer_;
-        if (i < last && !begins_layer && !corners[i - 1].is_stop) continue;
+    for (std::size_t i = first + 1; i <= last; ++i) {
+        if (i < last && i != first_of_layer_ && !corners[i - 1].is_stop) continue;
         pieces_.clear();
         planned_.seconds += stretches_.plan(points_, spans, corners, first, i, pieces_);
         add_stretch();
         first = i;
     }
-    ++layer_;
 }
 
-void LookaheadProgram::gather_points() {
-    points_.clear();
+void LookaheadProgram::gather_layer() {
     const std::uint32_t count = job_->point_count();
+    const auto point = [this](std::uint32_t layer, std::uint32_t step) {
+        return PathPoint{point_at(layer, step), layer, step, false};
+    };
     if (layer_ > first_layer_) {
-        points_.push_back(point_at(layer_ - 1, count - 2));
-        points_.push_back(point_at(layer_ - 1, count - 1));
-        add_way_between(points_.back(), point_at(layer_, 0));
+        points_.push_back(point(layer_ - 1, count - 2));
+        points_.push_back(point(layer_ - 1, count - 1));
+        add_way_between(points_.back(), point(layer_, 0));
     }
     first_of_layer_ = points_.size();
-    for (std::uint32_t step = 0; step < count; ++step) points_.push_back(point_at(layer_, step));
-    if (layer_ + 1 < job_->layer_count()) points_.push_back(point_at(layer_ + 1, 0));
+    for (std::uint32_t step = 0; step < count; ++step) points_.push_back(point(layer_, step));
+    if (layer_ + 1 < job_->layer_count()) points_.push_back(point(layer_ + 1, 0));
+}
+
+// Each row begins in the point that the one before ends in. All of them count as one layer: there is no way
+// between them.
+void LookaheadProgram::gather_rows(std::uint32_t end) {
+    const std::uint32_t steps = job_->point_count() - 1;
+    if (layer_ > 0) points_.push_back({point_at(layer_ - 1, steps - 1), layer_, 0, false});
+    first_of_layer_ = points_.size();
+    points_.push_back({point_at(layer_, 0), layer_, 0, false});
+    std::uint32_t step = 0;
+    for (std::uint32_t row = layer_; row < end; ++row) {
+        for (std::uint32_t i = 1; i <= steps; ++i)
+            points_.push_back({point_at(row, i), layer_, ++step, false});
+    }
+    if (end < job_->layer_count()) points_.push_back({point_at(end, 1), layer_, ++step, false});
 }
 
 // Half-way up one layer's cut ends and the next one's begins. Heads that have to move out do so below, those
@@ -155,13 +148,35 @@ void LookaheadProgram::add_block(const PathPiece& piece) {
     block.kind = BlockKind::path;
     block.delta_pulses = piece.delta_pulses;
     block.path = timing_of(limits_, piece);
-    if (piece.point != PathPiece::kNoPoint && !points_[piece.point].is_on_the_way) {
-        ++planned_.points;
-        block.reaches_point = 1;
-        block.layer = points_[piece.point].layer;
-        block.point = points_[piece.point].point;
+    const bool reaches_point = piece.point != PathPiece::kNoPoint && !points_[piece.point].is_on_the_way;
+    if (reaches_point && is_spiral()) {
+        const std::uint32_t steps = job_->point_count() - 1;
+        const std::uint32_t step = points_[piece.point].point - 1;
+        reach(block, points_[piece.point].layer + step / steps, step % steps + 1);
+    } else if (reaches_point) {
+        reach(block, points_[piece.point].layer, points_[piece.point].point);
     }
     blocks_.push_back(block);
+}
+
+// The rows made at once begin further down than the carving does: what leads up to there is left out.
+void LookaheadProgram::begin_in_between() {
+    auto run = blocks_.begin();
+    auto first = blocks_.begin();
+    for (;; ++first) {
+        if (first->group_blocks > 0) run = first;
+        planned_.points -= first->reaches_points;
+        if (first->reaches_points == 2 && first->layer == first_layer_) break;
+    }
+    const auto left = static_cast<std::uint32_t>(run->group_blocks - (first + 1 - run));
+    blocks_.erase(blocks_.begin(), first + 1);
+    if (left > 0) {
+        blocks_.front().group_blocks = left;
+        note_gaps(std::span(blocks_).first(left));
+        speed_up_from_rest(std::span(blocks_).first(left));
+    }
+    planned_.seconds = 0.0;
+    for (const MotionBlock& block : blocks_) planned_.seconds += path_seconds(block.path);
 }
 
 }  // namespace psicarve::plan

@@ -99,6 +99,15 @@ PathCorner corner_between(const MachineLimits& limits, const PathSpan& before, c
     return corner;
 }
 
+// Along a spiral Y keeps to the straight lines between its points.
+void keep_y_on_its_way(std::span<PathSpan> spans) {
+    const auto rises = [](const PathSpan& span) { return !span.is_link && span.slope[kY] != 0.0; };
+    if (std::none_of(spans.begin(), spans.end(), rises)) return;
+    for (PathSpan& span : spans) {
+        if (!span.is_link) span.band[kY] = kLeastBandPulses;
+    }
+}
+
 /// Which way each axis that has backlash went last; 0: not known.
 using Ways = std::array<int, kAxisCount>;
 
@@ -149,6 +158,7 @@ std::vector<PathSpan> path_spans(const MachineLimits& limits, std::span<const Pa
         spans.push_back(span_between(limits, points[i - 1].pulses, points[i].pulses));
         spans.back().is_link = is_between_layers(points[i - 1], points[i]);
     }
+    keep_y_on_its_way(spans);
     return spans;
 }
 

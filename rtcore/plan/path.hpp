@@ -24,7 +24,7 @@ inline constexpr double kMostTurnPulses = 0.5;
 /// A position that the machine passes exactly.
 struct PathPoint {
     Pulses4 pulses;
-    std::uint32_t layer;  ///< of the job
+    std::uint32_t layer;  ///< of the job; one for all rows of a spiral
     std::uint32_t point;
     bool is_on_the_way;  ///< between two layers: not a point of the table
 };

@@ -104,6 +104,14 @@ void PieceMaker::keep_way(std::uint32_t point, Pulses4& pulses) const {
         pulses[k] = std::clamp(pulses[k], std::min(at_pulses_[k], to.pulses[k]),
                                std::max(at_pulses_[k], to.pulses[k]));
     }
+    if (is_link) return;
+    // Along a layer Y is where the table is on its straight way to the point.
+    constexpr std::size_t kPsi = index_of(Axis::psi);
+    constexpr std::size_t kY = index_of(Axis::y);
+    const auto rise = static_cast<double>(to.pulses[kY] - from.pulses[kY]);
+    const auto turn = static_cast<double>(to.pulses[kPsi] - from.pulses[kPsi]);
+    const auto turned = static_cast<double>(pulses[kPsi] - from.pulses[kPsi]);
+    pulses[kY] = from.pulses[kY] + (turn == 0.0 ? 0 : round_to_pulse(rise * turned / turn));
 }
 
 Pulses4 PieceMaker::cut_at(std::size_t end, std::uint32_t point) const {

@@ -35,7 +35,7 @@ void use_job(const Bytes& blob) {
     require(job.has_value(), "a snapshot's job passes its own check");
     std::uint64_t sum = 0;
     for (std::uint32_t layer = 0; layer < job->layer_count(); ++layer) {
-        sum += static_cast<std::uint64_t>(job->layer_heights_pulses()[layer]);
+        sum += static_cast<std::uint64_t>(job->y_pulses(layer, job->point_count() / 2));
         for (const std::int32_t radius : job->r_left_pulses(layer)) sum += static_cast<std::uint32_t>(radius);
         for (const std::int32_t radius : job->r_right_pulses(layer))
             sum += static_cast<std::uint32_t>(radius);

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "shared/units.hpp"
+#include "tests/shared/spiral_fixture.hpp"
 
 namespace psicarve::motion {
 namespace {
@@ -79,7 +80,8 @@ std::vector<NamedShape> sample_shapes() {
     };
 }
 
-JobTable table_of(const Profile& profile, const Shape& shape, std::uint32_t layers, std::uint32_t points) {
+JobTable table_of(const Profile& profile, const Shape& shape, std::uint32_t layers, std::uint32_t points,
+                  Joining joining) {
     const auto pulses = [](const LinearAxisProfile& axis, double value_mm) {
         return static_cast<std::int32_t>(std::lround(value_mm * axis.pulses_per_mm));
     };
@@ -99,7 +101,7 @@ JobTable table_of(const Profile& profile, const Shape& shape, std::uint32_t laye
     }
     table.source_name = "shape";
     table.profile_toml = profile_to_toml(profile);
-    return table;
+    return joining == Joining::spiral ? spiral_of(table) : table;
 }
 
 Carved carved(const Profile& profile, const JobTable& table, const Disturbance& disturb) {

@@ -25,7 +25,8 @@ struct NamedShape {
 /// A smooth vase, a figurine's deep curves, a gear with sharp flanks and a noisy relief.
 std::vector<NamedShape> sample_shapes();
 
-JobTable table_of(const Profile& profile, const Shape& shape, std::uint32_t layers, std::uint32_t points);
+JobTable table_of(const Profile& profile, const Shape& shape, std::uint32_t layers, std::uint32_t points,
+                  Joining joining = Joining::continuous);
 
 /// What came out of the pins.
 struct Carved {

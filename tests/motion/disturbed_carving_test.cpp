@@ -78,6 +78,12 @@ TEST_P(Shapes, ObeyTheFourRulesThroughThirtyRandomHoldsResumesAndOverrides) {
     expect_obedience(profile, table_of(profile, sample_shapes()[GetParam()].shape, 2, 100), 30);
 }
 
+TEST_P(Shapes, ObeyThemAlongASpiralToo) {
+    const Profile profile = usual_profile();
+    const Shape shape = sample_shapes()[GetParam()].shape;
+    expect_obedience(profile, table_of(profile, shape, 4, 100, Joining::spiral), 8);
+}
+
 INSTANTIATE_TEST_SUITE_P(DisturbedCarving, Shapes, ::testing::Range(std::size_t{0}, std::size_t{4}),
                          [](const auto& named) { return std::string{sample_shapes()[named.param].name}; });
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/shared/job_fixture.hpp"
+#include "tests/shared/spiral_fixture.hpp"
 
 namespace psicarve {
 namespace {
@@ -137,6 +138,37 @@ TEST(CheckJob, DirectionsMustBeThisMachines) {
     Profile other;
     other.psi.positive_is_high = false;
     EXPECT_THAT(verdict_on(small_job(), other), HasSubstr("axis psi is the other way round"));
+}
+
+TEST(CheckJob, AcceptsASpiralThatClosesWithARing) {
+    EXPECT_EQ(verdict_on(spiral_of(small_job())), "accepted");
+    EXPECT_EQ(verdict_on(spiral_of(small_job({}, 1))), "accepted") << "one layer: one ring";
+}
+
+TEST(CheckJob, NamesAClosingRingAtAnotherHeight) {
+    for (const std::int64_t height : {111, 109}) {
+        JobTable table = spiral_of(small_job());
+        table.layer_height_pulses[2] = height;
+        const std::string verdict = verdict_on(table);
+        EXPECT_THAT(verdict, StartsWith("layer 2, point 0: the height of 0.27"));
+        EXPECT_THAT(verdict, HasSubstr("is not that of the layer below, 0.2750 mm (110 pulses)"));
+        EXPECT_THAT(verdict, HasSubstr("ring that closes a spiral"));
+    }
+}
+
+TEST(CheckJob, NamesARowOfASpiralThatDoesNotRise) {
+    JobTable table = spiral_of(small_job({}, 4));
+    table.layer_height_pulses = {100, 100, 110, 110};
+    EXPECT_THAT(verdict_on(table),
+                StartsWith("layer 1, point 0: the height of 0.2500 mm (100 pulses) does not lie above"));
+}
+
+TEST(CheckJob, NamesARowOfASpiralThatBeginsElsewhereThanTheOneBeforeEnds) {
+    JobTable table = spiral_of(small_job());
+    table.r_right_pulses[10] += 3;
+    EXPECT_EQ(verdict_on(table),
+              "layer 2, point 0: the radius of r2, 4003 pulses, is not the 4000 pulses in which the layer "
+              "below ends: a spiral has no links; slice the model again");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tests/shared/job_fixture.hpp"
+#include "tests/shared/spiral_fixture.hpp"
 
 namespace psicarve {
 namespace {
@@ -138,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(
         Harm{"LeftOffset", [](JobHeader& h) { h.r_left_offset = ~std::uint64_t{0} - 7; },
              "do not stand where"},
         Harm{"RightOffset", [](JobHeader& h) { h.r_right_offset = h.r_left_offset; }, "do not stand where"},
-        Harm{"Joining", [](JobHeader& h) { h.joining = 2; }, "unknown number 2"},
+        Harm{"Joining", [](JobHeader& h) { h.joining = 3; }, "unknown number 3"},
         Harm{"SignZero", [](JobHeader& h) { h.direction_sign[2] = 0; }, "direction sign is 0"},
         Harm{"SignTwo", [](JobHeader& h) { h.direction_sign[0] = -2; }, "direction sign is -2"},
         Harm{"Reserved", [](JobHeader& h) { h.reserved = 1; }, "must be 0"},
@@ -226,6 +227,50 @@ TEST(CarvedPoint, RunsOddLayersBackwardsWhenZigzag) {
     EXPECT_EQ(carved_point(Joining::zigzag, 5, 1, 0), 4U);
     EXPECT_EQ(carved_point(Joining::zigzag, 5, 1, 4), 0U);
     EXPECT_EQ(carved_point(Joining::continuous, 5, 1, 1), 1U);
+}
+
+TEST(TableAngle, GrowsOnAcrossTheRowsOfASpiral) {
+    EXPECT_EQ(table_angle_pulses(Joining::spiral, 3200, 5, 7, 1), 7 * 3200 + 800);
+}
+
+TEST(TableHeight, IsTheLayersOwnButForTheRisingRowsOfASpiral) {
+    const std::vector<std::int64_t> heights{100, 110, 125, 125};
+    const auto row = [&](Joining joining, std::size_t layer) {
+        std::vector<std::int64_t> y;
+        for (std::int64_t point = 0; point < 5; ++point) {
+            y.push_back(table_height_pulses(joining, heights, 5, layer, point));
+        }
+        return y;
+    };
+    EXPECT_THAT(row(Joining::continuous, 1), testing::Each(110));
+    EXPECT_THAT(row(Joining::zigzag, 2), testing::Each(125));
+    EXPECT_THAT(row(Joining::spiral, 0), testing::Each(100));
+    EXPECT_THAT(row(Joining::spiral, 1), testing::ElementsAre(100, 103, 105, 108, 110));
+    EXPECT_THAT(row(Joining::spiral, 2), testing::ElementsAre(110, 114, 118, 121, 125));
+    EXPECT_THAT(row(Joining::spiral, 3), testing::Each(125));
+}
+
+TEST(JobView, SaysWhereASpiralsPointsStandAndWhichItHasReachedBefore) {
+    const auto blob = job_blob_from_table(spiral_of(small_job()));
+    const auto view = JobView::check(blob);
+    ASSERT_TRUE(view);
+    EXPECT_EQ(view->joining(), Joining::spiral);
+    EXPECT_EQ(view->y_pulses(1, 1), 103);
+    EXPECT_EQ(view->y_pulses(1, 4), 110);
+    EXPECT_FALSE(view->is_joint(0, 0));
+    EXPECT_TRUE(view->is_joint(1, 0));
+    EXPECT_FALSE(view->is_joint(1, 4));
+}
+
+TEST(JobView, RefusesHeightsOfASpiralThatNoSumCouldHold) {
+    for (const std::int64_t height :
+         {kMaxHeightPulses + 1, -kMaxHeightPulses - 1, std::numeric_limits<std::int64_t>::min()}) {
+        JobTable table = spiral_of(small_job());
+        table.layer_height_pulses[1] = height;
+        const auto view = JobView::check(job_blob_from_table(table));
+        ASSERT_FALSE(view);
+        EXPECT_THAT(view.error().message, HasSubstr("the height of " + std::to_string(height) + " pulses"));
+    }
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ TEST(ProfileToml, EveryWordAndTextSurvivesPrinting) {
     profile.r2.home = HomeSensor::min;
     profile.r2.home_position_mm = 0.5;
     profile.job.planner = Planner::angle;
-    profile.job.joining = Joining::zigzag;
+    profile.job.joining = Joining::spiral;
     profile.port.pins[index_of(Signal::r1_step)] = -5;
     EXPECT_EQ(parsed(profile_to_toml(profile)), profile);
 }

@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"[axis.y]\npositive = \"up\"\n", "m.toml:2: axis.y.positive: \"up\"", "high or low"},
         Refusal{"[axis.y]\npositive = true\n", "m.toml:2: axis.y.positive: true or false", "high or low"},
         Refusal{"[job]\nplanner = \"Angle\"\n", "m.toml:2: job.planner: ", "lookahead or angle"},
-        Refusal{"[job]\njoining = \"spiral\"\n", "m.toml:2: job.joining: ", "continuous or zigzag"}));
+        Refusal{"[job]\njoining = \"snake\"\n", "m.toml:2: job.joining: ", "continuous, zigzag or spiral"}));
 
 INSTANTIATE_TEST_SUITE_P(
     KeysTogether, ProfileRefusals,

@@ -66,6 +66,41 @@ TEST_F(Carve, FromAModelToVerifiedPulses) {
     EXPECT_TRUE(text_of(file("out.vcd")).find("$enddefinitions") != std::string::npos);
 }
 
+TEST_F(Carve, ASpiralObeysAllFourRulesOnEveryMachine) {
+    write("worn.toml",
+          "[axis.r1]\nbacklash_mm = 0.05\n[axis.r2]\nbacklash_mm = 0.1\n[axis.y]\nbacklash_mm = 0.2\n"
+          "[axis.psi]\nbacklash_deg = 0.5\n[head.r2]\nangle_error_deg = 0.4\nheight_error_mm = 0.05\n");
+    const std::string model = std::string{PSICARVE_EXAMPLES} + "/small.stl";
+    for (const std::string profile :
+         {"", PSICARVE_EXAMPLES "/fine.toml", PSICARVE_EXAMPLES "/original.toml", "worn.toml"}) {
+        SCOPED_TRACE(profile);
+        std::vector<std::string> arguments{"carve",    model, "--segment", segment_, "--layers", "6",
+                                           "--points", "60",  "--joining", "spiral", "--json"};
+        const std::string path = profile == "worn.toml" ? file("worn.toml") : profile;
+        if (!path.empty()) arguments.insert(arguments.end(), {"--profile", path});
+        const Outcome outcome = psicarve(arguments);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.error << outcome.out;
+        const Json report = outcome.json();
+        EXPECT_EQ(report["layers"], 7);
+        EXPECT_EQ(report["verified"], true);
+        EXPECT_EQ(report["max_deviation_pulses"], 0);
+        EXPECT_EQ(report["verification"]["points_visited"], 7 * 60);
+        for (const Json& rule : report["verification"]["rules"]) EXPECT_EQ(rule["ok"], true) << rule;
+    }
+}
+
+TEST_F(Carve, ASpiralsReplayIsTheSameEveryTime) {
+    const std::string job = file("box.job");
+    ASSERT_EQ(psicarve({"slice", box_stl("box.stl"), "-o", job, "--layers", "4", "--points", "17",
+                        "--joining", "spiral"})
+                  .exit_code,
+              0);
+    ASSERT_EQ(psicarve({"replay", job, "--trace", file("a.trace")}).exit_code, 0);
+    ASSERT_EQ(psicarve({"replay", job, "--trace", file("b.trace")}).exit_code, 0);
+    EXPECT_EQ(text_of(file("a.trace")), text_of(file("b.trace")));
+    EXPECT_EQ(psicarve({"verify", job, file("a.trace"), "--picture", file("a.png")}).exit_code, 0);
+}
+
 TEST_F(Carve, AJobAndItsTraceVerifyOnTheirOwn) {
     const std::string job = slice_box();
     const Outcome carved = psicarve({"carve", job, "--segment", segment_, "--trace", file("pins.trace")});

@@ -49,7 +49,7 @@ public:
         block.path.accel_free.fill(static_cast<float>(1e-4 / (kTick_s * kTick_s)));
         block.path.accel_bend.fill(1e-5F);
         block.path.start_stop_speed = static_cast<float>(0.02 / kTick_s);
-        block.reaches_point = number_ % 4 == 3 ? 1 : 0;
+        block.reaches_points = number_ % 4 == 3 ? 1 : 0;
         ++number_;
         return block;
     }

@@ -19,6 +19,7 @@
 #include "shared/profile.hpp"
 #include "shared/result.hpp"
 #include "shared/units.hpp"
+#include "tests/hmi/cam/built_job.hpp"
 #include "tests/hmi/model/shapes.hpp"
 
 namespace psicarve::cam {
@@ -28,35 +29,10 @@ using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 
-JobOptions small(std::uint32_t layers, std::uint32_t points) {
-    JobOptions options;
-    options.layer_count = layers;
-    options.point_count = points;
-    return options;
-}
-
-BuiltJob built(const model::Mesh& mesh, const Profile& profile, const JobOptions& options) {
-    auto job = build_job(mesh, profile, options);
-    EXPECT_TRUE(job.has_value()) << (job ? "" : job.error().message);
-    return job ? std::move(*job) : BuiltJob{};
-}
-
 Error refused(const model::Mesh& mesh, const Profile& profile, const JobOptions& options) {
     const auto job = build_job(mesh, profile, options);
     EXPECT_FALSE(job.has_value());
     return job ? Error{ErrorCode::difference_found, ""} : job.error();
-}
-
-std::int32_t left(const JobTable& table, std::size_t layer, std::size_t point) {
-    return table.r_left_pulses[layer * table.point_count + point];
-}
-std::int32_t right(const JobTable& table, std::size_t layer, std::size_t point) {
-    return table.r_right_pulses[layer * table.point_count + point];
-}
-
-/// An upright oblong: 6 along x, 10 along y.
-model::Mesh oblong() {
-    return shapes::box({-3, -5, 0}, {3, 5, 8});
 }
 
 TEST(JobBuilder, MakesAJobThatTheMachineAccepts) {

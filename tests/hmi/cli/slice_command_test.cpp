@@ -104,6 +104,19 @@ TEST_F(SliceCommand, OptionsReachTheSlicer) {
     EXPECT_EQ(JobView::check(load_snapshot(file("box.job"))->job_blob)->joining(), Joining::zigzag);
 }
 
+TEST_F(SliceCommand, ASpiralOfTwoLayersHasThreeRows) {
+    const Outcome outcome = psicarve({"slice", box_stl("box.stl"), "-o", file("box.job"), "--layers", "2",
+                                      "--points", "5", "--joining", "spiral", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    EXPECT_EQ(outcome.json()["joining"], "spiral");
+    EXPECT_EQ(outcome.json()["layers"], 3);
+    EXPECT_EQ(outcome.json()["report"]["layers"], 3);
+    const auto read = load_snapshot(file("box.job"));
+    const JobView job = JobView::check(read->job_blob).value();
+    EXPECT_EQ(job.layer_count(), 3U);
+    EXPECT_EQ(job.layer_heights_pulses()[2], job.layer_heights_pulses()[1]);
+}
+
 TEST_F(SliceCommand, WarningsGoToStandardErrorAndTheJobIsMade) {
     std::string open_box = text_of(box_stl("box.stl"));
     open_box.erase(open_box.rfind("facet normal"));

@@ -56,6 +56,22 @@ TEST_F(SnapshotCommand, ExportsZigzagWithinOneSweep) {
         << outcome.out;
 }
 
+TEST_F(SnapshotCommand, ExportsTheHeightOfEveryPointOfASpiral) {
+    JobTable table = small_table(Joining::spiral);
+    table.layer_height_pulses = {100, 301};
+    const std::string job = save("a.job", table);
+    const Outcome csv = psicarve({"snapshot", "export", job});
+    EXPECT_NE(csv.out.find("0,2,100,3200,4003,5003\n1,0,100,3200,4004,5004\n1,1,201,4800,4005,5005\n"
+                           "1,2,301,6400,4006,5006\n"),
+              std::string::npos)
+        << csv.out;
+    const auto json = psicarve({"snapshot", "export", job, "--format", "json"}).json();
+    EXPECT_EQ(json["joining"], "spiral");
+    EXPECT_EQ(json["y_pulses"], nlohmann::json::parse("[100,301]"));
+    EXPECT_EQ(json["point_y_pulses"], nlohmann::json::parse("[[100,100,100],[100,201,301]]"));
+    EXPECT_EQ(psicarve({"snapshot", "info", job, "--json"}).json()["job"]["joining"], "spiral");
+}
+
 TEST_F(SnapshotCommand, ExportsJsonWithTheSameNumbers) {
     const Outcome outcome =
         psicarve({"snapshot", "export", save("a.job", small_table()), "--format", "json"});

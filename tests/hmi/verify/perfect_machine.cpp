@@ -31,7 +31,11 @@ SampleJob::SampleJob(const Profile& machine, std::uint32_t layers, std::uint32_t
     table.profile_toml = profile_to_toml(profile);
     table.report_json = "{}";
     for (std::uint32_t i = 0; i < layers; ++i) {
-        table.layer_height_pulses.push_back(100 + kLayerPulses * static_cast<std::int64_t>(i));
+        const bool closes = joining == Joining::spiral && i > 0 && i + 1 == layers;
+        table.layer_height_pulses.push_back(100 +
+                                            kLayerPulses * static_cast<std::int64_t>(closes ? i - 1 : i));
+    }
+    for (std::uint32_t i = 0; i < layers; ++i) {
         for (std::uint32_t j = 0; j < points; ++j) {
             const std::int64_t psi = table_angle_pulses(joining, table.psi_sweep_pulses, points, i, j);
             const double angle = rad_from_pulses(psi, profile.psi.pulses_per_rev);
@@ -41,8 +45,10 @@ SampleJob::SampleJob(const Profile& machine, std::uint32_t layers, std::uint32_t
                     pulses_from_mm(radius_mm(at, layer) - head.tip_offset_mm, head.pulses_per_mm));
             };
             const double higher = profile.head_r2_height_error_mm * profile.y.pulses_per_mm / kLayerPulses;
-            table.r_left_pulses.push_back(pulses(profile.r1, angle, i));
-            table.r_right_pulses.push_back(pulses(profile.r2, angle + kPi + error, i + higher));
+            const std::int64_t y = table_height_pulses(joining, table.layer_height_pulses, points, i, j);
+            const double at_layer = static_cast<double>(y - 100) / kLayerPulses;
+            table.r_left_pulses.push_back(pulses(profile.r1, angle, at_layer));
+            table.r_right_pulses.push_back(pulses(profile.r2, angle + kPi + error, at_layer + higher));
         }
     }
     blob = job_blob_from_table(table);
@@ -167,7 +173,7 @@ PerfectMachine& PerfectMachine::to_point(std::uint32_t layer, std::uint32_t step
     const std::uint32_t point = carved_point(view_.joining(), view_.point_count(), layer, step);
     return line({view_.r_left_pulses(layer)[point] - position[0],
                  view_.r_right_pulses(layer)[point] - position[1],
-                 view_.psi_pulses(layer, point) - position[2], 0});
+                 view_.psi_pulses(layer, point) - position[2], view_.y_pulses(layer, point) - position[3]});
 }
 
 PerfectMachine& PerfectMachine::link_to(std::uint32_t layer) {
@@ -195,7 +201,10 @@ PerfectMachine& PerfectMachine::finish() {
 
 PerfectMachine& PerfectMachine::carve_job() {
     approach().layer(0);
-    for (std::uint32_t i = 1; i < view_.layer_count(); ++i) link_to(i).layer(i);
+    for (std::uint32_t i = 1; i < view_.layer_count(); ++i) {
+        if (!view_.is_joint(i, 0)) link_to(i);
+        layer(i);
+    }
     return finish();
 }
 

@@ -31,6 +31,19 @@ TEST(PerfectTrace, OfAZigzagJobIsVerified) {
     expect_perfect(job, machine);
 }
 
+TEST(PerfectTrace, OfASpiralIsVerified) {
+    for (const std::uint32_t rows : {1U, 3U, 6U}) {
+        for (const std::uint32_t points : {2U, 5U, 21U, 98U}) {
+            const SampleJob job = wavy_job(Joining::spiral, rows, points);
+            PerfectMachine machine(job);
+            machine.carve_job();
+            SCOPED_TRACE(std::to_string(rows) + " rows of " + std::to_string(points) + " points");
+            expect_perfect(job, machine);
+            EXPECT_EQ(verified(job, machine).uncarved_cells, 0U);
+        }
+    }
+}
+
 /// Carved by a machine that takes up these gaps.
 VerifyReport verified_with_gaps(const Profile& profile) {
     const SampleJob job(profile, 3, 41, Joining::zigzag,
@@ -106,13 +119,15 @@ TEST(PerfectTrace, IsVerifiedHoweverFarR2StandsAboveR1) {
         Profile machine_profile;
         machine_profile.head_r2_height_error_mm =
             layers_higher * SampleJob::kLayerPulses / machine_profile.y.pulses_per_mm;
-        const SampleJob job(machine_profile, 5, 33, Joining::continuous, [](double angle, double layer) {
-            return 8.0 + 0.3 * std::sin(3.0 * angle + layer) + (layer < 2.2 ? 0.3 : -0.2) * layer;
-        });
-        PerfectMachine machine(job);
-        machine.carve_job();
-        SCOPED_TRACE(layers_higher);
-        expect_perfect(job, machine);
+        for (const Joining joining : {Joining::continuous, Joining::spiral}) {
+            const SampleJob job(machine_profile, 5, 33, joining, [](double angle, double layer) {
+                return 8.0 + 0.3 * std::sin(3.0 * angle + layer) + (layer < 2.2 ? 0.3 : -0.2) * layer;
+            });
+            PerfectMachine machine(job);
+            machine.carve_job();
+            SCOPED_TRACE(layers_higher);
+            expect_perfect(job, machine);
+        }
     }
 }
 

@@ -138,7 +138,7 @@ Positions worst_errors_at_points(MachineRig& rig, const JobTable& job) {
 
 TEST(Backlash, ACarvedTableIsExactWithItsCompensation) {
     for (const Planner planner : {Planner::angle, Planner::lookahead}) {
-        for (const Joining joining : {Joining::continuous, Joining::zigzag}) {
+        for (const Joining joining : {Joining::continuous, Joining::zigzag, Joining::spiral}) {
             Profile profile = with_backlash();
             profile.job.planner = planner;
             MachineRig sut = rig_of(profile);

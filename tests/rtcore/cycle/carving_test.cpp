@@ -19,8 +19,11 @@ std::size_t points_visited(const std::vector<PortWrite>& writes, const Positions
     return next;
 }
 
-void expect_carves_every_point(Joining joining, std::uint64_t seed) {
-    MachineRig sut(quick_profile());
+void expect_carves_every_point(Joining joining, std::uint64_t seed,
+                               psicarve::Planner planner = psicarve::Planner::angle) {
+    Profile profile = quick_profile();
+    profile.job.planner = planner;
+    MachineRig sut(profile);
     const JobTable job = random_job(4, 120, seed, joining);
     ASSERT_TRUE(sut.prepare(job));
     const std::vector<Positions> points = points_of(job);
@@ -46,6 +49,13 @@ TEST(Carving, EveryPointIsVisitedExactlyAndInOrderWhenLayersJoinContinuously) {
 
 TEST(Carving, EveryPointIsVisitedExactlyAndInOrderWhenLayersZigzag) {
     for (const std::uint64_t seed : {4U, 5U, 6U}) expect_carves_every_point(Joining::zigzag, seed);
+}
+
+TEST(Carving, EveryPointIsVisitedExactlyAndInOrderAlongASpiral) {
+    for (const std::uint64_t seed : {7U, 8U, 9U}) {
+        expect_carves_every_point(Joining::spiral, seed);
+        expect_carves_every_point(Joining::spiral, seed, psicarve::Planner::lookahead);
+    }
 }
 
 }  // namespace

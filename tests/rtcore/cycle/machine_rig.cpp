@@ -5,6 +5,7 @@
 #include <random>
 
 #include "rtcore/sim/sim_config.hpp"
+#include "tests/shared/spiral_fixture.hpp"
 
 namespace psicarve::cycle {
 namespace {
@@ -148,7 +149,7 @@ JobTable random_job(std::uint32_t layers, std::uint32_t points, std::uint64_t se
     }
     table.source_name = "random";
     table.profile_toml = profile_to_toml(quick_profile());
-    return table;
+    return joining == Joining::spiral ? spiral_of(table) : table;
 }
 
 std::vector<Positions> points_of(const JobTable& table) {
@@ -160,7 +161,8 @@ std::vector<Positions> points_of(const JobTable& table) {
             points.push_back(
                 {table.r_left_pulses[cell], table.r_right_pulses[cell],
                  table_angle_pulses(table.joining, table.psi_sweep_pulses, table.point_count, layer, point),
-                 table.layer_height_pulses[layer]});
+                 table_height_pulses(table.joining, table.layer_height_pulses, table.point_count, layer,
+                                     point)});
         }
     }
     return points;

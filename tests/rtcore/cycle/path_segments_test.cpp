@@ -58,7 +58,7 @@ std::vector<MotionBlock> random_run(std::uint64_t seed, int segments) {
         // One u is `scale` iterations: the parameter is not a length.
         const double scale = 0.8 + 0.2 * part(random);
         run.push_back(path_block(delta, pulses * scale, speed, end_speed));
-        run.back().reaches_point = 1;
+        run.back().reaches_points = 1;
         run.back().point = static_cast<std::uint32_t>(i + 1);
         speed = end_speed;
     }

@@ -181,7 +181,7 @@ void TimedCurve::fill_blocks() {
             path.start_speed2[p] = speed2_[p][i] * per_s * per_s;
             path.end_speed2[p] = speed2_[p][i + 1] * per_s * per_s;
         }
-        block.reaches_point = i % 10 == 9 ? 1 : 0;
+        block.reaches_points = i % 10 == 9 ? 1 : 0;
         block.point = static_cast<std::uint32_t>(i / 10);
         blocks_.push_back(block);
     }

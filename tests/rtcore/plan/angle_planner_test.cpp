@@ -16,7 +16,7 @@ namespace psicarve::plan {
 namespace {
 
 TableLine line(std::int64_t r1, std::int64_t r2, std::int64_t psi, double radius_mm = 10.0) {
-    return {.delta_pulses = {r1, r2, psi, 0}, .radius_mm = {radius_mm, radius_mm}, .layer = 0, .point = 0};
+    return {.delta_pulses = {r1, r2, psi, 0}, .radius_mm = {radius_mm, radius_mm}, .layer = 0, .step = 0};
 }
 
 /// The corner rule with libm, as the specification words it.

@@ -13,7 +13,7 @@ namespace psicarve::plan {
 namespace {
 
 TableLine line(std::int64_t r1, std::int64_t psi) {
-    return {.delta_pulses = {r1, 0, psi, 0}, .radius_mm = {10.0, 10.0}, .layer = 0, .point = 0};
+    return {.delta_pulses = {r1, 0, psi, 0}, .radius_mm = {10.0, 10.0}, .layer = 0, .step = 0};
 }
 
 TEST(SpeedDrift, LeavesAnEvenRunAlone) {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/table_program.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace psicarve::plan {
+namespace {
+
+using cycle::BlockKind;
+using cycle::MotionBlock;
+
+// A stop after so many of a spiral's points costs next to nothing, and what they take of memory is little.
+constexpr std::uint32_t kSpiralPointsAtOnce = 8192;
+
+MachineLimits with_feed_of(const MachineLimits& limits, const JobView& job) {
+    MachineLimits result = limits;
+    // The feed is the job's own; the profile's is what a slicer puts there.
+    if (job.header().feed_mm_s > 0.0) result.feed_mm_s = job.header().feed_mm_s;
+    return result;
+}
+
+}  // namespace
+
+TableProgram::TableProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job,
+                           std::uint32_t first_layer)
+    : limits_(with_feed_of(limits, *job)),
+      job_(std::move(job)),
+      first_layer_(first_layer),
+      layer_(first_layer) {}
+
+bool TableProgram::next(MotionBlock& block) {
+    while (next_ == blocks_.size()) {
+        if (is_ended_) return false;
+        blocks_.clear();
+        next_ = 0;
+        if (layer_ == job_->layer_count()) {
+            is_ended_ = true;
+            blocks_.emplace_back();
+            blocks_.back().kind = BlockKind::program_end;
+        } else {
+            make_layers();
+        }
+    }
+    block = blocks_[next_++];
+    return true;
+}
+
+std::uint32_t TableProgram::layers_at_once() const {
+    return is_spiral() ? std::max(1U, kSpiralPointsAtOnce / job_->point_count()) : 1;
+}
+
+Pulses4 TableProgram::point_at(std::uint32_t layer, std::uint32_t step) const {
+    const std::uint32_t point = carved_point(job_->joining(), job_->point_count(), layer, step);
+    return {job_->r_left_pulses(layer)[point], job_->r_right_pulses(layer)[point],
+            job_->psi_pulses(layer, point), job_->y_pulses(layer, point)};
+}
+
+void TableProgram::reach(MotionBlock& block, std::uint32_t layer, std::uint32_t step) {
+    block.reaches_points = 1;
+    block.layer = layer;
+    block.point = carved_point(job_->joining(), job_->point_count(), layer, step);
+    if (step + 1 == job_->point_count() && layer + 1 < job_->layer_count() && job_->is_joint(layer + 1, 0)) {
+        block.reaches_points = 2;
+        block.layer = layer + 1;
+        block.point = 0;
+    }
+    planned_.points += block.reaches_points;
+}
+
+}  // namespace psicarve::plan

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "rtcore/plan/machine_limits.hpp"
+#include "rtcore/plan/program.hpp"
+#include "shared/job.hpp"
+
+namespace psicarve::plan {
+
+/// A whole table, from a layer's first point (where the machine stands) to the table's last point; how, is
+/// for the planners that derive from it to say. Makes few layers' blocks at a time.
+class TableProgram : public Program {
+public:
+    bool next(cycle::MotionBlock& block) final;
+    PlannedSoFar planned() const final { return planned_; }
+
+protected:
+    TableProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, std::uint32_t first_layer);
+
+    /// Adds the blocks of the next layers to blocks() and moves layer_ on, past them.
+    virtual void make_layers() = 0;
+
+    bool is_spiral() const { return job_->joining() == Joining::spiral; }
+    /// So many layers are made at once: nothing stops between the rows of a spiral, so each begins as fast as
+    /// the one before it ended.
+    std::uint32_t layers_at_once() const;
+    Pulses4 point_at(std::uint32_t layer, std::uint32_t step) const;
+    /// The block ends in this point; a spiral's next row begins in it too.
+    void reach(cycle::MotionBlock& block, std::uint32_t layer, std::uint32_t step);
+
+    MachineLimits limits_;
+    std::shared_ptr<const JobView> job_;
+    std::uint32_t first_layer_;
+    std::uint32_t layer_;  ///< the next one to make
+    std::vector<cycle::MotionBlock> blocks_;
+    PlannedSoFar planned_;
+
+private:
+    std::size_t next_ = 0;
+    bool is_ended_ = false;
+};
+
+}  // namespace psicarve::plan

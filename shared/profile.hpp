@@ -126,6 +126,17 @@ std::string profile_to_toml(const Profile& profile);
 /// XXH3 of that text: whether two processes mean the same machine.
 std::uint64_t profile_hash(const Profile& profile);
 
+/// Everything that is wrong with a profile, in the order of its lines: all that single keys show, or else the
+/// first thing that does not go together.
+struct ProfileProblem {
+    std::int64_t line;  ///< 0: the file gives none of the keys
+    std::string key;    ///< empty: the text is no TOML
+    std::string text;   ///< "what is wrong; remedy"
+};
+std::vector<ProfileProblem> profile_problems(std::string_view toml);
+
+enum class ProfileValue : std::uint8_t { number, integer, range, text, word };
+
 /// One key, as `profile show`, the docs and a profile editor need it.
 struct ProfileKey {
     std::string path;         ///< "axis.r1.speed_mm_s"
@@ -134,8 +145,12 @@ struct ProfileKey {
     std::string built_in;     ///< default, as TOML
     std::string explanation;  ///< one sentence
     bool matters_to_motion;   ///< a job made for another value is refused by the core
+    ProfileValue value;
+    std::vector<std::string> words;  ///< of which a word is one
 };
 const std::vector<ProfileKey>& profile_keys();
+/// The values of profile_keys(), as TOML: 10.0, 400, "max", [0.0, 60.0].
+std::vector<std::string> profile_values(const Profile& profile);
 
 /// The dotted paths of keys that matter to motion and whose values differ. Empty: a job made for one runs on
 /// the other.

@@ -113,34 +113,28 @@ std::string table_expected(const std::string& path, const toml::node& node) {
 /// Reads one profile: every problem with its line, so that the first in the file can be told.
 class Reader {
 public:
-    Result<Profile> read(std::string_view text, std::string_view file_name);
+    void read(std::string_view text);
+    /// What has been found, in the order of its lines.
+    std::vector<ProfileProblem> take_problems();
+    /// Without problems: what the text says.
+    const Profile& profile() const { return profile_; }
 
 private:
-    struct Found {
-        std::int64_t line;
-        Problem problem;
-    };
     void read_table(const toml::table& table, const std::string& prefix);
     void read_node(const std::string& path, const toml::node& node);
     void note(std::int64_t line, const std::string& key, std::string text);
-    Error error_at(std::int64_t line, const std::string& text) const;
 
     /// What is wrong with the value, or nothing: then it stands in the profile.
     static std::string store(const KeySpec& key, const toml::node& node, Profile& profile);
-    Found locate(Problem problem) const;
+    void locate(Problem problem);
 
     Profile profile_;
-    std::string file_name_;
-    std::vector<Found> found_;
+    std::vector<ProfileProblem> found_;
     std::map<std::string, std::int64_t> lines_;
 };
 
 void Reader::note(std::int64_t line, const std::string& key, std::string text) {
-    found_.push_back({line, {key, {}, std::move(text)}});
-}
-
-Error Reader::error_at(std::int64_t line, const std::string& text) const {
-    return bad_input(file_name_ + ":" + std::to_string(std::max<std::int64_t>(line, 1)) + ": " + text);
+    found_.push_back({line, key, std::move(text)});
 }
 
 void Reader::read_table(const toml::table& table, const std::string& prefix) {
@@ -262,7 +256,7 @@ std::string Reader::store(const KeySpec& key, const toml::node& node, Profile& p
         key.field(profile));
 }
 
-Reader::Found Reader::locate(Problem problem) const {
+void Reader::locate(Problem problem) {
     std::vector<std::string> keys{problem.key};
     keys.insert(keys.end(), problem.also.begin(), problem.also.end());
     std::int64_t line = 0;
@@ -273,35 +267,51 @@ Reader::Found Reader::locate(Problem problem) const {
         if (!problem.blame_later) break;
         problem.key = key;
     }
-    return {line, std::move(problem)};
+    note(line, problem.key, std::move(problem.text));
 }
 
-Result<Profile> Reader::read(std::string_view text, std::string_view file_name) {
-    file_name_ = printable(file_name, 4096);
+void Reader::read(std::string_view text) {
     if (text.size() > kProfileTextBytes) {
-        return error_at(1, "the profile is " + std::to_string(text.size()) + " bytes long; the most is " +
-                               std::to_string(kProfileTextBytes));
+        note(1, "",
+             "the profile is " + std::to_string(text.size()) + " bytes long; the most is " +
+                 std::to_string(kProfileTextBytes));
+        return;
     }
     const toml::parse_result parsed = toml::parse(text);
     if (!parsed) {
         const toml::parse_error& error = parsed.error();
-        return error_at(error.source().begin.line,
-                        "this is not TOML: " + printable(error.description(), 200) + "; correct the line");
+        note(error.source().begin.line, "",
+             "this is not TOML: " + printable(error.description(), 200) + "; correct the line");
+        return;
     }
     read_table(parsed.table(), "");
-    if (found_.empty()) {
-        if (auto problem = check_profile(profile_)) found_.push_back(locate(*std::move(problem)));
-    }
-    if (found_.empty()) return std::move(profile_);
-    const auto first = std::min_element(found_.begin(), found_.end(),
-                                        [](const Found& a, const Found& b) { return a.line < b.line; });
-    return error_at(first->line, first->problem.key + ": " + first->problem.text);
+    if (!found_.empty()) return;
+    if (auto problem = check_profile(profile_)) locate(*std::move(problem));
+}
+
+std::vector<ProfileProblem> Reader::take_problems() {
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const ProfileProblem& a, const ProfileProblem& b) { return a.line < b.line; });
+    return std::move(found_);
 }
 
 }  // namespace
 
 Result<Profile> parse_profile(std::string_view toml, std::string_view file_name) {
-    return Reader{}.read(toml, file_name);
+    Reader reader;
+    reader.read(toml);
+    const std::vector<ProfileProblem> problems = reader.take_problems();
+    if (problems.empty()) return reader.profile();
+    const ProfileProblem& first = problems.front();
+    return bad_input(printable(file_name, 4096) + ":" +
+                     std::to_string(std::max<std::int64_t>(first.line, 1)) + ": " +
+                     (first.key.empty() ? "" : first.key + ": ") + first.text);
+}
+
+std::vector<ProfileProblem> profile_problems(std::string_view toml) {
+    Reader reader;
+    reader.read(toml);
+    return reader.take_problems();
 }
 
 Result<Profile> load_profile(const std::string& path) {

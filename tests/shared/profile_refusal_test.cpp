@@ -148,6 +148,20 @@ TEST(ProfileRefusal, TellsTheFirstProblemOfTheFile) {
                 StartsWith("m.toml:4: axis.r1.zebra"));
 }
 
+TEST(ProfileProblems, AreAllOfTheKeysOrElseTheFirstOfSeveralTogether) {
+    const auto problems = profile_problems("[tick]\nperiod_us = 0\n[axis.r1]\nspeed_mm_s = -1\nhome = 3\n");
+    ASSERT_EQ(problems.size(), 3U);
+    EXPECT_EQ(problems[0].key, "tick.period_us");
+    EXPECT_EQ(problems[1].key, "axis.r1.speed_mm_s");
+    EXPECT_EQ(problems[1].line, 4);
+    EXPECT_EQ(problems[2].key, "axis.r1.home");
+    const auto together = profile_problems("[axis.r1]\nspeed_mm_s = 1\nstart_stop_mm_s = 2\n");
+    ASSERT_EQ(together.size(), 1U);
+    EXPECT_EQ(together[0].key, "axis.r1.start_stop_mm_s");
+    EXPECT_TRUE(profile_problems("").empty());
+    EXPECT_EQ(profile_problems("[").at(0).key, "");
+}
+
 TEST(ProfileRefusal, EveryNumberIsBoundedOnBothSides) {
     for (const auto& key : profile_detail::key_table()) {
         if (!key.words.empty() || key.path == "name") continue;

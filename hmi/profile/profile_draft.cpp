@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/profile/profile_draft.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "hmi/profile/toml_edit.hpp"
+#include "hmi/profile/typed_value.hpp"
+#include "shared/atomic_file.hpp"
+
+namespace psicarve::profile {
+namespace {
+
+std::string expectation_of(const ProfileKey& key) {
+    switch (key.value) {
+        case ProfileValue::number:
+            return "this is no number; enter " + key.bounds;
+        case ProfileValue::integer:
+            return "this is no whole number; enter " + key.bounds;
+        case ProfileValue::range:
+            return "these are no two numbers; enter them as 0.0 ... 60.0";
+        case ProfileValue::text:
+        case ProfileValue::word:
+            break;
+    }
+    return "it has a character that is none to print; remove it";
+}
+
+Result<std::string> text_of(const std::string& path) {
+    const auto bytes = read_file_start(path, kProfileTextBytes + 1);
+    if (!bytes) return bytes.error();
+    return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+}
+
+}  // namespace
+
+ProfileDraft::ProfileDraft() : entries_(profile_keys().size()) {
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        entries_[i].saved_toml = profile_keys()[i].built_in;
+        undo(i);
+    }
+}
+
+Result<ProfileDraft> ProfileDraft::open(const std::string& path) {
+    auto text = text_of(path);
+    if (!text) return text.error();
+    const auto read = parse_profile(*text, path);
+    const std::vector<ProfileKey>& keys = profile_keys();
+    if (!read) {
+        for (const ProfileProblem& problem : profile_problems(*text)) {
+            const auto is_it = [&](const ProfileKey& key) { return key.path == problem.key; };
+            if (std::none_of(keys.begin(), keys.end(), is_it)) return read.error();
+        }
+    }
+    ProfileDraft draft;
+    draft.path_ = path;
+    draft.file_text_ = std::move(*text);
+    const std::vector<std::string> values = profile_values(read ? *read : Profile{});
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        Entry& entry = draft.entries_[i];
+        const auto written = read ? std::nullopt : value_in(draft.file_text_, keys[i].path);
+        entry.saved_toml = written.value_or(values[i]);
+        entry.typed = typed_from_toml(keys[i], entry.saved_toml);
+        entry.toml = entry.saved_toml;
+    }
+    draft.check();
+    return draft;
+}
+
+void ProfileDraft::type(std::size_t key, std::string_view text) {
+    Entry& entry = entries_[key];
+    entry.typed = text;
+    const ProfileKey& kind = profile_keys()[key];
+    // Typed back to what it was, it is what it was: 400 and 400.0 are no change.
+    entry.toml = text == typed_from_toml(kind, entry.saved_toml)
+                     ? entry.saved_toml
+                     : toml_from_typed(kind, text).value_or(std::string{});
+    check();
+}
+
+std::string ProfileDraft::saved(std::size_t key) const {
+    return typed_from_toml(profile_keys()[key], entries_[key].saved_toml);
+}
+
+bool ProfileDraft::is_changed(std::size_t key) const {
+    return entries_[key].toml != entries_[key].saved_toml;
+}
+
+bool ProfileDraft::differs_from_built_in(std::size_t key) const {
+    return entries_[key].toml != profile_keys()[key].built_in;
+}
+
+std::size_t ProfileDraft::changed_count() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < entries_.size(); ++i) count += is_changed(i) ? 1 : 0;
+    return count;
+}
+
+std::size_t ProfileDraft::problem_count() const {
+    return static_cast<std::size_t>(
+        std::count_if(entries_.begin(), entries_.end(), [](const Entry& e) { return !e.problem.empty(); }));
+}
+
+void ProfileDraft::undo_all() {
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        entries_[i].toml = entries_[i].saved_toml;
+        entries_[i].typed = saved(i);
+    }
+    check();
+}
+
+/// All keys as a profile. What is no value at all is left out: it has a problem of its own already.
+std::string ProfileDraft::every_value() const {
+    std::string text;
+    std::string_view present;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        const std::string_view path = profile_keys()[i].path;
+        const std::size_t dot = path.rfind('.');
+        const std::string_view table =
+            dot == std::string_view::npos ? std::string_view{} : path.substr(0, dot);
+        if (table != present) text += "[" + std::string(table) + "]\n";
+        present = table;
+        if (entries_[i].toml.empty()) continue;
+        text += std::string(path.substr(dot == std::string_view::npos ? 0 : dot + 1)) + " = " +
+                entries_[i].toml + "\n";
+    }
+    return text;
+}
+
+void ProfileDraft::check() {
+    const std::vector<ProfileKey>& keys = profile_keys();
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        entries_[i].problem = entries_[i].toml.empty() ? expectation_of(keys[i]) : "";
+    }
+    for (const ProfileProblem& problem : profile_problems(every_value())) {
+        const auto at = std::find_if(keys.begin(), keys.end(),
+                                     [&](const ProfileKey& key) { return key.path == problem.key; });
+        if (at == keys.end()) continue;
+        Entry& entry = entries_[static_cast<std::size_t>(at - keys.begin())];
+        if (entry.problem.empty()) entry.problem = problem.text;
+    }
+}
+
+Result<Profile> ProfileDraft::profile() const {
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        if (entries_[i].problem.empty()) continue;
+        return bad_input(profile_keys()[i].path + ": " + entries_[i].problem);
+    }
+    return parse_profile(every_value(), path_.empty() ? "the profile" : path_);
+}
+
+// The file with the changed lines changed; written anew where that does not say what it should.
+std::string ProfileDraft::new_file_text(const Profile& profile) const {
+    std::string text = file_text_;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        if (is_changed(i)) text = with_value(text, profile_keys()[i].path, entries_[i].toml);
+    }
+    const auto read = parse_profile(text, path_);
+    return !file_text_.empty() && read && *read == profile ? text : profile_to_toml(profile);
+}
+
+Result<void> ProfileDraft::write(const std::string& path, const std::string& present_text) {
+    const auto wanted = profile();
+    if (!wanted) return wanted.error();
+    const std::string text = new_file_text(*wanted);
+    const auto save_text = [](const std::string& to, const std::string& what) {
+        return write_file_atomically(to, std::as_bytes(std::span(what)));
+    };
+    if (!present_text.empty()) {
+        if (auto kept = save_text(backup_path(path), present_text); !kept) return kept.error();
+    }
+    if (auto written = save_text(path, text); !written) return written.error();
+    path_ = path;
+    file_text_ = text;
+    for (Entry& entry : entries_) entry.saved_toml = entry.toml;
+    return {};
+}
+
+Result<void> ProfileDraft::save() {
+    if (path_.empty()) return bad_input("the built-in profile has no file: save it under a name");
+    const auto present = text_of(path_);
+    if (!present) return present.error();
+    if (*present != file_text_) {
+        return bad_input(path_ +
+                         ": somebody has changed this file since it was opened; save under another name, or "
+                         "open it again and lose these changes");
+    }
+    return write(path_, *present);
+}
+
+Result<void> ProfileDraft::save_as(const std::string& path) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) return write(path, "");
+    const auto present = text_of(path);
+    if (!present) return present.error();
+    return write(path, *present);
+}
+
+Result<void> ProfileDraft::take_backup() {
+    const auto backup = open(backup_path(path_));
+    if (!backup) return backup.error();
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        entries_[i].toml = backup->entries_[i].toml;
+        entries_[i].typed = backup->entries_[i].typed;
+    }
+    check();
+    return {};
+}
+
+}  // namespace psicarve::profile

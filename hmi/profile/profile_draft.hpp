@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::profile {
+
+/// A machine profile while somebody edits it: every key of profile_keys() by its index, as typed, checked
+/// after each change. What is saved keeps the file's comments and the order of its lines.
+class ProfileDraft {
+public:
+    /// The built-in profile; it has no file until it is saved as one.
+    ProfileDraft();
+    /// Wrong values of a file show at their keys. Errors: bad_input when it cannot be read, is no TOML, or
+    /// has keys that nobody knows.
+    static Result<ProfileDraft> open(const std::string& path);
+
+    /// Empty: not from a file.
+    const std::string& path() const noexcept { return path_; }
+    static std::string backup_path(const std::string& path) { return path + ".bak"; }
+
+    const std::string& typed(std::size_t key) const { return entries_[key].typed; }
+    void type(std::size_t key, std::string_view text);
+    /// What stands in the file, as it would be typed.
+    std::string saved(std::size_t key) const;
+
+    bool is_changed(std::size_t key) const;
+    bool differs_from_built_in(std::size_t key) const;
+    /// "what is wrong; remedy", or nothing.
+    const std::string& problem(std::size_t key) const { return entries_[key].problem; }
+    std::size_t changed_count() const;
+    std::size_t problem_count() const;
+
+    void undo(std::size_t key) { type(key, saved(key)); }
+    void undo_all();
+
+    /// The profile that this is. Errors: bad_input as long as something is wrong.
+    Result<Profile> profile() const;
+
+    /// Into its file, whose old state becomes the backup. Errors: bad_input while something is wrong or when
+    /// somebody else has changed the file meanwhile; those of write_file_atomically: the old file stays.
+    Result<void> save();
+    /// Under another name from now on; what stood there becomes the backup.
+    Result<void> save_as(const std::string& path);
+    /// The backup's values into the draft; nothing is saved yet.
+    Result<void> take_backup();
+
+private:
+    struct Entry {
+        std::string typed;
+        std::string toml;        ///< of what is typed; empty: that is no value
+        std::string saved_toml;  ///< what the file says
+        std::string problem;
+    };
+
+    void check();
+    std::string every_value() const;
+    std::string new_file_text(const Profile& profile) const;
+    Result<void> write(const std::string& path, const std::string& present_text);
+
+    std::string path_;
+    std::string file_text_;
+    std::vector<Entry> entries_;
+};
+
+}  // namespace psicarve::profile

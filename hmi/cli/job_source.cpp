@@ -72,18 +72,6 @@ bool has_any(const ModelOptions& options) {
            !options.axis_at.empty() || !options.joining.empty() || options.height_mm || options.scale;
 }
 
-Result<PreparedJob> checked(std::vector<std::byte> blob, Profile profile, const std::string& path) {
-    PreparedJob job;
-    job.blob = std::move(blob);
-    const auto view = JobView::check(job.blob);
-    if (!view) return bad_input(path + ": " + view.error().message);
-    job.view = *view;
-    job.profile = std::move(profile);
-    if (const auto fits = check_job(job.view, job.profile); !fits)
-        return bad_input(path + ": " + fits.error().message);
-    return job;
-}
-
 Result<PreparedJob> slice_model(const std::string& path, const ModelOptions& options,
                                 const CommonOptions& common) {
     auto how = job_options(options);
@@ -106,7 +94,7 @@ Result<PreparedJob> slice_model(const std::string& path, const ModelOptions& opt
         return cam::build_job(*mesh, *profile, *how);
     }();
     if (!built) return built.error();
-    auto job = checked(job_blob_from_table(built->table), *profile, path);
+    auto job = cam::prepare_blob(job_blob_from_table(built->table), *profile, path);
     if (job) job->warnings = std::move(built->report.warnings);
     if (job) job->notes = std::move(built->report.notes);
     return job;
@@ -149,20 +137,16 @@ Result<Profile> chosen_profile(const CommonOptions& common) {
 }
 
 Result<PreparedJob> job_of_snapshot(Snapshot snapshot, const std::string& path, const CommonOptions& common) {
-    if (snapshot.job_blob.empty()) return bad_input(path + ": the snapshot holds no job");
-    const auto view = JobView::check(snapshot.job_blob);
-    if (!view) return bad_input(path + ": " + view.error().message);
-    auto own = job_profile(*view);
-    if (!own) return bad_input(path + ": " + own.error().message);
-    if (common.profile.empty()) return checked(std::move(snapshot.job_blob), std::move(own).value(), path);
+    auto job = cam::prepare_snapshot(std::move(snapshot), path);
+    if (!job || common.profile.empty()) return job;
     auto other = chosen_profile(common);
     if (!other) return other.error();
-    const auto differing = motion_differences(*own, *other);
+    const auto differing = motion_differences(job->profile, *other);
     if (!differing.empty()) {
         return bad_input(path + ": made for another machine than " + common.profile + ": " +
                          joined(differing) + " differ; slice the model again with that profile");
     }
-    return checked(std::move(snapshot.job_blob), std::move(other).value(), path);
+    return cam::prepare_blob(std::move(job->blob), std::move(other).value(), path);
 }
 
 Result<PreparedJob> prepare_job(const std::string& path, const ModelOptions& options,

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "hmi/cam/prepared_job.hpp"
 #include "hmi/cli/command_set.hpp"
-#include "shared/job.hpp"
 #include "shared/profile.hpp"
 #include "shared/result.hpp"
 #include "shared/snapshot_file.hpp"
@@ -28,14 +28,7 @@ struct ModelOptions {
 };
 void add_model_options(Syntax& syntax, ModelOptions& options);
 
-/// A job in memory, checked against the machine it is for.
-struct PreparedJob {
-    std::vector<std::byte> blob;
-    JobView view;  ///< into `blob`
-    Profile profile;
-    std::vector<std::string> warnings;  ///< of the slicer, as its notes printed by prepare_job
-    std::vector<std::string> notes;
-};
+using cam::PreparedJob;
 
 /// Slices a model, or loads a job or snapshot. Errors: the file is wrong, or the machine cannot carve it.
 Result<PreparedJob> prepare_job(const std::string& path, const ModelOptions& options,

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/action_lock.hpp"
+
+#include <string>
+
+namespace psicarve::session {
+namespace {
+
+using S = MachineState;
+using Lock = std::optional<Phrase>;
+
+/// What any motion from rest wants.
+Lock motion_lock(const MachineSight& machine) {
+    switch (machine.state()) {
+        case S::alarm:
+        case S::backing_off:
+            return phrase("Locked until the alarm is reset");
+        case S::homing:
+            return phrase("Locked while the machine homes");
+        case S::moving:
+            return phrase("Locked while an axis moves");
+        case S::stopping:
+            return phrase("Locked while the machine stops");
+        case S::held:
+            return phrase("Locked on hold: resume or stop");
+        case S::waiting:
+            return phrase("Locked: the heads wait at the first point; start or stop");
+        case S::positioning:
+        case S::carving:
+        case S::holding:
+        case S::finishing:
+            return phrase("Locked while carving");
+        case S::off:
+        case S::ready:
+            break;
+    }
+    return std::nullopt;
+}
+
+Lock jog_lock(const MachineSight& machine) {
+    if (const Lock lock = motion_lock(machine); lock && machine.state() != S::moving) return lock;
+    if (machine.state() == S::off) return phrase("Jog: the machine is not homed");
+    return std::nullopt;
+}
+
+Lock unhomed_lock(const MachineSight& machine) {
+    for (const Axis axis : kAllAxes) {
+        if (!machine.is_homed(axis)) return phrase("Start: axis %1 is not homed", axis_letter(axis));
+    }
+    return std::nullopt;
+}
+
+Lock job_lock(const MachineSight& machine, const JobSight& job) {
+    if (job.state == DeskState::opening || job.state == DeskState::slicing)
+        return phrase("Start: a job is being made");
+    if (job.state == DeskState::publishing) return phrase("Start: the job is being published");
+    if (job.state == DeskState::model) return phrase("Start: slice the model, then publish the job");
+    if (job.state == DeskState::job) return phrase("Start: the job is not published");
+    if (machine.status->job_generation == 0) return phrase("Start: no job is published");
+    return std::nullopt;
+}
+
+Lock start_lock(const MachineSight& machine, const JobSight& job) {
+    switch (machine.state()) {
+        case S::alarm:
+        case S::backing_off:
+            return phrase("Start: reset the alarm first");
+        case S::held:
+        case S::holding:
+            return phrase("Start: on hold; resume or stop");
+        case S::stopping:
+            return phrase("Start: stopping");
+        case S::positioning:
+        case S::carving:
+        case S::finishing:
+            return phrase("Start: already carving");
+        case S::homing:
+        case S::moving:
+            return phrase("Start: the machine moves");
+        case S::off:
+        case S::ready:
+            if (const Lock lock = unhomed_lock(machine)) return lock;
+            return job_lock(machine, job);
+        case S::waiting:
+            break;
+    }
+    return std::nullopt;
+}
+
+Lock stop_lock(const MachineSight& machine) {
+    switch (machine.state()) {
+        case S::off:
+        case S::ready:
+            return phrase("Stop: nothing is moving");
+        case S::stopping:
+            return phrase("Stop: already stopping");
+        case S::alarm:
+            return phrase("Stop: all axes are at rest");
+        default:
+            return std::nullopt;
+    }
+}
+
+Lock override_lock(const MachineSight& machine) {
+    if (machine.state() == S::off) return phrase("Feed override: the machine is not homed");
+    if (machine.state() == S::alarm || machine.state() == S::backing_off)
+        return phrase("Feed override: reset the alarm first");
+    return std::nullopt;
+}
+
+Lock reset_lock(const MachineSight& machine) {
+    if (machine.state() == S::backing_off) return phrase("Reset alarm: an axis backs off its switch");
+    if (machine.state() != S::alarm) return phrase("Reset alarm: there is no alarm");
+    for (const Signal signal : kLimitSignals) {
+        if (!machine.is_active(signal)) continue;
+        const auto axis = static_cast<Axis>(index_of(signal) - index_of(sensor_of(Axis::r1)));
+        return phrase("Switch %1 is still closed", axis_letter(axis));
+    }
+    if (machine.is_active(Signal::estop)) return phrase("The emergency stop switch is still pressed");
+    return std::nullopt;
+}
+
+Lock back_off_lock(const MachineSight& machine) {
+    if (machine.state() != S::alarm) return phrase("Back off: there is no alarm");
+    for (const Signal signal : kLimitSignals) {
+        if (machine.is_active(signal)) return std::nullopt;
+    }
+    return phrase("Back off: no switch is closed");
+}
+
+Lock publish_lock(const MachineSight& machine, const JobSight& job) {
+    if (job.is_busy()) return phrase("Publish: a job is being made");
+    if (!job.has_job()) return phrase("Publish: there is no job; slice the model first");
+    if (job.state == DeskState::published) return phrase("Publish: this job is published");
+    const S state = machine.state();
+    if (state == S::off || state == S::ready) return std::nullopt;
+    return phrase("Publish: the machine is busy");
+}
+
+Lock slice_lock(const JobSight& job) {
+    if (job.is_busy()) return phrase("Slice: a job is being made");
+    if (!job.has_mesh && job.has_job()) return phrase("Slice: this is a job, and already sliced");
+    if (!job.has_mesh) return phrase("Slice: open a model first");
+    return std::nullopt;
+}
+
+Lock hold_lock(const MachineSight& machine) {
+    if (machine.state() == S::carving) return std::nullopt;
+    if (machine.state() == S::held || machine.state() == S::holding) return phrase("Hold: on hold already");
+    return phrase("Hold: nothing is carved");
+}
+
+Lock resume_lock(const MachineSight& machine) {
+    if (machine.state() == S::held || machine.state() == S::holding) return std::nullopt;
+    return phrase("Resume: not on hold");
+}
+
+}  // namespace
+
+std::optional<Phrase> lock_of(Action action, const MachineSight& machine, const JobSight& job) {
+    if (action == Action::slice) return slice_lock(job);
+    if (machine.life == CoreLife::none) return phrase("No core serves the segment");
+    if (!machine.is_heard() || !machine.status) return phrase("The core is silent");
+    switch (action) {
+        case Action::home:
+        case Action::home_y:
+            return motion_lock(machine);
+        case Action::jog:
+            return jog_lock(machine);
+        case Action::start:
+            return start_lock(machine, job);
+        case Action::from_layer:
+            if (machine.state() == S::waiting) return phrase("From layer: the heads wait at the first point");
+            return start_lock(machine, job);
+        case Action::hold:
+            return hold_lock(machine);
+        case Action::resume:
+            return resume_lock(machine);
+        case Action::stop:
+            return stop_lock(machine);
+        case Action::override_feed:
+            return override_lock(machine);
+        case Action::reset_alarm:
+            return reset_lock(machine);
+        case Action::back_off:
+            return back_off_lock(machine);
+        case Action::publish:
+            return publish_lock(machine, job);
+        case Action::slice:
+            break;
+    }
+    return std::nullopt;
+}
+
+}  // namespace psicarve::session

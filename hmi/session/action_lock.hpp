@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/phrase.hpp"
+
+namespace psicarve::session {
+
+/// What an operator may ask for. Emergency stop is not here: it is never locked.
+enum class Action : std::uint8_t {
+    home,
+    home_y,
+    jog,
+    start,
+    from_layer,
+    hold,
+    resume,
+    stop,
+    override_feed,
+    reset_alarm,
+    back_off,
+    slice,
+    publish,
+};
+
+/// Why it cannot be asked for now; nothing when it can. "Start: axis Y is not homed".
+std::optional<Phrase> lock_of(Action action, const MachineSight& machine, const JobSight& job);
+
+}  // namespace psicarve::session

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/alarm_text.hpp"
+
+#include <cstdlib>
+#include <string>
+
+#include "hmi/session/display_text.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::session {
+namespace {
+
+Axis axis_of(const CoreStatus& status) {
+    return status.alarm_axis < kAxisCount ? static_cast<Axis>(status.alarm_axis) : Axis::psi;
+}
+
+/// "21.21 mm", or in pulses when the machine's profile is not known.
+std::string position_of(const MachineSight& machine, Axis axis) {
+    const AxisReadout readout = axis_readout(machine, axis);
+    return readout.value + " " + readout.unit;
+}
+
+Phrase limit_title(const MachineSight& machine, Axis axis) {
+    if (!machine.profile) return phrase("Limit switch %1 closed", axis_letter(axis));
+    const std::string pin = std::to_string(std::abs(machine.profile->port.pins[index_of(sensor_of(axis))]));
+    const HomeSensor end = axis_motion(*machine.profile, axis).home;
+    if (axis == Axis::y) {
+        return end == HomeSensor::max ? phrase("Limit switch Y closed (upper end, pin %1)", pin)
+                                      : phrase("Limit switch Y closed (lower end, pin %1)", pin);
+    }
+    return end == HomeSensor::min
+               ? phrase("Limit switch %1 closed (inner end, pin %2)", axis_letter(axis), pin)
+               : phrase("Limit switch %1 closed (outer end, pin %2)", axis_letter(axis), pin);
+}
+
+Phrase limit_detail(const MachineSight& machine, Axis axis) {
+    const std::string letter = axis_letter(axis);
+    if (!machine.profile) {
+        return phrase("Axis %1 stopped at %2. Likely a chip or a broken wire at the switch, or lost steps.",
+                      letter, position_of(machine, axis));
+    }
+    const AxisMotion motion = axis_motion(*machine.profile, axis);
+    const double switch_mm = mm_from_pulses(motion.home_position_pulses, motion.pulses_per_unit);
+    return phrase(
+        "Axis %1 stopped at %2; its switch stands at %3 mm. Likely a chip or a broken wire at the switch, or "
+        "%1 "
+        "has lost steps.",
+        letter, position_of(machine, axis), number_text(switch_mm, 2));
+}
+
+void add_way_back(const MachineSight& machine, AlarmText& text) {
+    text.steps.push_back(phrase("Reset alarm"));
+    text.steps.push_back(phrase("Home all"));
+    const CoreStatus& status = *machine.status;
+    if (status.points_done > 0 && status.points_done < status.points_total)
+        text.steps.push_back(phrase("From layer %1", std::to_string(status.layer + 1)));
+}
+
+AlarmText limit_text(const MachineSight& machine) {
+    const Axis axis = axis_of(*machine.status);
+    AlarmText text{limit_title(machine, axis), limit_detail(machine, axis), {}};
+    text.steps.push_back(phrase("Clear switch %1, or Back off, until its lamp goes out", axis_letter(axis)));
+    add_way_back(machine, text);
+    return text;
+}
+
+AlarmText estop_text(const MachineSight& machine) {
+    AlarmText text{phrase("Emergency stop"),
+                   phrase("Drives and spindle are off; the position is not certain any more."),
+                   {}};
+    if (machine.is_active(Signal::estop)) text.steps.push_back(phrase("Release the emergency stop switch"));
+    add_way_back(machine, text);
+    return text;
+}
+
+AlarmText steps_lost_text(const MachineSight& machine) {
+    const CoreStatus& status = *machine.status;
+    AlarmText text{
+        phrase("The table has lost steps"), phrase("The Ψ index did not come where it was expected."), {}};
+    if (status.alarm_count > 0) {
+        const AlarmRecord& alarm = status.alarms[(status.alarm_count - 1) % kAlarmHistory];
+        text.detail = phrase(
+            "The Ψ index was expected at %1 pulses and came at %2. Likely the table was held or braked.",
+            count_text(alarm.expected), count_text(alarm.seen));
+    }
+    text.steps.push_back(phrase("Look for what holds the table"));
+    add_way_back(machine, text);
+    return text;
+}
+
+AlarmText home_failed_text(const MachineSight& machine) {
+    const Axis axis = axis_of(*machine.status);
+    AlarmText text{
+        phrase("Homing of axis %1 failed", axis_letter(axis)),
+        phrase("Its sensor was not found, or did not clear. Likely a broken wire or a sensor out of place."),
+        {}};
+    text.steps.push_back(phrase("Check the sensor of axis %1", axis_letter(axis)));
+    add_way_back(machine, text);
+    return text;
+}
+
+AlarmText late_text(const MachineSight& machine) {
+    AlarmText text{phrase("The computer was too busy for the machine"),
+                   phrase("Ticks were missed (%1 since the core started); motors may have lost steps.",
+                          count_text(static_cast<std::int64_t>(machine.status->missed_ticks))),
+                   {}};
+    text.steps.push_back(phrase("Close other programs, or give the core real-time rights"));
+    add_way_back(machine, text);
+    return text;
+}
+
+AlarmText other_text(const MachineSight& machine) {
+    const AlarmCause cause = machine.status->alarm_cause;
+    AlarmText text{phrase("Alarm: %1", name_of(cause)), phrase("%1", remedy_of(cause)), {}};
+    add_way_back(machine, text);
+    return text;
+}
+
+}  // namespace
+
+AlarmText alarm_text(const MachineSight& machine) {
+    switch (machine.status->alarm_cause) {
+        case AlarmCause::limit:
+            return limit_text(machine);
+        case AlarmCause::emergency_stop:
+            return estop_text(machine);
+        case AlarmCause::steps_lost:
+            return steps_lost_text(machine);
+        case AlarmCause::home_failed:
+            return home_failed_text(machine);
+        case AlarmCause::tick_gap:
+        case AlarmCause::missed_ticks:
+            return late_text(machine);
+        default:
+            return other_text(machine);
+    }
+}
+
+}  // namespace psicarve::session

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/display_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "shared/units.hpp"
+
+namespace psicarve::session {
+namespace {
+
+using S = MachineState;
+constexpr const char* kThinSpace = "\u2009";
+constexpr std::size_t kGroup = 3;
+constexpr int kDecimals = 2;
+constexpr long kMinute_s = 60;
+constexpr long kHour_s = 3600;
+
+std::string grouped(const std::string& digits) {
+    std::string text;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % kGroup == 0) text += kThinSpace;
+        text += digits[i];
+    }
+    return text;
+}
+
+AxisReadout psi_readout(std::int64_t pulses, const Profile& profile) {
+    const std::int64_t per_rev = profile.psi.pulses_per_rev;
+    const std::int64_t rest = ((pulses % per_rev) + per_rev) % per_rev;
+    const std::int64_t turns = (pulses - rest) / per_rev;
+    // 359.996 is shown as 0.00, not as an angle that there is not.
+    std::string value = number_text(deg_from_pulses(rest, per_rev), kDecimals);
+    if (value == "360.00") value = "0.00";
+    return {value, "°", count_text(turns) + (turns == 1 ? " turn" : " turns")};
+}
+
+Phrase layer_of(const MachineSight& machine, std::uint32_t layer_count) {
+    const std::uint32_t layer = machine.status->layer + 1;
+    if (layer_count == 0) return phrase("Layer %1", std::to_string(layer));
+    return phrase("Layer %1 of %2", std::to_string(std::min(layer, layer_count)),
+                  std::to_string(layer_count));
+}
+
+StateText off_text(const MachineSight& machine) {
+    if (machine.status->job_generation != 0)
+        return {phrase("IDLE"), phrase("Not homed, job published"), Tone::idle};
+    return {phrase("IDLE"), phrase("Drives off, not homed"), Tone::idle};
+}
+
+StateText ready_text(const MachineSight& machine) {
+    if (machine.status->job_generation != 0)
+        return {phrase("READY"), phrase("Homed, job published"), Tone::run};
+    return {phrase("READY"), phrase("Homed, no job"), Tone::run};
+}
+
+Phrase alarm_second(const MachineSight& machine) {
+    const CoreStatus& status = *machine.status;
+    if (status.alarm_cause == AlarmCause::limit && status.alarm_axis < kAxisCount)
+        return phrase("Limit switch %1", axis_letter(static_cast<Axis>(status.alarm_axis)));
+    if (status.alarm_cause == AlarmCause::emergency_stop) return phrase("Emergency stop");
+    return phrase("%1", name_of(status.alarm_cause));
+}
+
+}  // namespace
+
+AxisReadout axis_readout(const MachineSight& machine, Axis axis) {
+    if (!machine.status) return {"–", "", ""};
+    const std::int64_t pulses = machine.status->position_pulses[index_of(axis)];
+    if (!machine.profile) return {count_text(pulses), "pulses", ""};
+    if (axis == Axis::psi) return psi_readout(pulses, *machine.profile);
+    const double per_mm = axis_motion(*machine.profile, axis).pulses_per_unit;
+    return {number_text(mm_from_pulses(pulses, per_mm), kDecimals), "mm", count_text(pulses) + " pulses"};
+}
+
+StateText state_text(const MachineSight& machine, std::uint32_t layer_count) {
+    if (machine.life == CoreLife::none || !machine.status)
+        return {phrase("NO CORE"), phrase("Start psicarve-rtcore"), Tone::idle};
+    if (machine.life == CoreLife::silent)
+        return {phrase("NO CORE"), phrase("The core is silent"), Tone::idle};
+    switch (machine.state()) {
+        case S::off:
+            return off_text(machine);
+        case S::homing:
+            return {phrase("HOMING"), phrase("Looking for the sensors"), Tone::run};
+        case S::ready:
+            return ready_text(machine);
+        case S::moving:
+            return {phrase("MOVING"), phrase("By hand"), Tone::run};
+        case S::positioning:
+            return {phrase("POSITIONING"), phrase("To the first point"), Tone::run};
+        case S::waiting:
+            return {phrase("WAITING"), phrase("At the first point"), Tone::run};
+        case S::carving:
+            return {phrase("CARVING"), layer_of(machine, layer_count), Tone::run};
+        case S::holding:
+            return {phrase("HOLDING"), layer_of(machine, layer_count), Tone::warn};
+        case S::held:
+            return {phrase("HELD"), layer_of(machine, layer_count), Tone::warn};
+        case S::finishing:
+            return {phrase("FINISHING"), phrase("Heads out, spindle off"), Tone::run};
+        case S::stopping:
+            return {phrase("STOPPING"), phrase("Heads out, spindle off"), Tone::warn};
+        case S::alarm:
+            return {phrase("ALARM"), alarm_second(machine), Tone::alarm};
+        case S::backing_off:
+            return {phrase("BACKING OFF"), alarm_second(machine), Tone::alarm};
+    }
+    return {};
+}
+
+double done_ratio(const MachineSight& machine) {
+    if (!machine.status || machine.status->points_total == 0) return -1.0;
+    return static_cast<double>(machine.status->points_done) /
+           static_cast<double>(machine.status->points_total);
+}
+
+Phrase time_text(const MachineSight& machine) {
+    if (!machine.status) return {};
+    const S state = machine.state();
+    if (state == S::alarm || state == S::backing_off) return phrase("stopped");
+    const double left_s = machine.status->seconds_left;
+    if (left_s < 0.0 || machine.status->points_total == 0) return {};
+    if (state == S::ready || state == S::off) {
+        if (machine.status->points_done == machine.status->points_total) return phrase("done");
+        return machine.status->points_done == 0 ? phrase("%1 planned", clock_text(left_s)) : Phrase{};
+    }
+    return phrase("%1 left", clock_text(left_s));
+}
+
+std::string number_text(double value, int decimals) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", decimals, std::fabs(value));
+    const std::string digits = text;
+    const std::size_t point = std::min(digits.find('.'), digits.size());
+    const bool is_zero = digits.find_first_of("123456789") == std::string::npos;
+    const std::string sign = value < 0.0 && !is_zero ? "\u2212" : "";
+    return sign + grouped(digits.substr(0, point)) + digits.substr(point);
+}
+
+std::string count_text(std::int64_t value) {
+    const std::string digits = std::to_string(value);
+    return value < 0 ? "\u2212" + grouped(digits.substr(1)) : grouped(digits);
+}
+
+std::string clock_text(double seconds) {
+    const long whole = std::lround(std::clamp(seconds, 0.0, 1e9));
+    char text[64];
+    if (whole >= kHour_s) {
+        std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", whole / kHour_s, whole % kHour_s / kMinute_s,
+                      whole % kMinute_s);
+    } else {
+        std::snprintf(text, sizeof text, "%ld:%02ld", whole / kMinute_s, whole % kMinute_s);
+    }
+    return text;
+}
+
+}  // namespace psicarve::session

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "hmi/cam/job_builder.hpp"
+#include "hmi/cam/prepared_job.hpp"
+#include "hmi/model/mesh.hpp"
+#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/mesh_scene.hpp"
+#include "hmi/session/message_log.hpp"
+#include "hmi/session/work_lane.hpp"
+
+namespace psicarve::session {
+
+/// The model or job that is open, and its way to the core. Files, slicing and publishing happen on a thread
+/// of their own; what becomes of them is a message. One thread, the owner's.
+class JobDesk {
+public:
+    JobDesk(std::string segment_name, std::string group, MessageLog& log);
+    ~JobDesk();
+
+    /// A mesh, or a job or snapshot file. What is open stays open when it cannot be read.
+    void open(const std::string& path);
+    /// Requires a mesh.
+    void slice(const cam::JobOptions& options, const Profile& profile);
+    /// Requires a job.
+    void publish();
+    /// Ends opening, slicing or waiting for the core soon.
+    void cancel() noexcept { cancels_.store(true); }
+
+    /// At screen rate. Shows the core's job when nothing is open.
+    void poll(const MachineSight& machine);
+    const JobSight& sight() const noexcept { return sight_; }
+    const std::string& path() const noexcept { return path_; }
+    std::shared_ptr<const model::Mesh> mesh() const noexcept { return mesh_; }
+    /// The mesh as it is drawn.
+    std::shared_ptr<const MeshScene> scene() const noexcept { return scene_; }
+    std::shared_ptr<const cam::PreparedJob> job() const noexcept { return job_; }
+    /// Of the slicing; 0 to 1.
+    double progress_ratio() const noexcept { return progress_ratio_.load(); }
+    /// Grows when another mesh or job is there to be shown.
+    std::uint64_t edition() const noexcept { return edition_; }
+
+private:
+    struct Opened;
+    using JobPointer = std::shared_ptr<const cam::PreparedJob>;
+
+    void begin(DeskState state);
+    void take_opened(const std::string& path, Opened opened);
+    void take_job(JobPointer job, std::uint64_t generation);
+    void fail(const Error& error);
+    void fetch_from_core(std::uint64_t generation);
+
+    std::string segment_name_;
+    std::string group_;
+    MessageLog& log_;
+    JobSight sight_;
+    DeskState resting_state_ = DeskState::empty;  ///< without what is under way
+    std::string path_;
+    std::shared_ptr<const model::Mesh> mesh_;
+    std::shared_ptr<const MeshScene> scene_;
+    JobPointer job_;
+    std::uint64_t generation_ = 0;          ///< of job_ in the segment; 0: not published
+    std::uint64_t fetched_generation_ = 0;  ///< the core's job that was asked for last
+    std::uint64_t edition_ = 0;
+    std::atomic<bool> cancels_{false};
+    std::atomic<double> progress_ratio_{0.0};
+    WorkLane lane_;  // last: its thread uses the others
+};
+
+}  // namespace psicarve::session

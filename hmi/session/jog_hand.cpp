@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/jog_hand.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "hmi/machine/jog.hpp"
+#include "hmi/machine/machine_link.hpp"
+
+namespace psicarve::session {
+namespace {
+
+using machine::HeldJog;
+using machine::MachineLink;
+
+/// An owner that is silent for so long hangs.
+constexpr std::chrono::milliseconds kOwnerLimit{200};
+
+std::int64_t now_ns() noexcept {
+    return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds{1};
+}
+
+}  // namespace
+
+JogHand::JogHand(std::string segment_name, std::string group, std::function<void(const Error&)> refused)
+    : segment_name_(std::move(segment_name)), group_(std::move(group)), refused_(std::move(refused)) {}
+
+void JogHand::hold(Axis axis, bool up, double speed) {
+    begin({axis, 0.0, up, false, speed, 0});
+}
+
+void JogHand::step(Axis axis, double distance, double speed) {
+    begin({axis, distance, distance > 0.0, true, speed, 0});
+}
+
+void JogHand::poll() {
+    beat_ns_.store(now_ns());
+    lane_.deliver();
+}
+
+void JogHand::begin(Wish wish) {
+    beat_ns_.store(now_ns());
+    wish.ticket = ++last_ticket_;
+    wanted_.store(wish.ticket);
+    lane_.post([this, wish]() -> WorkLane::Finish {
+        const auto went = jog(wish);
+        if (went) return {};
+        return [this, error = went.error()] { refused_(error); };
+    });
+}
+
+bool JogHand::is_wanted(const Wish& wish) const noexcept {
+    const std::chrono::nanoseconds silence{now_ns() - beat_ns_.load()};
+    return wanted_.load() == wish.ticket && silence < kOwnerLimit;
+}
+
+Result<void> JogHand::jog(const Wish& wish) {
+    if (!is_wanted(wish)) return {};
+    auto link = MachineLink::attach(segment_name_, group_);
+    if (!link) return link.error();
+    auto held = wish.is_step ? HeldJog::by(*link, wish.axis, wish.distance, wish.speed)
+                             : HeldJog::on(*link, wish.axis, wish.up, wish.speed);
+    if (!held) return held.error();
+    const auto watch = [&](const CoreStatus&) -> Result<void> {
+        if (is_wanted(wish)) {
+            held->renew();
+        } else {
+            held->release();
+        }
+        return {};
+    };
+    const auto end = link->wait_for_state({MachineState::ready}, watch);
+    if (!end) return end.error();
+    return {};
+}
+
+}  // namespace psicarve::session

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "hmi/session/work_lane.hpp"
+#include "shared/result.hpp"
+#include "shared/signal.hpp"
+
+namespace psicarve::session {
+
+/// A hand on the jog buttons. The jog's lease is renewed by a thread of its own, but only while the owner
+/// keeps calling poll(): a window that hangs lets go.
+class JogHand {
+public:
+    /// `refused` is called by poll().
+    JogHand(std::string segment_name, std::string group, std::function<void(const Error&)> refused);
+    ~JogHand() { release(); }
+
+    /// Until release(). `speed` [mm/s; deg/s].
+    void hold(Axis axis, bool up, double speed);
+    /// By a distance [mm; deg]. Ends early by release().
+    void step(Axis axis, double distance, double speed);
+    /// At once, whatever is under way.
+    void release() noexcept { wanted_.store(0); }
+    void poll();
+
+private:
+    struct Wish {
+        Axis axis;
+        double distance;  ///< of a step
+        bool up;
+        bool is_step;
+        double speed;
+        std::uint64_t ticket;
+    };
+    void begin(Wish wish);
+    Result<void> jog(const Wish& wish);
+    bool is_wanted(const Wish& wish) const noexcept;
+
+    std::string segment_name_;
+    std::string group_;
+    std::function<void(const Error&)> refused_;
+    std::atomic<std::uint64_t> wanted_{0};  ///< the ticket of the jog that goes on; 0: none
+    std::atomic<std::int64_t> beat_ns_{0};  ///< when the owner was last heard
+    std::uint64_t last_ticket_ = 0;
+    WorkLane lane_;  // last: its thread uses the others
+};
+
+}  // namespace psicarve::session

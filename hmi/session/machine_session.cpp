@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/machine_session.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace psicarve::session {
+namespace {
+
+using machine::MachineLink;
+
+constexpr std::chrono::milliseconds kAttachPause{200};
+
+}  // namespace
+
+MachineSession::MachineSession(SessionOptions options, MessageLog& log)
+    : options_(std::move(options)),
+      log_(log),
+      jog_(options_.segment_name, options_.group,
+           [this](const Error& error) { log_.add(Severity::warning, phrase("Jog: %1", error.message)); }) {
+    if (options_.profile) offer_profile(*options_.profile);
+    offer_profile(Profile{});
+}
+
+void MachineSession::offer_profile(const Profile& profile) {
+    const std::uint64_t hash = profile_hash(profile);
+    const auto is_it = [hash](const KnownProfile& known) { return known.hash == hash; };
+    if (std::any_of(profiles_.begin(), profiles_.end(), is_it)) return;
+    profiles_.push_back({hash, profile});
+    core_profile_hash_ = 0;  // look again
+}
+
+void MachineSession::poll() {
+    finder_.deliver();
+    orders_.deliver();
+    const MachineSight before = sight_;
+    keep_attached();
+    look();
+    jog_.poll();
+    for (Message& message : changes_between(before, sight_)) log_.add(std::move(message));
+    go_on_with_start();
+    if (wanted_override_percent_ && orders_.is_idle()) {
+        Command command{};
+        command.kind = CommandKind::override;
+        command.value = *std::exchange(wanted_override_percent_, std::nullopt);
+        order(command, phrase("Feed override"));
+    }
+}
+
+void MachineSession::keep_attached() {
+    if (link_ && !link_->segment().is_still_linked()) {
+        increments_.reset();
+        link_.reset();
+    }
+    const auto now = Clock::now();
+    if (link_ || !finder_.is_idle() || now - attach_tried_ < kAttachPause) return;
+    attach_tried_ = now;
+    finder_.post([this, name = options_.segment_name, group = options_.group]() -> WorkLane::Finish {
+        auto found = std::make_shared<Result<MachineLink>>(MachineLink::attach(name, group));
+        return [this, found] {
+            const bool is_missing = !*found && found->error().code == ErrorCode::no_core;
+            sight_.segment_problem = *found || is_missing ? std::string{} : found->error().message;
+            if (!*found) return;
+            link_.emplace(std::move(*found).value());
+            increments_.emplace(link_->segment().header().increments);
+        };
+    });
+}
+
+void MachineSession::look() {
+    const auto now = Clock::now();
+    if (!link_) {
+        sight_.life = CoreLife::none;
+        return;
+    }
+    const auto pid = link_->core_pid();
+    if (pid && *pid != sight_.core_pid) {
+        sight_.core_pid = *pid;
+        heartbeat_ = 0;
+        heartbeat_changed_ = now;  // a core that has just begun has its time to speak
+    }
+    const auto status = link_->last_status();
+    if (status && status->heartbeat != heartbeat_) {
+        heartbeat_ = status->heartbeat;
+        heartbeat_changed_ = now;
+        sight_.status = status;
+    }
+    const auto silence = std::chrono::duration_cast<std::chrono::milliseconds>(now - heartbeat_changed_);
+    sight_.life = core_life(pid.has_value(), silence);
+    find_profile();
+}
+
+void MachineSession::find_profile() {
+    const std::uint64_t hash = link_->segment().header().core_profile_hash.load();
+    if (hash == core_profile_hash_) return;
+    core_profile_hash_ = hash;
+    sight_.profile.reset();
+    for (const KnownProfile& known : profiles_) {
+        if (known.hash == hash) sight_.profile = known.profile;
+    }
+}
+
+void MachineSession::go_on_with_start() {
+    if (sight_.life == CoreLife::none) return intent_.drop();
+    // A core that is silent for a moment is still on its way to the first point.
+    if (sight_.is_heard() && sight_.status && intent_.take(*sight_.status))
+        order(CommandKind::start_interpolation, phrase("Start"));
+}
+
+void MachineSession::forget_wishes() noexcept {
+    intent_.drop();
+    orders_.drop_waiting();
+    wanted_override_percent_.reset();
+    jog_.release();
+}
+
+void MachineSession::read_increments(const std::function<void(const IncrementEntry&)>& take) {
+    // No more than the ring holds at one time: a core on the virtual clock writes faster than anybody reads.
+    for (std::size_t i = 0; increments_ && i < kIncrementRingEntries; ++i) {
+        const auto entry = increments_->next();
+        if (!entry) return;
+        take(*entry);
+    }
+}
+
+void MachineSession::skip_increments() {
+    if (link_) increments_.emplace(link_->segment().header().increments, true);
+}
+
+bool MachineSession::stop() noexcept {
+    forget_wishes();
+    if (!link_) return false;
+    link_->stop();
+    return link_->core_pid().has_value();
+}
+
+bool MachineSession::emergency_stop() noexcept {
+    if (link_) link_->emergency_stop();
+    forget_wishes();
+    return link_ && link_->core_pid().has_value();
+}
+
+void MachineSession::order(const Command& command, const Phrase& name) {
+    intent_.drop();
+    send(command, name, {});
+}
+
+void MachineSession::order(CommandKind kind, const Phrase& name) {
+    Command command{};
+    command.kind = kind;
+    order(command, name);
+}
+
+void MachineSession::order_and_wait(CommandKind kind) {
+    forget_wishes();
+    if (!link_) return;
+    if (const auto sent = link_->send(kind); !sent)
+        log_.add(Severity::warning, phrase("%1: %2", std::string{name_of(kind)}, sent.error().message));
+}
+
+void MachineSession::start(std::uint32_t from_layer) {
+    if (sight_.state() == MachineState::waiting)
+        return order(CommandKind::start_interpolation, phrase("Start"));
+    Command command{};
+    command.kind = CommandKind::start;
+    command.value = from_layer;
+    intent_.drop();
+    send(command, phrase("Start"), [this] {
+        const auto status = link_ ? link_->last_status() : std::nullopt;
+        if (status) intent_.arm(status->heartbeat);
+    });
+}
+
+void MachineSession::send(const Command& command, const Phrase& name, Then then) {
+    orders_.post([this, command, name, then = std::move(then), segment = options_.segment_name,
+                  group = options_.group]() -> WorkLane::Finish {
+        auto link = MachineLink::attach(segment, group);
+        const auto sent = link ? link->send(command) : Result<void>{link.error()};
+        if (sent) return then;
+        return [this, name, why = sent.error().message] {
+            log_.add(Severity::warning, phrase("%1: %2", in_english(name), why));
+        };
+    });
+}
+
+}  // namespace psicarve::session

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hmi/machine/machine_link.hpp"
+#include "hmi/session/jog_hand.hpp"
+#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/message_log.hpp"
+#include "hmi/session/start_intent.hpp"
+#include "hmi/session/work_lane.hpp"
+#include "shared/command.hpp"
+#include "shared/shared_record.hpp"
+
+namespace psicarve::session {
+
+struct SessionOptions {
+    std::string segment_name = kDefaultSegmentName;
+    std::string group;
+    std::optional<Profile> profile;  ///< chosen by the user; else the built-in one and the job's are tried
+};
+
+/// The machine as a window has it: attached whenever there is a segment, looked at by poll(), asked by
+/// orders. Nothing here waits for the core: orders go to it on a thread of their own, stop and emergency stop
+/// are one store. One thread, the owner's.
+class MachineSession {
+public:
+    MachineSession(SessionOptions options, MessageLog& log);
+
+    /// At screen rate.
+    void poll();
+    const MachineSight& sight() const noexcept { return sight_; }
+    const SessionOptions& options() const noexcept { return options_; }
+    /// A profile that may be the machine's: a job's.
+    void offer_profile(const Profile& profile);
+
+    // False when there is no core to take them.
+    bool stop() noexcept;
+    bool emergency_stop() noexcept;
+
+    /// Sends a command; a refusal becomes a message that begins with `name`.
+    void order(const Command& command, const Phrase& name);
+    void order(CommandKind kind, const Phrase& name);
+    /// For a window that closes: the order is gone and answered, or refused, when this returns. May take
+    /// seconds when the core hangs.
+    void order_and_wait(CommandKind kind);
+    /// Heads to the first point of the layer, then carve. In state waiting: carve.
+    void start(std::uint32_t from_layer);
+    /// The newest wish goes out as soon as the one before is answered.
+    void set_override(std::uint32_t percent) noexcept { wanted_override_percent_ = percent; }
+    /// The core may still show the percentage before.
+    bool is_override_under_way() const { return wanted_override_percent_ || !orders_.is_idle(); }
+    /// What the core has reported of its motion since the last call, oldest first. Those that came faster
+    /// than they were read are lost.
+    void read_increments(const std::function<void(const IncrementEntry&)>& take);
+    /// Nobody wants those up to now.
+    void skip_increments();
+    JogHand& jog() noexcept { return jog_; }
+
+private:
+    struct KnownProfile {
+        std::uint64_t hash;
+        Profile profile;
+    };
+    using Clock = std::chrono::steady_clock;
+    using Then = std::function<void()>;
+
+    void send(const Command& command, const Phrase& name, Then then);
+    void keep_attached();
+    void look();
+    void find_profile();
+    void go_on_with_start();
+    void forget_wishes() noexcept;
+
+    SessionOptions options_;
+    MessageLog& log_;
+    MachineSight sight_;
+    std::optional<machine::MachineLink> link_;
+    std::optional<RingReader<IncrementEntry, kIncrementRingEntries>> increments_;  // of link_
+    std::vector<KnownProfile> profiles_;
+    std::uint64_t core_profile_hash_ = 0;
+    std::uint64_t heartbeat_ = 0;
+    Clock::time_point heartbeat_changed_{};
+    Clock::time_point attach_tried_{};
+    StartIntent intent_;
+    std::optional<std::uint32_t> wanted_override_percent_;
+    JogHand jog_;
+    WorkLane finder_;
+    WorkLane orders_;
+};
+
+}  // namespace psicarve::session

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "shared/profile.hpp"
+#include "shared/status.hpp"
+
+namespace psicarve::session {
+
+/// How fresh what we know about the core is.
+enum class CoreLife : std::uint8_t {
+    none,    ///< no core serves the segment
+    silent,  ///< it keeps its lock but its heartbeat stands still
+    late,
+    alive,
+};
+inline constexpr std::chrono::milliseconds kFreshLimit{250};
+inline constexpr std::chrono::milliseconds kSilentLimit{500};
+
+constexpr CoreLife core_life(bool has_core, std::chrono::milliseconds silence) noexcept {
+    if (!has_core) return CoreLife::none;
+    if (silence >= kSilentLimit) return CoreLife::silent;
+    return silence >= kFreshLimit ? CoreLife::late : CoreLife::alive;
+}
+
+/// The machine as the operator's side sees it at one instant.
+struct MachineSight {
+    CoreLife life = CoreLife::none;
+    std::uint32_t core_pid = 0;
+    std::optional<CoreStatus> status;  ///< the last that is known, also of a core that is no more
+    /// The machine's, by which pulses become mm; nothing when it is not known.
+    std::optional<Profile> profile;
+    std::string segment_problem;  ///< why a segment that is there cannot be used; else empty
+
+    bool is_heard() const noexcept { return life == CoreLife::alive || life == CoreLife::late; }
+    MachineState state() const noexcept { return status ? status->state : MachineState::off; }
+    bool is_homed(Axis axis) const noexcept {
+        return status && (status->homed_mask >> index_of(axis) & 1U) != 0;
+    }
+    bool is_active(Signal signal) const noexcept { return status && (status->signals & bit_of(signal)) != 0; }
+    bool is_simulator() const noexcept { return status && status->is_simulator != 0; }
+};
+
+inline constexpr std::array<Signal, 3> kLimitSignals{Signal::r1_limit, Signal::r2_limit, Signal::y_limit};
+
+/// "R1", "R2", "Ψ", "Y".
+constexpr const char* axis_letter(Axis axis) noexcept {
+    constexpr std::array<const char*, kAxisCount> kLetters{"R1", "R2", "Ψ", "Y"};
+    return kLetters[index_of(axis)];
+}
+
+/// What is open in the window.
+enum class DeskState : std::uint8_t {
+    empty,
+    opening,  ///< a file is being read
+    model,    ///< a mesh that is not sliced
+    slicing,
+    job,  ///< ready to be published
+    publishing,
+    published,  ///< it is the job that the core accepted
+};
+
+struct JobSight {
+    DeskState state = DeskState::empty;
+    bool has_mesh = false;          ///< that can be sliced
+    std::uint32_t layer_count = 0;  ///< of the job, when there is one
+    bool has_job() const noexcept {
+        return state == DeskState::job || state == DeskState::publishing || state == DeskState::published;
+    }
+    bool is_busy() const noexcept {
+        return state == DeskState::opening || state == DeskState::slicing || state == DeskState::publishing;
+    }
+};
+
+}  // namespace psicarve::session

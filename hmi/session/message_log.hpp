@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/phrase.hpp"
+
+namespace psicarve::session {
+
+enum class Severity : std::uint8_t { info, warning, alarm };
+
+struct Message {
+    std::chrono::system_clock::time_point time;
+    Severity severity = Severity::info;
+    Phrase what;
+    Phrase remedy;
+};
+
+/// What became of the machine between two looks at it, in the order of telling.
+std::vector<Message> changes_between(const MachineSight& before, const MachineSight& after);
+
+/// The last messages, oldest first.
+class MessageLog {
+public:
+    static constexpr std::size_t kMost = 2000;
+
+    void add(Message message);
+    void add(Severity severity, Phrase what, Phrase remedy = {});
+    const std::deque<Message>& messages() const noexcept { return messages_; }
+    /// Grows with every message: whether a view is up to date.
+    std::uint64_t count() const noexcept { return count_; }
+
+private:
+    std::deque<Message> messages_;
+    std::uint64_t count_ = 0;
+};
+
+}  // namespace psicarve::session

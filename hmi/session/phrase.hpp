@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace psicarve::session {
+
+/// A text for the operator that can still be translated: English words with %1, %2 ... and what stands there.
+/// `english` is a literal. Arguments are numbers with their units, names of axes and files, words of the
+/// core.
+struct Phrase {
+    const char* english = "";
+    std::vector<std::string> arguments;
+
+    bool is_empty() const noexcept { return *english == '\0'; }
+    friend bool operator==(const Phrase& a, const Phrase& b) {
+        return std::string{a.english} == b.english && a.arguments == b.arguments;
+    }
+};
+
+template <typename... Arguments>
+Phrase phrase(const char* english, Arguments&&... arguments) {
+    return Phrase{english, {std::string{std::forward<Arguments>(arguments)}...}};
+}
+
+/// The words with their arguments in place.
+std::string in_english(const Phrase& text);
+/// The same with words that were translated: `words` instead of text.english.
+std::string filled_in(const std::string& words, const std::vector<std::string>& arguments);
+
+}  // namespace psicarve::session

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hmi/cam/prepared_job.hpp"
+
+namespace psicarve::session {
+
+/// One point of a layer as the workpiece has it.
+struct RimPoint {
+    double direction_deg;  ///< of the workpiece, 0 to 360
+    double radius_mm;
+};
+/// What the two heads make of a layer: R1's half, then R2's, in the order of the points.
+struct LayerRim {
+    std::vector<RimPoint> r1;
+    std::vector<RimPoint> r2;
+    double y_mm = 0.0;  ///< at the layer's end
+};
+/// Requires layer < layer_count.
+LayerRim layer_rim(const cam::PreparedJob& job, std::uint32_t layer);
+
+/// The job's radii unrolled: columns are directions 0 to 360 degrees, rows layers from the lowest up. Coarser
+/// than the job where that has more than the picture can show.
+struct RadiusMap {
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    std::vector<float> radius_mm;  ///< [rows * columns]
+    double least_mm = 0.0;         ///< whole mm around all radii
+    double most_mm = 0.0;
+};
+RadiusMap radius_map(const cam::PreparedJob& job, std::size_t most_columns, std::size_t most_rows);
+
+/// Viridis at 0 to 1, as 0xRRGGBB.
+std::uint32_t viridis(double ratio) noexcept;
+/// The map as a picture, 0xFFRRGGBB, highest layer first. `with_hills`: lighter and darker where it slopes.
+std::vector<std::uint32_t> radius_picture(const RadiusMap& map, bool with_hills);
+
+}  // namespace psicarve::session

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "shared/status.hpp"
+
+namespace psicarve::session {
+
+/// Start is two commands: heads to the first point, and carve. Between them the operator's wish to carve is
+/// remembered here; any other turn of events drops it, so that nothing ever moves because of an old wish.
+class StartIntent {
+public:
+    /// The core took `start`; its status showed this heartbeat then.
+    void arm(std::uint64_t heartbeat) noexcept {
+        is_armed_ = true;
+        heartbeat_ = heartbeat;
+    }
+    void drop() noexcept { is_armed_ = false; }
+    bool is_armed() const noexcept { return is_armed_; }
+    /// True, once, when the heads wait at the first point: carve now.
+    bool take(const CoreStatus& status) noexcept;
+
+private:
+    bool is_armed_ = false;
+    std::uint64_t heartbeat_ = 0;
+};
+
+}  // namespace psicarve::session

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/work_lane.hpp"
+
+#include <utility>
+
+namespace psicarve::session {
+
+WorkLane::WorkLane() : thread_([this] { work(); }) {}
+
+WorkLane::~WorkLane() {
+    {
+        const std::lock_guard lock{mutex_};
+        ends_ = true;
+        tasks_.clear();
+    }
+    wake_.notify_all();
+    thread_.join();
+}
+
+void WorkLane::post(Task task) {
+    {
+        const std::lock_guard lock{mutex_};
+        tasks_.push_back(std::move(task));
+    }
+    wake_.notify_all();
+}
+
+void WorkLane::drop_waiting() {
+    const std::lock_guard lock{mutex_};
+    tasks_.clear();
+}
+
+bool WorkLane::is_idle() const {
+    const std::lock_guard lock{mutex_};
+    return tasks_.empty() && !is_working_ && finished_.empty();
+}
+
+void WorkLane::deliver() {
+    std::vector<Finish> ready;
+    {
+        const std::lock_guard lock{mutex_};
+        ready.swap(finished_);
+    }
+    for (const Finish& finish : ready) {
+        if (finish) finish();
+    }
+}
+
+void WorkLane::work() {
+    std::unique_lock lock{mutex_};
+    while (true) {
+        wake_.wait(lock, [this] { return ends_ || !tasks_.empty(); });
+        if (ends_) return;
+        Task task = std::move(tasks_.front());
+        tasks_.pop_front();
+        is_working_ = true;
+        lock.unlock();
+        Finish finish = task();
+        task = nullptr;  // what it holds goes here, not under the lock
+        lock.lock();
+        is_working_ = false;
+        finished_.push_back(std::move(finish));
+    }
+}
+
+}  // namespace psicarve::session

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace psicarve::session {
+
+/// A thread that works off tasks one after the other for an owner that must never wait. What a task returns
+/// is run on the owner's thread by its next deliver().
+class WorkLane {
+public:
+    using Finish = std::function<void()>;
+    using Task = std::function<Finish()>;
+
+    WorkLane();
+    /// Drops what waits, and what was not delivered; waits for the task that runs.
+    ~WorkLane();
+    WorkLane(const WorkLane&) = delete;
+    WorkLane& operator=(const WorkLane&) = delete;
+
+    void post(Task task);
+    void drop_waiting();
+    /// Tasks that wait, run, or are not delivered.
+    bool is_idle() const;
+    void deliver();
+
+private:
+    void work();
+
+    mutable std::mutex mutex_;
+    std::condition_variable wake_;
+    std::deque<Task> tasks_;
+    std::vector<Finish> finished_;
+    bool is_working_ = false;
+    bool ends_ = false;
+    std::thread thread_;
+};
+
+}  // namespace psicarve::session

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "hmi/model/load_mesh.hpp"
+#include "hmi/session/mesh_scene.hpp"
+#include "hmi/session/radius_map.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::session {
+namespace {
+
+/// R1's half stands at 10 mm, R2's at 20 mm, in every layer.
+cam::PreparedJob two_halves(Joining joining) {
+    const Profile profile;
+    JobTable table;
+    table.layer_count = 4;
+    table.point_count = 5;
+    table.psi_sweep_pulses = profile.psi.pulses_per_rev / 2;
+    table.joining = joining;
+    table.feed_mm_s = 20.0;
+    table.profile_toml = profile_to_toml(profile);
+    table.report_json = "{}";
+    for (std::int64_t layer = 0; layer < 4; ++layer) {
+        table.layer_height_pulses.push_back(400 * (layer + 1));
+        // Continuous layers begin where those before ended: the heads change sides.
+        const bool is_swapped = joining == Joining::continuous && layer % 2 == 1;
+        table.r_left_pulses.insert(table.r_left_pulses.end(), 5, is_swapped ? 8000 : 4000);
+        table.r_right_pulses.insert(table.r_right_pulses.end(), 5, is_swapped ? 4000 : 8000);
+    }
+    auto job = cam::prepare_blob(job_blob_from_table(table), profile, "two halves");
+    EXPECT_TRUE(job);
+    return std::move(*job);
+}
+
+TEST(RadiusMap, HasTheWorkpiecesDirectionsWhicheverHeadCarvesThem) {
+    for (const Joining joining : {Joining::continuous, Joining::zigzag}) {
+        const auto job = two_halves(joining);
+        const RadiusMap map = radius_map(job, 720, 600);
+        ASSERT_EQ(map.rows, 4U);
+        ASSERT_EQ(map.columns, 8U);
+        EXPECT_EQ(map.least_mm, 10.0);
+        EXPECT_EQ(map.most_mm, 20.0);
+        for (std::size_t i = 0; i < map.radius_mm.size(); ++i)
+            EXPECT_FLOAT_EQ(map.radius_mm[i], i % 8 < 4 ? 10.0F : 20.0F) << i;
+    }
+}
+
+TEST(RadiusMap, BecomesAPictureWithTheHighestLayerFirst) {
+    RadiusMap map{2, 2, {1.0F, 1.0F, 3.0F, 3.0F}, 1.0, 3.0};
+    const auto picture = radius_picture(map, false);
+    EXPECT_EQ(picture[0], 0xFFFDE725U);
+    EXPECT_EQ(picture[2], 0xFF440154U);
+    EXPECT_NE(radius_picture(map, true), picture);
+    EXPECT_EQ(viridis(-1.0), 0x440154U);
+    EXPECT_EQ(viridis(0.5), 0x21918CU);
+}
+
+TEST(LayerRim, GoesOnceRoundWithBothHalves) {
+    const auto job = two_halves(Joining::continuous);
+    const LayerRim rim = layer_rim(job, 1);
+    EXPECT_DOUBLE_EQ(rim.y_mm, 2.0);
+    ASSERT_EQ(rim.r1.size(), 5U);
+    EXPECT_DOUBLE_EQ(rim.r1.front().direction_deg, 180.0);
+    EXPECT_DOUBLE_EQ(rim.r2.front().direction_deg, 0.0);
+    EXPECT_DOUBLE_EQ(rim.r2.back().direction_deg, 180.0);
+    EXPECT_DOUBLE_EQ(rim.r1.front().radius_mm, 20.0);
+}
+
+class MeshPicture : public ::testing::Test {
+protected:
+    MeshPicture() {
+        auto read = model::load_mesh(std::string{PSICARVE_EXAMPLES} + "/figurine.stl");
+        EXPECT_TRUE(read);
+        mesh_ = std::move(*read);
+    }
+    static std::size_t painted(const verify::PixelImage& image) {
+        return static_cast<std::size_t>(std::count_if(image.argb.begin(), image.argb.end(),
+                                                      [](std::uint32_t pixel) { return pixel != 0; }));
+    }
+    model::Mesh mesh_;
+};
+
+TEST_F(MeshPicture, FitsWithAMarginFromEverySide) {
+    const MeshScene scene = make_mesh_scene(mesh_);
+    for (const double elevation_rad : {-kPi / 2.0, 0.0, 0.4, kPi / 2.0}) {
+        for (const double azimuth_rad : {0.0, 1.0, 4.0}) {
+            SceneView view;
+            view.azimuth_rad = azimuth_rad;
+            view.elevation_rad = elevation_rad;
+            const auto image = draw_mesh_scene(scene, view, 120, 100, 0xC0C0C0);
+            EXPECT_GT(painted(image), 120U * 100U / 40U);
+            for (std::size_t x = 0; x < 120; ++x) {
+                EXPECT_EQ(image.argb[x], 0U);
+                EXPECT_EQ(image.argb[99 * 120 + x], 0U);
+            }
+        }
+    }
+}
+
+TEST_F(MeshPicture, CostsFewFacetsAndLooksTheSame) {
+    const MeshScene fine = make_mesh_scene(mesh_, 100'000);
+    const MeshScene coarse = make_mesh_scene(mesh_, 80);
+    EXPECT_GT(fine.facets.size(), mesh_.triangles.size() - 100);
+    EXPECT_LT(coarse.facets.size(), fine.facets.size());
+    EXPECT_LT(coarse.vertices.size(), std::size_t{80 * 80 * 8});
+    const auto a = static_cast<double>(painted(draw_mesh_scene(fine, {}, 200, 200, 0xC0C0C0)));
+    const auto b = static_cast<double>(painted(draw_mesh_scene(coarse, {}, 200, 200, 0xC0C0C0)));
+    EXPECT_NEAR(b / a, 1.0, 0.05);
+}
+
+TEST_F(MeshPicture, LooksFromTheRightAndKnowsWhatStandsInFront) {
+    MeshScene scene;
+    // Two squares that face +x: the near one small, at x = 1.
+    scene.vertices = {{1, -1, -1}, {1, 1, -1}, {1, 0, 1}, {-1, -2, -2}, {-1, 2, -2}, {-1, 0, 2}};
+    scene.facets = {{3, 4, 5}, {0, 1, 2}};
+    scene.size = {2, 4, 4};
+    SceneView view;  // from +x: +y to the right, z up
+    const SceneCamera camera{scene, view, 100, 100};
+    const auto right = camera.project({0.0, 1.0, 0.0});
+    const auto high = camera.project({0.0, 0.0, 1.0});
+    const auto near = camera.project({1.0, 0.0, 0.0});
+    EXPECT_GT(right[0], 50.0);
+    EXPECT_LT(high[1], 50.0);
+    EXPECT_GT(near[2], 0.0);
+    scene.facets = {{0, 1, 2}, {3, 4, 5}};
+    const auto one = draw_mesh_scene(scene, view, 50, 50, 0xFFFFFF);
+    std::swap(scene.facets[0], scene.facets[1]);
+    EXPECT_EQ(draw_mesh_scene(scene, view, 50, 50, 0xFFFFFF).argb, one.argb);
+}
+
+}  // namespace
+}  // namespace psicarve::session

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "hmi/session/job_desk.hpp"
+#include "hmi/session/machine_session.hpp"
+#include "tests/two_process/core_rig.hpp"
+
+namespace psicarve::session {
+namespace {
+
+using two_process::CoreRig;
+using S = MachineState;
+
+/// What a window does between its frames.
+class SessionOnCore : public CoreRig {
+protected:
+    void open_session() {
+        session_ = std::make_unique<MachineSession>(SessionOptions{segment_name_, {}, {}}, log_);
+        desk_ = std::make_unique<JobDesk>(segment_name_, std::string{}, log_);
+    }
+    template <typename Condition>
+    bool comes_true(Condition condition) {
+        return eventually([&] {
+            session_->poll();
+            desk_->poll(session_->sight());
+            return condition();
+        });
+    }
+    ::testing::AssertionResult comes_to(S state) {
+        if (comes_true([&] { return session_->sight().state() == state; }))
+            return ::testing::AssertionSuccess();
+        return ::testing::AssertionFailure()
+               << "state is " << name_of(session_->sight().state()) << all_messages();
+    }
+    std::string all_messages() const {
+        std::string text;
+        for (const Message& message : log_.messages()) text += "\n  " + in_english(message.what);
+        return text;
+    }
+    void open_and_publish(const JobTable& table) {
+        Snapshot snapshot;
+        snapshot.job_blob = job_blob_from_table(table);
+        ASSERT_TRUE(save_snapshot(snapshot, file("long.job")));
+        desk_->open(file("long.job"));
+        ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::job; })) << all_messages();
+        desk_->publish();
+        ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::published; }))
+            << all_messages();
+    }
+    void home_session() {
+        session_->order(CommandKind::home, phrase("Home"));
+        ASSERT_TRUE(comes_to(S::ready));
+    }
+
+    MessageLog log_;
+    std::unique_ptr<MachineSession> session_;
+    std::unique_ptr<JobDesk> desk_;
+};
+
+TEST_F(SessionOnCore, GoesTheWholeWayFromAModelToADoneJob) {
+    start_core();
+    open_session();
+    desk_->open(std::string{PSICARVE_EXAMPLES} + "/small.stl");
+    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::model; })) << all_messages();
+    cam::JobOptions options;
+    options.layer_count = 12;
+    options.point_count = 40;
+    desk_->slice(options, Profile{});
+    EXPECT_EQ(desk_->sight().state, DeskState::slicing);
+    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::job; })) << all_messages();
+    EXPECT_EQ(desk_->sight().layer_count, 12U);
+    desk_->publish();
+    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::published; })) << all_messages();
+    home_session();
+    session_->start(0);
+    ASSERT_TRUE(comes_true([&] {
+        const auto& status = session_->sight().status;
+        return status->points_total == 12 * 40 && status->points_done == status->points_total &&
+               status->state == S::ready;
+    })) << all_messages();
+}
+
+TEST_F(SessionOnCore, HoldsResumesStopsAtOnceAndResets) {
+    start_core();
+    open_session();
+    open_and_publish(two_process::long_job());
+    home_session();
+    session_->start(0);
+    ASSERT_TRUE(comes_to(S::carving));
+    session_->set_override(150);
+    ASSERT_TRUE(comes_true([&] { return session_->sight().status->override_percent == 150; }));
+    session_->order(CommandKind::hold, phrase("Hold"));
+    ASSERT_TRUE(comes_to(S::held));
+    session_->order(CommandKind::resume, phrase("Resume"));
+    ASSERT_TRUE(comes_to(S::carving));
+    EXPECT_TRUE(session_->emergency_stop());
+    ASSERT_TRUE(comes_to(S::alarm));
+    EXPECT_EQ(session_->sight().status->alarm_cause, AlarmCause::emergency_stop);
+    session_->order(CommandKind::reset_alarm, phrase("Reset alarm"));
+    ASSERT_TRUE(comes_to(S::off));
+    home_session();
+    session_->start(session_->sight().status->layer);
+    ASSERT_TRUE(comes_to(S::carving));
+    EXPECT_TRUE(session_->stop());
+    ASSERT_TRUE(comes_to(S::ready));
+}
+
+TEST_F(SessionOnCore, JogsWhileTheHandIsThere) {
+    start_core();
+    open_session();
+    ASSERT_TRUE(comes_true([&] { return session_->sight().is_heard(); }));
+    home_session();
+    const auto y_pulses = [&] { return session_->sight().status->position_pulses[index_of(Axis::y)]; };
+    const auto from_pulses = y_pulses();
+    session_->jog().step(Axis::y, 1.0, 5.0);
+    ASSERT_TRUE(comes_true([&] {
+        return y_pulses() == from_pulses + 400 && session_->sight().state() == S::ready;
+    })) << all_messages();
+    session_->jog().hold(Axis::y, true, 5.0);
+    ASSERT_TRUE(comes_true([&] { return y_pulses() > from_pulses + 400; })) << all_messages();
+    session_->jog().release();
+    ASSERT_TRUE(comes_to(S::ready));
+    ASSERT_TRUE(comes_true([&] { return session_->sight().status->move_end != MoveEnd::none; }));
+}
+
+TEST_F(SessionOnCore, SaysThatTheCoreIsGoneAndFindsTheNext) {
+    open_session();
+    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::none; }));
+    EXPECT_FALSE(session_->emergency_stop());
+    start_core();
+    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::alive; }));
+    core_.reset();
+    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::none; }));
+    start_core();
+    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::alive; }));
+    home_session();
+}
+
+TEST_F(SessionOnCore, ShowsTheJobOfARunningCoreAfterItsOwnRestart) {
+    start_core();
+    open_session();
+    open_and_publish(two_process::lobed_job(7, 30));
+    open_session();  // as after a crash: knows nothing
+    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::published; })) << all_messages();
+    EXPECT_EQ(desk_->sight().layer_count, 7U);
+    EXPECT_EQ(session_->sight().state(), S::off);
+}
+
+TEST_F(SessionOnCore, SlicingCanBeCancelledAndRefusalsAreTold) {
+    start_core();
+    open_session();
+    desk_->open(std::string{PSICARVE_EXAMPLES} + "/figurine.stl");
+    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::model; })) << all_messages();
+    desk_->slice(cam::JobOptions{}, Profile{});
+    desk_->cancel();
+    ASSERT_TRUE(comes_true([&] { return !desk_->sight().is_busy(); }));
+    EXPECT_EQ(desk_->sight().state, DeskState::model) << all_messages();
+    session_->start(0);
+    ASSERT_TRUE(comes_true([&] { return all_messages().find("Start: ") != std::string::npos; }))
+        << all_messages();
+    desk_->open("no/such/file.stl");
+    ASSERT_TRUE(comes_true([&] { return !desk_->sight().is_busy(); }));
+    EXPECT_NE(all_messages().find("no/such/file.stl"), std::string::npos);
+    EXPECT_EQ(desk_->sight().state, DeskState::model);
+}
+
+}  // namespace
+}  // namespace psicarve::session

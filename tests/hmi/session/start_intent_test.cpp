@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/start_intent.hpp"
+
+#include <gtest/gtest.h>
+
+namespace psicarve::session {
+namespace {
+
+using S = MachineState;
+
+CoreStatus status(S state, std::uint64_t heartbeat) {
+    CoreStatus made{};
+    made.state = state;
+    made.heartbeat = heartbeat;
+    return made;
+}
+
+TEST(StartIntent, CarvesOnceTheHeadsWaitAtTheFirstPoint) {
+    StartIntent sut;
+    sut.arm(10);
+    EXPECT_FALSE(sut.take(status(S::ready, 11)));  // sampled before the start
+    EXPECT_FALSE(sut.take(status(S::positioning, 12)));
+    EXPECT_FALSE(sut.take(status(S::positioning, 500)));
+    EXPECT_TRUE(sut.take(status(S::waiting, 501)));
+    EXPECT_FALSE(sut.take(status(S::waiting, 502)));
+}
+
+TEST(StartIntent, IsDroppedByAnyOtherTurn) {
+    for (const S state : {S::alarm, S::stopping, S::ready, S::off, S::moving, S::carving}) {
+        StartIntent sut;
+        sut.arm(10);
+        EXPECT_FALSE(sut.take(status(S::positioning, 12)));
+        EXPECT_FALSE(sut.take(status(state, 20)));
+        EXPECT_FALSE(sut.take(status(S::waiting, 21))) << name_of(state);
+    }
+}
+
+TEST(StartIntent, DoesNotOutliveItsCore) {
+    StartIntent sut;
+    sut.arm(1000);
+    EXPECT_FALSE(sut.take(status(S::off, 3)));
+    EXPECT_FALSE(sut.take(status(S::waiting, 4)));
+}
+
+TEST(StartIntent, NeverCarvesUnasked) {
+    StartIntent sut;
+    EXPECT_FALSE(sut.take(status(S::waiting, 5)));
+    sut.arm(5);
+    sut.drop();
+    EXPECT_FALSE(sut.take(status(S::waiting, 9)));
+}
+
+}  // namespace
+}  // namespace psicarve::session

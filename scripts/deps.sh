@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the Debian packages that are missing, and only these. docs/dependencies.md says why each is here.
 #   scripts/deps.sh build    what building and carving need
+#   scripts/deps.sh window   that, and what the operator's window needs
 #   scripts/deps.sh test     that, and what the tests need besides
 #   scripts/deps.sh bench    that, and what the benchmarks compare with
 # With --list it prints the names and installs nothing.
@@ -9,17 +10,19 @@ set -euo pipefail
 
 build_packages=(cmake ninja-build g++ libboost-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
     libxxhash-dev libassimp-dev libminizip-dev pkg-config libcairo2-dev fonts-dejavu-core)
+window_packages=(qt6-base-dev)
 test_packages=(git ccache python3 python3-numpy python3-scipy libgtest-dev libgmock-dev sigrok-cli clang-14 clang-format-14 clang-tidy-14
     libclang-rt-14-dev)
 bench_packages=(libembree-dev admesh linuxcnc-uspace)
 
-usage() { printf 'usage: %s build|test|bench [--list]\n' "${0##*/}"; }
+usage() { printf 'usage: %s build|window|test|bench [--list]\n' "${0##*/}"; }
 
 if [[ ${1-} == --help ]]; then usage; exit 0; fi
 case "${1-}" in
     build) wanted=("${build_packages[@]}") ;;
-    test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
-    bench) wanted=("${build_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}") ;;
+    window) wanted=("${build_packages[@]}" "${window_packages[@]}") ;;
+    test) wanted=("${build_packages[@]}" "${window_packages[@]}" "${test_packages[@]}") ;;
+    bench) wanted=("${build_packages[@]}" "${window_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}") ;;
     *) usage >&2; exit 2 ;;
 esac
 case "${2-}" in

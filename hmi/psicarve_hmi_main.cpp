@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <exception>
+
+#include "hmi/ui/program.hpp"
+
+int main(int argc, char** argv) {
+    try {
+        return psicarve::ui::run(argc, argv);
+    } catch (const std::exception& error) {
+        // Only what nobody can foresee comes here: memory that is not there, above all.
+        std::fprintf(stderr, "psicarve-hmi: %s\n", error.what());
+        return 3;
+    }
+}

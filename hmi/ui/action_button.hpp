@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPushButton>
+#include <functional>
+
+#include "hmi/session/action_lock.hpp"
+#include "hmi/ui/bench.hpp"
+#include "hmi/ui/icon.hpp"
+#include "hmi/ui/tokens.hpp"
+
+namespace psicarve::ui {
+
+/// A button that asks for something, and says why when it cannot. Never pressed by Space or Enter because the
+/// focus happens to be there: it takes the focus from the Tab key only.
+class ActionButton : public QPushButton {
+public:
+    /// Without a glyph the button has words alone.
+    ActionButton(session::Action action, const QString& text, std::function<void()> act,
+                 QWidget* parent = nullptr);
+
+    void set_glyph(Glyph glyph, const Tokens& tokens, bool on_fill = false);
+    /// Locks or unlocks it. Why it is locked, in the operator's language; else empty.
+    const QString& refresh(const Bench& bench);
+    const QString& reason() const noexcept { return reason_; }
+    /// What it does, shown while it can.
+    void set_hint(const QString& hint) { hint_ = hint; }
+
+private:
+    session::Action action_;
+    QString reason_;
+    QString hint_;
+};
+
+}  // namespace psicarve::ui

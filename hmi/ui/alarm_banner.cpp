@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/alarm_banner.hpp"
+
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include "hmi/session/alarm_text.hpp"
+#include "hmi/ui/action_button.hpp"
+#include "hmi/ui/frames.hpp"
+#include "hmi/ui/words.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+constexpr int kIconWidth = 48;
+constexpr int kIconSide = 28;
+constexpr int kButtonWidth = 140;
+
+}  // namespace
+
+AlarmBanner::AlarmBanner(Bench& bench, QWidget* parent)
+    : QFrame(parent),
+      bench_(bench),
+      icon_(new QLabel),
+      title_(role_label("title")),
+      detail_(new QLabel),
+      steps_(new QLabel),
+      back_off_(new ActionButton{session::Action::back_off, tr("Back off"), [this] { back_off(); }}),
+      reset_(new ActionButton{
+          session::Action::reset_alarm, tr("Reset alarm"),
+          [this] { bench_.machine.order(CommandKind::reset_alarm, session::phrase("Reset alarm")); }}),
+      reason_(role_label("label")) {
+    setObjectName("banner");
+    icon_->setFixedWidth(kIconWidth);
+    icon_->setAlignment(Qt::AlignCenter);
+    title_->setObjectName("alarm_title");
+    back_off_->setObjectName("back_off");
+    back_off_->set_hint(tr("Moves the axis away from its closed switch, slowly"));
+    reset_->setObjectName("reset_alarm");
+    for (QLabel* label : {detail_, steps_, reason_}) label->setWordWrap(true);
+    auto* text = new QVBoxLayout;
+    text->setContentsMargins(0, kGap, kGap, kGap);
+    text->setSpacing(3);
+    for (QLabel* label : {title_, detail_, steps_}) text->addWidget(label);
+    auto* buttons = new QVBoxLayout;
+    buttons->setContentsMargins(0, kGap, kGap, kGap);
+    for (QWidget* widget :
+         {static_cast<QWidget*>(back_off_), static_cast<QWidget*>(reset_), static_cast<QWidget*>(reason_)}) {
+        widget->setFixedWidth(kButtonWidth);
+        buttons->addWidget(widget);
+    }
+    buttons->addStretch();
+    auto* all = new QHBoxLayout{this};
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(0);
+    all->addWidget(icon_);
+    all->addLayout(text, 1);
+    all->addLayout(buttons);
+    setVisible(false);
+}
+
+void AlarmBanner::set_theme(const Tokens& tokens) {
+    icon_->setPixmap(glyph_pixmap(Glyph::octagon, kIconSide, tokens.alarm));
+    refresh();
+}
+
+void AlarmBanner::back_off() {
+    for (const Axis axis : {Axis::r1, Axis::r2, Axis::y}) {
+        if (!bench_.machine.sight().is_active(sensor_of(axis))) continue;
+        Command command{};
+        command.kind = CommandKind::back_off;
+        command.axis = static_cast<std::uint32_t>(index_of(axis));
+        bench_.machine.order(command, session::phrase("Back off"));
+        return;
+    }
+}
+
+void AlarmBanner::refresh() {
+    const session::MachineSight& sight = bench_.machine.sight();
+    const bool is_alarm =
+        sight.status && (sight.state() == MachineState::alarm || sight.state() == MachineState::backing_off);
+    if (isHidden() == is_alarm) setVisible(is_alarm);
+    back_off_->refresh(bench_);
+    const QString reason = reset_->refresh(bench_);
+    reason_->setText(reason);
+    if (!is_alarm) return;
+    const session::AlarmText text = session::alarm_text(sight);
+    title_->setText(words(text.title));
+    detail_->setText(words(text.detail));
+    QString steps;
+    for (std::size_t i = 0; i < text.steps.size(); ++i) {
+        steps += QString{"%1<b>%2</b>&nbsp;%3"}
+                     .arg(i == 0 ? "" : " &nbsp; ")
+                     .arg(i + 1)
+                     .arg(words(text.steps[i]).toHtmlEscaped());
+    }
+    steps_->setText(steps);
+    setAccessibleName(tr("Alarm: %1").arg(title_->text()));
+}
+
+}  // namespace psicarve::ui

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QWidget>
+
+#include <cstdint>
+#include <memory>
+
+#include "hmi/session/carving_record.hpp"
+#include "hmi/ui/bench.hpp"
+#include "hmi/ui/tokens.hpp"
+
+class QLabel;
+
+namespace psicarve::ui {
+
+class MeshView;
+
+/// The blank as it is being carved, and both heads: from what the core reports, not from what was asked of
+/// it.
+class CarvingPage : public QWidget {
+    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CarvingPage)
+public:
+    explicit CarvingPage(Bench& bench, QWidget* parent = nullptr);
+
+    void set_theme(const Tokens& tokens);
+    /// The record is kept whether or not somebody looks at the page.
+    void refresh();
+    const session::CarvingRecord* record() const noexcept { return record_.get(); }
+
+private:
+    void keep_record();
+    void draw();
+    void say();
+
+    Bench& bench_;
+    const Tokens* tokens_ = nullptr;
+    std::shared_ptr<const cam::PreparedJob> job_;
+    std::unique_ptr<session::CarvingRecord> record_;
+    std::uint64_t job_start_tick_ = 0;
+    std::uint64_t drawn_edition_ = 0;
+    QElapsedTimer drawn_;
+    MeshView* view_;
+    QLabel* done_;
+    QLabel* point_;
+};
+
+}  // namespace psicarve::ui

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/frames.hpp"
+
+#include <QStyle>
+
+namespace psicarve::ui {
+
+QLabel* role_label(const char* role, const QString& text) {
+    auto* label = new QLabel{text};
+    label->setProperty("role", role);
+    return label;
+}
+
+void set_styled(QWidget* widget, const char* property, const QVariant& value) {
+    if (widget->property(property) == value) return;
+    widget->setProperty(property, value);
+    widget->style()->unpolish(widget);
+    widget->style()->polish(widget);
+}
+
+QFrame* rule() {
+    auto* line = new QFrame;
+    line->setProperty("rule", true);
+    return line;
+}
+
+Dock::Dock(const QString& title, QWidget* parent) : QFrame(parent) {
+    setProperty("dock", true);
+    auto* all = new QVBoxLayout{this};
+    all->setContentsMargins(1, 1, 1, 1);
+    all->setSpacing(0);
+    auto* head = new QHBoxLayout;
+    head->setContentsMargins(kGap, kSmallGap, kGap, kSmallGap);
+    head->addWidget(role_label("head", title));
+    head->addStretch();
+    note_ = role_label("small");
+    head->addWidget(note_);
+    all->addLayout(head);
+    all->addWidget(rule());
+    body_ = new QVBoxLayout;
+    body_->setContentsMargins(kGap, kSmallGap, kGap, kGap);
+    body_->setSpacing(kSmallGap);
+    all->addLayout(body_, 1);
+}
+
+}  // namespace psicarve::ui

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace psicarve::ui {
+
+inline constexpr int kGap = 8;
+inline constexpr int kSmallGap = 4;
+
+/// A label that the style sheet knows by its role.
+QLabel* role_label(const char* role, const QString& text = {});
+/// Sets a property that the style sheet looks at; does nothing when it is set already.
+void set_styled(QWidget* widget, const char* property, const QVariant& value);
+QFrame* rule();
+
+/// A panel with a head line: its title, and something short at the right.
+class Dock : public QFrame {
+public:
+    explicit Dock(const QString& title, QWidget* parent = nullptr);
+
+    QVBoxLayout& body() noexcept { return *body_; }
+    QLabel& note() noexcept { return *note_; }
+
+private:
+    QVBoxLayout* body_;
+    QLabel* note_;
+};
+
+}  // namespace psicarve::ui

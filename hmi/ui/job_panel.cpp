@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/job_panel.hpp"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QMessageBox>
+#include <QSlider>
+#include <QSpinBox>
+
+#include "hmi/session/display_text.hpp"
+#include "hmi/session/preflight.hpp"
+#include "hmi/ui/words.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using session::Action;
+using session::Check;
+
+constexpr std::size_t kCheckRows = 7;
+constexpr int kIconSide = 14;
+constexpr int kFullPercent = 100;
+
+QString number(double value, int decimals) {
+    return QString::fromStdString(session::number_text(value, decimals));
+}
+
+/// "12.0 mm, r 8.0–28.9"
+QString size_text(const cam::PreparedJob& job) {
+    const auto heights = job.view.layer_heights_pulses();
+    const double y_per_mm = axis_motion(job.profile, Axis::y).pulses_per_unit;
+    const double rise_mm = mm_from_pulses(heights.back() - heights.front(), y_per_mm);
+    const double r1_per_mm = axis_motion(job.profile, Axis::r1).pulses_per_unit;
+    const double most_mm = mm_from_pulses(job.view.max_radius_pulses(Axis::r1), r1_per_mm);
+    return JobPanel::tr("%1 mm, r ≤ %2").arg(number(rise_mm, 1), number(most_mm, 1));
+}
+
+}  // namespace
+
+JobPanel::JobPanel(Bench& bench, QWidget* parent) : Dock(tr("Job"), parent), bench_(bench) {
+    make_facts();
+    make_checks();
+    body().addStretch();
+    make_buttons();
+    make_override();
+}
+
+void JobPanel::make_facts() {
+    name_ = role_label("title");
+    body().addWidget(name_);
+    auto* grid = new QGridLayout;
+    grid->setVerticalSpacing(1);
+    body().addLayout(grid);
+    QLabel** values[] = {&counts_, &size_, &time_};
+    const QString names[] = {tr("Layers × points"), tr("Height, radius"), tr("Time")};
+    for (int i = 0; i < 3; ++i) {
+        *values[i] = new QLabel;
+        (*values[i])->setAlignment(Qt::AlignRight);
+        grid->addWidget(role_label("label", names[i]), i, 0);
+        grid->addWidget(*values[i], i, 1);
+    }
+}
+
+void JobPanel::make_checks() {
+    auto* head = new QHBoxLayout;
+    head->addWidget(role_label("head", tr("Pre-flight")));
+    head->addStretch();
+    verdict_ = role_label("head");
+    head->addWidget(verdict_);
+    body().addSpacing(kSmallGap);
+    body().addLayout(head);
+    body().addWidget(rule());
+    auto* grid = new QGridLayout;
+    grid->setVerticalSpacing(2);
+    grid->setColumnStretch(1, 1);
+    for (std::size_t i = 0; i < kCheckRows; ++i) {
+        CheckRow row{new QLabel, new QLabel, role_label("label")};
+        row.icon->setFixedSize(kIconSide + 4, kIconSide + 3);
+        const int line = static_cast<int>(i);
+        grid->addWidget(row.icon, line, 0);
+        grid->addWidget(row.name, line, 1);
+        grid->addWidget(row.detail, line, 2, Qt::AlignRight);
+        checks_.push_back(row);
+    }
+    body().addLayout(grid);
+}
+
+void JobPanel::make_buttons() {
+    session::MachineSession& machine = bench_.machine;
+    start_ = new ActionButton{Action::start, tr("Start"), [&machine] { machine.start(0); }};
+    start_->setProperty("main", true);
+    start_->setObjectName("start");
+    start_->set_hint(tr("Heads to the first point, then carve (Ctrl+Enter)"));
+    start_->setShortcut(Qt::CTRL | Qt::Key_Return);
+    hold_ = new ActionButton{Action::hold, tr("Hold"),
+                             [&machine] { machine.order(CommandKind::hold, session::phrase("Hold")); }};
+    resume_ = new ActionButton{Action::resume, tr("Resume"),
+                               [&machine] { machine.order(CommandKind::resume, session::phrase("Resume")); }};
+    stop_ = new ActionButton{Action::stop, tr("Stop"), [&machine] { machine.stop(); }};
+    auto* three = new QHBoxLayout;
+    three->setSpacing(kGap);
+    const char* names[] = {"hold", "resume", "stop"};
+    ActionButton* buttons[] = {hold_, resume_, stop_};
+    for (int i = 0; i < 3; ++i) {
+        buttons[i]->setProperty("strong", true);
+        buttons[i]->setObjectName(names[i]);
+        three->addWidget(buttons[i], 1);
+    }
+    layer_ = new QSpinBox;
+    layer_->setRange(1, 1);
+    layer_->setObjectName("layer");
+    layer_->setAccessibleName(tr("Layer to start from"));
+    from_layer_ = new ActionButton{Action::from_layer, tr("From layer"), [this, &machine] {
+                                       const auto layer = static_cast<std::uint32_t>(layer_->value());
+                                       if (may_start_from_layer(layer)) machine.start(layer - 1);
+                                   }};
+    from_layer_->setObjectName("from_layer");
+    from_layer_->set_hint(tr("Leaves out the layers before it"));
+    auto* from = new QHBoxLayout;
+    from->setSpacing(kGap);
+    from->addWidget(from_layer_, 2);
+    from->addWidget(layer_, 1);
+    reason_ = role_label("label");
+    reason_->setWordWrap(true);
+    reason_->setMinimumHeight(32);
+    reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    reason_->setObjectName("reason");
+    body().addWidget(start_);
+    body().addSpacing(kSmallGap);
+    body().addLayout(three);
+    body().addSpacing(kSmallGap);
+    body().addLayout(from);
+    body().addWidget(reason_);
+}
+
+void JobPanel::make_override() {
+    auto* head = new QHBoxLayout;
+    head->addWidget(role_label("head", tr("Feed override")));
+    head->addStretch();
+    percent_ = role_label("title");
+    head->addWidget(percent_);
+    override_ = new QSlider{Qt::Horizontal};
+    override_->setRange(kLeastOverride_percent, kMostOverride_percent);
+    override_->setPageStep(5);
+    override_->setValue(kFullPercent);
+    override_->setFocusPolicy(Qt::TabFocus);
+    override_->setObjectName("override");
+    override_->setAccessibleName(tr("Feed override"));
+    connect(override_, &QSlider::valueChanged, this,
+            [this](int value) { bench_.machine.set_override(static_cast<std::uint32_t>(value)); });
+    full_ =
+        new ActionButton{Action::override_feed, tr("100 %"), [this] { override_->setValue(kFullPercent); }};
+    full_->setProperty("small", true);
+    full_->setObjectName("full");
+    auto* row = new QHBoxLayout;
+    row->addWidget(role_label("label", QString::number(kLeastOverride_percent)));
+    row->addWidget(override_, 1);
+    row->addWidget(role_label("label", QString::number(kMostOverride_percent)));
+    row->addWidget(full_);
+    body().addLayout(head);
+    body().addWidget(rule());
+    body().addLayout(row);
+}
+
+bool JobPanel::may_start_from_layer(std::uint32_t layer) {
+    if (layer == 1) return true;
+    QMessageBox box{QMessageBox::Question, tr("From layer"),
+                    tr("Start from layer %1: the layers below are left as they are. The heads go out, Y goes "
+                       "to the layer, "
+                       "then the heads go in at plunge speed.")
+                        .arg(layer),
+                    QMessageBox::NoButton, window()};
+    QPushButton* go = box.addButton(tr("Start from layer %1").arg(layer), QMessageBox::AcceptRole);
+    box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+    box.exec();
+    // A minute may have passed: ask again whether it may start.
+    return box.clickedButton() == go && from_layer_->refresh(bench_).isEmpty();
+}
+
+void JobPanel::set_theme(const Tokens& tokens) {
+    tokens_ = &tokens;
+    start_->set_glyph(Glyph::play, tokens, true);
+    hold_->set_glyph(Glyph::pause, tokens);
+    stop_->set_glyph(Glyph::stop, tokens);
+    refresh();
+}
+
+void JobPanel::refresh() {
+    if (tokens_ == nullptr) return;
+    refresh_facts();
+    refresh_checks();
+    refresh_buttons();
+    refresh_override();
+}
+
+void JobPanel::refresh_facts() {
+    const session::MachineSight& sight = bench_.machine.sight();
+    time_->setText(words(session::time_text(sight)));
+    const bool has_generation = sight.status && sight.status->job_generation != 0;
+    note().setText(has_generation ? tr("no. %1").arg(sight.status->job_generation) : QString{});
+    if (shown_edition_ == bench_.desk.edition()) return;
+    shown_edition_ = bench_.desk.edition();
+    const auto job = bench_.desk.job();
+    const auto mesh = bench_.desk.mesh();
+    if (job) {
+        name_->setText(QString::fromStdString(std::string{job->view.source_name()}));
+        counts_->setText(QString{"%1 × %2"}.arg(job->view.layer_count()).arg(job->view.point_count()));
+        size_->setText(size_text(*job));
+        layer_->setMaximum(static_cast<int>(job->view.layer_count()));
+    } else {
+        name_->setText(mesh ? QString::fromStdString(mesh->source_name) : tr("No job"));
+        counts_->setText(mesh ? tr("not sliced") : tr("open a model"));
+        size_->clear();
+    }
+}
+
+void JobPanel::refresh_checks() {
+    const std::vector<Check> checks = session::preflight_checks(bench_.machine.sight(), bench_.desk.sight());
+    std::size_t passed = 0;
+    for (std::size_t i = 0; i < checks_.size(); ++i) {
+        const bool is_there = i < checks.size();
+        CheckRow& row = checks_[i];
+        for (QLabel* label : {row.icon, row.name, row.detail}) label->setVisible(is_there);
+        if (!is_there) continue;
+        const Check& check = checks[i];
+        const bool fails = check.verdict == Check::Verdict::fail;
+        if (!fails) ++passed;
+        const Glyph glyph = fails                                   ? Glyph::cross
+                            : check.verdict == Check::Verdict::pass ? Glyph::check
+                                                                    : Glyph::info;
+        const QColor colour = fails                                   ? tokens_->alarm
+                              : check.verdict == Check::Verdict::pass ? tokens_->run
+                                                                      : tokens_->text2;
+        const QString look = QString{"%1 %2"}.arg(static_cast<int>(glyph)).arg(colour.name());
+        if (row.icon->property("look") != look) {
+            row.icon->setProperty("look", look);
+            row.icon->setPixmap(glyph_pixmap(glyph, kIconSide, colour));
+            row.icon->setAccessibleName(fails ? tr("missing") : tr("passed"));
+        }
+        row.name->setText(words(check.name));
+        row.detail->setText(words(check.detail));
+    }
+    verdict_->setText(tr("%1 of %2 pass").arg(passed).arg(checks.size()));
+    const QColor colour = passed == checks.size() ? tokens_->run : tokens_->alarm;
+    const QString style = QString{"color: %1"}.arg(colour.name());
+    if (verdict_->styleSheet() != style) verdict_->setStyleSheet(style);
+}
+
+void JobPanel::refresh_buttons() {
+    for (ActionButton* button : {start_, hold_, resume_, stop_, from_layer_}) button->refresh(bench_);
+    layer_->setEnabled(from_layer_->isEnabled());
+    QString text = start_->reason();
+    if (text.isEmpty() && !stop_->isEnabled()) text = tr("Hold, Resume, Stop: nothing is moving.");
+    reason_->setText(text);
+    const auto& status = bench_.machine.sight().status;
+    if (!status || status->layer == shown_layer_) return;
+    shown_layer_ = status->layer;  // where the operator would go on
+    layer_->setValue(static_cast<int>(shown_layer_) + 1);
+}
+
+void JobPanel::refresh_override() {
+    const bool may = full_->refresh(bench_).isEmpty();
+    override_->setEnabled(may);
+    override_->setToolTip(full_->reason());
+    const auto& status = bench_.machine.sight().status;
+    if (!status || status->override_percent == 0) return;
+    const int percent = static_cast<int>(status->override_percent);
+    percent_->setText(tr("%1 %").arg(percent));
+    // The slider follows the machine unless a hand is on it, or its wish is still on the way.
+    if (!override_->isSliderDown() && !bench_.machine.is_override_under_way() &&
+        override_->value() != percent) {
+        const QSignalBlocker quiet{override_};
+        override_->setValue(percent);
+    }
+}
+
+}  // namespace psicarve::ui

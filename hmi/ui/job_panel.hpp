@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+
+#include <vector>
+
+#include "hmi/ui/action_button.hpp"
+#include "hmi/ui/bench.hpp"
+#include "hmi/ui/frames.hpp"
+
+class QSlider;
+class QSpinBox;
+class QGridLayout;
+
+namespace psicarve::ui {
+
+/// The job: what it is, what is missing before it can start, and its buttons.
+class JobPanel : public Dock {
+    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::JobPanel)
+public:
+    explicit JobPanel(Bench& bench, QWidget* parent = nullptr);
+
+    void set_theme(const Tokens& tokens);
+    void refresh();
+
+private:
+    struct CheckRow {
+        QLabel* icon;
+        QLabel* name;
+        QLabel* detail;
+    };
+    void make_facts();
+    void make_checks();
+    void make_buttons();
+    void make_override();
+    void refresh_facts();
+    void refresh_checks();
+    void refresh_buttons();
+    void refresh_override();
+    bool may_start_from_layer(std::uint32_t layer);
+
+    Bench& bench_;
+    const Tokens* tokens_ = nullptr;
+    std::uint64_t shown_edition_ = ~std::uint64_t{0};
+    std::uint32_t shown_layer_ = 0;
+    QLabel* name_;
+    QLabel* counts_;
+    QLabel* size_;
+    QLabel* time_;
+    QLabel* verdict_;
+    std::vector<CheckRow> checks_;
+    ActionButton* start_;
+    ActionButton* hold_;
+    ActionButton* resume_;
+    ActionButton* stop_;
+    ActionButton* from_layer_;
+    QSpinBox* layer_;
+    QLabel* reason_;
+    QSlider* override_;
+    QLabel* percent_;
+    ActionButton* full_;
+};
+
+}  // namespace psicarve::ui

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/jog_panel.hpp"
+
+#include <QAbstractButton>
+#include <QButtonGroup>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QSlider>
+
+#include <chrono>
+
+namespace psicarve::ui {
+namespace {
+
+/// A shorter press is a click.
+constexpr std::chrono::milliseconds kClickLimit{250};
+constexpr double kStepScale = 100.0;  // steps are kept as whole hundredths
+constexpr double kLinearScale = 10.0;
+constexpr int kMostLinear = 100;  // tenths of mm/s
+constexpr int kMostAngular = 225;
+constexpr int kUsualLinear = 50;
+constexpr int kUsualAngular = 45;
+
+}  // namespace
+
+JogPanel::JogPanel(Bench& bench, QWidget* parent)
+    : Dock(tr("Jog"), parent), bench_(bench), hint_(role_label("label")) {
+    body().addWidget(step_row("mm", {0.01, 0.1, 1, 10}, linear_steps_, 1));
+    body().addWidget(step_row("°", {0.1, 1, 10, 90}, angular_steps_, 1));
+    auto* pad = new QGridLayout;
+    pad->setSpacing(kGap);
+    body().addLayout(pad);
+    add_key(tr("R1 out"), Axis::r1, true, Glyph::left, "jog_r1_out");
+    add_key(tr("Y up"), Axis::y, true, Glyph::up, "jog_y_up");
+    add_key(tr("R2 out"), Axis::r2, true, Glyph::right, "jog_r2_out");
+    add_key(tr("R1 in"), Axis::r1, false, Glyph::right, "jog_r1_in");
+    add_key(tr("Y down"), Axis::y, false, Glyph::down, "jog_y_down");
+    add_key(tr("R2 in"), Axis::r2, false, Glyph::left, "jog_r2_in");
+    add_key("Ψ −", Axis::psi, false, Glyph::turn_right, "jog_psi_minus");
+    add_key("Ψ +", Axis::psi, true, Glyph::turn_left, "jog_psi_plus");
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+        // The table's two keys stand at the sides.
+        const int place = static_cast<int>(i) + (i + 1 == keys_.size() ? 1 : 0);
+        pad->addWidget(keys_[i].button, place / 3, place % 3);
+    }
+    body().addLayout(speed_row(tr("linear"), linear_speed_, linear_label_));
+    body().addLayout(speed_row("Ψ", angular_speed_, angular_label_));
+    linear_speed_->setRange(1, kMostLinear);
+    linear_speed_->setValue(kUsualLinear);
+    angular_speed_->setRange(1, kMostAngular);
+    angular_speed_->setValue(kUsualAngular);
+    linear_speed_->setAccessibleName(tr("Jog speed of R1, R2 and Y"));
+    angular_speed_->setAccessibleName(tr("Jog speed of Ψ"));
+    hint_->setWordWrap(true);
+    body().addWidget(hint_);
+    body().addStretch();
+    hold_timer_.setSingleShot(true);
+    hold_timer_.setInterval(kClickLimit);
+    connect(&hold_timer_, &QTimer::timeout, this, [this] {
+        is_held_ = true;
+        bench_.machine.jog().hold(pressed_axis_, pressed_up_, speed_of(pressed_axis_));
+    });
+}
+
+QWidget* JogPanel::step_row(const QString& unit, const std::vector<double>& steps, QButtonGroup*& group,
+                            int chosen) {
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout{row};
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    QLabel* label = role_label("label", unit);
+    label->setFixedWidth(26);
+    layout->addWidget(label);
+    group = new QButtonGroup{row};
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        auto* button = new QPushButton{QString::number(steps[i])};
+        button->setCheckable(true);
+        button->setProperty("small", true);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setAccessibleName(tr("Step %1 %2").arg(QString::number(steps[i]), unit));
+        button->setChecked(static_cast<int>(i) == chosen);
+        group->addButton(button, qRound(steps[i] * kStepScale));
+        layout->addWidget(button, 1);
+    }
+    return row;
+}
+
+QLayout* JogPanel::speed_row(const QString& name, QSlider*& slider, QLabel*& label) {
+    auto* layout = new QHBoxLayout;
+    QLabel* title = role_label("label", name);
+    title->setFixedWidth(40);
+    slider = new QSlider{Qt::Horizontal};
+    slider->setFocusPolicy(Qt::TabFocus);
+    label = new QLabel;
+    label->setFixedWidth(68);
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    layout->addWidget(title);
+    layout->addWidget(slider, 1);
+    layout->addWidget(label);
+    return layout;
+}
+
+void JogPanel::add_key(const QString& text, Axis axis, bool up, Glyph glyph, const char* name) {
+    auto* button = new ActionButton{session::Action::jog, text, {}};
+    button->setObjectName(name);
+    button->setProperty("key", true);
+    const Key key{button, axis, up, glyph};
+    connect(button, &QPushButton::pressed, this, [this, key] { press(key); });
+    connect(button, &QPushButton::released, this, [this] { release(); });
+    keys_.push_back(key);
+}
+
+double JogPanel::speed_of(Axis axis) const {
+    return axis == Axis::psi ? angular_speed_->value() : linear_speed_->value() / kLinearScale;
+}
+
+double JogPanel::step_of(Axis axis) const {
+    return (axis == Axis::psi ? angular_steps_ : linear_steps_)->checkedId() / kStepScale;
+}
+
+void JogPanel::press(const Key& key) {
+    pressed_axis_ = key.axis;
+    pressed_up_ = key.up;
+    is_held_ = false;
+    hold_timer_.start();
+}
+
+void JogPanel::release() {
+    if (hold_timer_.isActive()) {
+        hold_timer_.stop();
+        const double distance = step_of(pressed_axis_);
+        bench_.machine.jog().step(pressed_axis_, pressed_up_ ? distance : -distance, speed_of(pressed_axis_));
+        return;
+    }
+    if (is_held_) bench_.machine.jog().release();
+    is_held_ = false;
+}
+
+void JogPanel::let_go() {
+    hold_timer_.stop();
+    is_held_ = false;
+    bench_.machine.jog().release();
+    for (const Key& key : keys_) key.button->setDown(false);
+}
+
+void JogPanel::set_theme(const Tokens& tokens) {
+    for (const Key& key : keys_) key.button->set_glyph(key.glyph, tokens);
+    refresh();
+}
+
+void JogPanel::refresh() {
+    QString reason;
+    for (const Key& key : keys_) reason = key.button->refresh(bench_);
+    if (!reason.isEmpty() && (is_held_ || hold_timer_.isActive())) let_go();
+    hint_->setText(reason.isEmpty() ? tr("Hold = move, click = one step.") : reason);
+    note().setText(reason.isEmpty() ? QString{} : tr("locked"));
+    linear_label_->setText(tr("%1 mm/s").arg(speed_of(Axis::y), 0, 'f', 1));
+    angular_label_->setText(tr("%1 °/s").arg(angular_speed_->value()));
+}
+
+}  // namespace psicarve::ui

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QTimer>
+
+#include <vector>
+
+#include "hmi/ui/action_button.hpp"
+#include "hmi/ui/bench.hpp"
+#include "hmi/ui/frames.hpp"
+
+class QButtonGroup;
+class QSlider;
+
+namespace psicarve::ui {
+
+/// Moves one axis by hand: a click is a step, holding the button goes on until it is let go.
+class JogPanel : public Dock {
+    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::JogPanel)
+public:
+    explicit JogPanel(Bench& bench, QWidget* parent = nullptr);
+
+    void set_theme(const Tokens& tokens);
+    void refresh();
+    /// Whatever is held is let go: the window lost the focus, or a dialog opens.
+    void let_go();
+
+private:
+    struct Key {
+        ActionButton* button;
+        Axis axis;
+        bool up;
+        Glyph glyph;
+    };
+    QWidget* step_row(const QString& unit, const std::vector<double>& steps, QButtonGroup*& group,
+                      int chosen);
+    QLayout* speed_row(const QString& name, QSlider*& slider, QLabel*& label);
+    void add_key(const QString& text, Axis axis, bool up, Glyph glyph, const char* name);
+    void press(const Key& key);
+    void release();
+    double speed_of(Axis axis) const;
+    double step_of(Axis axis) const;
+
+    Bench& bench_;
+    std::vector<Key> keys_;
+    QButtonGroup* linear_steps_ = nullptr;
+    QButtonGroup* angular_steps_ = nullptr;
+    QSlider* linear_speed_ = nullptr;
+    QSlider* angular_speed_ = nullptr;
+    QLabel* linear_label_ = nullptr;
+    QLabel* angular_label_ = nullptr;
+    QLabel* hint_;
+    QTimer hold_timer_;  ///< runs while a press may still become a click
+    Axis pressed_axis_ = Axis::r1;
+    bool pressed_up_ = true;
+    bool is_held_ = false;
+};
+
+}  // namespace psicarve::ui

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QMainWindow>
+#include <QTimer>
+
+#include <functional>
+#include <memory>
+
+#include "hmi/ui/bench.hpp"
+#include "hmi/ui/settings.hpp"
+#include "hmi/ui/tokens.hpp"
+
+class QLabel;
+class QMenu;
+class QTabWidget;
+
+namespace psicarve::ui {
+
+class AlarmBanner;
+class CarvingPage;
+class JobPanel;
+class JogPanel;
+class LayersPage;
+class MessagesPage;
+class ModelPage;
+class PositionPanel;
+class Strip;
+
+/// What is to become of a machine that moves when the window closes.
+enum class CloseChoice : std::uint8_t { stay_open, leave_running, hold, stop };
+
+/// The operator's window. Looks at the machine at screen rate and never waits for it.
+class MainWindow : public QMainWindow {
+    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MainWindow)
+public:
+    explicit MainWindow(const session::SessionOptions& options);
+    ~MainWindow() override;
+
+    Bench& bench() noexcept { return bench_; }
+    void open(const QString& path);
+    /// One look at the machine, and everything redrawn that has changed. The timer calls it.
+    void refresh();
+    void set_theme(ThemeChoice choice);
+    void emergency_stop();
+    /// For tests, instead of the dialog.
+    void set_close_question(std::function<CloseChoice()> ask) { ask_ = std::move(ask); }
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    class EmergencyKey;
+
+    void make_menu();
+    void make_theme_menu();
+    QWidget* make_centre();
+    void make_status_bar();
+    void name_tabs();
+    void choose_file();
+    void fill_recent();
+    void refresh_status_bar();
+    CloseChoice ask_what_to_do();
+
+    Bench bench_;
+    WindowSettings settings_;
+    QMenu* menu_;
+    QMenu* recent_ = nullptr;
+    Strip* strip_ = nullptr;
+    PositionPanel* position_ = nullptr;
+    JogPanel* jog_ = nullptr;
+    JobPanel* job_ = nullptr;
+    AlarmBanner* banner_ = nullptr;
+    QTabWidget* tabs_ = nullptr;
+    ModelPage* model_ = nullptr;
+    LayersPage* layers_ = nullptr;
+    CarvingPage* carving_ = nullptr;
+    MessagesPage* messages_ = nullptr;
+    QWidget* status_row_ = nullptr;
+    QLabel* last_message_ = nullptr;
+    QLabel* profile_label_ = nullptr;
+    std::uint64_t shown_messages_ = 0;
+    std::uint64_t read_messages_ = 0;  ///< that somebody had the page open for
+    std::function<CloseChoice()> ask_;
+    std::unique_ptr<EmergencyKey> emergency_key_;
+    QTimer timer_;
+};
+
+}  // namespace psicarve::ui

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QActionGroup>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTabWidget>
+
+#include "hmi/ui/main_window.hpp"
+
+namespace psicarve::ui {
+
+void MainWindow::make_menu() {
+    QAction* open_action = menu_->addAction(tr("Open model or job…"));
+    open_action->setShortcut(QKeySequence::Open);
+    connect(open_action, &QAction::triggered, this, [this] { choose_file(); });
+    recent_ = menu_->addMenu(tr("Open recent"));
+    connect(recent_, &QMenu::aboutToShow, this, [this] { fill_recent(); });
+    menu_->addSeparator();
+    make_theme_menu();
+    QAction* keys = menu_->addAction(tr("Keys…"));
+    keys->setShortcut(Qt::Key_F12);
+    connect(keys, &QAction::triggered, this, [this] {
+        QMessageBox::information(
+            this, tr("Keys"),
+            tr("F1  emergency stop, everywhere\nCtrl+Enter  start\nPause  hold, resume\n"
+               "Ctrl+Home  home all\nCtrl+O  open\nF5  slice\nCtrl+1 … 4  tabs\nF10  menu\nF12  this list"));
+    });
+    menu_->addSeparator();
+    QAction* quit = menu_->addAction(tr("Close the window"));
+    quit->setShortcut(QKeySequence::Quit);
+    connect(quit, &QAction::triggered, this, [this] { close(); });
+    addActions({open_action, keys, quit});
+    constexpr int kTabs = 4;
+    for (int i = 0; i < kTabs; ++i) {
+        auto* show = new QAction{this};
+        show->setShortcut(QKeySequence{Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)});
+        connect(show, &QAction::triggered, this, [this, i] { tabs_->setCurrentIndex(i); });
+        addAction(show);
+    }
+    auto* pause = new QAction{this};
+    pause->setShortcut(Qt::Key_Pause);
+    connect(pause, &QAction::triggered, this, [this] {
+        const bool is_held = bench_.machine.sight().state() == MachineState::held;
+        const CommandKind kind = is_held ? CommandKind::resume : CommandKind::hold;
+        bench_.machine.order(kind, is_held ? session::phrase("Resume") : session::phrase("Hold"));
+    });
+    addAction(pause);
+}
+
+void MainWindow::make_theme_menu() {
+    QMenu* themes = menu_->addMenu(tr("Theme"));
+    auto* group = new QActionGroup{this};
+    const std::pair<QString, ThemeChoice> choices[] = {{tr("As the desktop"), ThemeChoice::system},
+                                                       {tr("Light"), ThemeChoice::light},
+                                                       {tr("Dark"), ThemeChoice::dark}};
+    for (const auto& [name, choice] : choices) {
+        QAction* action = themes->addAction(name);
+        action->setCheckable(true);
+        action->setChecked(choice == settings_.theme());
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, wanted = choice] { set_theme(wanted); });
+    }
+}
+
+void MainWindow::choose_file() {
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open model or job"), settings_.last_folder(),
+        tr("Models and jobs (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;All files (*)"));
+    if (!path.isEmpty()) open(path);
+}
+
+void MainWindow::fill_recent() {
+    recent_->clear();
+    const QStringList files = settings_.recent_files();
+    for (const QString& path : files) {
+        QAction* action = recent_->addAction(QFileInfo{path}.fileName());
+        action->setToolTip(path);
+        connect(action, &QAction::triggered, this, [this, path] { open(path); });
+    }
+    if (files.isEmpty()) recent_->addAction(tr("None yet"))->setEnabled(false);
+}
+
+CloseChoice MainWindow::ask_what_to_do() {
+    QMessageBox box{QMessageBox::Question, tr("Close the window"),
+                    tr("The machine is at work. It does not need this window: what is to become of it?"),
+                    QMessageBox::NoButton, this};
+    QPushButton* leave = box.addButton(tr("Leave running"), QMessageBox::AcceptRole);
+    QPushButton* hold = box.addButton(tr("Hold"), QMessageBox::ActionRole);
+    QPushButton* stop = box.addButton(tr("Stop"), QMessageBox::ActionRole);
+    box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+    hold->setEnabled(bench_.machine.sight().state() == MachineState::carving);
+    box.setDefaultButton(leave);
+    box.exec();
+    if (box.clickedButton() == leave) return CloseChoice::leave_running;
+    if (box.clickedButton() == hold) return CloseChoice::hold;
+    return box.clickedButton() == stop ? CloseChoice::stop : CloseChoice::stay_open;
+}
+
+}  // namespace psicarve::ui

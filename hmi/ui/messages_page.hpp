@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QWidget>
+
+#include "hmi/ui/bench.hpp"
+#include "hmi/ui/tokens.hpp"
+
+class QComboBox;
+class QTableWidget;
+
+namespace psicarve::ui {
+
+/// What happened since the window was opened, newest first.
+class MessagesPage : public QWidget {
+    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MessagesPage)
+public:
+    explicit MessagesPage(Bench& bench, QWidget* parent = nullptr);
+
+    void set_theme(const Tokens& tokens);
+    void refresh();
+
+private:
+    void add(const session::Message& message);
+    void filter();
+    static QString name_of_severity(session::Severity severity);
+
+    Bench& bench_;
+    const Tokens* tokens_ = nullptr;
+    std::uint64_t shown_count_ = 0;
+    QComboBox* least_;
+    QTableWidget* table_;
+};
+
+}  // namespace psicarve::ui

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/model_page.hpp"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <thread>
+
+#include "hmi/session/display_text.hpp"
+#include "hmi/ui/choice_box.hpp"
+#include "hmi/ui/frames.hpp"
+#include "hmi/ui/mesh_view.hpp"
+#include "hmi/ui/view_buttons.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using session::Action;
+using session::DeskState;
+
+constexpr int kFormWidth = 216;
+constexpr int kMostLayers = 100'000;
+constexpr int kMostPoints = 100'000;
+constexpr int kUsualCount = 500;
+constexpr double kMostHeight_mm = 10'000.0;
+constexpr int kSteps = 1000;
+
+QString state_words(DeskState state) {
+    switch (state) {
+        case DeskState::empty:
+            return ModelPage::tr("Nothing is open.");
+        case DeskState::opening:
+            return ModelPage::tr("Reading the file …");
+        case DeskState::model:
+            return ModelPage::tr("Not sliced yet.");
+        case DeskState::slicing:
+            return ModelPage::tr("Slicing …");
+        case DeskState::job:
+            return ModelPage::tr("The job is ready to be published.");
+        case DeskState::publishing:
+            return ModelPage::tr("Publishing …");
+        case DeskState::published:
+            return ModelPage::tr("The core has this job.");
+    }
+    return {};
+}
+
+}  // namespace
+
+ModelPage::ModelPage(Bench& bench, QWidget* parent) : QWidget(parent), bench_(bench), view_(new MeshView) {
+    auto* all = new QHBoxLayout{this};
+    all->setContentsMargins(kGap, kGap, kGap, kGap);
+    all->setSpacing(kGap);
+    all->addWidget(make_view(), 1);
+    all->addWidget(make_form());
+}
+
+QWidget* ModelPage::make_view() {
+    auto* whole = new QWidget;
+    auto* column = new QVBoxLayout{whole};
+    column->setContentsMargins(0, 0, 0, 0);
+    view_->set_empty_text(tr("No model. Open one from the menu, or drop a file here."));
+    QHBoxLayout* buttons = view_buttons(*view_);
+    size_ = role_label("label");
+    buttons->addWidget(size_);
+    column->addLayout(buttons);
+    column->addWidget(view_, 1);
+    return whole;
+}
+
+QWidget* ModelPage::make_form() {
+    auto* whole = new QWidget;
+    whole->setFixedWidth(kFormWidth);
+    auto* column = new QVBoxLayout{whole};
+    column->setContentsMargins(0, 0, 0, 0);
+    auto* form = new QFormLayout;
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    column->addWidget(role_label("head", tr("Placement and slicing")));
+    column->addWidget(rule());
+    fill_form(*form);
+    column->addLayout(form);
+    column->addStretch();
+    state_ = new QLabel;
+    state_->setWordWrap(true);
+    progress_ = new QProgressBar;
+    progress_->setRange(0, kSteps);
+    progress_->setTextVisible(false);
+    cancel_ = new QPushButton{tr("Cancel")};
+    cancel_->setObjectName("cancel");
+    cancel_->setFocusPolicy(Qt::TabFocus);
+    connect(cancel_, &QPushButton::clicked, this, [this] { bench_.desk.cancel(); });
+    slice_ = new ActionButton{Action::slice, tr("Slice"), [this] { slice(); }};
+    slice_->setObjectName("slice");
+    slice_->set_hint(tr("Makes the job's tables (F5)"));
+    slice_->setShortcut(Qt::Key_F5);
+    publish_ = new ActionButton{Action::publish, tr("Publish"), [this] { bench_.desk.publish(); }};
+    publish_->setObjectName("publish");
+    publish_->set_hint(tr("Gives the job to the core, which checks it"));
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(kGap);
+    buttons->addWidget(slice_, 1);
+    buttons->addWidget(publish_, 1);
+    column->addWidget(state_);
+    column->addWidget(progress_);
+    column->addWidget(cancel_);
+    column->addLayout(buttons);
+    return whole;
+}
+
+void ModelPage::fill_form(QFormLayout& form) {
+    up_ = new ChoiceBox;
+    up_->addItems({"Z", "Y", "X"});
+    axis_ = new ChoiceBox;
+    axis_->addItems({tr("box centre"), tr("file's origin"), tr("least lost")});
+    height_ = new QDoubleSpinBox;
+    height_->setRange(0.0, kMostHeight_mm);
+    height_->setSpecialValueText(tr("as in the file"));
+    height_->setSuffix(" mm");
+    layers_ = new QSpinBox;
+    layers_->setRange(1, kMostLayers);
+    layers_->setValue(kUsualCount);
+    layers_->setObjectName("layers");
+    points_ = new QSpinBox;
+    points_->setRange(2, kMostPoints);
+    points_->setValue(kUsualCount);
+    points_->setObjectName("points");
+    joining_ = new ChoiceBox;
+    joining_->addItems({"continuous", "zigzag", "spiral"});
+    form.addRow(tr("Up axis"), up_);
+    form.addRow(tr("Axis at"), axis_);
+    form.addRow(tr("Height"), height_);
+    form.addRow(tr("Layers"), layers_);
+    form.addRow(tr("Points / head"), points_);
+    form.addRow(tr("Joining"), joining_);
+    connect(up_, &QComboBox::currentIndexChanged, this, [this] { view_->set_up(job_options().up); });
+    connect(axis_, &QComboBox::currentIndexChanged, this,
+            [this] { view_->set_axis_at_origin(job_options().axis_at == cam::AxisAt::origin); });
+}
+
+cam::JobOptions ModelPage::job_options() const {
+    constexpr slice::Up kUps[] = {slice::Up::z, slice::Up::y, slice::Up::x};
+    constexpr cam::AxisAt kAxes[] = {cam::AxisAt::centre, cam::AxisAt::origin, cam::AxisAt::best};
+    cam::JobOptions options;
+    options.up = kUps[up_->currentIndex()];
+    options.axis_at = kAxes[axis_->currentIndex()];
+    if (height_->value() > 0.0) options.height_mm = height_->value();
+    // The usual numbers give way to a model with fewer pulses of height.
+    if (layers_->value() != kUsualCount) options.layer_count = static_cast<std::uint32_t>(layers_->value());
+    if (points_->value() != kUsualCount) options.point_count = static_cast<std::uint32_t>(points_->value());
+    options.joining = joining_from_name(joining_->currentText().toStdString());
+    // One is left for the window, and for a core on the same computer.
+    options.thread_count = std::max(1U, std::thread::hardware_concurrency() / 2);
+    return options;
+}
+
+void ModelPage::slice() {
+    const auto& chosen = bench_.machine.options().profile;
+    const auto& of_core = bench_.machine.sight().profile;
+    const Profile profile = of_core ? *of_core : chosen.value_or(Profile{});
+    bench_.desk.slice(job_options(), profile);
+}
+
+void ModelPage::set_theme(const Tokens& tokens) {
+    view_->set_theme(tokens);
+    refresh();
+}
+
+void ModelPage::refresh() {
+    slice_->refresh(bench_);
+    publish_->refresh(bench_);
+    refresh_state();
+    if (shown_edition_ == bench_.desk.edition()) return;
+    shown_edition_ = bench_.desk.edition();
+    const auto scene = bench_.desk.scene();
+    view_->show_scene(scene);
+    if (!scene) return size_->clear();
+    const auto number = [](double value) { return QString::fromStdString(session::number_text(value, 1)); };
+    const auto size = slice::placed(job_options().up, scene->size);
+    size_->setText(tr("%1 × %2 × %3, %4 facets")
+                       .arg(number(size[0]), number(size[1]), number(size[2]),
+                            QString::fromStdString(session::count_text(
+                                static_cast<std::int64_t>(bench_.desk.mesh()->triangles.size())))));
+}
+
+void ModelPage::refresh_state() {
+    const session::JobSight& sight = bench_.desk.sight();
+    state_->setText(state_words(sight.state));
+    progress_->setVisible(sight.state == DeskState::slicing);
+    progress_->setValue(static_cast<int>(kSteps * bench_.desk.progress_ratio()));
+    cancel_->setVisible(sight.is_busy());
+}
+
+}  // namespace psicarve::ui

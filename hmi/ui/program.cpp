@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/program.hpp"
+
+#include <QApplication>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "hmi/ui/main_window.hpp"
+#include "hmi/ui/window_options.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+constexpr int kExitInput = 3;
+
+}  // namespace
+
+int run(int argc, char** argv) {
+    const WindowOptions options = parse_window_options({argv + 1, argv + argc});
+    if (options.exit_code) {
+        std::fputs(options.text.c_str(), *options.exit_code == 0 ? stdout : stderr);
+        return *options.exit_code;
+    }
+    session::SessionOptions session{options.segment_name, options.group, {}};
+    if (!options.profile_path.empty()) {
+        auto profile = load_profile(options.profile_path);
+        if (!profile) {
+            std::fprintf(stderr, "psicarve-hmi: %s\n", profile.error().message.c_str());
+            return kExitInput;
+        }
+        session.profile = std::move(*profile);
+    }
+    QApplication application{argc, argv};
+    QApplication::setApplicationName("psicarve-hmi");
+    QApplication::setApplicationDisplayName("Psicarve");
+    QApplication::setStyle("Fusion");
+    MainWindow window{session};
+    window.show();
+    if (!options.path.empty()) window.open(QString::fromStdString(options.path));
+    return QApplication::exec();
+}
+
+}  // namespace psicarve::ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/settings.hpp"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QPalette>
+
+#include <algorithm>
+
+namespace psicarve::ui {
+namespace {
+
+constexpr int kMostRecent = 10;
+constexpr const char* kGeometry = "window/geometry";
+constexpr const char* kTheme = "window/theme";
+constexpr const char* kRecent = "files/recent";
+constexpr const char* kThemeNames[] = {"system", "light", "dark"};
+
+}  // namespace
+
+WindowSettings::WindowSettings()
+    : store_(QSettings::IniFormat, QSettings::UserScope, "psicarve", "psicarve-hmi") {}
+
+QByteArray WindowSettings::geometry() const {
+    return store_.value(kGeometry).toByteArray();
+}
+
+void WindowSettings::set_geometry(const QByteArray& geometry) {
+    store_.setValue(kGeometry, geometry);
+}
+
+ThemeChoice WindowSettings::theme() const {
+    const QString name = store_.value(kTheme).toString();
+    if (name == kThemeNames[1]) return ThemeChoice::light;
+    return name == kThemeNames[2] ? ThemeChoice::dark : ThemeChoice::system;
+}
+
+void WindowSettings::set_theme(ThemeChoice choice) {
+    store_.setValue(kTheme, kThemeNames[static_cast<int>(choice)]);
+}
+
+QStringList WindowSettings::recent_files() const {
+    QStringList files = store_.value(kRecent).toStringList();
+    const auto is_gone = [](const QString& path) { return !QFileInfo::exists(path); };
+    files.erase(std::remove_if(files.begin(), files.end(), is_gone), files.end());
+    return files;
+}
+
+void WindowSettings::add_recent_file(const QString& path) {
+    const QString whole = QFileInfo{path}.absoluteFilePath();
+    QStringList files = store_.value(kRecent).toStringList();
+    files.removeAll(whole);
+    files.prepend(whole);
+    while (files.size() > kMostRecent) files.removeLast();
+    store_.setValue(kRecent, files);
+}
+
+QString WindowSettings::last_folder() const {
+    const QStringList files = recent_files();
+    return files.isEmpty() ? QDir::homePath() : QFileInfo{files.front()}.absolutePath();
+}
+
+Theme theme_of(ThemeChoice choice) {
+    if (choice == ThemeChoice::light) return Theme::light;
+    if (choice == ThemeChoice::dark) return Theme::dark;
+    const QPalette palette = QGuiApplication::palette();
+    const bool is_dark =
+        palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
+    return is_dark ? Theme::dark : Theme::light;
+}
+
+}  // namespace psicarve::ui

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QWidget>
+
+#include "hmi/ui/bench.hpp"
+#include "hmi/ui/tokens.hpp"
+
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+
+namespace psicarve::ui {
+
+class StatePill;
+
+/// The fixed top of the window: menu, state, heartbeat, what machine it is, progress, emergency stop.
+class Strip : public QWidget {
+    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::Strip)
+public:
+    Strip(Bench& bench, QMenu* menu, QWidget* parent = nullptr);
+
+    void set_theme(const Tokens& tokens);
+    void refresh();
+    /// Acts at once, whatever the machine does; also when no core is there to hear it.
+    void emergency_stop();
+    QPushButton& emergency_button() noexcept { return *emergency_; }
+
+private:
+    void refresh_heartbeat();
+    void refresh_progress();
+
+    Bench& bench_;
+    const Tokens* tokens_ = nullptr;
+    QToolButton* menu_button_;
+    StatePill* pill_;
+    QLabel* heart_;
+    QLabel* tick_;
+    QLabel* missed_;
+    QLabel* badge_;
+    QLabel* percent_;
+    QLabel* time_;
+    QProgressBar* progress_;
+    QPushButton* emergency_;
+};
+
+}  // namespace psicarve::ui

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
+#include "hmi/ui/tokens.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+// @name stands for a token's colour.
+constexpr const char* kSheet = R"(
+* { font-family: "Noto Sans", "DejaVu Sans"; font-size: 13px; color: @text; outline: none; }
+QMainWindow, QDialog, #window { background: @win; }
+#strip, #statusbar { background: @panel; border: 0; }
+#strip { border-bottom: 1px solid @line; }
+QFrame[dock="true"] { background: @panel; border: 1px solid @line; border-radius: 4px; }
+QLabel { background: transparent; border: 0; }
+QLabel[role="head"] { color: @text2; font-weight: 700; font-size: 12px; }
+QLabel[role="small"] { color: @text2; font-size: 11px; }
+QLabel[role="label"] { color: @text2; font-size: 12px; }
+QLabel[role="axis"] { font-size: 16px; font-weight: 700; }
+QLabel[role="digits"] { font-size: 28px; }
+QLabel[role="title"] { font-size: 15px; font-weight: 700; }
+QLabel[role="percent"] { font-size: 18px; font-weight: 700; }
+QLabel[role="badge"] { color: @sim; border: 2px solid @sim; border-radius: 4px; font-weight: 700; padding: 0 10px; }
+QLabel[lamp="off"] { color: @text2; border: 1px solid @line; border-radius: 3px; font-size: 11px; padding: 0 4px; }
+QLabel[lamp="good"] { color: @run; border: 1px solid @run; border-radius: 3px; font-size: 11px; padding: 0 4px; }
+QLabel[lamp="unsure"] { color: @warn; border: 1px dashed @warn; border-radius: 3px; font-size: 11px; padding: 0 4px; }
+QLabel[lamp="bad"] { color: @on_fill; background: @alarm_fill; border: 1px solid @alarm_fill; border-radius: 3px;
+    font-size: 11px; font-weight: 700; padding: 0 4px; }
+QFrame[rule="true"] { background: @line; border: 0; max-height: 1px; min-height: 1px; }
+QPushButton, QToolButton { background: @raised; border: 1px solid @edge; border-radius: 4px; padding: 0 6px;
+    min-height: 30px; }
+QPushButton:hover, QToolButton:hover { border-color: @text2; }
+QPushButton:pressed, QToolButton:pressed, QPushButton:checked { background: @sel; border-color: @text; }
+QPushButton:focus, QToolButton:focus { border: 2px solid @text; }
+QPushButton:disabled { color: @dis; background: @panel; border-color: @line; }
+QPushButton:checked { font-weight: 700; }
+QPushButton[key="true"] { min-height: 34px; }
+QPushButton[main="true"] { background: @run_fill; color: @on_fill; border-color: @run_fill; font-weight: 700; min-height: 38px; }
+QPushButton[main="true"]:disabled { background: @panel; color: @dis; border-color: @line; }
+QPushButton[strong="true"] { font-weight: 700; min-height: 38px; }
+QPushButton[small="true"] { min-height: 22px; padding: 0 6px; }
+QPushButton[estop="true"] { background: @alarm_fill; color: @on_fill; border: 3px solid @warn_fill; border-radius: 4px;
+    font-weight: 700; font-size: 13px; padding: 0 4px; min-height: 50px; }
+QPushButton[estop="true"]:pressed { background: @alarm; color: @win; }
+QMenuBar, QMenu { background: @panel; border: 1px solid @line; }
+QMenu::item { padding: 5px 24px; }
+QMenu::item:selected { background: @sel; }
+QMenu::item:disabled { color: @dis; }
+QMenu::separator { height: 1px; background: @line; }
+QTabWidget::pane { border: 0; border-top: 1px solid @line; background: @panel; }
+QTabBar { background: @panel; }
+QTabBar::tab { background: @panel; color: @text2; padding: 7px 14px; border: 0; border-bottom: 3px solid @panel; }
+QTabBar::tab:selected { color: @text; font-weight: 700; border-bottom: 3px solid @text; }
+QTabBar::tab:focus { color: @text; }
+QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { background: @field; border: 1px solid @edge; border-radius: 3px;
+    min-height: 26px; padding: 0 4px; selection-background-color: @sel; selection-color: @text; }
+QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border: 2px solid @text; }
+QSpinBox:disabled, QDoubleSpinBox:disabled, QComboBox:disabled { color: @dis; background: @panel; border-color: @line; }
+QSpinBox::up-button, QSpinBox::down-button, QDoubleSpinBox::up-button, QDoubleSpinBox::down-button { width: 0; border: 0; }
+QComboBox::drop-down { border: 0; width: 18px; }
+QComboBox QAbstractItemView { background: @field; border: 1px solid @edge; selection-background-color: @sel;
+    selection-color: @text; }
+QProgressBar { background: @field; border: 1px solid @edge; border-radius: 3px; min-height: 12px; max-height: 12px; }
+QProgressBar::chunk { background: @run_fill; }
+QProgressBar[tone="warn"]::chunk { background: @warn_fill; }
+QProgressBar[tone="alarm"]::chunk { background: @alarm_fill; }
+QSlider::groove:horizontal { height: 4px; background: @line; border-radius: 2px; }
+QSlider::sub-page:horizontal { height: 4px; background: @text2; border-radius: 2px; }
+QSlider::handle:horizontal { background: @text; width: 10px; margin: -6px 0; border-radius: 2px; }
+QSlider::groove:vertical { width: 4px; background: @line; border-radius: 2px; }
+QSlider::add-page:vertical { width: 4px; background: @text2; border-radius: 2px; }
+QSlider::handle:vertical { background: @text; height: 10px; margin: 0 -8px; border-radius: 2px; }
+QSlider::handle:disabled { background: @dis; }
+QTableView, QTableWidget { background: @field; border: 1px solid @line; gridline-color: @line;
+    alternate-background-color: @field; selection-background-color: @sel; selection-color: @text; }
+QHeaderView::section { background: @panel; color: @text2; border: 0; border-bottom: 1px solid @line; padding: 4px 6px; }
+QScrollBar:vertical { background: @panel; width: 10px; }
+QScrollBar::handle:vertical { background: @edge; border-radius: 4px; min-height: 24px; }
+QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
+QToolTip { background: @field; color: @text; border: 1px solid @edge; padding: 3px; }
+#banner { background: @alarm_ground; border: 2px solid @alarm; border-radius: 4px; }
+)";
+
+}  // namespace
+
+QString style_sheet(const Tokens& tokens) {
+    // Longer names first: @warn is the beginning of @warn_fill.
+    const std::pair<const char*, QColor> colours[] = {{"@alarm_ground", tokens.alarm_ground},
+                                                      {"@alarm_fill", tokens.alarm_fill},
+                                                      {"@alarm", tokens.alarm},
+                                                      {"@warn_fill", tokens.warn_fill},
+                                                      {"@warn", tokens.warn},
+                                                      {"@run_fill", tokens.run_fill},
+                                                      {"@run", tokens.run},
+                                                      {"@raised", tokens.raised},
+                                                      {"@sel", tokens.sel},
+                                                      {"@sim", tokens.sim},
+                                                      {"@text2", tokens.text2},
+                                                      {"@text", tokens.text},
+                                                      {"@on_fill", tokens.on_fill},
+                                                      {"@panel", tokens.panel},
+                                                      {"@field", tokens.field},
+                                                      {"@line", tokens.line},
+                                                      {"@edge", tokens.edge},
+                                                      {"@dis", tokens.dis},
+                                                      {"@win", tokens.win}};
+    QString sheet = QString::fromLatin1(kSheet);
+    for (const auto& [name, colour] : colours) sheet.replace(QLatin1String(name), colour.name());
+    return sheet;
+}
+
+}  // namespace psicarve::ui

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace psicarve::ui {
+
+/// What stands on the command line of psicarve-hmi.
+struct WindowOptions {
+    std::string path;  ///< model, job or snapshot to open; empty: none
+    std::string segment_name;
+    std::string group;
+    std::string profile_path;
+    /// The program ends at once: with this text and this exit code.
+    std::optional<int> exit_code;
+    std::string text;
+};
+
+/// Arguments without the program's name.
+WindowOptions parse_window_options(const std::vector<std::string>& arguments);
+
+}  // namespace psicarve::ui

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTabWidget>
+
+#include "hmi/ui/strip.hpp"
+#include "tests/hmi/ui/window_rig.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using session::DeskState;
+using test::WindowRig;
+using S = MachineState;
+
+/// The window and a real core on the simulated machine.
+class WindowOnCore : public WindowRig {
+protected:
+    void open_long_job() {
+        Snapshot snapshot;
+        snapshot.job_blob = job_blob_from_table(two_process::long_job());
+        ASSERT_TRUE(save_snapshot(snapshot, file("long.job")));
+        window_->open(QString::fromStdString(file("long.job")));
+        ASSERT_TRUE(comes_to(DeskState::job));
+        window_->bench().desk.publish();
+        ASSERT_TRUE(comes_to(DeskState::published));
+    }
+    void carve_long_job() {
+        open_long_job();
+        ASSERT_TRUE(click("home"));
+        ASSERT_TRUE(comes_to(S::ready));
+        ASSERT_TRUE(click("start"));
+        ASSERT_TRUE(comes_to(S::carving));
+    }
+    const session::MachineSight& sight() { return window_->bench().machine.sight(); }
+};
+
+TEST_F(WindowOnCore, CarvesHoldsResumesStopsInAnEmergencyAndGoesOn) {
+    start_core();
+    open_window();
+    carve_long_job();
+    take_picture("carving_light");
+    EXPECT_FALSE(button("start").isEnabled());
+    EXPECT_EQ(button("start").toolTip(), "Start: already carving");
+    window_->findChild<QSlider*>("override")->setValue(130);
+    ASSERT_TRUE(comes_true([&] { return sight().status->override_percent == 130; }));
+    ASSERT_TRUE(click("full"));
+    ASSERT_TRUE(comes_true([&] { return sight().status->override_percent == 100; }));
+    ASSERT_TRUE(click("hold"));
+    ASSERT_TRUE(comes_to(S::held));
+    take_picture("held_light");
+    ASSERT_TRUE(click("resume"));
+    ASSERT_TRUE(comes_to(S::carving));
+    QKeyEvent press{QEvent::KeyPress, Qt::Key_F1, Qt::NoModifier};
+    QApplication::sendEvent(window_.get(), &press);
+    ASSERT_TRUE(comes_to(S::alarm));
+    window_->set_theme(ThemeChoice::dark);
+    take_picture("alarm_dark");
+    EXPECT_EQ(window_->findChild<QLabel*>("alarm_title")->text(), "Emergency stop");
+    const int layer = window_->findChild<QSpinBox*>("layer")->value();
+    EXPECT_EQ(layer, static_cast<int>(sight().status->layer) + 1);
+    ASSERT_TRUE(click("reset_alarm"));
+    ASSERT_TRUE(comes_to(S::off));
+    EXPECT_EQ(button("start").toolTip(), "Start: axis R1 is not homed");
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    window_->bench().machine.start(static_cast<std::uint32_t>(layer - 1));
+    ASSERT_TRUE(comes_to(S::carving));
+    ASSERT_TRUE(click("stop"));
+    ASSERT_TRUE(comes_to(S::ready));
+}
+
+TEST_F(WindowOnCore, TakesAModelFromItsFileToACarvedPiece) {
+    start_core();
+    open_window();
+    auto* const tabs = window_->findChild<QTabWidget*>();
+    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/figurine.stl");
+    ASSERT_TRUE(comes_to(DeskState::model));
+    take_picture("model_light");
+    window_->findChild<QSpinBox*>("layers")->setValue(120);
+    window_->findChild<QSpinBox*>("points")->setValue(100);
+    EXPECT_EQ(button("publish").toolTip(), "Publish: there is no job; slice the model first");
+    ASSERT_TRUE(click("slice"));
+    ASSERT_TRUE(comes_to(DeskState::job));
+    EXPECT_EQ(button("start").toolTip(), "Start: axis R1 is not homed");
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    EXPECT_EQ(button("start").toolTip(), "Start: the job is not published");
+    ASSERT_TRUE(click("publish"));
+    ASSERT_TRUE(comes_to(DeskState::published));
+    tabs->setCurrentIndex(1);
+    auto* const slider = window_->findChild<QSlider*>("layer_slider");
+    ASSERT_TRUE(comes_true([&] { return slider->maximum() == 120; }));
+    slider->setValue(60);
+    EXPECT_EQ(window_->findChild<QSpinBox*>("layer_number")->value(), 60);
+    take_picture("layers_light");
+    ASSERT_TRUE(click("start"));
+    tabs->setCurrentIndex(2);
+    ASSERT_TRUE(comes_true([&] { return sight().status->points_done > 6'000; }))
+        << all_messages().toStdString();
+    take_picture("carving_view_light");
+    ASSERT_TRUE(comes_true([&] {
+        return sight().state() == S::ready && sight().status->points_done == sight().status->points_total;
+    })) << all_messages().toStdString();
+    window_->set_theme(ThemeChoice::dark);
+    ASSERT_TRUE(comes_true([&] { return true; }));
+    take_picture("carved_dark");
+    tabs->setCurrentIndex(1);
+    ASSERT_TRUE(comes_true([&] { return true; }));
+    take_picture("layers_dark");
+    tabs->setCurrentIndex(3);
+    ASSERT_TRUE(comes_true([&] { return true; }));
+    take_picture("messages_dark");
+}
+
+TEST_F(WindowOnCore, JogsAStepOnAClickAndOnAndOnWhileHeld) {
+    start_core();
+    open_window();
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    const auto y_pulses = [&] { return sight().status->position_pulses[index_of(Axis::y)]; };
+    const auto from_pulses = y_pulses();
+    ASSERT_TRUE(click("jog_y_up"));
+    ASSERT_TRUE(comes_true([&] { return y_pulses() == from_pulses + 40 && sight().state() == S::ready; }))
+        << all_messages().toStdString();
+    button("jog_y_up").setDown(true);
+    Q_EMIT button("jog_y_up").pressed();
+    ASSERT_TRUE(comes_true([&] { return y_pulses() > from_pulses + 40; })) << all_messages().toStdString();
+    Q_EMIT button("jog_y_up").released();
+    ASSERT_TRUE(comes_to(S::ready));
+}
+
+TEST_F(WindowOnCore, AsksBeforeItLeavesAMachineAtWork) {
+    start_core();
+    open_window();
+    carve_long_job();
+    int asked = 0;
+    CloseChoice choice = CloseChoice::stay_open;
+    window_->set_close_question([&] {
+        ++asked;
+        return choice;
+    });
+    EXPECT_FALSE(window_->close());
+    EXPECT_EQ(asked, 1);
+    choice = CloseChoice::leave_running;
+    EXPECT_TRUE(window_->close());
+    window_.reset();
+    EXPECT_TRUE(reaches(S::carving));
+    open_window();  // and finds the job again
+    ASSERT_TRUE(comes_to(DeskState::published));
+    ASSERT_TRUE(comes_to(S::carving));
+    choice = CloseChoice::hold;
+    window_->set_close_question([&] { return choice; });
+    EXPECT_TRUE(window_->close());
+    EXPECT_TRUE(reaches(S::held));
+    open_window();
+    ASSERT_TRUE(comes_to(S::held));
+    choice = CloseChoice::stop;
+    window_->set_close_question([&] { return choice; });
+    EXPECT_TRUE(window_->close());
+    EXPECT_TRUE(reaches(S::ready));
+}
+
+TEST_F(WindowOnCore, ShowsThatTheCoreIsGone) {
+    start_core();
+    open_window();
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    auto* const position = window_->findChild<QLabel*>("position_r1");
+    const QString last = position->text();
+    EXPECT_FALSE(position->font().strikeOut());
+    core_.reset();
+    ASSERT_TRUE(comes_true([&] { return !button("home").isEnabled(); }));
+    EXPECT_TRUE(position->font().strikeOut());
+    EXPECT_EQ(position->text(), last);
+    EXPECT_TRUE(all_messages().contains("The core has ended"));
+}
+
+}  // namespace
+}  // namespace psicarve::ui

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/window_options.hpp"
+
+#include <gtest/gtest.h>
+
+namespace psicarve::ui {
+namespace {
+
+TEST(WindowOptions, TakesAFileAndASegment) {
+    const WindowOptions options = parse_window_options({"owl.stl", "--segment", "/mine", "--profile=p.toml"});
+    EXPECT_FALSE(options.exit_code);
+    EXPECT_EQ(options.path, "owl.stl");
+    EXPECT_EQ(options.segment_name, "/mine");
+    EXPECT_EQ(options.profile_path, "p.toml");
+    EXPECT_EQ(parse_window_options({}).segment_name, "/psicarve");
+    EXPECT_EQ(parse_window_options({"--", "--odd.stl"}).path, "--odd.stl");
+}
+
+TEST(WindowOptions, RefusesWrongUsageInOneLine) {
+    using Words = std::vector<std::string>;
+    for (const Words& wrong :
+         {Words{"--nothing"}, Words{"a.stl", "b.stl"}, Words{"--segment"}, Words{"--segment="},
+          Words{"--segment", "mine"}, Words{"--segment", "/a/b"}, Words{""}}) {
+        const WindowOptions options = parse_window_options(wrong);
+        ASSERT_TRUE(options.exit_code) << wrong.front();
+        EXPECT_EQ(*options.exit_code, 2);
+        EXPECT_EQ(options.text.find('\n'), options.text.size() - 1) << options.text;
+    }
+}
+
+TEST(WindowOptions, ExplainsItself) {
+    const WindowOptions help = parse_window_options({"--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_NE(help.text.find("--segment"), std::string::npos);
+    EXPECT_EQ(parse_window_options({"--version"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace psicarve::ui

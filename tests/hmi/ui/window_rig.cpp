@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/hmi/ui/window_rig.hpp"
+
+#include <QDir>
+#include <QPixmap>
+#include <QSettings>
+
+#include "hmi/ui/words.hpp"
+
+namespace psicarve::ui::test {
+namespace {
+
+/// One application for all tests of the program, as Qt wants it.
+class ApplicationEnvironment : public ::testing::Environment {
+public:
+    void SetUp() override {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        application_ = std::make_unique<QApplication>(argument_count_, arguments_);
+        QApplication::setStyle("Fusion");
+    }
+    void TearDown() override { application_.reset(); }
+
+private:
+    int argument_count_ = 1;
+    char name_[8] = "hmi";
+    char* arguments_[2] = {name_, nullptr};
+    std::unique_ptr<QApplication> application_;
+};
+[[maybe_unused]] const auto* const kEnvironment =
+    ::testing::AddGlobalTestEnvironment(new ApplicationEnvironment);  // GoogleTest owns it
+
+}  // namespace
+
+WindowRig::WindowRig() {
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, QString::fromStdString(file("settings")));
+}
+
+WindowRig::~WindowRig() = default;
+
+void WindowRig::open_window() {
+    window_.reset();
+    window_ = std::make_unique<MainWindow>(session::SessionOptions{segment_name_, {}, {}});
+    window_->set_theme(ThemeChoice::light);
+    window_->show();
+}
+
+::testing::AssertionResult WindowRig::comes_to(MachineState state) {
+    const auto& sight = window_->bench().machine.sight();
+    if (comes_true([&] { return sight.is_heard() && sight.state() == state; }))
+        return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure()
+           << "state is " << name_of(sight.state()) << all_messages().toStdString();
+}
+
+::testing::AssertionResult WindowRig::comes_to(session::DeskState state) {
+    if (comes_true([&] { return window_->bench().desk.sight().state == state; }))
+        return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << "desk: " << static_cast<int>(window_->bench().desk.sight().state)
+                                         << all_messages().toStdString();
+}
+
+QAbstractButton& WindowRig::button(const char* name) {
+    auto* const found = window_->findChild<QAbstractButton*>(name);
+    if (found == nullptr) throw std::runtime_error{std::string{"no button "} + name};
+    return *found;
+}
+
+::testing::AssertionResult WindowRig::click(const char* name) {
+    if (!comes_true([&] { return button(name).isEnabled(); }))
+        return ::testing::AssertionFailure() << name << ": " << button(name).toolTip().toStdString();
+    button(name).click();
+    return ::testing::AssertionSuccess();
+}
+
+QString WindowRig::all_messages() const {
+    QString text;
+    for (const session::Message& message : window_->bench().log.messages())
+        text += "\n  " + words(message.what);
+    return text;
+}
+
+void WindowRig::take_picture(const QString& name) {
+    QApplication::processEvents();
+    const QString folder = QString::fromLatin1(PSICARVE_BIN) + "/../screenshots";
+    QDir{}.mkpath(folder);
+    window_->grab().save(folder + "/" + name + ".png");
+}
+
+}  // namespace psicarve::ui::test

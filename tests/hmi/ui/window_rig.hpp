@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QString>
+
+#include <memory>
+
+#include "hmi/ui/main_window.hpp"
+#include "tests/two_process/core_rig.hpp"
+
+namespace psicarve::ui::test {
+
+/// A window on a segment of its own, without a screen, with settings of its own.
+class WindowRig : public two_process::CoreRig {
+protected:
+    WindowRig();
+    ~WindowRig() override;
+
+    void open_window();
+    /// The events of a running window, until the condition holds.
+    template <typename Condition>
+    bool comes_true(Condition condition) {
+        return eventually([&] {
+            QApplication::processEvents();
+            window_->refresh();
+            return condition();
+        });
+    }
+    ::testing::AssertionResult comes_to(MachineState state);
+    ::testing::AssertionResult comes_to(session::DeskState state);
+    QAbstractButton& button(const char* name);
+    /// Waits until it can be pressed, presses it, and says why it could not be.
+    ::testing::AssertionResult click(const char* name);
+    QString all_messages() const;
+    /// Into the build folder, to be looked at.
+    void take_picture(const QString& name);
+
+    std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace psicarve::ui::test

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMouseEvent>
+#include <QPushButton>
+
+#include "hmi/ui/strip.hpp"
+#include "tests/hmi/ui/window_rig.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using test::WindowRig;
+
+class Window : public WindowRig {};
+
+TEST_F(Window, LocksEveryMotionWithoutACoreAndSaysWhy) {
+    open_window();
+    ASSERT_TRUE(comes_true([&] { return !button("start").toolTip().isEmpty(); }));
+    for (const char* name : {"home", "home_y", "start", "hold", "resume", "stop", "from_layer", "full",
+                             "jog_r1_out", "jog_psi_plus", "jog_y_down"}) {
+        EXPECT_FALSE(button(name).isEnabled()) << name;
+        EXPECT_EQ(button(name).toolTip(), "No core serves the segment") << name;
+        EXPECT_EQ(button(name).accessibleDescription(), button(name).toolTip()) << name;
+    }
+    EXPECT_EQ(window_->findChild<QLabel*>("reason")->text(), "No core serves the segment");
+    take_picture("no_core_light");
+}
+
+TEST_F(Window, KeepsTheEmergencyStopInReachOnF1AlsoInADialog) {
+    open_window();
+    QMessageBox dialog{window_.get()};
+    dialog.setModal(true);
+    dialog.open();
+    QApplication::processEvents();
+    QKeyEvent press{QEvent::KeyPress, Qt::Key_F1, Qt::NoModifier};
+    QApplication::sendEvent(&dialog, &press);
+    EXPECT_TRUE(all_messages().contains("No core: use the switch on the machine"))
+        << all_messages().toStdString();
+    const auto count = window_->bench().log.count();
+    QKeyEvent repeated{QEvent::KeyPress, Qt::Key_F1, Qt::NoModifier, QString{}, true};
+    QApplication::sendEvent(&dialog, &repeated);
+    EXPECT_EQ(window_->bench().log.count(), count);
+}
+
+TEST_F(Window, StopsOnPressOfTheBigButtonNotOnItsRelease) {
+    open_window();
+    auto* const strip = window_->findChild<QWidget*>("strip");
+    auto& emergency = static_cast<Strip*>(strip)->emergency_button();
+    EXPECT_TRUE(emergency.isEnabled());
+    EXPECT_GE(emergency.width(), 200);
+    QMouseEvent press{QEvent::MouseButtonPress, QPointF{20, 20}, QPointF{20, 20},
+                      Qt::LeftButton,           Qt::LeftButton,  Qt::NoModifier};
+    QApplication::sendEvent(&emergency, &press);
+    EXPECT_TRUE(all_messages().contains("No core")) << all_messages().toStdString();
+}
+
+TEST_F(Window, FitsItsSmallestScreenInBothThemes) {
+    open_window();
+    for (const ThemeChoice theme : {ThemeChoice::light, ThemeChoice::dark}) {
+        window_->set_theme(theme);
+        QApplication::processEvents();
+        EXPECT_LE(window_->minimumSizeHint().width(), 1280);
+        EXPECT_LE(window_->minimumSizeHint().height(), 720);
+    }
+    take_picture("no_core_dark");
+}
+
+TEST_F(Window, RemembersItsThemeAndItsFilesAndDoesNotMoveAnything) {
+    open_window();
+    window_->set_theme(ThemeChoice::dark);
+    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/small.stl");
+    ASSERT_TRUE(comes_to(session::DeskState::model));
+    window_->close();
+    window_.reset();
+    const WindowSettings settings;
+    EXPECT_EQ(settings.theme(), ThemeChoice::dark);
+    ASSERT_EQ(settings.recent_files().size(), 1);
+    EXPECT_TRUE(settings.recent_files().front().endsWith("small.stl"));
+    EXPECT_FALSE(settings.geometry().isEmpty());
+    EXPECT_TRUE(settings.last_folder().endsWith("examples"));
+}
+
+TEST_F(Window, NeverPutsTheFirstFocusOnWhatMoves) {
+    open_window();
+    QApplication::processEvents();
+    EXPECT_EQ(qobject_cast<QPushButton*>(window_->focusWidget()), nullptr);
+    for (auto* const found : window_->findChildren<QPushButton*>()) {
+        EXPECT_FALSE(found->autoDefault() && found->isDefault()) << found->text().toStdString();
+        EXPECT_NE(found->focusPolicy(), Qt::StrongFocus) << found->text().toStdString();
+    }
+}
+
+}  // namespace
+}  // namespace psicarve::ui

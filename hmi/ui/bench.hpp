@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "hmi/session/job_desk.hpp"
 #include "hmi/session/machine_session.hpp"
 #include "hmi/session/message_log.hpp"
@@ -16,11 +18,17 @@ struct Bench {
     session::MachineSession machine;
     session::JobDesk desk;
 
+    /// A look at the machine and at what is under way.
     void poll() {
         machine.poll();
         desk.poll(machine.sight());
+        if (desk.edition() == offered_edition_) return;
+        offered_edition_ = desk.edition();
         if (desk.job()) machine.offer_profile(desk.job()->profile);
     }
+
+private:
+    std::uint64_t offered_edition_ = 0;
 };
 
 }  // namespace psicarve::ui

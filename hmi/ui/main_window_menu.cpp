@@ -65,9 +65,11 @@ void MainWindow::make_theme_menu() {
 }
 
 void MainWindow::choose_file() {
+    // Qt's own dialog: in the desktop's, F1 would not reach us.
     const QString path = QFileDialog::getOpenFileName(
         this, tr("Open model or job"), settings_.last_folder(),
-        tr("Models and jobs (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;All files (*)"));
+        tr("Models and jobs (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;All files (*)"), nullptr,
+        QFileDialog::DontUseNativeDialog);
     if (!path.isEmpty()) open(path);
 }
 

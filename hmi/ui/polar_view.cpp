@@ -19,6 +19,7 @@ constexpr double kLine_px = 1.8;
 constexpr double kHead_px = 8.0;
 constexpr int kFill_alpha = 38;
 constexpr int kTurn_deg = 360;
+constexpr double kNearlyOne = 1.0001;  // the outermost ring may be the circle itself
 constexpr double kOpposite_deg = 180.0;
 
 /// 1, 2 or 5 times a power of ten, so that three or four circles fit.
@@ -82,8 +83,9 @@ void PolarView::draw_grid(QPainter& painter) const {
     painter.setPen(QPen{tokens_->line, 1.0});
     const QPointF middle = place(0.0, 0.0);
     const double step_mm = ring_step_mm(most_mm_);
-    for (double radius_mm = step_mm; radius_mm <= most_mm_ * 1.0001; radius_mm += step_mm) {
-        const double reach = place(0.0, radius_mm).x() - middle.x();
+    const int rings = static_cast<int>(most_mm_ / step_mm * kNearlyOne);
+    for (int ring = 1; ring <= rings; ++ring) {
+        const double reach = place(0.0, ring * step_mm).x() - middle.x();
         painter.drawEllipse(middle, reach, reach);
     }
     for (int angle_deg = 0; angle_deg < kTurn_deg; angle_deg += kSpoke_deg) {
@@ -95,8 +97,8 @@ void PolarView::draw_grid(QPainter& painter) const {
                          QString{"%1°"}.arg(angle_deg));
     }
     painter.setPen(tokens_->text2);
-    for (double radius_mm = step_mm; radius_mm <= most_mm_ * 1.0001; radius_mm += step_mm)
-        painter.drawText(place(0.0, radius_mm) + QPointF{-16, 13}, QString::number(radius_mm));
+    for (int ring = 1; ring <= rings; ++ring)
+        painter.drawText(place(0.0, ring * step_mm) + QPointF{-16, 13}, QString::number(ring * step_mm));
 }
 
 void PolarView::draw_half(QPainter& painter, const std::vector<session::RimPoint>& half, const QColor& colour,

@@ -18,6 +18,7 @@ namespace psicarve::ui {
 namespace {
 
 constexpr int kStripHeight = 64;
+constexpr int kEmergencyIcon = 28;
 constexpr int kHeartWidth = 116;
 constexpr int kProgressSteps = 10'000;
 
@@ -28,6 +29,17 @@ QVBoxLayout* column(std::initializer_list<QWidget*> widgets) {
     for (QWidget* widget : widgets) layout->addWidget(widget);
     layout->addStretch();
     return layout;
+}
+
+/// Words inside a button, in two sizes; the mouse does not see them.
+void add_words(QPushButton& button, QLabel* icon, const QString& title, const QString& second) {
+    QLabel* const upper = role_label("estop", title);
+    QLabel* const lower = role_label("estop_second", second);
+    for (QLabel* label : {icon, upper, lower}) label->setAttribute(Qt::WA_TransparentForMouseEvents);
+    auto* row = new QHBoxLayout{&button};
+    row->setContentsMargins(kGap, 0, kGap, 0);
+    row->addWidget(icon);
+    row->addLayout(column({upper, lower}), 1);
 }
 
 }  // namespace
@@ -44,7 +56,8 @@ Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
       percent_(role_label("percent")),
       time_(new QLabel),
       progress_(new QProgressBar),
-      emergency_(new QPushButton{tr("EMERGENCY STOP") + "\n" + tr("F1 · works everywhere")}) {
+      emergency_(new QPushButton),
+      emergency_icon_(new QLabel) {
     setObjectName("strip");
     setAttribute(Qt::WA_StyledBackground);
     setFixedHeight(kStripHeight);
@@ -64,6 +77,7 @@ Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
     emergency_->setFixedSize(200, 56);
     emergency_->setFocusPolicy(Qt::TabFocus);
     emergency_->setAccessibleName(tr("Emergency stop"));
+    add_words(*emergency_, emergency_icon_, tr("EMERGENCY STOP"), tr("F1 · works everywhere"));
     // On press, not on release.
     connect(emergency_, &QPushButton::pressed, this, [this] { emergency_stop(); });
 
@@ -89,8 +103,7 @@ Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
 void Strip::set_theme(const Tokens& tokens) {
     tokens_ = &tokens;
     menu_button_->setIcon(glyph_icon(Glyph::menu, tokens.text, tokens.dis));
-    emergency_->setIcon(QIcon{glyph_pixmap(Glyph::octagon, 28, tokens.on_fill)});
-    emergency_->setIconSize({28, 28});
+    emergency_icon_->setPixmap(glyph_pixmap(Glyph::octagon, kEmergencyIcon, tokens.on_fill));
     refresh();
 }
 

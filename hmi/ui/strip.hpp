@@ -45,6 +45,7 @@ private:
     QLabel* time_;
     QProgressBar* progress_;
     QPushButton* emergency_;
+    QLabel* emergency_icon_;
 };
 
 }  // namespace psicarve::ui

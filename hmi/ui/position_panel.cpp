@@ -13,7 +13,7 @@ namespace {
 constexpr int kBarWidth = 4;
 constexpr int kLampWidth = 58;
 constexpr int kLampHeight = 18;
-constexpr int kUnitWidth = 22;
+constexpr int kUnitWidth = 26;
 constexpr int kNameWidth = 56;
 
 QLabel* lamp() {

@@ -37,7 +37,7 @@ QPushButton:pressed, QToolButton:pressed, QPushButton:checked { background: @sel
 QPushButton:focus, QToolButton:focus { border: 2px solid @text; }
 QPushButton:disabled { color: @dis; background: @panel; border-color: @line; }
 QPushButton:checked { font-weight: 700; }
-QPushButton[key="true"] { min-height: 34px; }
+QPushButton[key="true"] { min-height: 34px; padding: 0 2px; }
 QPushButton[main="true"] { background: @run_fill; color: @on_fill; border-color: @run_fill; font-weight: 700; min-height: 38px; }
 QPushButton[main="true"]:disabled { background: @panel; color: @dis; border-color: @line; }
 QPushButton[strong="true"] { font-weight: 700; min-height: 38px; }

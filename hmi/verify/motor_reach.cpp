@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kJoinError_pulses = 2e-3;
 constexpr double kRounding_pulses = 1e-9;
+constexpr double kRounding_s = 1e-9;
 
 Range hull(Range a, Range b) {
     if (a.is_empty()) return b;
@@ -53,10 +54,22 @@ const StateSet& MotorReach::running(bool is_upward) const noexcept {
 
 void MotorReach::run(double time_s, Range room) {
     while (time_s > 0.0 && !is_settled_ && !is_empty()) {
-        const double step_s = std::min(time_s, step_s_);
+        const double step_s = std::min({time_s, step_s_, slowed_after_s()});
         step(step_s, room);
         time_s -= step_s;
     }
+}
+
+/// When the next set may have come down to the slow speeds. A step ends there: from then on it may turn back.
+double MotorReach::slowed_after_s() const noexcept {
+    double least_s = step_s_;
+    for (const Branch* branch : {&up_, &down_}) {
+        for (std::size_t i = 0; i < branch->count; ++i) {
+            const double fall_pps = branch->sets[i].slowest() - limits_.jump_pps;
+            if (fall_pps > 0.0) least_s = std::min(least_s, fall_pps / limits_.accel_pps2 + kRounding_s);
+        }
+    }
+    return least_s;
 }
 
 void MotorReach::step(double time_s, Range room) {
@@ -66,14 +79,14 @@ void MotorReach::step(double time_s, Range room) {
     const Range fed_up = run_branch(up_, time_s, room.high);
     const Range fed_down = run_branch(down_, time_s, -room.low);
     if (before.is_empty() && fed_up.is_empty() && fed_down.is_empty()) return;
-    Range grown = before;
-    if (!grown.is_empty()) {
+    Range now = hull(fed_up, mirrored(fed_down));
+    if (!before.is_empty()) {
         const double way = limits_.jump_pps * time_s;
-        grown = common({before.low - way, before.high + way}, room);
-        launch(up_, {before, grown, is_held_up}, time_s, room.high);
-        launch(down_, {mirrored(before), mirrored(grown), is_held_down}, time_s, -room.low);
+        now = hull(common({before.low - way, before.high + way}, room), now);
+        launch(up_, {before, now, is_held_up}, time_s, room.high);
+        launch(down_, {mirrored(before), mirrored(now), is_held_down}, time_s, -room.low);
     }
-    slow_ = hull(hull(grown, fed_up), mirrored(fed_down));
+    slow_ = now;
     const bool is_full = before.low <= room.low && before.high >= room.high;
     full_s_ = is_full ? full_s_ + time_s : 0.0;
     const double top_pps = std::min(
@@ -124,8 +137,9 @@ void MotorReach::launch(Branch& branch, const Launch& row, double time_s, double
     StateSet fresh = StateSet::box(row.from, start);
     fresh.run(time_s, limits_.accel_pps2, limits_.speed_pps);
     fresh.keep_speeds({limits_.jump_pps, limits_.speed_pps});
-    fresh.keep_below(far_wall);
+    // Joined before it is cut: what turned back near the wall may have done so a little later, off it.
     fresh.join(StateSet::box(row.now, start));
+    fresh.keep_below(far_wall);
     add(branch, fresh);
 }
 

@@ -65,6 +65,7 @@ private:
         std::array<StateSet, kMostSets> sets;
         std::size_t count = 0;
     };
+    double slowed_after_s() const noexcept;
     void step(double time_s, Range room);
     Range run_branch(Branch& branch, double time_s, double far_wall);
     struct Launch {

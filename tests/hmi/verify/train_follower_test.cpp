@@ -142,6 +142,29 @@ TEST_P(TrainFollowerTest, MayReverseAtStartStopSpeedAndNoFaster) {
     }
 }
 
+// Slow enough that ramps are long beside the 3 pulses of free way: what is lost of the time in which it turns
+// would not be made up for.
+TEST(TrainFollower, AcceptsRampsAtExactlyTheLimitsThatTurnBackAtOnce) {
+    const double top_pps = 20'000.0;
+    for (const double accel_pps2 : {3e5, 474'288.0, 8e5}) {
+        for (const double jump_pps : {300.0, 1'064.0, 2'500.0}) {
+            const RampMotion ramp{.jump_pps = jump_pps, .top_pps = top_pps, .accel_pps2 = accel_pps2};
+            const double turn_s = ramp.end_s();
+            const Motion there_and_back = [&](double time_s) {
+                return time_s < turn_s ? ramp(time_s) : ramp(2.0 * turn_s - time_s);
+            };
+            for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+                const auto events =
+                    pulses_of(there_and_back, 2.0 * turn_s, {.phase_pulses = 0.1 * seed - 0.5, .seed = seed});
+                const MotorLimits limits{1.001 * accel_pps2, 48'000.0, jump_pps};
+                ASSERT_EQ(first_offence(events, limits), std::nullopt)
+                    << accel_pps2 << " pulses/s2, from " << jump_pps << " pulses/s, seed " << seed;
+                ASSERT_EQ(first_offence_the_long_way(events, limits), std::nullopt);
+            }
+        }
+    }
+}
+
 TEST_P(TrainFollowerTest, ShortcutsChangeNoVerdict) {
     for (std::uint32_t seed = 1; seed <= 12; ++seed) {
         std::mt19937 random(seed);

@@ -86,6 +86,8 @@ std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, con
     for (std::size_t k = 0; k < kHeads; ++k) plunge[k] = first[k] - outside[k];
     list.move(plunge, heads_at(limits, limits.plunge_mm_s));
     list.reach(layer, carved_point(job.joining(), job.point_count(), layer, 0));
+    // The carving may begin at once, and outwards.
+    list.dwell(limits.rest_ticks);
     list.end();
     return std::move(list.blocks());
 }

@@ -87,6 +87,17 @@ TEST_P(Shapes, ObeyThemAlongASpiralToo) {
 INSTANTIATE_TEST_SUITE_P(DisturbedCarving, Shapes, ::testing::Range(std::size_t{0}, std::size_t{4}),
                          [](const auto& named) { return std::string{sample_shapes()[named.param].name}; });
 
+// The heads have just come inwards when the carving takes them out again.
+TEST(Carving, ObeysTheFourRulesWhenItBeginsAtOnceAndOutwards) {
+    Profile profile = usual_profile();
+    profile.job.path_tolerance_mm = 0.1;
+    for (const NamedShape& shape : sample_shapes()) {
+        if (std::string{shape.name} != "gear") continue;
+        const Carved result = carved(profile, table_of(profile, shape.shape, 2, 101, Joining::spiral));
+        EXPECT_TRUE(result.report.ok) << verify::report_text(result.report);
+    }
+}
+
 /// Heads that run down steep steps for seconds while the table has next to nothing to do.
 double cliff_mm(double direction, std::uint32_t) {
     return std::sin(2.0 * direction + 0.4) > 0.0 ? 11.0 : 3.0 + 0.5 * std::sin(9.0 * direction);

@@ -48,6 +48,18 @@ TEST(Approach, KeepsBothHeadsOutsideTheWholeTableWhilePsiTurns) {
     EXPECT_EQ(at[1], 3865);
 }
 
+TEST(Approach, HeadsRestBeforeTheCarvingMayTakeThemOutAgain) {
+    const Profile profile;
+    const auto blob = lopsided_blob(profile);
+    const auto job = JobView::check(blob).value();
+    const auto blocks = approach_blocks(machine_limits(profile), job, {1000, 1000, 0, 0});
+    ASSERT_GE(blocks.size(), 3U);
+    EXPECT_EQ(blocks.back().kind, cycle::BlockKind::program_end);
+    EXPECT_EQ(blocks[blocks.size() - 2].kind, cycle::BlockKind::dwell);
+    EXPECT_EQ(blocks[blocks.size() - 2].ticks, 200) << "10 ms of 50 us";
+    EXPECT_EQ(blocks[blocks.size() - 3].reaches_points, 1);
+}
+
 // Whoever stops with a jump and jumps off the other way at once asks for twice what a motor can do.
 TEST(Finish, HeadsRestBeforeTheyGoOut) {
     const MachineLimits limits = machine_limits(Profile{});

@@ -143,7 +143,7 @@ void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& 
     const HeadGeometry& head = geometry_.head(h);
     const std::int64_t radius = at[index_of(kHeads[h])];
     const double real_mm = head.real_mm(radius);
-    if (real_mm >= geometry_.blank_radius_mm()) {
+    if (real_mm >= geometry_.blank_radius_mm() || is_where_it_ended(h, at)) {
         headings_[h].is_too_deep = false;
         return;
     }
@@ -179,6 +179,14 @@ void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& 
                        (row ? "layer " + std::to_string(*row) : std::string("the job")) +
                        " asks, off the way between two points";
     report(time_ns, std::move(offence));
+}
+
+/// The path led there, as deep: that was judged on the way.
+bool PathRule::is_where_it_ended(std::size_t h, const Positions& at) const noexcept {
+    if (phase_ != Phase::approach || !ended_on_path_) return false;
+    const Positions& end = *ended_on_path_;
+    const std::size_t head = index_of(kHeads[h]);
+    return at[kPsi] == end[kPsi] && at[kY] == end[kY] && at[head] >= end[head];
 }
 
 void PathRule::end_early(std::int64_t time_ns) {

@@ -149,6 +149,8 @@ void PathRule::end_attempt(std::int64_t time_ns) {
         ended_near_ = near_;
         ended_ns_ = time_ns;
     }
+    ended_on_path_.reset();
+    if (phase_ == Phase::segment && !strayed_) ended_on_path_ = last_;
     retraction_ = {};
     hold_attempt();
     phase_ = Phase::approach;

@@ -107,6 +107,7 @@ private:
     void wrong_layer(std::int64_t time_ns, const Positions& at, std::uint32_t layer);
     void touch(std::int64_t time_ns, const Positions& at);
     void touch_head(std::size_t h, std::int64_t time_ns, const Positions& at);
+    bool is_where_it_ended(std::size_t h, const Positions& at) const noexcept;
     void end_early(std::int64_t time_ns);
     void report(std::int64_t time_ns, Offence offence);
     std::int64_t forward(std::int64_t psi_pulses) const noexcept;
@@ -141,6 +142,7 @@ private:
     std::optional<CarvePlace> ended_at_;  ///< where the last attempt ended before its time
     std::int64_t ended_ns_ = 0;
     Nearest ended_near_;
+    std::optional<Positions> ended_on_path_;  ///< as the trace counts, where it ended between two points
     std::uint64_t visited_ = 0;
     bool has_left_ = false;
     std::int64_t left_ns_ = 0;     ///< the first point

@@ -339,6 +339,23 @@ TEST(PathOffence, AnEndedAttemptsOffencesDoNotCountWhenAnotherFollows) {
     EXPECT_TRUE(report.ok) << report_text(report);
 }
 
+// On a flank outwards psi stands at the point's angle before the head has come out all the way.
+TEST(PathOffence, StandingOnThePathWhereAnAttemptEndedIsNone) {
+    const SampleJob job(Profile{}, 1, 21, Joining::continuous,
+                        [](double angle, double) { return angle < 3.5 ? 8.0 : 10.0; });
+    for (const bool cuts_deeper : {false, true}) {
+        PerfectMachine machine(job);
+        machine.approach().to_point(0, 1).to_point(0, 2).line({0, 798, 160, 0});
+        machine.set(Signal::spindle, false).define_positions(machine.position);
+        machine.move(Axis::r1, 2000);
+        if (cuts_deeper) machine.move(Axis::r2, -1);
+        machine.move(Axis::r2, 2000).carve_job();
+        const VerifyReport report = verified(job, machine);
+        EXPECT_EQ(report.ok, !cuts_deeper) << report_text(report);
+        EXPECT_EQ(report.max_deviation_pulses, cuts_deeper ? 3 : 0);
+    }
+}
+
 TEST(PathOffence, AStrayCutBetweenTwoAttemptsStillCounts) {
     const SampleJob job = wavy_job(Joining::continuous, 1);
     PerfectMachine machine(job);

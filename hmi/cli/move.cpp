@@ -52,6 +52,8 @@ Result<Command> command_of(const Options& options) {
     if (!axes) return axes.error();
     command.axis = *axes;
     if (options.stepwise) command.shape = MoveShape::stepped;
+    if (options.centre.empty() && options.clockwise)
+        return Error{ErrorCode::bad_usage, "move: --clockwise is of an arc: give its --centre, too"};
     if (options.centre.empty()) return command;
     const auto centre = read_positions(options.centre, command.centre);
     if (!centre) return centre.error();

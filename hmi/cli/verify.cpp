@@ -34,6 +34,12 @@ Result<int> verify_files(const CommonOptions& common, const Options& options) {
     if (!job) return job.error();
     const auto trace = verify::open_trace(options.trace);
     if (!trace) return trace.error();
+    if (!(*trace)->start().has_positions) {
+        print_warning(
+            options.trace +
+            ": does not say where the axes stood at its begin, as "
+            "\"$comment position_pulses r1=... r2=... psi=... y=... $end\" would; all are taken to be 0");
+    }
     auto verifier = verify::Verifier::make(job->view, job->profile);
     if (!verifier) return bad_input(options.job + ": " + verifier.error().message);
     const auto report = verify::verify_trace(*verifier, **trace);

@@ -111,6 +111,21 @@ TEST_F(Carve, AJobAndItsTraceVerifyOnTheirOwn) {
     EXPECT_TRUE(verified.json().is_object()) << verified.out;
 }
 
+// What other tools record knows nothing of positions.
+TEST_F(Carve, ATraceThatDoesNotSayWhereItBeganIsWarnedAbout) {
+    const std::string job = slice_box();
+    ASSERT_EQ(psicarve({"replay", job, "--trace", file("pins.vcd")}).exit_code, 0);
+    EXPECT_EQ(psicarve({"verify", job, file("pins.vcd")}).error, "");
+    std::string text = text_of(file("pins.vcd"));
+    const std::size_t begin = text.find("$comment position_pulses");
+    ASSERT_NE(begin, std::string::npos);
+    text.erase(begin, text.find("$end", begin) + 5 - begin);
+    write("foreign.vcd", text);
+    const Outcome outcome = psicarve({"verify", job, file("foreign.vcd")});
+    EXPECT_EQ(outcome.exit_code, 6);
+    EXPECT_NE(outcome.error.find("does not say where the axes stood"), std::string::npos) << outcome.error;
+}
+
 TEST_F(Carve, CountsThePulsesOfTheWholeRunAsTheTraceShowsThem) {
     const std::string job = slice_box();
     const Outcome carved =

@@ -135,6 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUsage{"move z=1", "'z=1' is not AXIS=POSITION"}, WrongUsage{"move r1=", "'' is not a number"},
         WrongUsage{"move r1=1 y=2 r1=3", "r1 is given twice"},
         WrongUsage{"move r1=1 y=2 --centre r1=1", "--centre takes the axes that are moved"},
+        WrongUsage{"move r1=1 y=2 --clockwise", "--clockwise is of an arc: give its --centre, too"},
         WrongUsage{"move r1=1 y=2 --centre 5,6", "'5' is not AXIS=POSITION"}, WrongUsage{"spindle", "STATE"},
         WrongUsage{"spindle fast", "fast"}, WrongUsage{"status --segment psicarve", "--segment"},
         WrongUsage{"status now", "unexpected argument 'now'"},

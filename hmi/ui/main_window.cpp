@@ -24,7 +24,10 @@
 #include "hmi/ui/layers_page.hpp"
 #include "hmi/ui/messages_page.hpp"
 #include "hmi/ui/model_page.hpp"
+#include "hmi/ui/ports_page.hpp"
 #include "hmi/ui/position_panel.hpp"
+#include "hmi/ui/profile_page.hpp"
+#include "hmi/ui/realtime_page.hpp"
 #include "hmi/ui/strip.hpp"
 #include "hmi/ui/words.hpp"
 
@@ -106,12 +109,16 @@ QWidget* MainWindow::make_centre() {
     tabs_ = new QTabWidget;
     tabs_->setDocumentMode(true);
     tabs_->tabBar()->setDrawBase(false);
-    messages_ = new MessagesPage{bench_};
     model_ = new ModelPage{bench_};
     layers_ = new LayersPage{bench_};
     carving_ = new CarvingPage{bench_};
-    for (QWidget* page : std::initializer_list<QWidget*>{model_, layers_, carving_, messages_})
-        tabs_->addTab(page, QString{});
+    ports_ = new PortsPage{bench_};
+    realtime_ = new RealtimePage{bench_};
+    messages_ = new MessagesPage{bench_};
+    profile_ = new ProfilePage{bench_};
+    const std::initializer_list<QWidget*> pages{model_,    layers_,   carving_, ports_,
+                                                realtime_, messages_, profile_};
+    for (QWidget* page : pages) tabs_->addTab(page, QString{});
     name_tabs();
     inside->addWidget(tabs_);
     column->addWidget(frame, 1);
@@ -125,8 +132,16 @@ void MainWindow::name_tabs() {
     const auto fresh = std::min<std::uint64_t>(bench_.log.count() - read_messages_, all.size());
     for (auto i = all.size() - fresh; i < all.size(); ++i)
         unread += all[i].severity != session::Severity::info ? 1 : 0;
-    const QString names[] = {tr("Model"), tr("Layers"), tr("Carving"),
-                             unread > 0 ? tr("Messages (%1)").arg(unread) : tr("Messages")};
+    const auto counted = [](const QString& name, std::size_t count) {
+        return count > 0 ? QStringLiteral("%1 (%2)").arg(name).arg(count) : name;
+    };
+    const QString names[] = {tr("Model"),
+                             tr("Layers"),
+                             tr("Carving"),
+                             tr("Ports"),
+                             tr("Real time"),
+                             counted(tr("Messages"), static_cast<std::size_t>(unread)),
+                             counted(tr("Profile"), profile_->problem_count())};
     for (int i = 0; i < tabs_->count(); ++i) {
         if (tabs_->tabText(i) != names[i]) tabs_->setTabText(i, names[i]);
     }
@@ -162,7 +177,10 @@ void MainWindow::set_theme(ThemeChoice choice) {
     model_->set_theme(tokens);
     layers_->set_theme(tokens);
     carving_->set_theme(tokens);
+    ports_->set_theme(tokens);
+    realtime_->set_theme(tokens);
     messages_->set_theme(tokens);
+    profile_->set_theme(tokens);
 }
 
 void MainWindow::refresh() {
@@ -175,7 +193,10 @@ void MainWindow::refresh() {
     model_->refresh();
     layers_->refresh();
     carving_->refresh();
+    ports_->refresh();
+    realtime_->refresh();
     messages_->refresh();
+    profile_->refresh();
     name_tabs();
     refresh_status_bar();
 }

@@ -25,7 +25,10 @@ class JogPanel;
 class LayersPage;
 class MessagesPage;
 class ModelPage;
+class PortsPage;
 class PositionPanel;
+class ProfilePage;
+class RealtimePage;
 class Strip;
 
 /// What is to become of a machine that moves when the window closes.
@@ -79,7 +82,10 @@ private:
     ModelPage* model_ = nullptr;
     LayersPage* layers_ = nullptr;
     CarvingPage* carving_ = nullptr;
+    PortsPage* ports_ = nullptr;
+    RealtimePage* realtime_ = nullptr;
     MessagesPage* messages_ = nullptr;
+    ProfilePage* profile_ = nullptr;
     QWidget* status_row_ = nullptr;
     QLabel* last_message_ = nullptr;
     QLabel* profile_label_ = nullptr;

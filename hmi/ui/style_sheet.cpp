@@ -58,6 +58,14 @@ QTabBar::tab:focus { color: @text; }
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { background: @field; border: 1px solid @edge; border-radius: 3px;
     min-height: 26px; padding: 0 4px; selection-background-color: @sel; selection-color: @text; }
 QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border: 2px solid @text; }
+QLineEdit[invalid="true"], QComboBox[invalid="true"] { border: 2px solid @alarm; }
+QFrame[invalid="true"] { background: @alarm_ground; }
+QLabel[role="problem"] { color: @alarm; font-size: 12px; }
+QScrollArea, #profile_sheet { background: @field; border: 1px solid @line; }
+#profile_sheet { border: 0; }
+QListWidget { background: @field; border: 1px solid @line; }
+QListWidget::item { padding: 6px 8px; }
+QListWidget::item:selected { background: @sel; color: @text; font-weight: 700; }
 QSpinBox:disabled, QDoubleSpinBox:disabled, QComboBox:disabled { color: @dis; background: @panel; border-color: @line; }
 QSpinBox::up-button, QSpinBox::down-button, QDoubleSpinBox::up-button, QDoubleSpinBox::down-button { width: 0; border: 0; }
 QComboBox::drop-down { border: 0; width: 18px; }

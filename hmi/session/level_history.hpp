@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <deque>
+
+#include "shared/signal.hpp"
+#include "shared/status.hpp"
+
+namespace psicarve::session {
+
+/// The pins as they were seen in the last seconds, at screen rate. What happens between two looks is known of
+/// steps alone: how many there were.
+class LevelHistory {
+public:
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::seconds kLength{20};
+
+    struct Look {
+        Clock::time_point time;
+        SignalWord levels;
+        std::array<std::uint64_t, kAxisCount> pulses;  ///< by axis, since the look before
+    };
+
+    void note(const CoreStatus& status, Clock::time_point now);
+    void forget() noexcept;
+    /// Oldest first.
+    const std::deque<Look>& looks() const noexcept { return looks_; }
+
+private:
+    std::deque<Look> looks_;
+    std::array<std::uint64_t, kAxisCount> emitted_{};
+};
+
+}  // namespace psicarve::session

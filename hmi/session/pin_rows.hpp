@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hmi/session/phrase.hpp"
+#include "shared/profile.hpp"
+#include "shared/signal.hpp"
+
+namespace psicarve::session {
+
+/// A signal and where it leaves the computer.
+struct PinRow {
+    Signal signal;
+    Phrase name;               ///< "R1 step"
+    int pin;                   ///< 0: not wired
+    bool is_active_low;        ///< the profile's minus sign
+    std::string register_bit;  ///< "data 3", "control 1 inv", of the port's own registers
+};
+
+Phrase name_of_signal(Signal signal);
+
+/// Outputs by pin, then inputs by pin; what is not wired comes last.
+std::vector<PinRow> pin_rows(const Profile& profile);
+
+}  // namespace psicarve::session

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/ports_page.hpp"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "hmi/ui/connector_view.hpp"
+#include "hmi/ui/frames.hpp"
+#include "hmi/ui/timing_view.hpp"
+#include "hmi/ui/words.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+enum Column { kPin, kSignal, kRegister, kWay, kLevel, kColumns };
+constexpr std::array<int, kColumns> kWidths{34, 116, 90, 32, 58};
+constexpr int kRowHeight_px = 22;
+constexpr int kHeadHeight_px = 24;
+
+}  // namespace
+
+PortsPage::PortsPage(Bench& bench, QWidget* parent)
+    : QWidget(parent),
+      bench_(bench),
+      connector_(new ConnectorView),
+      table_(new QTableWidget{0, kColumns}),
+      timing_(new TimingView),
+      note_(role_label("small")) {
+    setObjectName("ports_page");
+    table_->setObjectName("pins");
+    table_->setHorizontalHeaderLabels({tr("Pin"), tr("Signal"), tr("Register bit"), {}, tr("Level")});
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(kRowHeight_px);
+    table_->horizontalHeader()->setFixedHeight(kHeadHeight_px);
+    table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setSelectionMode(QAbstractItemView::NoSelection);
+    table_->setShowGrid(false);
+    table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    int width = 2;
+    for (int column = 0; column < kColumns; ++column) {
+        table_->setColumnWidth(column, kWidths[static_cast<std::size_t>(column)]);
+        width += kWidths[static_cast<std::size_t>(column)];
+    }
+    table_->setFixedWidth(width);
+    note_->setWordWrap(true);
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(0);
+    middle->addWidget(table_);
+    middle->addWidget(timing_, 1);
+    auto* all = new QVBoxLayout{this};
+    all->setContentsMargins(kGap, kGap, kGap, kGap);
+    all->setSpacing(kGap);
+    all->addWidget(connector_);
+    all->addLayout(middle, 1);
+    all->addWidget(note_);
+    take_profile(Profile{});
+}
+
+void PortsPage::set_theme(const Tokens& tokens) {
+    tokens_ = &tokens;
+    connector_->set_theme(tokens);
+    timing_->set_theme(tokens);
+    shown_levels_.reset();
+    refresh();
+}
+
+void PortsPage::take_profile(const Profile& profile) {
+    if (profile_ && profile_->port == profile.port) return;
+    profile_ = profile;
+    rows_ = session::pin_rows(profile);
+    connector_->show_rows(rows_);
+    std::vector<Signal> order;
+    order.reserve(rows_.size());
+    for (const session::PinRow& row : rows_) order.push_back(row.signal);
+    timing_->set_rows(std::move(order), kHeadHeight_px + 1, kRowHeight_px);
+    fill_table();
+}
+
+void PortsPage::fill_table() {
+    table_->setRowCount(static_cast<int>(rows_.size()));
+    for (int i = 0; i < table_->rowCount(); ++i) {
+        const session::PinRow& row = rows_[static_cast<std::size_t>(i)];
+        const QString pin = row.pin == 0 ? QStringLiteral("\u2013")
+                                         : (row.is_active_low ? QStringLiteral("\u2212") : QString{}) +
+                                               QString::number(row.pin);
+        const QString texts[kColumns] = {pin,
+                                         words(row.name),
+                                         QString::fromStdString(row.register_bit),
+                                         is_output(row.signal) ? tr("out") : tr("in"),
+                                         {}};
+        for (int column = 0; column < kColumns; ++column)
+            table_->setItem(i, column, new QTableWidgetItem{texts[column]});
+        table_->item(i, kPin)->setToolTip(row.is_active_low ? tr("Active low") : QString{});
+    }
+    shown_levels_.reset();
+}
+
+void PortsPage::show_levels(SignalWord levels) {
+    connector_->show_levels(levels);
+    if (tokens_ == nullptr || shown_levels_ == levels) return;
+    for (int i = 0; i < table_->rowCount(); ++i) {
+        const session::PinRow& row = rows_[static_cast<std::size_t>(i)];
+        const bool is_high = (levels & bit_of(row.signal)) != 0;
+        QTableWidgetItem* item = table_->item(i, kLevel);
+        item->setText(row.pin == 0 ? tr("no pin")
+                      : is_high    ? QStringLiteral("\u25A0 ") + tr("high")
+                                   : QStringLiteral("\u25A1 ") + tr("low"));
+        QFont font = item->font();
+        font.setBold(is_high);
+        item->setFont(font);
+        item->setForeground(row.pin == 0 ? tokens_->dis : is_high ? tokens_->text : tokens_->text2);
+    }
+    shown_levels_ = levels;
+}
+
+void PortsPage::refresh() {
+    const auto& sight = bench_.machine.sight();
+    if (sight.core_pid != core_pid_) history_.forget();
+    core_pid_ = sight.core_pid;
+    const auto now = session::LevelHistory::Clock::now();
+    if (sight.status && sight.is_heard()) history_.note(*sight.status, now);
+    if (!isVisible()) return;
+    if (sight.profile) take_profile(*sight.profile);
+    show_levels(sight.status ? sight.status->signals : 0);
+    timing_->show_history(history_, now);
+    const QString note =
+        !sight.is_heard() ? tr("No core: these are the last levels known.")
+        : sight.profile
+            ? tr("Logical levels, looked at 30 times a second; steps by how many there were in between. "
+                 "A trace (--trace) holds every edge.")
+            : tr("The machine's profile is not known here: pins are those of the built-in profile.");
+    if (note_->text() != note) note_->setText(note);
+}
+
+}  // namespace psicarve::ui

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/profile_page.hpp"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <utility>
+
+#include "hmi/ui/frames.hpp"
+#include "hmi/ui/icon.hpp"
+#include "hmi/ui/profile_row.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using session::Severity;
+
+constexpr int kListWidth = 132;
+constexpr int kFindWidth = 150;
+
+std::string table_of(const std::string& path) {
+    const std::size_t dot = path.rfind('.');
+    return dot == std::string::npos ? std::string{} : path.substr(0, dot);
+}
+
+QPushButton* push_button(const char* name, const QString& text) {
+    auto* button = new QPushButton{text};
+    button->setObjectName(name);
+    button->setFocusPolicy(Qt::TabFocus);
+    return button;
+}
+
+}  // namespace
+
+ProfilePage::ProfilePage(Bench& bench, QWidget* parent)
+    : QWidget(parent), bench_(bench), list_(new QListWidget), area_(new QScrollArea) {
+    setObjectName("profile_page");
+    list_->setObjectName("profile_groups");
+    list_->setFixedWidth(kListWidth);
+    list_->setAccessibleName(tr("Parts of the profile"));
+    area_->setWidgetResizable(true);
+    area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area_->setObjectName("profile_rows");
+    explanation_ = role_label("label");
+    explanation_->setWordWrap(true);
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(kGap);
+    middle->addWidget(list_);
+    middle->addWidget(area_, 1);
+    auto* all = new QVBoxLayout{this};
+    all->setContentsMargins(kGap, kGap, kGap, kGap);
+    all->setSpacing(kGap);
+    all->addWidget(make_head());
+    all->addLayout(middle, 1);
+    all->addWidget(explanation_);
+    all->addWidget(make_foot());
+    make_groups();
+    connect(list_, &QListWidget::currentRowChanged, this, [this] { show_rows(); });
+    connect(find_, &QLineEdit::textChanged, this, [this] { show_rows(); });
+    connect(compare_, &QPushButton::toggled, this, [this] { show_rows(); });
+    list_->setCurrentRow(0);
+}
+
+ProfilePage::~ProfilePage() = default;
+
+QWidget* ProfilePage::make_head() {
+    file_ = role_label("title");
+    changes_ = role_label("label");
+    find_ = new QLineEdit;
+    find_->setObjectName("profile_find");
+    find_->setPlaceholderText(tr("Find a key"));
+    find_->setClearButtonEnabled(true);
+    find_->setFixedWidth(kFindWidth);
+    compare_ = push_button("profile_compare", tr("Compare with defaults"));
+    compare_->setCheckable(true);
+    compare_->setToolTip(tr("Shows only what differs from the built-in profile"));
+    auto* head = new QWidget;
+    auto* row = new QHBoxLayout{head};
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(file_);
+    row->addWidget(changes_);
+    row->addStretch();
+    row->addWidget(find_);
+    row->addWidget(compare_);
+    return head;
+}
+
+QWidget* ProfilePage::make_foot() {
+    reason_ = role_label("label");
+    reason_->setObjectName("profile_reason");
+    reason_->setWordWrap(true);
+    open_ = push_button("profile_open", tr("Open..."));
+    undo_ = push_button("profile_undo", tr("Undo all"));
+    restore_ = push_button("profile_restore", tr("Take backup"));
+    save_as_ = push_button("profile_save_as", tr("Save as..."));
+    save_ = push_button("profile_save", tr("Save"));
+    connect(open_, &QPushButton::clicked, this, [this] { ask_open(); });
+    connect(undo_, &QPushButton::clicked, this, [this] {
+        draft_.undo_all();
+        show_state();
+    });
+    connect(restore_, &QPushButton::clicked, this, [this] {
+        if (auto taken = draft_.take_backup(); !taken) report(taken);
+        show_state();
+    });
+    connect(save_as_, &QPushButton::clicked, this, [this] { ask_save_as(); });
+    connect(save_, &QPushButton::clicked, this, [this] { save(); });
+    auto* foot = new QWidget;
+    auto* row = new QHBoxLayout{foot};
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(reason_, 1);
+    for (QPushButton* button : {open_, undo_, restore_, save_as_, save_}) row->addWidget(button);
+    return foot;
+}
+
+// In the order of the keys; tables of the port apart.
+void ProfilePage::make_groups() {
+    const std::pair<const char*, QString> titles[] = {{"", tr("General")},
+                                                      {"tick", tr("Tick")},
+                                                      {"axis.r1", tr("Axis R1")},
+                                                      {"axis.r2", tr("Axis R2")},
+                                                      {"axis.psi", tr("Axis \u03A8")},
+                                                      {"axis.y", tr("Axis Y")},
+                                                      {"head.r2", tr("Head R2")},
+                                                      {"job", tr("Job")},
+                                                      {"port", tr("Port timing")},
+                                                      {"port.pins", tr("Port pins")}};
+    for (const ProfileKey& key : profile_keys()) {
+        const std::string table = table_of(key.path);
+        if (!groups_.empty() && groups_.back().table == table) continue;
+        QString title = QString::fromStdString(table);
+        for (const auto& [name, words] : titles) {
+            if (table == name) title = words;
+        }
+        groups_.push_back({table, title});
+        list_->addItem(title);
+    }
+}
+
+void ProfilePage::set_theme(const Tokens& tokens) {
+    tokens_ = &tokens;
+    show_state();
+}
+
+bool ProfilePage::belongs(std::size_t key) const {
+    const std::string& path = profile_keys()[key].path;
+    const QString wanted = find_->text().trimmed();
+    const bool searches = !wanted.isEmpty();
+    if (searches && !QString::fromStdString(path).contains(wanted, Qt::CaseInsensitive)) return false;
+    if (compare_->isChecked()) return draft_.differs_from_built_in(key);
+    if (searches) return true;
+    const int row = list_->currentRow();
+    return row >= 0 && groups_[static_cast<std::size_t>(row)].table == table_of(path);
+}
+
+void ProfilePage::show_rows() {
+    const bool in_full = compare_->isChecked() || !find_->text().trimmed().isEmpty();
+    list_->setEnabled(!in_full);
+    auto* sheet = new QWidget;
+    sheet->setObjectName("profile_sheet");
+    auto* column = new QVBoxLayout{sheet};
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    rows_.clear();
+    for (std::size_t key = 0; key < profile_keys().size(); ++key) {
+        if (!belongs(key)) continue;
+        rows_.push_back(new ProfileRow{
+            key,
+            in_full,
+            {[this, key](const QString& text) { type(key, text); }, [this, key] { explain(key); }}});
+        column->addWidget(rows_.back());
+        column->addWidget(rule());
+    }
+    if (rows_.empty()) {
+        column->addWidget(role_label("label", compare_->isChecked()
+                                                  ? tr("Nothing differs from the built-in profile")
+                                                  : tr("No key has these letters")));
+    }
+    column->addStretch();
+    area_->setWidget(sheet);
+    explanation_->clear();
+    show_state();
+}
+
+void ProfilePage::type(std::size_t key, const QString& text) {
+    draft_.type(key, text.toStdString());
+    show_state();
+}
+
+void ProfilePage::explain(std::size_t key) {
+    const ProfileKey& spec = profile_keys()[key];
+    explanation_->setText("<b>" + QString::fromStdString(spec.path).toHtmlEscaped() + "</b> \u2014 " +
+                          QCoreApplication::translate("profile", spec.explanation.c_str()).toHtmlEscaped());
+}
+
+// What may be saved while the machine moves would not be what it moves by.
+QString ProfilePage::lock() const {
+    const auto& sight = bench_.machine.sight();
+    if (sight.is_heard() && !is_at_rest(sight.state())) return tr("Save: the machine moves");
+    const std::size_t problems = draft_.problem_count();
+    if (problems == 1) return tr("Save: one value is wrong");
+    if (problems > 1) return tr("Save: %1 values are wrong").arg(problems);
+    return {};
+}
+
+void ProfilePage::refresh() {
+    const QString reason = lock();
+    const bool can_save = reason.isEmpty();
+    const bool has_file = !draft_.path().empty();
+    save_->setEnabled(can_save && has_file && draft_.changed_count() > 0);
+    save_as_->setEnabled(can_save);
+    undo_->setEnabled(draft_.changed_count() > 0);
+    restore_->setEnabled(has_file && QFileInfo::exists(QString::fromStdString(
+                                         profile::ProfileDraft::backup_path(draft_.path()))));
+    const QString text = !reason.isEmpty() ? reason
+                         : !has_file
+                             ? tr("The built-in profile has no file: save it as one.")
+                             : tr("The old file is kept as a backup. A core takes a profile when it starts.");
+    if (reason_->text() != text) reason_->setText(text);
+    for (QPushButton* button : {save_, save_as_}) {
+        button->setToolTip(reason);
+        button->setAccessibleDescription(reason);
+    }
+}
+
+QString ProfilePage::unsaved_text() const {
+    const std::size_t count = draft_.changed_count();
+    if (count == 0) return {};
+    return count == 1 ? tr("1 change not saved") : tr("%1 changes not saved").arg(count);
+}
+
+void ProfilePage::show_state() {
+    for (ProfileRow* row : rows_) row->show_state(draft_);
+    const QString path = QString::fromStdString(draft_.path());
+    file_->setText(path.isEmpty() ? tr("built-in profile") : QFileInfo{path}.fileName());
+    file_->setToolTip(path);
+    changes_->setText(unsaved_text());
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+        int problems = 0;
+        for (std::size_t key = 0; key < profile_keys().size(); ++key) {
+            if (table_of(profile_keys()[key].path) == groups_[i].table && !draft_.problem(key).empty())
+                ++problems;
+        }
+        QListWidgetItem* item = list_->item(static_cast<int>(i));
+        item->setText(problems > 0 ? tr("%1 (%2)").arg(groups_[i].title).arg(problems) : groups_[i].title);
+        if (tokens_ != nullptr) item->setForeground(problems > 0 ? tokens_->alarm : tokens_->text);
+    }
+    refresh();
+}
+
+bool ProfilePage::open(const QString& path) {
+    auto opened = profile::ProfileDraft::open(path.toStdString());
+    if (!opened) {
+        bench_.log.add(Severity::warning, session::phrase("%1", opened.error().message));
+        return false;
+    }
+    draft_ = std::move(*opened);
+    show_rows();
+    return true;
+}
+
+bool ProfilePage::report(const Result<void>& saved) {
+    if (saved) {
+        bench_.log.add(Severity::info, session::phrase("Profile saved: %1", draft_.path()));
+    } else {
+        bench_.log.add(Severity::warning, session::phrase("Profile not saved: %1", saved.error().message));
+    }
+    show_state();
+    return saved.has_value();
+}
+
+bool ProfilePage::save() {
+    return report(draft_.save());
+}
+bool ProfilePage::save_as(const QString& path) {
+    return report(draft_.save_as(path.toStdString()));
+}
+
+bool ProfilePage::may_lose_changes() {
+    if (draft_.changed_count() == 0) return true;
+    const auto answer =
+        QMessageBox::question(this, tr("Profile"), tr("%1. Lose them?").arg(unsaved_text()),
+                              QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel);
+    return answer == QMessageBox::Discard;
+}
+
+void ProfilePage::ask_open() {
+    if (!may_lose_changes()) return;
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open a machine profile"), {}, tr("Profiles (*.toml)"));
+    if (!path.isEmpty()) open(path);
+}
+
+void ProfilePage::ask_save_as() {
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Save the profile as"), QString::fromStdString(draft_.path()), tr("Profiles (*.toml)"));
+    if (!path.isEmpty()) save_as(path);
+}
+
+}  // namespace psicarve::ui

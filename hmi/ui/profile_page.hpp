@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QWidget>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "hmi/profile/profile_draft.hpp"
+#include "hmi/ui/bench.hpp"
+#include "hmi/ui/tokens.hpp"
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace psicarve::ui {
+
+class ProfileRow;
+
+/// The machine profile, key by key: typed values are checked at once, and what is saved keeps the file's
+/// comments and a backup. The machine's own profile is the one that its core was started with.
+class ProfilePage : public QWidget {
+    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::ProfilePage)
+public:
+    explicit ProfilePage(Bench& bench, QWidget* parent = nullptr);
+    ~ProfilePage() override;
+
+    void set_theme(const Tokens& tokens);
+    void refresh();
+    /// False, with a message, when it cannot be opened.
+    bool open(const QString& path);
+    /// Without a dialog.
+    bool save_as(const QString& path);
+    bool save();
+    const profile::ProfileDraft& draft() const noexcept { return draft_; }
+    std::size_t problem_count() const { return draft_.problem_count(); }
+
+private:
+    struct Group {
+        std::string table;  ///< "axis.r1"; empty: keys of the top
+        QString title;
+    };
+
+    void make_groups();
+    QWidget* make_head();
+    QWidget* make_foot();
+    void ask_open();
+    void ask_save_as();
+    bool may_lose_changes();
+    void show_rows();
+    bool belongs(std::size_t key) const;
+    void type(std::size_t key, const QString& text);
+    void show_state();
+    void explain(std::size_t key);
+    bool report(const Result<void>& saved);
+    QString lock() const;
+    QString unsaved_text() const;
+
+    Bench& bench_;
+    const Tokens* tokens_ = nullptr;
+    profile::ProfileDraft draft_;
+    std::vector<Group> groups_;
+    std::vector<ProfileRow*> rows_;  ///< those that are shown
+    QLabel* file_;
+    QLabel* changes_;
+    QLineEdit* find_;
+    QPushButton* compare_;
+    QListWidget* list_;
+    QScrollArea* area_;
+    QLabel* explanation_;
+    QLabel* reason_;
+    QPushButton* open_;
+    QPushButton* undo_;
+    QPushButton* restore_;
+    QPushButton* save_;
+    QPushButton* save_as_;
+};
+
+}  // namespace psicarve::ui

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/pin_rows.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+namespace psicarve::session {
+namespace {
+
+TEST(PinRows, HoldEverySignalOnceOutputsFirst) {
+    const auto rows = pin_rows(Profile{});
+    ASSERT_EQ(rows.size(), kSignalCount);
+    std::set<std::string> names;
+    for (const PinRow& row : rows) names.insert(row.name.english);
+    EXPECT_EQ(names.size(), kSignalCount);
+    EXPECT_EQ(rows.front().signal, Signal::y_enable);
+    EXPECT_EQ(rows.front().pin, 1);
+    EXPECT_EQ(rows.front().register_bit, "control 0 inv");
+    EXPECT_EQ(rows.back().signal, Signal::estop) << "not wired";
+    EXPECT_EQ(rows.back().register_bit, "");
+    EXPECT_FALSE(is_output(rows[kOutputSignalCount].signal));
+}
+
+TEST(PinRows, KnowTheBusyPinAndActiveLowWiring) {
+    Profile profile;
+    profile.port.pins[index_of(Signal::r2_limit)] = -11;
+    for (const PinRow& row : pin_rows(profile)) {
+        if (row.signal != Signal::r2_limit) continue;
+        EXPECT_EQ(row.pin, 11);
+        EXPECT_TRUE(row.is_active_low);
+        EXPECT_EQ(row.register_bit, "status 7 inv");
+    }
+}
+
+}  // namespace
+}  // namespace psicarve::session

@@ -93,7 +93,8 @@ PathCorner corner_between(const MachineLimits& limits, const PathSpan& before, c
         const double length = std::min(room, 8.0 * band / turn);
         turn_speed2 = std::min(turn_speed2, limits.axes[k].accel_pps2 * length / turn);
     }
-    const double stop2 = std::min(stop_speed2(limits, before, &after), stop_speed2(limits, after, &before));
+    const double stop2 = std::min(stop_speed2(limits, before.slope, &after.slope),
+                                  stop_speed2(limits, after.slope, &before.slope));
     corner.is_stop = turn_speed2 <= stop2;
     corner.is_tight = corner.radius < room;
     return corner;
@@ -139,13 +140,13 @@ bool cuts_follow_table(const MachineLimits& limits, const std::array<double, 2>&
            limits.path_tolerance_mm;
 }
 
-double stop_speed2(const MachineLimits& limits, const PathSpan& span, const PathSpan* across) {
+double stop_speed2(const MachineLimits& limits, const Lanes& slope, const Lanes* across) {
     double speed2 = 1.0;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
-        if (span.slope[k] == 0.0) continue;
-        const bool turns_back = across != nullptr && span.slope[k] * across->slope[k] < 0.0;
+        if (slope[k] == 0.0) continue;
+        const bool turns_back = across != nullptr && slope[k] * (*across)[k] < 0.0;
         const double jump_pps = limits.axes[k].start_stop_pps * (turns_back ? 0.5 : 1.0);
-        const double speed = jump_pps / std::abs(span.slope[k]);
+        const double speed = jump_pps / std::abs(slope[k]);
         speed2 = std::min(speed2, speed * speed);
     }
     return speed2;

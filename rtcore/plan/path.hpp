@@ -61,9 +61,9 @@ std::array<double, 2> greatest_radii_mm(const MachineLimits& limits, const Pulse
 /// chord does not.
 bool cuts_follow_table(const MachineLimits& limits, const std::array<double, 2>& radius_mm);
 
-/// How fast one may leave or reach a stop, as the square of du/dt along this span: every axis within its
-/// start-stop speed, or half of that where it turns back.
-double stop_speed2(const MachineLimits& limits, const PathSpan& span, const PathSpan* across);
+/// How fast one may leave or reach a stop, as the square of du/dt along a way of this slope: every axis
+/// within its start-stop speed, or half of that where it turns back against `across`.
+double stop_speed2(const MachineLimits& limits, const Lanes& slope, const Lanes* across);
 
 /// Tube and parameter of every way between neighbouring points (points.size() - 1 of them). Requires
 /// neighbours that differ.

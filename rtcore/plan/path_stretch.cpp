@@ -42,10 +42,13 @@ double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const P
                             std::vector<PathPiece>& pieces) {
     const CurveNodes nodes = fit(points, spans, corners, first, last);
     limit_speeds();
-    const PathSpan* before = first > 0 ? &spans[first - 1] : nullptr;
-    const PathSpan* after = last < spans.size() ? &spans[last] : nullptr;
-    const double begin2 = stop_speed2(limits_, spans[first], before);
-    const double end2 = stop_speed2(limits_, spans[last - 1], after);
+    const Lanes* before = first > 0 ? &spans[first - 1].slope : nullptr;
+    const Lanes* after = last < spans.size() ? &spans[last].slope : nullptr;
+    // At its ends the curve may be steeper than its chords.
+    const double begin2 = std::min(stop_speed2(limits_, spans[first].slope, before),
+                                   stop_speed2(limits_, cells_.front().slope_begin, before));
+    const double end2 = std::min(stop_speed2(limits_, spans[last - 1].slope, after),
+                                 stop_speed2(limits_, cells_.back().slope_end, after));
     for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
         bound2_[timing].front() = std::min(bound2_[timing].front(), begin2);
         bound2_[timing].back() = std::min(bound2_[timing].back(), end2);

@@ -137,6 +137,38 @@ TEST_P(Lookahead, SpeedsAreContinuousWithinARunAndWithinEveryAxisLimit) {
     EXPECT_EQ(left, 0U);
 }
 
+// Where a narrow tube is soon wide, the curve leaves its first point steeper than its chord does.
+TEST(LookaheadProgram, NoAxisLeavesAStopFasterThanItsStartStopSpeed) {
+    Profile profile;
+    for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) {
+        axis->pulses_per_mm = 4000.0;
+        axis->speed_mm_s = 12.0;
+        axis->accel_mm_s2 = 220.0;
+    }
+    profile.psi.pulses_per_rev = 128'000;
+    profile.psi.speed_deg_s = 135.0;
+    profile.psi.accel_deg_s2 = 5300.0;
+    profile.job.path_tolerance_mm = 0.001;
+    const MachineLimits limits = machine_limits(profile);
+    std::mt19937_64 random{47};
+    double greatest_share = 0.0;
+    for (int round = 0; round < 60; ++round) {
+        JobTable table = random_table(random, Joining::zigzag, 400);
+        table.psi_sweep_pulses = 64'000;
+        LookaheadProgram program(limits, job_of(table));
+        cycle::MotionBlock block;
+        while (program.next(block)) {
+            if (block.kind != cycle::BlockKind::path || block.group_blocks == 0) continue;
+            const double speed = std::sqrt(block.path.start_speed2[0]) / block.path.length;
+            for (std::size_t k = 0; k < kAxisCount; ++k) {
+                const double pulses = std::abs(static_cast<double>(block.delta_pulses[k])) - 1.0;
+                greatest_share = std::max(greatest_share, pulses * speed / limits.axes[k].start_stop_pps);
+            }
+        }
+    }
+    EXPECT_LE(greatest_share, 1.02);
+}
+
 // Up to the middle between two layers the lower one's radius counts, above it the upper one's. Y never turns.
 void expect_outside_of_layers(const JobView& job, const std::vector<cycle::MotionBlock>& blocks) {
     Pulses4 at = point_of(job, 0, carved_point(job.joining(), job.point_count(), 0, 0));

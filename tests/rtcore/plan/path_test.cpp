@@ -55,8 +55,8 @@ TEST(Path, AStopIsLeftAtTheStartStopSpeedAndAtHalfOfItBackwards) {
     const MachineLimits limits = machine_limits(Profile{});
     const auto spans = path_spans(limits, std::vector<PathPoint>{at(6000, 0), at(6000, 40), at(6000, 0)});
     const double share = limits.axes[2].start_stop_pps / limits.axes[2].speed_pps;
-    EXPECT_NEAR(stop_speed2(limits, spans[0], nullptr), share * share, 1e-12);
-    EXPECT_NEAR(stop_speed2(limits, spans[0], &spans[1]), 0.25 * share * share, 1e-12);
+    EXPECT_NEAR(stop_speed2(limits, spans[0].slope, nullptr), share * share, 1e-12);
+    EXPECT_NEAR(stop_speed2(limits, spans[0].slope, &spans[1].slope), 0.25 * share * share, 1e-12);
 }
 
 }  // namespace

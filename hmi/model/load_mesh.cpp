@@ -16,6 +16,7 @@
 #include "hmi/model/mesh_check.hpp"
 #include "hmi/model/stl_reader.hpp"
 #include "hmi/model/text_mesh_readers.hpp"
+#include "hmi/model/text_scan.hpp"
 #include "hmi/model/three_mf_reader.hpp"
 #include "shared/result.hpp"
 
@@ -59,6 +60,7 @@ Format format_by_content(std::string_view head, std::uint64_t size_bytes) {
         return Format::binary_stl;
     }
     if (head.substr(0, 4) == "PK\x03\x04") return Format::three_mf;
+    head = without_byte_order_mark(head);
     std::string start = lower(head);
     start.erase(0, std::min(start.find_first_not_of(" \t\r\n"), start.size()));
     if (start.rfind("ply\n", 0) == 0 || start.rfind("ply\r", 0) == 0) return Format::ply;

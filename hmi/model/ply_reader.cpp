@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -56,6 +57,10 @@ double value_of(const std::array<char, 8>& bytes) noexcept {
     T value{};
     std::memcpy(&value, bytes.data(), sizeof(T));
     return static_cast<double>(value);
+}
+
+bool is_whole_below(double value, std::size_t end) noexcept {
+    return value >= 0.0 && value < static_cast<double>(end) && value == std::floor(value);
 }
 
 struct Property {
@@ -179,7 +184,7 @@ private:
     }
 
     Error row_error(const Element& element, std::uint64_t row) const {
-        return bad_input(path_ + ": truncated or damaged at element " + std::string(element.name) + " " +
+        return bad_input(path_ + ": truncated or damaged at element " + quoted(element.name) + " " +
                          std::to_string(row) + " of " + std::to_string(element.count));
     }
 
@@ -190,7 +195,7 @@ private:
             if (property.count_kind != Kind::none) {
                 const auto given = next_value(property.count_kind);
                 // A list cannot be longer than the file.
-                if (!given || !(*given >= 0.0) || *given > static_cast<double>(bytes_.size())) {
+                if (!given || !is_whole_below(*given, bytes_.size())) {
                     return row_error(element, row);
                 }
                 count = static_cast<std::uint64_t>(*given);
@@ -203,7 +208,10 @@ private:
             }
             const bool is_face = element.name == "face" && property.name.substr(0, 11) == "vertex_indi";
             const bool is_face_of_others = element.name == "face" && property.name == "vertex_index";
-            if ((is_face || is_face_of_others) && !add_face()) return row_error(element, row);
+            if ((is_face || is_face_of_others) && !add_face()) {
+                return bad_input(path_ + ": face " + std::to_string(row) +
+                                 " names a vertex that is not there");
+            }
             if (property.count_kind != Kind::none) continue;
             if (property.name == "x") point[0] = values_[0];
             if (property.name == "y") point[1] = values_[0];
@@ -224,7 +232,7 @@ private:
     bool add_face() {
         corners_.clear();
         for (const double value : values_) {
-            if (!(value >= 0.0) || value >= static_cast<double>(mesh_.point_count())) return false;
+            if (!is_whole_below(value, mesh_.point_count())) return false;
             corners_.push_back(static_cast<std::uint64_t>(value));
         }
         return mesh_.add_polygon(corners_);

@@ -7,8 +7,6 @@
 
 namespace psicarve::model {
 
-// Readers of ours: Assimp 5.2 ends the process, or never ends, on truncated files of these formats.
-
 /// Wavefront OBJ: points and faces, nothing else is looked at.
 Result<Mesh> read_obj(const InputFile& file);
 

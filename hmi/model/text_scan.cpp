@@ -22,6 +22,14 @@ bool is_space(char c) noexcept {
 
 }  // namespace
 
+std::string_view without_byte_order_mark(std::string_view text) noexcept {
+    constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
+    return text.substr(0, kUtf8Mark.size()) == kUtf8Mark ? text.substr(kUtf8Mark.size()) : text;
+}
+
+Words::Words(std::string_view text)
+    : text_(text), position_(text.size() - without_byte_order_mark(text).size()) {}
+
 std::string_view Words::next() noexcept {
     while (position_ < text_.size() && is_space(text_[position_])) ++position_;
     start_ = position_;
@@ -70,11 +78,10 @@ std::optional<long long> whole_number(std::string_view word) noexcept {
     return value;
 }
 
-std::string quoted(std::string_view word) {
-    std::string text = "'";
-    text += word.substr(0, 20);
-    text += "'";
-    return text;
+std::string quoted(std::string_view text, std::size_t most_characters) {
+    std::string out = "'";
+    for (const char c : text.substr(0, most_characters)) out += c >= ' ' && c <= '~' ? c : '?';
+    return out + "'";
 }
 
 }  // namespace psicarve::model

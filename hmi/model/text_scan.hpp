@@ -8,10 +8,14 @@
 
 namespace psicarve::model {
 
+/// The text behind the mark that some editors put before UTF-8.
+std::string_view without_byte_order_mark(std::string_view text) noexcept;
+
 /// Words of a text, and where they stand.
 class Words {
 public:
-    explicit Words(std::string_view text) : text_(text) {}
+    /// A byte order mark before the first word is passed over.
+    explicit Words(std::string_view text);
 
     /// The next word, also of a later line; empty at the end.
     std::string_view next() noexcept;
@@ -37,7 +41,7 @@ bool is_word(std::string_view word, std::string_view lower_case) noexcept;
 std::optional<double> number(std::string_view word) noexcept;
 std::optional<long long> whole_number(std::string_view word) noexcept;
 
-/// The beginning of a word for a message, in quotes.
-std::string quoted(std::string_view word);
+/// The beginning of foreign text for a message, in quotes; what is no plain character is shown as '?'.
+std::string quoted(std::string_view text, std::size_t most_characters = 20);
 
 }  // namespace psicarve::model

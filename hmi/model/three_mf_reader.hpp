@@ -7,8 +7,7 @@
 
 namespace psicarve::model {
 
-/// Reads the geometry of a 3MF archive, and nothing else, through Assimp. The archive's unit is not looked
-/// at: what it calls a unit is taken as a millimetre.
+/// Reads what a 3MF archive's build places, in mm whatever unit it is written in. Looks at geometry alone.
 Result<Mesh> read_3mf(const InputFile& file);
 
 }  // namespace psicarve::model

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "tests/hmi/cli/program_run.hpp"
+#include "tests/hmi/model/three_mf_files.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -35,6 +36,15 @@ const std::vector<BrokenFile>& broken_models() {
         {"flat.stl", [] { return binary_stl(1, 1); }},
         {"garbage.obj", [] { return std::string{"\x01\x02\x03 v v v f f f\n"}; }},
         {"unknown.xyz", [] { return std::string{"1 2 3\n4 5 6\n"}; }},
+        {"no_zip.3mf", [] { return std::string{"no archive at all\n"}; }},
+        {"no_model.3mf", [] { return mesh_files::three_mf_surroundings().bytes(); }},
+        {"cut.3mf", [] { return mesh_files::three_mf_archive("<model><build>").bytes(); }},
+        {"entities.3mf",
+         [] {
+             return mesh_files::three_mf_archive(
+                        "<!DOCTYPE m [<!ENTITY a \"bb\"><!ENTITY b \"&a;&a;\">]><m>&b;</m>")
+                 .bytes();
+         }},
     };
     return files;
 }

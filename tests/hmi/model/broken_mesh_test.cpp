@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <cstddef>
@@ -14,6 +15,7 @@
 #include "shared/result.hpp"
 #include "tests/hmi/model/mesh_files.hpp"
 #include "tests/hmi/model/shapes.hpp"
+#include "tests/hmi/model/three_mf_files.hpp"
 
 namespace psicarve::model {
 namespace {
@@ -65,6 +67,22 @@ TEST(BrokenMesh, ADeviceIsNotAFile) {
     const auto sut = load_mesh("/dev/zero");
     ASSERT_FALSE(sut.has_value());
     EXPECT_THAT(sut.error().message, HasSubstr("not a regular file"));
+}
+
+TEST(BrokenMesh, APipeThatNobodyWritesIsNotWaitedFor) {
+    const Folder folder;
+    const std::string path = (folder.path() / "pipe.stl").string();
+    ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+    const auto sut = load_mesh(path);
+    ASSERT_FALSE(sut.has_value());
+    EXPECT_THAT(sut.error().message, HasSubstr("not a regular file"));
+}
+
+TEST(BrokenMesh, BytesThatAreNoTextAreNotPrinted) {
+    const std::string message = refusal("a.obj", "v 0 0 0\nv 1 \x1b[2J\x80\xff 0\n");
+    EXPECT_THAT(message, HasSubstr("line 2: '?[2J?\?' is not a number"));
+    const std::string element = "ply\nformat ascii 1.0\nelement \x1b[31m 1\nproperty int x\nend_header\n";
+    EXPECT_THAT(refusal("a.ply", element), HasSubstr("at element '?[31m' 0 of 1"));
 }
 
 TEST(BrokenMesh, AnEmptyFile) {
@@ -254,6 +272,30 @@ TEST(BrokenMesh, FacesThatNameNoVertexAreRefused) {
     EXPECT_THAT(refusal("a.obj", "v 0 0 0\nf 0 1 1\n"), HasSubstr("line 2"));
     EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), HasSubstr("line 6"));
     EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 0\n"), HasSubstr("1 of 3 vertices"));
+}
+
+TEST(BrokenMesh, NumbersOfVerticesThatAreNoneAreRefused) {
+    const std::string points = "v 0 0 0\nv 5 0 0\nv 0 5 0\n";
+    for (const char* corner : {"0", "1.5", "-1.5", "two", "1e0", "99999999999999999999"}) {
+        EXPECT_THAT(refusal("a.obj", points + "f 1 2 " + corner + "\n"),
+                    HasSubstr("is not the number of a vertex"))
+            << corner;
+    }
+    EXPECT_THAT(refusal("a.obj", points + "f 1 2 -4\n"), HasSubstr("names a vertex that is not there"));
+    for (const char* corner : {"-1", "1.5", "two", "99999999999999999999"}) {
+        EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 " + std::string(corner) + "\n"),
+                    HasSubstr("line 6: '" + std::string(corner) + "' is not the number of a vertex"));
+    }
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 ";
+    for (const char* corner : {"-1", "1.5", "3", "nan", "1e30"}) {
+        EXPECT_THAT(refusal("a.ply", ply + corner + "\n"),
+                    HasSubstr("face 0 names a vertex that is not there"))
+            << corner;
+    }
+    EXPECT_THAT(refusal("a.ply", ply.substr(0, ply.size() - 6) + "2.5 0 1\n"),
+                HasSubstr("damaged at element 'face'"));
 }
 
 TEST(BrokenMesh, MinusZeroIsTheSamePlaceAsZero) {

@@ -15,6 +15,7 @@
 #include "shared/result.hpp"
 #include "tests/hmi/model/mesh_files.hpp"
 #include "tests/hmi/model/shapes.hpp"
+#include "tests/hmi/model/three_mf_files.hpp"
 
 namespace psicarve::model {
 namespace {
@@ -67,21 +68,6 @@ TEST(LoadMesh, ReadsOff) {
 }
 TEST(LoadMesh, Reads3mfWhereItsBuildPlacesIt) {
     expect_spring("a.3mf", mesh_files::three_mf(spring()), "3MF", 5.0);
-}
-
-TEST(LoadMesh, Reads3mfInTheUnitItNames) {
-    const std::vector<std::pair<std::string, double>> heights_mm{
-        {"unit=\"inch\"", 25.4},    {"xml:lang=\"en\" unit='centimeter'", 10.0},
-        {"unit=\"micron\"", 0.001}, {"unit=\"foot\"", 304.8},
-        {"unit=\"meter\"", 1000.0}, {"", 1.0},
-        {"unit=\"cubit\"", 1.0}};
-    const double height = spring().facts.max[2] - spring().facts.min[2];
-    const Folder folder;
-    for (const auto& [unit, mm] : heights_mm) {
-        const auto sut = load_mesh(folder.write("a.3mf", mesh_files::three_mf(spring(), unit)));
-        ASSERT_TRUE(sut.has_value()) << unit << sut.error().message;
-        EXPECT_NEAR((sut->facts.max[2] - sut->facts.min[2]) / (height * mm), 1.0, 1e-6) << unit;
-    }
 }
 
 TEST(LoadMesh, ReadsBinaryPlyOfBothByteOrders) {
@@ -151,6 +137,17 @@ TEST(LoadMesh, ReadsAsciiStlInCapitalsAndWithDosLines) {
         dos += c >= 'a' && c <= 'z' && c != 'e' ? static_cast<char>(c - 'a' + 'A') : c;
     }
     expect_spring("a.stl", dos, "ASCII STL");
+}
+
+TEST(LoadMesh, PassesOverAByteOrderMark) {
+    const std::string mark = "\xEF\xBB\xBF";
+    expect_spring("a.stl", mark + mesh_files::ascii_stl(spring()), "ASCII STL");
+    expect_spring("a.obj", mark + mesh_files::obj(spring()), "OBJ");
+    expect_spring("a.off", mark + mesh_files::off(spring()), "OFF");
+    expect_spring("a.ply", mark + mesh_files::ply(spring()), "PLY");
+    expect_spring("a.ply", mark + mesh_files::binary_ply(spring(), false), "PLY");
+    const std::string with_comment = mesh_files::obj(spring());
+    expect_spring("b", mark + with_comment.substr(with_comment.find("v ")), "OBJ");
 }
 
 TEST(LoadMesh, KeepsTheDigitsOfAnAsciiStlFarFromTheOrigin) {

@@ -159,19 +159,29 @@ inline std::uint32_t crc32(const std::string& bytes) {
     return ~crc;
 }
 
-/// A ZIP archive without compression.
+/// A ZIP archive, whose parts stand in it as they are unless another method and size are claimed.
 class Zip {
 public:
+    struct Claim {
+        std::uint32_t method = 0;
+        std::uint32_t flags = 0;  ///< 1: encrypted
+        std::uint32_t unpacked_bytes = 0;
+        std::uint32_t crc = 0;
+    };
     void add(const std::string& name, const std::string& bytes) {
-        const auto size = static_cast<std::uint32_t>(bytes.size());
+        add(name, bytes, {0, 0, static_cast<std::uint32_t>(bytes.size()), crc32(bytes)});
+    }
+    void add(const std::string& name, const std::string& packed, const Claim& claim) {
+        const auto size = static_cast<std::uint32_t>(packed.size());
         const std::string what =
-            little_endian(20, 2) + little_endian(0, 2) + little_endian(0, 2) + little_endian(0) +
-            little_endian(crc32(bytes)) + little_endian(size) + little_endian(size) +
-            little_endian(static_cast<std::uint32_t>(name.size()), 2) + little_endian(0, 2);
+            little_endian(20, 2) + little_endian(claim.flags, 2) + little_endian(claim.method, 2) +
+            little_endian(0) + little_endian(claim.crc) + little_endian(size) +
+            little_endian(claim.unpacked_bytes) + little_endian(static_cast<std::uint32_t>(name.size()), 2) +
+            little_endian(0, 2);
         directory_ += "PK\x01\x02" + little_endian(20, 2) + what + little_endian(0, 2) + little_endian(0, 2) +
                       little_endian(0, 2) + little_endian(0) +
                       little_endian(static_cast<std::uint32_t>(files_.size())) + name;
-        files_ += "PK\x03\x04" + what + name + bytes;
+        files_ += "PK\x03\x04" + what + name + packed;
         ++count_;
     }
     std::string bytes() const {
@@ -185,44 +195,5 @@ private:
     std::string directory_;
     std::uint32_t count_ = 0;
 };
-
-/// One object, moved by 5 in x where the build places it.
-inline std::string three_mf(const model::Mesh& mesh, const std::string& unit = "unit=\"millimeter\"") {
-    std::string xml =
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<model " +
-        unit +
-        " xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">"
-        "<resources><object id=\"1\" type=\"model\"><mesh><vertices>";
-    for (const auto& t : mesh.triangles) {
-        for (const auto& v : t.vertices) {
-            xml += "<vertex x=\"" + text_of(double{v[0]}) + "\" y=\"" + text_of(double{v[1]}) + "\" z=\"" +
-                   text_of(double{v[2]}) + "\"/>";
-        }
-    }
-    xml += "</vertices><triangles>";
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        xml += "<triangle v1=\"" + std::to_string(3 * i) + "\" v2=\"" + std::to_string(3 * i + 1) +
-               "\" v3=\"" + std::to_string(3 * i + 2) + "\"/>";
-    }
-    xml +=
-        "</triangles></mesh></object></resources><build>"
-        "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/></build></model>";
-    Zip zip;
-    zip.add("[Content_Types].xml",
-            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>"
-            "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"
-            "<Default Extension=\"rels\" "
-            "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
-            "<Default Extension=\"model\" "
-            "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>");
-    zip.add("_rels/.rels",
-            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>"
-            "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
-            "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
-            "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>");
-    zip.add("3D/3dmodel.model", xml);
-    return zip.bytes();
-}
 
 }  // namespace psicarve::mesh_files

@@ -9,13 +9,19 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <ctime>
+#include <thread>
 #include <utility>
 
 namespace psicarve {
 namespace {
+
+/// So long a pipe may be without a reader: both may just have been started. Shorter than a recording's lease.
+constexpr std::chrono::milliseconds kReaderLimit{1000};
+constexpr std::chrono::milliseconds kReaderPoll{5};
 
 /// Keeps SIGPIPE from this thread while it writes to a pipe, whatever the program does about signals.
 class NoPipeSignal {
@@ -68,13 +74,35 @@ Result<int> open_inherited(const std::string& path) {
     return fd;
 }
 
+bool is_pipe(const std::string& path) noexcept {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
+}
+
+/// A pipe that nobody reads is given up, not waited for without end; one that is read may make us wait.
+Result<int> open_named(const std::string& path) {
+    constexpr int kFlags = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+    const auto give_up = std::chrono::steady_clock::now() + kReaderLimit;
+    int fd = ::open(path.c_str(), kFlags, 0666);
+    while (fd < 0 && errno == ENXIO && is_pipe(path)) {
+        if (std::chrono::steady_clock::now() >= give_up)
+            return cannot_open(path, "nobody reads this pipe; start its reader first");
+        std::this_thread::sleep_for(kReaderPoll);
+        fd = ::open(path.c_str(), kFlags, 0666);
+    }
+    if (fd >= 0) {
+        fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) & ~O_NONBLOCK);
+        return fd;
+    }
+    if (errno == ELOOP) return cannot_open(path, "it is a symbolic link; name the file itself");
+    return cannot_open(path, words_for(errno));
+}
+
 Result<int> open_any(const std::string& path) {
     if (path.starts_with("fd:")) return open_inherited(path);
-    const int fd = path == "-"
-                       ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3)
-                       : ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (path != "-") return open_named(path);
+    const int fd = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
     if (fd >= 0) return fd;
-    if (errno == ELOOP) return cannot_open(path, "it is a symbolic link; name the file itself");
     return cannot_open(path, words_for(errno));
 }
 

@@ -21,7 +21,8 @@ namespace psicarve {
 class TraceOutput {
 public:
     /// `path` is a file, "-" for standard output or "fd:N" for a descriptor that is already open and becomes
-    /// ours. An existing file is overwritten; one that is a symbolic link is refused.
+    /// ours. An existing file is overwritten; one that is a symbolic link, or a pipe that nobody reads,
+    /// is refused.
     static Result<TraceOutput> open(const std::string& path);
     /// Called with what has gathered, at every flush.
     using Taker = std::function<void(std::span<const std::uint8_t> bytes)>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/cli/simulated_run.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <sstream>
 #include <string>
@@ -24,17 +25,21 @@ machine::JobRun watched_run(machine::VerifiedCore& core, const SimulatedRun& wha
     return run;
 }
 
-/// What the core said while it ran: warnings, and traces that could not be written.
+/// What the core said while it ran: warnings, and traces that could not be written. The first of these is the
+/// run's failure, and said as such.
 void pass_on_messages(const std::string& said, const std::vector<std::string>& trace_paths,
                       RunReport& report) {
     std::istringstream lines{said};
     for (std::string line; std::getline(lines, line);) {
+        const bool is_about_trace = std::any_of(
+            trace_paths.begin(), trace_paths.end(),
+            [&line](const std::string& path) { return line.find(path + ": ") != std::string::npos; });
+        if (is_about_trace && !report.failure) {
+            report.failure = Error{ErrorCode::out_of_room, line};
+            continue;
+        }
         clear_progress_line();
         std::fprintf(stderr, "%s\n", line.c_str());
-        for (const std::string& path : trace_paths) {
-            const bool is_about_trace = line.find(path + ": ") != std::string::npos;
-            if (is_about_trace && !report.failure) report.failure = Error{ErrorCode::out_of_room, line};
-        }
     }
 }
 

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -13,6 +14,7 @@
 #include <iterator>
 #include <span>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "tests/shared/temporary_folder.hpp"
@@ -55,6 +57,33 @@ TEST_F(TraceOutputTest, RefusesToFollowALink) {
     ASSERT_FALSE(sut);
     EXPECT_NE(sut.error().message.find("symbolic link"), std::string::npos) << sut.error().message;
     EXPECT_EQ(content(victim), "precious");
+}
+
+TEST_F(TraceOutputTest, APipeThatNobodyReadsIsNotWaitedForWithoutEnd) {
+    ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+    const Result<TraceOutput> sut = TraceOutput::open(path("pipe"));
+    ASSERT_FALSE(sut);
+    EXPECT_EQ(sut.error().code, ErrorCode::bad_input);
+    EXPECT_NE(sut.error().message.find("pipe: nobody reads this pipe"), std::string::npos)
+        << sut.error().message;
+}
+
+TEST_F(TraceOutputTest, APipeThatIsReadTakesMoreThanItHolds) {
+    ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+    const std::string bytes(3'000'000, 'x');
+    std::string got;
+    std::thread reader{[&] { got = content(path("pipe")); }};
+    {
+        Result<TraceOutput> sut = TraceOutput::open(path("pipe"));
+        EXPECT_TRUE(sut);
+        if (sut) {
+            sut->write(bytes);
+            sut->flush();
+            EXPECT_FALSE(sut->take_error());
+        }
+    }
+    reader.join();
+    EXPECT_EQ(got.size(), bytes.size());
 }
 
 TEST_F(TraceOutputTest, NamesAFolderThatIsNotThere) {

@@ -238,7 +238,7 @@ TEST_F(Carve, ATraceOntoAFullDiskIsAnErrorAfterTheWork) {
         const std::string said =
             "trace /dev/full: No space left on device; it ends there and is not complete";
         EXPECT_NE(outcome.error.find(said), std::string::npos) << outcome.error;
-        EXPECT_EQ(outcome.error.find("/dev/full: trace"), std::string::npos) << outcome.error;
+        EXPECT_EQ(outcome.error_lines(), 1U) << outcome.error;
         EXPECT_EQ(outcome.json()["error"]["exit_code"], 4) << outcome.out;
         EXPECT_EQ(outcome.json()["verified"], true);
     }
@@ -255,6 +255,20 @@ TEST_F(Carve, APictureThatCannotBeWrittenAfterTheWorkIsNotBadInput) {
     std::filesystem::remove(pictures);
     EXPECT_EQ(replay.wait(), 4) << replay.error();
     EXPECT_NE(replay.error().find("out.png"), std::string::npos) << replay.error();
+}
+
+TEST_F(Carve, ATraceIntoAPipeThatNobodyReadsIsRefusedBeforeAnythingMoves) {
+    const std::string job = slice_box();
+    ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"replay", job}, {"carve", job, "--segment", segment_}}) {
+        std::vector<std::string> arguments = command;
+        arguments.insert(arguments.end(), {"--trace", file("pipe")});
+        const Outcome outcome = psicarve(arguments);
+        EXPECT_EQ(outcome.exit_code, 3) << outcome.error;
+        EXPECT_EQ(outcome.error_lines(), 1U) << outcome.error;
+        EXPECT_NE(outcome.error.find("pipe: nobody reads this pipe"), std::string::npos) << outcome.error;
+    }
 }
 
 TEST_F(Carve, ATraceThatCannotBeOpenedIsRefusedBeforeAnythingMoves) {

@@ -17,9 +17,6 @@ namespace psicarve {
 // What stands in the shared-memory segment, byte for byte. No pointers, no bool, long or size_t; every word
 // that two processes touch is a std::atomic of a lock-free width. A change of any struct here, in status.hpp,
 // command.hpp or job.hpp bumps kLayoutVersion; the ABI hash catches whoever forgets.
-//
-// Another version's program looks at a segment, too, to see who uses it: whatever changes, the header's words
-// up to and including `core` and the two locked bytes (segment_object.hpp) stay where they are.
 
 inline constexpr std::uint64_t kSegmentMagic = 0x3147455341435350ULL;  // "PSCASEG1"
 inline constexpr std::uint32_t kLayoutVersion = 3;

@@ -7,7 +7,6 @@
 #include <boost/interprocess/exceptions.hpp>
 #include <cerrno>
 #include <chrono>
-#include <optional>
 #include <system_error>
 #include <thread>
 
@@ -66,21 +65,16 @@ bool is_to_be_replaced(HeaderState state) noexcept {
     return state == HeaderState::half_made || state == HeaderState::earlier_boot;
 }
 
-/// Frees the name of an object that its creator left half made, or that an earlier boot or another version
-/// left. False: somebody is at work on it, look again.
+/// Frees the name of an object that its creator left half made, or that an earlier boot left. False: its
+/// creator is at work.
 Result<bool> try_take_away(SegmentObject& object, const std::string& name) {
     if (!object.try_lock(LockByte::creator)) return false;
-    // Nobody removes the name without this lock: now it cannot change under us. With the core's, no core of
-    // its own version begins to serve it.
-    const HeaderState state = examine_header(object).state;
-    const bool is_ours_to_take =
-        is_to_be_replaced(state) || (is_of_other_program(state) && object.try_lock(LockByte::core));
-    if (is_ours_to_take && object.is_named(name)) {
+    // Nobody removes the name without this lock: now it cannot change under us.
+    if (is_to_be_replaced(examine_header(object).state) && object.is_named(name)) {
         if (auto removed = SegmentObject::unlink(name); !removed) return removed.error();
     }
-    object.unlock(LockByte::core);
     object.unlock(LockByte::creator);
-    return is_ours_to_take;
+    return true;
 }
 
 Result<void> check_capacity(const SegmentOptions& options) {
@@ -90,14 +84,6 @@ Result<void> check_capacity(const SegmentOptions& options) {
     return Error{ErrorCode::bad_usage, "a capacity of " + std::to_string(options.capacity_layers) + "x" +
                                            std::to_string(options.capacity_points) +
                                            " is not possible: 1x2 to 1000000x1000000"};
-}
-
-/// What speaks against taking this object away; nothing: it may be.
-std::optional<Error> reason_to_keep(const SegmentObject& object, const HeaderFacts& facts,
-                                    const SegmentOptions& options, const std::string& name) {
-    if (is_to_be_replaced(facts.state)) return std::nullopt;
-    if (!options.replaces_left_over || !is_of_other_program(facts.state)) return refusal_of(facts, name);
-    return living_user_of(object, facts, name);
 }
 
 std::string capacity_warning(const HeaderFacts& found, const SegmentOptions& asked, const std::string& name) {
@@ -134,7 +120,6 @@ Result<Segment> Segment::create_or_attach(const SegmentOptions& options) {
     if (auto possible = check_capacity(options); !possible) return possible.error();
     const Result<std::string> name = SegmentObject::checked_name(options.name);
     if (!name) return name.error();
-    std::string left_over;
     const auto deadline = std::chrono::steady_clock::now() + kMakingLimit;
     do {
         auto found = SegmentObject::open(*name, options.group);
@@ -149,14 +134,12 @@ Result<Segment> Segment::create_or_attach(const SegmentOptions& options) {
             Result<bip::mapped_region> region = map_header(**found, *name);
             if (!region) return region.error();
             Segment segment{std::make_unique<Mapping>(std::move(**found), std::move(*region), facts, *name)};
-            segment.mapping_->warning =
-                left_over.empty() ? capacity_warning(facts, options, *name) : left_over;
+            segment.mapping_->warning = capacity_warning(facts, options, *name);
             return segment;
         }
-        if (const auto reason = reason_to_keep(**found, facts, options, *name)) return *reason;
+        if (!is_to_be_replaced(facts.state)) return refusal_of(facts, *name);
         const Result<bool> taken = try_take_away(**found, *name);
         if (!taken) return taken.error();
-        if (*taken && is_of_other_program(facts.state)) left_over = left_over_warning(facts, *name);
         if (!*taken) std::this_thread::sleep_for(kMakingPoll);
     } while (std::chrono::steady_clock::now() < deadline);
     return Error{ErrorCode::timed_out,
@@ -189,15 +172,6 @@ Result<Segment> Segment::attach(const std::string& name, const std::string& grou
         std::this_thread::sleep_for(kMakingPoll);
     } while (std::chrono::steady_clock::now() < deadline);
     return missing;
-}
-
-bool Segment::is_left_over(const std::string& name, const std::string& group) {
-    const Result<std::string> checked = SegmentObject::checked_name(name);
-    if (!checked) return false;
-    const auto found = SegmentObject::open(*checked, group);
-    if (!found || !found->has_value()) return false;
-    const HeaderFacts facts = examine_header(**found);
-    return is_of_other_program(facts.state) && !living_user_of(**found, facts, *checked);
 }
 
 Result<void> Segment::remove(const std::string& name) {

@@ -22,9 +22,6 @@ struct SegmentOptions {
     std::uint32_t capacity_layers = kDefaultCapacityLayers;
     std::uint32_t capacity_points = kDefaultCapacityPoints;
     std::string group;  ///< mode 0660 and this group instead of 0600
-    /// A core's right: one of another version or build that nobody uses any more is replaced. warning() says
-    /// so.
-    bool replaces_left_over = false;
 };
 
 /// Whether /dev/shm has room for one job of this capacity now. A segment is sparse and made all the same:
@@ -36,11 +33,9 @@ Result<void> check_shared_memory_for(std::uint32_t capacity_layers, std::uint32_
 class Segment {
 public:
     /// Whoever comes first creates (O_EXCL), others attach. A half-made or stale object of a dead creator is
-    /// taken over; garbage, another version (but see replaces_left_over), another owner or a wrong size is
-    /// refused with what is wrong and the remedy.
+    /// taken over; garbage, another version, another owner or a wrong size is refused with what is wrong and
+    /// the remedy.
     static Result<Segment> create_or_attach(const SegmentOptions& options);
-    /// Whether it is one of another version or build whose core and creator are no more: a core replaces it.
-    static bool is_left_over(const std::string& name, const std::string& group = {});
     /// ErrorCode::no_core when there is no such object.
     static Result<Segment> attach(const std::string& name, const std::string& group = {});
     static Result<void> remove(const std::string& name);

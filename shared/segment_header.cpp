@@ -15,7 +15,7 @@
 namespace psicarve {
 namespace {
 
-constexpr std::size_t kFixedBytes = offsetof(SegmentHeader, core_profile_hash);
+constexpr std::size_t kFixedBytes = offsetof(SegmentHeader, core);
 using FixedPart = std::array<std::byte, kFixedBytes>;
 
 template <typename T>
@@ -23,11 +23,6 @@ T field_at(const FixedPart& bytes, std::size_t offset) noexcept {
     T value;
     std::memcpy(&value, bytes.data() + offset, sizeof(T));
     return value;
-}
-
-HeaderFacts::Named process_at(const FixedPart& bytes, std::size_t offset) noexcept {
-    return {.pid = field_at<std::uint32_t>(bytes, offset + offsetof(ProcessIdentity, pid)),
-            .start_time = field_at<std::uint64_t>(bytes, offset + offsetof(ProcessIdentity, start_time))};
 }
 
 bool is_all_zero(const FixedPart& bytes) noexcept {
@@ -106,41 +101,15 @@ HeaderFacts examine_header(const SegmentObject& object) {
     FixedPart bytes{};
     const ssize_t got = ::pread(object.descriptor(), bytes.data(), bytes.size(), 0);
     if (got != static_cast<ssize_t>(bytes.size())) return facts;
-    facts.creator = process_at(bytes, offsetof(SegmentHeader, creator));
-    facts.core = process_at(bytes, offsetof(SegmentHeader, core));
+    facts.creator_pid =
+        field_at<std::uint32_t>(bytes, offsetof(SegmentHeader, creator) + offsetof(ProcessIdentity, pid));
     facts.state = judge(bytes, facts);
     return facts;
 }
 
 Error refusal_of(const HeaderFacts& facts, const std::string& name) {
-    const std::string remedy = is_of_other_program(facts.state)
-                                   ? "start psicarve-rtcore, which replaces it when nobody uses it any more"
-                                   : "end what uses it and remove /dev/shm" + name;
     return bad_input("segment " + name + ": " + what_is_wrong(facts) +
-                     ": choose another name with --segment, or " + remedy);
-}
-
-bool is_of_other_program(HeaderState state) noexcept {
-    return state == HeaderState::foreign_version || state == HeaderState::foreign_abi;
-}
-
-std::optional<Error> living_user_of(const SegmentObject& object, const HeaderFacts& facts,
-                                    const std::string& name) {
-    const std::string start = "segment " + name + ": " + what_is_wrong(facts) + ", and ";
-    const std::string remedy = "): end that one, or choose another --segment";
-    // Its lock says that there is a core; the header says which, unless it has just begun.
-    if (object.is_locked_by_another(LockByte::core)) {
-        return Error{ErrorCode::machine_refused,
-                     start + "a core serves it already (pid " + std::to_string(facts.core.pid) + remedy};
-    }
-    if (!is_process_alive(facts.creator.pid, facts.creator.start_time)) return std::nullopt;
-    return Error{ErrorCode::machine_refused, start + "the program that made it still runs (pid " +
-                                                 std::to_string(facts.creator.pid) + remedy};
-}
-
-std::string left_over_warning(const HeaderFacts& facts, const std::string& name) {
-    return "segment " + name + ": " + what_is_wrong(facts) +
-           ", and nobody used it any more: made anew; what was published there is gone";
+                     ": choose another name with --segment, or end what uses it and remove /dev/shm" + name);
 }
 
 Result<void> fill_header(SegmentHeader& header, std::uint32_t capacity_layers,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
 #include "shared/layout.hpp"
@@ -31,22 +30,8 @@ struct HeaderFacts {
     std::uint32_t capacity_points = 0;
     SegmentGeometry geometry{};
     std::int64_t size_bytes = 0;
-    /// Whom the header names; pid 0: nobody.
-    struct Named {
-        std::uint32_t pid = 0;
-        std::uint64_t start_time = 0;
-    };
-    Named creator{};
-    Named core{};
+    std::uint32_t creator_pid = 0;
 };
-
-/// Ours, but made by a program with another layout: it can be replaced, but not used.
-bool is_of_other_program(HeaderState state) noexcept;
-/// Who still uses an object of another program, as a refusal that names the process; nothing: nobody does.
-std::optional<Error> living_user_of(const SegmentObject& object, const HeaderFacts& facts,
-                                    const std::string& name);
-/// That such an object was replaced.
-std::string left_over_warning(const HeaderFacts& facts, const std::string& name);
 
 /// Reads through the file descriptor, so that no object, however short, can end in SIGBUS.
 HeaderFacts examine_header(const SegmentObject& object);

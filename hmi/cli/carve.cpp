@@ -13,7 +13,6 @@
 #include "hmi/machine/job_run.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/machine/recorded_pins.hpp"
-#include "shared/segment.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -37,10 +36,7 @@ struct Options {
 /// The segment, if a core serves it. A segment that is not ours to use is an error, none at all is not.
 Result<std::optional<machine::MachineLink>> running_core(const CommonOptions& common) {
     auto link = machine::MachineLink::attach(common.segment, common.group);
-    // One that another version left behind goes to the core that we start.
-    const bool is_free = !link && (link.error().code == ErrorCode::no_core ||
-                                   Segment::is_left_over(common.segment, common.group));
-    if (is_free) return std::optional<machine::MachineLink>{};
+    if (!link && link.error().code == ErrorCode::no_core) return std::optional<machine::MachineLink>{};
     if (!link) return link.error();
     if (!link->core_pid()) return std::optional<machine::MachineLink>{};
     return std::optional{std::move(link).value()};

@@ -84,7 +84,6 @@ SegmentOptions segment_options_of(const CoreOptions& options) {
     segment.capacity_layers = options.capacity_layers;
     segment.capacity_points = options.capacity_points;
     segment.group = options.group;
-    segment.replaces_left_over = true;
     return segment;
 }
 

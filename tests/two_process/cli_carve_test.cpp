@@ -4,9 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "shared/segment.hpp"
 #include "tests/hmi/cli/program_run.hpp"
-#include "tests/two_process/child_process.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -257,20 +255,6 @@ TEST_F(Carve, APictureThatCannotBeWrittenAfterTheWorkIsNotBadInput) {
     std::filesystem::remove(pictures);
     EXPECT_EQ(replay.wait(), 4) << replay.error();
     EXPECT_NE(replay.error().find("out.png"), std::string::npos) << replay.error();
-}
-
-TEST_F(Carve, WhatAnotherVersionLeftInSharedMemoryIsNotInTheWay) {
-    {
-        ChildProcess old{[this](const ChildProcess::Signal&) {
-            SegmentOptions options;
-            options.name = segment_;
-            Segment::create_or_attach(options).value().header().layout_version = 1;
-        }};
-        ASSERT_TRUE(old.ends_well());
-    }
-    EXPECT_EQ(psicarve({"status", "--segment", segment_}).exit_code, 3);
-    const Outcome outcome = psicarve(carve_box());
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
 }
 
 TEST_F(Carve, ATraceIntoAPipeThatNobodyReadsIsRefusedBeforeAnythingMoves) {

@@ -65,8 +65,8 @@ std::string suggestion_for(const std::string& path) {
     const KeySpec* best = &key_table().front();
     double best_distance = std::numeric_limits<double>::max();
     for (const KeySpec& key : key_table()) {
-        const auto leaf = static_cast<double>(edit_distance(leaf_of(path), leaf_of(key.path)));
-        const auto table = static_cast<double>(edit_distance(table_of(path), table_of(key.path)));
+        const auto leaf = static_cast<double>(edit_distance(leaf_of_key(path), leaf_of_key(key.path)));
+        const auto table = static_cast<double>(edit_distance(table_of_key(path), table_of_key(key.path)));
         // The name weighs more than the table it was put into.
         const double distance = 2.0 * leaf + std::min(table, 3.0);
         if (distance < best_distance) {

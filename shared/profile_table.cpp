@@ -242,16 +242,6 @@ Field field_of(const KeySpec& key, const Profile& profile) {
     return key.field(const_cast<Profile&>(profile));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
 }
 
-std::string_view table_of(std::string_view path) noexcept {
-    const std::size_t dot = path.rfind('.');
-    return dot == std::string_view::npos ? std::string_view{} : path.substr(0, dot);
-}
-
-std::string_view leaf_of(std::string_view path) noexcept {
-    const std::size_t dot = path.rfind('.');
-    return dot == std::string_view::npos ? path : path.substr(dot + 1);
-}
-
 }  // namespace psicarve::profile_detail
 
 namespace psicarve {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "shared/profile.hpp"
+#include "shared/profile_text.hpp"
 
 namespace psicarve::profile_detail {
 
@@ -57,11 +58,6 @@ std::string bounds_text(const KeySpec& key);
 std::string number_as_toml(double value);
 /// A number for messages: as short as possible, no needless ".0".
 std::string number_text(double value);
-
-/// "axis.r1" of "axis.r1.speed_mm_s"; empty for keys of the top.
-std::string_view table_of(std::string_view path) noexcept;
-/// "speed_mm_s" of "axis.r1.speed_mm_s".
-std::string_view leaf_of(std::string_view path) noexcept;
 
 /// What is wrong with a profile, before file and line are known.
 struct Problem {

@@ -21,20 +21,11 @@ std::string shortest(double value) {
     return {buffer.data(), end};
 }
 
-std::string quoted(std::string_view text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result + '"';
-}
-
 std::string word_as_toml(const KeySpec& key, std::uint8_t value) {
     for (const Word& word : key.words) {
-        if (word.value == value) return quoted(word.text);
+        if (word.value == value) return toml_quoted(word.text);
     }
-    return quoted("?");
+    return toml_quoted("?");
 }
 
 }  // namespace
@@ -58,7 +49,7 @@ std::string value_as_toml(const KeySpec& key, const Profile& profile) {
             if constexpr (std::is_same_v<T, double>) {
                 return number_as_toml(*field);
             } else if constexpr (std::is_same_v<T, std::string>) {
-                return quoted(*field);
+                return toml_quoted(*field);
             } else if constexpr (std::is_same_v<T, std::array<double, 2>>) {
                 return "[" + number_as_toml((*field)[0]) + ", " + number_as_toml((*field)[1]) + "]";
             } else if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool>) {
@@ -94,17 +85,35 @@ std::string bounds_text(const KeySpec& key) {
 
 namespace psicarve {
 
+std::string_view table_of_key(std::string_view path) noexcept {
+    const std::size_t dot = path.rfind('.');
+    return dot == std::string_view::npos ? std::string_view{} : path.substr(0, dot);
+}
+
+std::string_view leaf_of_key(std::string_view path) noexcept {
+    const std::size_t dot = path.rfind('.');
+    return dot == std::string_view::npos ? path : path.substr(dot + 1);
+}
+
+std::string toml_quoted(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        result += c;
+    }
+    return result + '"';
+}
+
 std::string profile_to_toml(const Profile& profile) {
     namespace detail = profile_detail;
     std::string text;
     std::string_view table;
     for (const detail::KeySpec& key : detail::key_table()) {
-        if (detail::table_of(key.path) != table) {
-            table = detail::table_of(key.path);
+        if (table_of_key(key.path) != table) {
+            table = table_of_key(key.path);
             text += "\n[" + std::string(table) + "]\n";
         }
-        std::string line =
-            std::string(detail::leaf_of(key.path)) + " = " + detail::value_as_toml(key, profile);
+        std::string line = std::string(leaf_of_key(key.path)) + " = " + detail::value_as_toml(key, profile);
         constexpr std::size_t kCommentColumn = 34;
         line.resize(std::max(line.size() + 1, kCommentColumn), ' ');
         text += line + "# ";

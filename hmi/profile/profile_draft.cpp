@@ -11,6 +11,7 @@
 #include "hmi/profile/toml_edit.hpp"
 #include "hmi/profile/typed_value.hpp"
 #include "shared/atomic_file.hpp"
+#include "shared/profile_text.hpp"
 
 namespace psicarve::profile {
 namespace {
@@ -119,14 +120,11 @@ std::string ProfileDraft::every_value() const {
     std::string_view present;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         const std::string_view path = profile_keys()[i].path;
-        const std::size_t dot = path.rfind('.');
-        const std::string_view table =
-            dot == std::string_view::npos ? std::string_view{} : path.substr(0, dot);
+        const std::string_view table = table_of_key(path);
         if (table != present) text += "[" + std::string(table) + "]\n";
         present = table;
         if (entries_[i].toml.empty()) continue;
-        text += std::string(path.substr(dot == std::string_view::npos ? 0 : dot + 1)) + " = " +
-                entries_[i].toml + "\n";
+        text += std::string(leaf_of_key(path)) + " = " + entries_[i].toml + "\n";
     }
     return text;
 }

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "shared/profile_text.hpp"
+
 namespace psicarve::profile {
 namespace {
 
@@ -24,16 +26,6 @@ std::vector<std::string> lines_of(std::string_view text) {
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     }
     return lines;
-}
-
-std::string_view table_of(std::string_view path) {
-    const std::size_t dot = path.rfind('.');
-    return dot == std::string_view::npos ? std::string_view{} : path.substr(0, dot);
-}
-
-std::string_view leaf_of(std::string_view path) {
-    const std::size_t dot = path.rfind('.');
-    return dot == std::string_view::npos ? path : path.substr(dot + 1);
 }
 
 /// Where a comment begins, or the line's end; '#' within strings is none.
@@ -89,8 +81,8 @@ struct Place {
 Place place_of(std::string_view text, std::string_view path) {
     Place place;
     place.lines = lines_of(text);
-    const std::string_view table = table_of(path);
-    const std::string_view leaf = leaf_of(path);
+    const std::string_view table = table_of_key(path);
+    const std::string_view leaf = leaf_of_key(path);
     place.has_table = table.empty();
     std::string_view present;
     for (std::size_t i = 0; i < place.lines.size(); ++i) {
@@ -119,11 +111,11 @@ std::string with_value(std::string_view text, std::string_view path, std::string
     } else {
         if (!place.has_table) {
             if (!lines.empty() && !trimmed(lines.back()).empty()) lines.emplace_back();
-            lines.push_back("[" + std::string(table_of(path)) + "]");
+            lines.push_back("[" + std::string(table_of_key(path)) + "]");
             place.line = lines.size();
         }
         lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(place.line),
-                     std::string(leaf_of(path)) + " = " + std::string(toml));
+                     std::string(leaf_of_key(path)) + " = " + std::string(toml));
     }
     std::string result;
     for (const std::string& line : lines) result += line + "\n";

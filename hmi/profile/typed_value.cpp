@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cstdint>
 
+#include "shared/profile_text.hpp"
+
 namespace psicarve::profile {
 namespace {
 
@@ -59,15 +61,6 @@ std::optional<std::string> range_from(std::string_view typed) {
     return std::nullopt;
 }
 
-std::string quoted(std::string_view text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result + '"';
-}
-
 std::string unquoted(std::string_view toml) {
     if (toml.size() < 2) return std::string(toml);
     std::string result;
@@ -119,7 +112,7 @@ std::optional<std::string> toml_from_typed(const ProfileKey& key, std::string_vi
     }
     const std::string_view text = trimmed(typed);
     if (has_control(text)) return std::nullopt;
-    return quoted(text);
+    return toml_quoted(text);
 }
 
 }  // namespace psicarve::profile

@@ -26,7 +26,7 @@ enum class Action : std::uint8_t {
     publish,
 };
 
-/// Why it cannot be asked for now; nothing when it can. "Start: axis Y is not homed".
+/// What stands in its way; nothing when it can be asked for. "Start: axis Y is not homed".
 std::optional<Phrase> lock_of(Action action, const MachineSight& machine, const JobSight& job);
 
 }  // namespace psicarve::session

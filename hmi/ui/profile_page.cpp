@@ -17,6 +17,7 @@
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
 #include "hmi/ui/profile_row.hpp"
+#include "shared/profile_text.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -25,11 +26,6 @@ using session::Severity;
 
 constexpr int kListWidth = 132;
 constexpr int kFindWidth = 150;
-
-std::string table_of(const std::string& path) {
-    const std::size_t dot = path.rfind('.');
-    return dot == std::string::npos ? std::string{} : path.substr(0, dot);
-}
 
 QPushButton* push_button(const char* name, const QString& text) {
     auto* button = new QPushButton{text};
@@ -134,7 +130,7 @@ void ProfilePage::make_groups() {
                                                       {"port", tr("Port timing")},
                                                       {"port.pins", tr("Port pins")}};
     for (const ProfileKey& key : profile_keys()) {
-        const std::string table = table_of(key.path);
+        const std::string table{table_of_key(key.path)};
         if (!groups_.empty() && groups_.back().table == table) continue;
         QString title = QString::fromStdString(table);
         for (const auto& [name, words] : titles) {
@@ -158,7 +154,7 @@ bool ProfilePage::belongs(std::size_t key) const {
     if (compare_->isChecked()) return draft_.differs_from_built_in(key);
     if (searches) return true;
     const int row = list_->currentRow();
-    return row >= 0 && groups_[static_cast<std::size_t>(row)].table == table_of(path);
+    return row >= 0 && groups_[static_cast<std::size_t>(row)].table == table_of_key(path);
 }
 
 void ProfilePage::show_rows() {
@@ -246,7 +242,7 @@ void ProfilePage::show_state() {
     for (std::size_t i = 0; i < groups_.size(); ++i) {
         int problems = 0;
         for (std::size_t key = 0; key < profile_keys().size(); ++key) {
-            if (table_of(profile_keys()[key].path) == groups_[i].table && !draft_.problem(key).empty())
+            if (table_of_key(profile_keys()[key].path) == groups_[i].table && !draft_.problem(key).empty())
                 ++problems;
         }
         QListWidgetItem* item = list_->item(static_cast<int>(i));

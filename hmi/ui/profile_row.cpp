@@ -14,6 +14,7 @@
 #include "hmi/profile/typed_value.hpp"
 #include "hmi/ui/choice_box.hpp"
 #include "hmi/ui/frames.hpp"
+#include "shared/profile_text.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -49,8 +50,7 @@ ProfileRow::ProfileRow(std::size_t key, bool in_full, Events events, QWidget* pa
     const ProfileKey& spec = profile_keys()[key];
     setObjectName("row_" + text_of(spec.path));
     setToolTip(QCoreApplication::translate("profile", spec.explanation.c_str()));
-    const std::size_t dot = spec.path.rfind('.');
-    const bool is_short = !in_full && dot != std::string::npos;
+    const std::string name = in_full ? spec.path : std::string(leaf_of_key(spec.path));
     changed_ = cell({}, "head", kChangedWidth);
     built_in_ = cell(text_of(profile::typed_from_toml(spec, spec.built_in)), "label", kBuiltInWidth);
     problem_ = role_label("problem");
@@ -65,8 +65,7 @@ ProfileRow::ProfileRow(std::size_t key, bool in_full, Events events, QWidget* pa
     grid_->setHorizontalSpacing(kGap);
     grid_->setVerticalSpacing(2);
     grid_->addWidget(changed_, 0, kChanged);
-    grid_->addWidget(cell(text_of(is_short ? spec.path.substr(dot + 1) : spec.path), "", kNameWidth), 0,
-                     kName);
+    grid_->addWidget(cell(text_of(name), "", kNameWidth), 0, kName);
     grid_->addWidget(editor, 0, kValue);
     grid_->addWidget(cell(text_of(spec.unit), "label", kUnitWidth), 0, kUnit);
     grid_->addWidget(cell(short_bounds(spec), "label", 0), 0, kBounds);

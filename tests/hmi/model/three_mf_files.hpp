@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include <cstddef>
 #include <string>
 
+#include "hmi/model/load_mesh.hpp"
 #include "hmi/model/mesh.hpp"
+#include "shared/result.hpp"
 #include "tests/hmi/model/mesh_files.hpp"
+#include "tests/hmi/model/shapes.hpp"
 
 /// 3MF archives made by the tests themselves.
 namespace psicarve::mesh_files {
@@ -82,6 +88,28 @@ inline Zip three_mf_archive(const std::string& model) {
 inline std::string three_mf(const model::Mesh& mesh, const std::string& unit = "unit=\"millimeter\"") {
     const std::string build = item(1, "1 0 0 0 1 0 0 0 1 5 0 0");
     return three_mf_archive(three_mf_model(object(1, three_mf_mesh(mesh)), build, unit)).bytes();
+}
+
+/// An object that is a box, 1 wide, 2 deep and 3 high.
+inline std::string box_object(int id) {
+    return object(id, three_mf_mesh(shapes::box({0, 0, 0}, {1, 2, 3})));
+}
+
+/// What is said, in one line, about a file that is refused; nothing when it is not.
+inline std::string refusal_of_file(const std::string& path) {
+    const auto mesh = model::load_mesh(path);
+    if (mesh) return "";
+    EXPECT_EQ(mesh.error().code, ErrorCode::bad_input);
+    EXPECT_THAT(mesh.error().message, testing::StartsWith(path + ": "));
+    EXPECT_THAT(mesh.error().message, testing::Not(testing::HasSubstr("\n")));
+    return mesh.error().message;
+}
+inline std::string refusal(const std::string& bytes) {
+    const Folder folder;
+    return refusal_of_file(folder.write("a.3mf", bytes));
+}
+inline std::string refusal_of_xml(const std::string& xml) {
+    return refusal(three_mf_archive(xml).bytes());
 }
 
 }  // namespace psicarve::mesh_files

@@ -22,6 +22,9 @@ using mesh_files::Folder;
 using mesh_files::item;
 using mesh_files::little_endian;
 using mesh_files::object;
+using mesh_files::refusal;
+using mesh_files::refusal_of_file;
+using mesh_files::refusal_of_xml;
 using mesh_files::three_mf_archive;
 using mesh_files::three_mf_model;
 using mesh_files::Zip;
@@ -37,23 +40,6 @@ std::string packed_archive(const Folder& folder, const std::string& model) {
     EXPECT_GE(zip_file_add(archive, "3D/3dmodel.model", source, 0), 0);
     EXPECT_EQ(zip_close(archive), 0);
     return path;
-}
-
-/// What is said, in one line, about a file that is refused.
-std::string refusal_of_file(const std::string& path) {
-    const auto mesh = load_mesh(path);
-    if (mesh) return "";
-    EXPECT_EQ(mesh.error().code, ErrorCode::bad_input);
-    EXPECT_THAT(mesh.error().message, StartsWith(path + ": "));
-    EXPECT_THAT(mesh.error().message, Not(HasSubstr("\n")));
-    return mesh.error().message;
-}
-std::string refusal(const std::string& bytes) {
-    const Folder folder;
-    return refusal_of_file(folder.write("a.3mf", bytes));
-}
-std::string refusal_of_xml(const std::string& xml) {
-    return refusal(three_mf_archive(xml).bytes());
 }
 
 std::string box_model(const std::string& more_resources = "") {

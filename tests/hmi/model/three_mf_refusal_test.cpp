@@ -12,11 +12,14 @@
 namespace psicarve::model {
 namespace {
 
+using mesh_files::box_object;
 using mesh_files::component;
 using mesh_files::components;
 using mesh_files::Folder;
 using mesh_files::item;
 using mesh_files::object;
+using mesh_files::refusal;
+using mesh_files::refusal_of_xml;
 using mesh_files::three_mf_archive;
 using mesh_files::three_mf_model;
 using mesh_files::Zip;
@@ -24,24 +27,6 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-std::string box_object(int id) {
-    return object(id, mesh_files::three_mf_mesh(shapes::box({0, 0, 0}, {1, 2, 3})));
-}
-
-/// What is said, in one line, about an archive that is refused.
-std::string refusal(const std::string& bytes) {
-    const Folder folder;
-    const std::string path = folder.write("a.3mf", bytes);
-    const auto mesh = load_mesh(path);
-    if (mesh) return "";
-    EXPECT_EQ(mesh.error().code, ErrorCode::bad_input);
-    EXPECT_THAT(mesh.error().message, StartsWith(path + ": "));
-    EXPECT_THAT(mesh.error().message, Not(HasSubstr("\n")));
-    return mesh.error().message;
-}
-std::string refusal_of_xml(const std::string& xml) {
-    return refusal(three_mf_archive(xml).bytes());
-}
 std::string refusal_of_model(const std::string& resources, const std::string& build) {
     return refusal_of_xml(three_mf_model(resources, build));
 }

@@ -14,6 +14,7 @@
 namespace psicarve::model {
 namespace {
 
+using mesh_files::box_object;
 using mesh_files::component;
 using mesh_files::components;
 using mesh_files::Folder;
@@ -24,10 +25,6 @@ using mesh_files::three_mf_model;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-std::string box_object(int id) {
-    return object(id, mesh_files::three_mf_mesh(shapes::box({0, 0, 0}, {1, 2, 3})));
-}
 
 Mesh loaded(const std::string& bytes) {
     const Folder folder;

@@ -15,7 +15,8 @@ namespace psicarve {
 enum class CommandKind : std::uint32_t {
     none = 0,
     home = 1,
-    start = 2,                ///< drives on, spindle on, heads to the first point, wait there
+    start = 2,  ///< drives on, spindle on, heads to the first point, wait there. value: the first
+                ///< layer; value2: so many layers, 0: all that follow
     start_interpolation = 3,  ///< carve the published tables
     hold = 4,
     resume = 5,

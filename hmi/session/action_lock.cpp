@@ -169,8 +169,10 @@ std::optional<Phrase> lock_of(Action action, const MachineSight& machine, const 
             return jog_lock(machine);
         case Action::start:
             return start_lock(machine, job);
+        case Action::one_layer:
         case Action::from_layer:
-            if (machine.state() == S::waiting) return phrase("From layer: the heads wait at the first point");
+            if (machine.state() == S::waiting)
+                return phrase("The heads wait at the first point; start or stop");
             return start_lock(machine, job);
         case Action::hold:
             return hold_lock(machine);

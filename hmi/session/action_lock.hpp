@@ -15,6 +15,7 @@ enum class Action : std::uint8_t {
     home_y,
     jog,
     start,
+    one_layer,
     from_layer,
     hold,
     resume,

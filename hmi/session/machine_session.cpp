@@ -159,12 +159,13 @@ void MachineSession::order_and_wait(CommandKind kind) {
         log_.add(Severity::warning, phrase("%1: %2", std::string{name_of(kind)}, sent.error().message));
 }
 
-void MachineSession::start(std::uint32_t from_layer) {
+void MachineSession::start(std::uint32_t from_layer, std::uint32_t layers) {
     if (sight_.state() == MachineState::waiting)
         return order(CommandKind::start_interpolation, phrase("Start"));
     Command command{};
     command.kind = CommandKind::start;
     command.value = from_layer;
+    command.value2 = layers;
     intent_.drop();
     send(command, phrase("Start"), [this] {
         const auto status = link_ ? link_->last_status() : std::nullopt;

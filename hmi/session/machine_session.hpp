@@ -49,8 +49,9 @@ public:
     /// For a window that closes: the order is gone and answered, or refused, when this returns. May take
     /// seconds when the core hangs.
     void order_and_wait(CommandKind kind);
-    /// Heads to the first point of the layer, then carve. In state waiting: carve.
-    void start(std::uint32_t from_layer);
+    /// Heads to the first point of the layer, then carve so many layers (0: all that follow). In state
+    /// waiting: carve what the heads wait for.
+    void start(std::uint32_t from_layer, std::uint32_t layers = 0);
     /// The newest wish goes out as soon as the one before is answered.
     void set_override(std::uint32_t percent) noexcept { wanted_override_percent_ = percent; }
     /// The core may still show the percentage before.

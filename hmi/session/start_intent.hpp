@@ -26,4 +26,11 @@ private:
     std::uint64_t heartbeat_ = 0;
 };
 
+/// Counted from 0: the one that a job goes on with after so many points, the first once it is done.
+constexpr std::uint32_t next_layer(std::uint64_t points_done, std::uint64_t points_total,
+                                   std::uint32_t layer_count) noexcept {
+    if (layer_count == 0 || points_total < layer_count || points_done >= points_total) return 0;
+    return static_cast<std::uint32_t>(points_done / (points_total / layer_count));
+}
+
 }  // namespace psicarve::session

@@ -9,6 +9,7 @@
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/preflight.hpp"
+#include "hmi/session/start_intent.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/units.hpp"
 
@@ -111,14 +112,15 @@ void JobPanel::make_buttons() {
     layer_->setRange(1, 1);
     layer_->setObjectName("layer");
     layer_->setAccessibleName(tr("Layer to start from"));
-    from_layer_ = new ActionButton{Action::from_layer, tr("From layer"), [this, &machine] {
-                                       const auto layer = static_cast<std::uint32_t>(layer_->value());
-                                       if (may_start_from_layer(layer)) machine.start(layer - 1);
-                                   }};
+    one_layer_ = new ActionButton{Action::one_layer, tr("One layer"), [this] { start_at_layer(1); }};
+    one_layer_->setObjectName("one_layer");
+    one_layer_->set_hint(tr("Carves this layer and stops in order; press again for the next one"));
+    from_layer_ = new ActionButton{Action::from_layer, tr("From layer"), [this] { start_at_layer(0); }};
     from_layer_->setObjectName("from_layer");
     from_layer_->set_hint(tr("Leaves out the layers before it"));
     auto* from = new QHBoxLayout;
-    from->setSpacing(kGap);
+    from->setSpacing(kSmallGap);
+    from->addWidget(one_layer_, 2);
     from->addWidget(from_layer_, 2);
     from->addWidget(layer_, 1);
     reason_ = role_label("label");
@@ -161,6 +163,13 @@ void JobPanel::make_override() {
     body().addLayout(head);
     body().addWidget(rule());
     body().addLayout(row);
+}
+
+void JobPanel::start_at_layer(std::uint32_t layers) {
+    const auto layer = static_cast<std::uint32_t>(layer_->value());
+    // Layer after layer there is nothing to ask: it is where the carving stopped.
+    const bool is_next = layers > 0 && layer == shown_layer_ + 1;
+    if (is_next || may_start_from_layer(layer)) bench_.machine.start(layer - 1, layers);
 }
 
 bool JobPanel::may_start_from_layer(std::uint32_t layer) {
@@ -248,14 +257,19 @@ void JobPanel::refresh_checks() {
 }
 
 void JobPanel::refresh_buttons() {
-    for (ActionButton* button : {start_, hold_, resume_, stop_, from_layer_}) button->refresh(bench_);
+    for (ActionButton* button : {start_, hold_, resume_, stop_, one_layer_, from_layer_})
+        button->refresh(bench_);
     layer_->setEnabled(from_layer_->isEnabled());
     QString text = start_->reason();
     if (text.isEmpty() && !stop_->isEnabled()) text = tr("Hold, Resume, Stop: nothing is moving.");
     reason_->setText(text);
     const auto& status = bench_.machine.sight().status;
-    if (!status || status->layer == shown_layer_) return;
-    shown_layer_ = status->layer;  // where the operator would go on
+    const auto job = bench_.desk.job();
+    if (!status || !job) return;
+    const std::uint32_t next =
+        session::next_layer(status->points_done, status->points_total, job->view.layer_count());
+    if (next == shown_layer_) return;
+    shown_layer_ = next;  // where the operator would go on
     layer_->setValue(static_cast<int>(shown_layer_) + 1);
 }
 

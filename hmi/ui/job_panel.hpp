@@ -38,6 +38,8 @@ private:
     void refresh_checks();
     void refresh_buttons();
     void refresh_override();
+    /// 0 layers: all that follow.
+    void start_at_layer(std::uint32_t layers);
     bool may_start_from_layer(std::uint32_t layer);
 
     Bench& bench_;
@@ -54,6 +56,7 @@ private:
     ActionButton* hold_;
     ActionButton* resume_;
     ActionButton* stop_;
+    ActionButton* one_layer_;
     ActionButton* from_layer_;
     QSpinBox* layer_;
     QLabel* reason_;

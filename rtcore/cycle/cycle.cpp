@@ -117,7 +117,11 @@ void Cycle::after_step(Executor::Progress progress) noexcept {
     if ((progress & E::kGroupStarted) != 0 && state_ == MachineState::carving && carve_first_tick_ == 0) {
         carve_first_tick_ = tick_;
     }
-    if ((progress & E::kPoint) != 0 && executor_.points_reached() == points_total_) carve_last_tick_ = tick_;
+    // A spiral's row ends in the point that is the next one's first, too.
+    if ((progress & E::kPoint) != 0 && carve_last_tick_ == 0 &&
+        executor_.points_reached() >= end_layer_ * points_per_layer_) {
+        carve_last_tick_ = tick_;
+    }
     if ((progress & (E::kLatched | E::kDefined)) != 0) note_new_position((progress & E::kLatched) != 0);
     if ((progress & E::kNotFound) != 0) raise_alarm(AlarmCause::home_failed, executor_.latch_axis());
     if ((progress & E::kStarved) != 0) raise_alarm(AlarmCause::plan_starved, kNoAxis);

@@ -9,6 +9,7 @@
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/cycle/executor.hpp"
 #include "rtcore/cycle/inputs.hpp"
+#include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/cycle/lease.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
 #include "rtcore/port/port.hpp"
@@ -82,7 +83,7 @@ private:
     void take_request(const Request& request) noexcept;
     Refusal judge(const Request& request) noexcept;
     Refusal start_home(bool only_height) noexcept;
-    Refusal start_job(std::uint64_t first_layer) noexcept;
+    Refusal start_job(LayerRange layers) noexcept;
     Refusal start_interpolation() noexcept;
     Refusal hold() noexcept;
     Refusal resume() noexcept;
@@ -152,6 +153,7 @@ private:
     std::uint64_t points_total_ = 0;
     std::uint64_t points_per_layer_ = 0;
     std::uint64_t first_layer_ = 0;  ///< of the job at hand
+    std::uint64_t end_layer_ = 0;    ///< one past the last that is to be carved
     std::uint64_t job_generation_ = 0;
     std::uint64_t job_start_tick_ = 0;
     std::uint64_t carve_first_tick_ = 0;

@@ -21,7 +21,7 @@ namespace psicarve::cycle {
 /// supervisor -> tick. One request is answered by one report of kind `answer`.
 enum class RequestKind : std::uint8_t {
     home,
-    start,  ///< value: the layer to begin with
+    start,  ///< value: a LayerRange, packed
     start_interpolation,
     hold,
     resume,

@@ -17,7 +17,7 @@ Refusal Cycle::judge(const Request& request) noexcept {
         case RequestKind::reset_height:
             return start_home(true);
         case RequestKind::start:
-            return start_job(request.value);
+            return start_job(layer_range(request.value));
         case RequestKind::start_interpolation:
             return start_interpolation();
         case RequestKind::hold:
@@ -63,17 +63,19 @@ Refusal Cycle::start_home(bool only_height) noexcept {
     return Refusal::none;
 }
 
-Refusal Cycle::start_job(std::uint64_t first_layer) noexcept {
+Refusal Cycle::start_job(LayerRange layers) noexcept {
     if (state_ == MachineState::off) return Refusal::not_homed;
     if (!next_state(state_, MachineEvent::start).has_value()) return Refusal::not_in_this_state;
-    if (points_total_ == 0) return Refusal::no_job;
-    if (first_layer >= kMaxJobCount || first_layer * points_per_layer_ >= points_total_) {
+    if (points_total_ == 0 || points_per_layer_ == 0) return Refusal::no_job;
+    const std::uint64_t layer_count = points_total_ / points_per_layer_;
+    if (layers.first >= layer_count || layers.count > layer_count - layers.first) {
         return Refusal::no_such_layer;
     }
     if (!is_homed()) return Refusal::not_homed;
-    first_layer_ = first_layer;
+    first_layer_ = layers.first;
+    end_layer_ = layers.count == 0 ? layer_count : first_layer_ + layers.count;
     pulses_.clear_emitted();
-    executor_.clear_points(first_layer * points_per_layer_);
+    executor_.clear_points(first_layer_ * points_per_layer_);
     job_start_tick_ = tick_;
     carve_first_tick_ = 0;
     carve_last_tick_ = 0;

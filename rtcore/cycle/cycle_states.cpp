@@ -177,6 +177,7 @@ void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* or
     request.position_pulses = pulses_.positions();
     request.job_generation = job_generation_;
     request.first_layer = first_layer_;
+    request.end_layer = end_layer_;
     if (order != nullptr) request.order = *order;
     if (!io_->plan_requests.push(request)) raise_alarm(AlarmCause::plan_starved, kNoAxis);
 }

@@ -89,7 +89,7 @@ enum class PlanKind : std::uint8_t {
     home,          ///< all four axes
     reset_height,  ///< Y to its sensor
     position,      ///< from anywhere to the job's first point, spindle up
-    carve,         ///< from the first point to the last
+    carve,         ///< from the first layer's first point to the last layer's last
     finish,        ///< heads out, spindle off; also after a stop
     back_off,      ///< `axis` away from its tripped sensor
     move,          ///< a jog or a move: `order`, from rest to rest
@@ -103,6 +103,7 @@ struct PlanRequest {
     std::array<std::int64_t, kAxisCount> position_pulses;
     std::uint64_t job_generation;
     std::uint64_t first_layer;  ///< position, carve: the layer to begin with
+    std::uint64_t end_layer;    ///< carve: one past the last
     MotionOrder order;          ///< move: targets of all axes
 };
 using PlanRequestRing = SpscRing<PlanRequest, 16>;

@@ -13,13 +13,12 @@ namespace psicarve::plan {
 using cycle::BlockKind;
 using cycle::MotionBlock;
 
-CarveProgram::CarveProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job,
-                           std::uint32_t first_layer)
-    : TableProgram(limits, std::move(job), first_layer), at_pulses_(point_at(first_layer, 0)) {}
+CarveProgram::CarveProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, LayerSpan layers)
+    : TableProgram(limits, std::move(job), layers), at_pulses_(point_at(layers.first, 0)) {}
 
 void CarveProgram::make_layers() {
     if (layer_ > first_layer_ && !is_spiral()) add_link_to_layer();
-    const std::uint32_t end = std::min(layer_ + layers_at_once(), job_->layer_count());
+    const std::uint32_t end = std::min(layer_ + layers_at_once(), end_layer_);
     lines_.clear();
     for (; layer_ < end; ++layer_) make_lines();
     add_lines();

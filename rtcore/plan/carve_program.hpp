@@ -15,8 +15,7 @@ namespace psicarve::plan {
 /// A whole table by the angle rule, with links between its layers.
 class CarveProgram final : public TableProgram {
 public:
-    CarveProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job,
-                 std::uint32_t first_layer = 0);
+    CarveProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, LayerSpan layers = {});
 
 private:
     void make_layers() override;

@@ -35,10 +35,10 @@ cycle::PathTiming timing_of(const MachineLimits& limits, const PathPiece& piece)
 }  // namespace
 
 LookaheadProgram::LookaheadProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job,
-                                   std::uint32_t first_layer)
-    : TableProgram(limits, std::move(job), first_layer), stretches_(limits_) {
-    planned_.is_reference = first_layer == 0;
-    layer_ -= first_layer % layers_at_once();
+                                   LayerSpan layers)
+    : TableProgram(limits, std::move(job), layers), stretches_(limits_) {
+    planned_.is_reference = first_layer_ == 0 && end_layer_ == job_->layer_count();
+    layer_ -= first_layer_ % layers_at_once();
 }
 
 void LookaheadProgram::make_layers() {
@@ -55,6 +55,7 @@ void LookaheadProgram::make_layers() {
     }
     add_stretches(has_before ? 1 : 0, points_.size() - (has_after ? 2 : 1));
     if (first < first_layer_) begin_in_between();
+    if (end > end_layer_) end_in_between();
     layer_ = end;
 }
 
@@ -177,6 +178,28 @@ void LookaheadProgram::begin_in_between() {
     }
     planned_.seconds = 0.0;
     for (const MotionBlock& block : blocks_) planned_.seconds += path_seconds(block.path);
+}
+
+// The rows made at once go further up than the carving does: it comes to rest where its last row ends.
+void LookaheadProgram::end_in_between() {
+    auto run = blocks_.begin();
+    auto last = blocks_.begin();
+    for (;; ++last) {
+        if (last->group_blocks > 0) run = last;
+        if (last->reaches_points == 2 && last->layer == end_layer_) break;
+    }
+    for (auto left_out = last + 1; left_out != blocks_.end(); ++left_out) {
+        planned_.points -= left_out->reaches_points;
+        planned_.seconds -= path_seconds(left_out->path);
+    }
+    const bool was_cut = last + 1 != blocks_.end() && (last + 1)->group_blocks == 0;
+    blocks_.erase(last + 1, blocks_.end());
+    if (!was_cut) return;
+    const std::span<MotionBlock> shortened{run, blocks_.end()};
+    run->group_blocks = static_cast<std::uint32_t>(shortened.size());
+    run->up_axes = run->down_axes = 0;
+    note_gaps(shortened);
+    slow_down_to_rest(shortened);
 }
 
 }  // namespace psicarve::plan

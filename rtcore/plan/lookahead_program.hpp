@@ -18,11 +18,10 @@ namespace psicarve::plan {
 /// A whole table by look-ahead: a smooth curve through its points, timed as fast as the motors follow. A
 /// layer is made with the way from the layer before. Of a spiral so many rows are made at once, counted from
 /// row 0 wherever the carving begins: so the cuts, and the order of all pulses, do not depend on where that
-/// is.
+/// is, nor on where it ends.
 class LookaheadProgram final : public TableProgram {
 public:
-    LookaheadProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job,
-                     std::uint32_t first_layer = 0);
+    LookaheadProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, LayerSpan layers = {});
 
 private:
     void make_layers() override;
@@ -34,6 +33,7 @@ private:
     void note_gaps(std::span<cycle::MotionBlock> run) const;
     void add_block(const PathPiece& piece);
     void begin_in_between();
+    void end_in_between();
 
     StretchPlanner stretches_;
     std::vector<PathPoint> points_;

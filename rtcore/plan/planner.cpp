@@ -95,11 +95,12 @@ std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
     }
     if (job_ == nullptr) return nullptr;
     reference_seconds_.store(-1.0, std::memory_order_relaxed);
-    points_total_.store(std::uint64_t{job_->layer_count()} * job_->point_count(), std::memory_order_relaxed);
+    const LayerSpan layers{first_layer, static_cast<std::uint32_t>(request.end_layer)};
+    points_total_.store(std::uint64_t{layers.end} * job_->point_count(), std::memory_order_relaxed);
     if (limits_.planner == psicarve::Planner::lookahead) {
-        return std::make_unique<LookaheadProgram>(limits_, job_, first_layer);
+        return std::make_unique<LookaheadProgram>(limits_, job_, layers);
     }
-    return std::make_unique<CarveProgram>(limits_, job_, first_layer);
+    return std::make_unique<CarveProgram>(limits_, job_, layers);
 }
 
 double Planner::seconds_left(std::uint64_t points_done) const noexcept {

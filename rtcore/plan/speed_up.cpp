@@ -30,6 +30,22 @@ double speed2_after(const cycle::PathTiming& timing, double speed2) {
 
 }  // namespace
 
+// What axes can do is the same forwards and backwards in time.
+void slow_down_to_rest(std::span<cycle::MotionBlock> run) {
+    const double end_speed = run.empty() ? 0.0 : double{run.back().path.start_stop_speed};
+    double speed2 = end_speed * end_speed;
+    for (auto block = run.rbegin(); block != run.rend(); ++block) {
+        cycle::PathTiming& timing = block->path;
+        if (speed2 >= timing.end_speed2[1]) return;
+        const double before2 = speed2_after(timing, speed2);
+        for (std::size_t i = 0; i < timing.end_speed2.size(); ++i) {
+            timing.end_speed2[i] = std::min(timing.end_speed2[i], speed2);
+            timing.start_speed2[i] = std::min(timing.start_speed2[i], before2);
+        }
+        speed2 = before2;
+    }
+}
+
 void speed_up_from_rest(std::span<cycle::MotionBlock> run) {
     const double start_speed = run.empty() ? 0.0 : double{run.front().path.start_stop_speed};
     double speed2 = start_speed * start_speed;

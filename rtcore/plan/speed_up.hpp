@@ -13,6 +13,9 @@ namespace psicarve::plan {
 /// in the speeds' squares.
 void speed_up_from_rest(std::span<cycle::MotionBlock> run);
 
+/// Likewise a run that was planned to go on at speed ends at rest instead.
+void slow_down_to_rest(std::span<cycle::MotionBlock> run);
+
 /// What a segment takes at 100 %.
 double path_seconds(const cycle::PathTiming& timing);
 

@@ -22,19 +22,19 @@ MachineLimits with_feed_of(const MachineLimits& limits, const JobView& job) {
 
 }  // namespace
 
-TableProgram::TableProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job,
-                           std::uint32_t first_layer)
+TableProgram::TableProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, LayerSpan layers)
     : limits_(with_feed_of(limits, *job)),
       job_(std::move(job)),
-      first_layer_(first_layer),
-      layer_(first_layer) {}
+      first_layer_(layers.first),
+      end_layer_(std::min(layers.end, job_->layer_count())),
+      layer_(layers.first) {}
 
 bool TableProgram::next(MotionBlock& block) {
     while (next_ == blocks_.size()) {
         if (is_ended_) return false;
         blocks_.clear();
         next_ = 0;
-        if (layer_ == job_->layer_count()) {
+        if (layer_ >= end_layer_) {
             is_ended_ = true;
             blocks_.emplace_back();
             blocks_.back().kind = BlockKind::program_end;

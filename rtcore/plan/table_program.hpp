@@ -12,15 +12,23 @@
 
 namespace psicarve::plan {
 
-/// A whole table, from a layer's first point (where the machine stands) to the table's last point; how, is
-/// for the planners that derive from it to say. Makes few layers' blocks at a time.
+inline constexpr std::uint32_t kLastLayer = ~std::uint32_t{0};
+
+/// Of a table: from the layer `first` up to, not including, `end`.
+struct LayerSpan {
+    std::uint32_t first = 0;
+    std::uint32_t end = kLastLayer;
+};
+
+/// A table or some of its layers, from a layer's first point (where the machine stands) to the last layer's
+/// last point; how, is for the planners that derive from it to say. Makes few layers' blocks at a time.
 class TableProgram : public Program {
 public:
     bool next(cycle::MotionBlock& block) final;
     PlannedSoFar planned() const final { return planned_; }
 
 protected:
-    TableProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, std::uint32_t first_layer);
+    TableProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, LayerSpan layers);
 
     /// Adds the blocks of the next layers to blocks() and moves layer_ on, past them.
     virtual void make_layers() = 0;
@@ -36,7 +44,8 @@ protected:
     MachineLimits limits_;
     std::shared_ptr<const JobView> job_;
     std::uint32_t first_layer_;
-    std::uint32_t layer_;  ///< the next one to make
+    std::uint32_t end_layer_;  ///< one past the last that is carved
+    std::uint32_t layer_;      ///< the next one to make
     std::vector<cycle::MotionBlock> blocks_;
     PlannedSoFar planned_;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "rtcore/cycle/layer_range.hpp"
 #include "shared/job.hpp"
 #include "shared/jog_lease.hpp"
 #include "shared/recording.hpp"
@@ -103,11 +104,14 @@ Result<void> add_move(Request& request, const Command& command, const Profile& p
     return {};
 }
 
-Result<void> add_first_layer(Request& request, const Command& command) {
+Result<void> add_layers(Request& request, const Command& command) {
     const bool is_layer = command.value >= 0.0 && command.value < kMaxJobCount;
-    request.value = is_layer ? static_cast<std::uint64_t>(command.value) : 0;
-    if (is_layer && static_cast<double>(request.value) == command.value) return {};
-    return refused("start: layers are counted from 0, in whole numbers");
+    const std::uint32_t first = is_layer ? static_cast<std::uint32_t>(command.value) : 0;
+    if (!is_layer || static_cast<double>(first) != command.value)
+        return refused("start: layers are counted from 0, in whole numbers");
+    if (command.value2 > kMaxJobCount) return refused("start: the job has no such layer; the first is 0");
+    request.value = cycle::packed({first, static_cast<std::uint32_t>(command.value2)});
+    return {};
 }
 
 Result<void> add_recording(Request& request, const Command& command) {
@@ -139,7 +143,7 @@ Result<Request> motion_request(const Command& command, RequestKind kind, const P
     } else if (kind == RequestKind::move) {
         added = add_move(request, command, profile);
     } else if (kind == RequestKind::start) {
-        added = add_first_layer(request, command);
+        added = add_layers(request, command);
     } else if (kind == RequestKind::spindle) {
         request.value = command.value != 0.0 ? 1 : 0;
     } else if (kind == RequestKind::override) {

@@ -97,7 +97,7 @@ std::string refusal_text(const cycle::Report& answer, CommandKind command, const
         case R::at_the_end:
             return std::string{name_of(command)} + ": " + limit_text(answer, profile);
         case R::no_such_layer:
-            return "start: the job has no such layer; the first is 0";
+            return "start: the job has not so many layers; the first is 0";
         case R::recording:
             return "record: another process has the pins recorded, or this core cannot; wait, or see status";
         case R::bad_override:

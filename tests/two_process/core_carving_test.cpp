@@ -61,6 +61,33 @@ TEST_F(CoreCarving, AStoppedJobIsCarvedOnFromALayer) {
     }
 }
 
+TEST_F(CoreCarving, OneLayerIsCarvedAndThenTheRest) {
+    start_core();
+    home();
+    ASSERT_EQ(publish(lobed_job(6, 33)), "");
+    Command start{};
+    start.kind = CommandKind::start;
+    start.value = 5.0;
+    start.value2 = 2;
+    EXPECT_NE(refusal_of(start).find("not so many layers"), std::string::npos);
+    start.value = 2.0;
+    start.value2 = 1;
+    ASSERT_EQ(refusal_of(start), "");
+    ASSERT_TRUE(reaches(MachineState::waiting));
+    ASSERT_EQ(refusal_of(CommandKind::start_interpolation), "");
+    ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
+    const CoreStatus one = status();
+    EXPECT_EQ(one.state, MachineState::ready);
+    EXPECT_EQ(one.points_done, 3U * 33U);
+    EXPECT_EQ(one.layer, 2U);
+    EXPECT_LT(one.carve_first_tick, one.carve_last_tick);
+    EXPECT_LT(one.reference_seconds, 0.0) << "T_ref is of whole jobs";
+    ASSERT_EQ(refusal_of(CommandKind::start, 3.0), "");
+    ASSERT_TRUE(reaches(MachineState::waiting));
+    ASSERT_EQ(refusal_of(CommandKind::start_interpolation), "");
+    ASSERT_TRUE(eventually([&] { return status().points_done == 6U * 33U && status().job_end_tick != 0; }));
+}
+
 TEST_F(CoreCarving, HoldRestsOnThePathAndResumeGoesOn) {
     start_core();
     home();

@@ -90,6 +90,11 @@ CoreStatus CoreRig::status() {
            << "state is " << name_of(status().state) << ", not " << name_of(state);
 }
 
+std::string CoreRig::refusal_of(const Command& command) {
+    const auto sent = send_command(*segment_, command, kLimit);
+    return sent ? std::string{} : sent.error().message;
+}
+
 std::string CoreRig::refusal_of(CommandKind kind, double value) {
     Command command{};
     command.kind = kind;

@@ -58,6 +58,7 @@ protected:
     ::testing::AssertionResult reaches(MachineState state);
     std::string refusal_of(CommandKind kind, Axis axis = Axis::r1);
     std::string refusal_of(CommandKind kind, double value);
+    std::string refusal_of(const Command& command);
     std::string publish(const JobTable& table);
     void home();
     void start_carving();

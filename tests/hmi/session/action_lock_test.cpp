@@ -56,6 +56,14 @@ TEST(ActionLock, NeverStartsAnotherJobThanTheOneThatIsOpen) {
     EXPECT_EQ(lock(Action::start, machine, DeskState::empty), "Start: no job is published");
 }
 
+TEST(ActionLock, LocksOneLayerWithTheStartAndWhileTheHeadsWait) {
+    EXPECT_EQ(lock(Action::one_layer, machine_in(S::ready)), "");
+    EXPECT_EQ(lock(Action::one_layer, machine_in(S::off, 0)), "Start: axis R1 is not homed");
+    EXPECT_EQ(lock(Action::one_layer, machine_in(S::carving)), "Start: already carving");
+    EXPECT_EQ(lock(Action::one_layer, machine_in(S::waiting)),
+              "The heads wait at the first point; start or stop");
+}
+
 TEST(ActionLock, KeepsTheAlarmUntilItsCauseIsGone) {
     MachineSight machine = limit_alarm(Axis::r2);
     EXPECT_EQ(lock(Action::reset_alarm, machine), "Switch R2 is still closed");

@@ -50,5 +50,15 @@ TEST(StartIntent, NeverCarvesUnasked) {
     EXPECT_FALSE(sut.take(status(S::waiting, 9)));
 }
 
+TEST(NextLayer, IsTheOneAfterTheLastThatIsWhole) {
+    EXPECT_EQ(next_layer(0, 60, 6), 0U);
+    EXPECT_EQ(next_layer(9, 60, 6), 0U);
+    EXPECT_EQ(next_layer(10, 60, 6), 1U);
+    EXPECT_EQ(next_layer(35, 60, 6), 3U);
+    EXPECT_EQ(next_layer(60, 60, 6), 0U) << "done: the next run begins below";
+    EXPECT_EQ(next_layer(0, 0, 6), 0U);
+    EXPECT_EQ(next_layer(5, 60, 0), 0U);
+}
+
 }  // namespace
 }  // namespace psicarve::session

@@ -62,7 +62,8 @@ TEST_F(WindowOnCore, CarvesHoldsResumesStopsInAnEmergencyAndGoesOn) {
     take_picture("alarm_dark");
     EXPECT_EQ(window_->findChild<QLabel*>("alarm_title")->text(), "Emergency stop");
     const int layer = window_->findChild<QSpinBox*>("layer")->value();
-    EXPECT_EQ(layer, static_cast<int>(sight().status->layer) + 1);
+    const CoreStatus& stopped = *sight().status;
+    EXPECT_EQ(layer, static_cast<int>(stopped.points_done / (stopped.points_total / 4000)) + 1);
     ASSERT_TRUE(click("reset_alarm"));
     ASSERT_TRUE(comes_to(S::off));
     EXPECT_EQ(button("start").toolTip(), "Start: axis R1 is not homed");
@@ -72,6 +73,23 @@ TEST_F(WindowOnCore, CarvesHoldsResumesStopsInAnEmergencyAndGoesOn) {
     ASSERT_TRUE(comes_to(S::carving));
     ASSERT_TRUE(click("stop"));
     ASSERT_TRUE(comes_to(S::ready));
+}
+
+TEST_F(WindowOnCore, CarvesLayerAfterLayer) {
+    start_core();
+    open_window();
+    open_long_job();
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    auto* const layer = window_->findChild<QSpinBox*>("layer");
+    for (const int carved : {1, 2, 3}) {
+        EXPECT_EQ(layer->value(), carved);
+        ASSERT_TRUE(click("one_layer"));
+        ASSERT_TRUE(comes_true([&] { return sight().state() == S::ready && layer->value() == carved + 1; }))
+            << all_messages().toStdString();
+        EXPECT_EQ(sight().status->points_done, static_cast<std::uint64_t>(carved) * 201);
+    }
+    take_picture("one_layer_light");
 }
 
 TEST_F(WindowOnCore, TakesAModelFromItsFileToACarvedPiece) {

@@ -96,6 +96,7 @@ void MachineRig::load(const JobTable& table) {
     request.kind = RequestKind::job_loaded;
     request.value = 1;
     request.points_total = std::uint64_t{table.layer_count} * table.point_count;
+    request.points_per_layer = table.point_count;
     io->requests.push(request);
     tick();
 }

@@ -11,64 +11,15 @@
 
 #include "shared/job.hpp"
 #include "shared/units.hpp"
-#include "tests/shared/spiral_fixture.hpp"
+#include "tests/rtcore/plan/table_blocks.hpp"
 
 namespace psicarve::plan {
 namespace {
 
-struct OwnedJob {
-    std::vector<std::byte> blob;
-    JobView view;
-};
-
-JobTable random_table(std::mt19937_64& random, Joining joining, std::int64_t roughness,
-                      std::uint32_t layers = 4) {
-    JobTable table;
-    table.layer_count = layers;
-    table.point_count = 60;
-    table.psi_sweep_pulses = 3200;
-    table.joining = joining;
-    table.feed_mm_s = 20.0;
-    std::int64_t height = 100;
-    for (std::uint32_t layer = 0; layer < table.layer_count; ++layer) {
-        table.layer_height_pulses.push_back(height);
-        height += 1 + static_cast<std::int64_t>(random() % 90);
-        for (auto* radii : {&table.r_left_pulses, &table.r_right_pulses}) {
-            auto radius = static_cast<std::int32_t>(5000 + random() % 2000);
-            for (std::uint32_t point = 0; point < table.point_count; ++point) {
-                const auto step =
-                    static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * roughness + 1));
-                radius += static_cast<std::int32_t>(step - roughness);
-                radii->push_back(radius);
-            }
-        }
-    }
-    table.profile_toml = profile_to_toml(Profile{});
-    return joining == Joining::spiral ? spiral_of(table) : table;
-}
-
-std::shared_ptr<const JobView> job_of(const JobTable& table) {
-    auto owned = std::make_shared<OwnedJob>();
-    owned->blob = job_blob_from_table(table);
-    const auto view = JobView::check(owned->blob);
-    EXPECT_TRUE(view);
-    owned->view = *view;
-    return {owned, &owned->view};
-}
-
-std::vector<cycle::MotionBlock> blocks_of(const std::shared_ptr<const JobView>& job,
-                                          std::uint32_t first_layer = 0) {
-    LookaheadProgram program(machine_limits(Profile{}), job, first_layer);
-    std::vector<cycle::MotionBlock> blocks;
-    cycle::MotionBlock block;
-    while (program.next(block)) blocks.push_back(block);
-    return blocks;
-}
-
-Pulses4 point_of(const JobView& job, std::uint32_t layer, std::uint32_t point) {
-    return {job.r_left_pulses(layer)[point], job.r_right_pulses(layer)[point], job.psi_pulses(layer, point),
-            job.y_pulses(layer, point)};
-}
+using test::blocks_of;
+using test::job_of;
+using test::point_of;
+using test::random_table;
 
 class Lookahead : public ::testing::TestWithParam<Joining> {};
 class LinkedLookahead : public ::testing::TestWithParam<Joining> {};
@@ -244,92 +195,20 @@ TEST(LookaheadProgram, ReportsItsTimeAsTheReference) {
     EXPECT_EQ(program.planned().points, 4U * 60U - 1U);
 }
 
-/// What the blocks of a run that begins at a layer's first point have in common with the whole run's.
-void expect_same_cuts(const std::vector<cycle::MotionBlock>& part,
-                      const std::vector<cycle::MotionBlock>& whole) {
-    ASSERT_LT(part.size(), whole.size());
-    const auto* same = whole.data() + (whole.size() - part.size());
-    for (std::size_t i = 0; i < part.size(); ++i, ++same) {
-        ASSERT_EQ(part[i].delta_pulses, same->delta_pulses) << i;
-        ASSERT_EQ(part[i].path.length, same->path.length);
-        ASSERT_EQ(part[i].reaches_points, same->reaches_points);
-        ASSERT_EQ(part[i].layer, same->layer);
-        ASSERT_EQ(part[i].point, same->point);
-        for (std::size_t k = 0; k < 2; ++k) {
-            ASSERT_LE(part[i].path.start_speed2[k], same->path.start_speed2[k]);
-            ASSERT_LE(part[i].path.end_speed2[k], same->path.end_speed2[k]);
+TEST_P(LinkedLookahead, OneLayersBlocksAreThoseOfTheWholeRun) {
+    std::mt19937_64 random{61};
+    const auto job = job_of(random_table(random, GetParam(), 12));
+    for (std::uint32_t layer = 0; layer < job->layer_count(); ++layer) {
+        const auto rest = blocks_of(job, layer);
+        const auto one = blocks_of(job, layer, layer + 1);
+        ASSERT_LE(one.size(), rest.size());
+        for (std::size_t i = 0; i + 1 < one.size(); ++i) {
+            ASSERT_EQ(one[i].delta_pulses, rest[i].delta_pulses);
+            ASSERT_EQ(one[i].path.end_speed2, rest[i].path.end_speed2);
+            ASSERT_TRUE(one[i].reaches_points == 0 || one[i].layer == layer) << i;
         }
+        EXPECT_EQ(one.back().kind, cycle::BlockKind::program_end);
     }
-}
-
-/// The first block begins at about start-stop speed, and until it has caught up no block asks more of an axis
-/// than there is.
-void expect_speeds_up_from_rest(const std::vector<cycle::MotionBlock>& part,
-                                const std::vector<cycle::MotionBlock>& whole) {
-    const cycle::PathTiming& first = part.front().path;
-    EXPECT_LE(std::sqrt(first.start_speed2[1]), 1.1 * double{first.start_stop_speed});
-    const auto* same = whole.data() + (whole.size() - part.size());
-    double end2 = first.start_speed2[0];
-    for (std::size_t i = 0; i < part.front().group_blocks; ++i, ++same) {
-        const cycle::PathTiming& timing = part[i].path;
-        ASSERT_NEAR(timing.start_speed2[0], end2, 1e-9) << i;
-        end2 = timing.end_speed2[0];
-        if (end2 == same->path.end_speed2[0]) continue;
-        const double accel = 0.5 * (end2 - timing.start_speed2[0]) / timing.length;
-        ASSERT_GT(accel, 0.0) << i;
-        for (std::size_t k = 0; k < kAxisCount; ++k) {
-            ASSERT_LE(accel + double{timing.accel_bend[k]} * end2, double{timing.accel_free[k]}) << i;
-        }
-    }
-}
-
-// Nothing stops between the rows of a spiral: where the carving begins in their midst it has to speed up. But
-// the cuts, and with them the order of all pulses, are those of the whole run.
-TEST(LookaheadProgram, FromARowOfASpiralOnOnlySpeedsDiffer) {
-    std::mt19937_64 random{59};
-    const auto job = job_of(random_table(random, Joining::spiral, 12, 300));
-    const auto whole = blocks_of(job);
-    for (const std::uint32_t layer : {1U, 2U, 100U, 135U, 136U, 137U, 298U, 299U}) {
-        const auto part = blocks_of(job, layer);
-        expect_same_cuts(part, whole);
-        ASSERT_FALSE(::testing::Test::HasFatalFailure()) << layer;
-        const auto& before = whole[whole.size() - part.size() - 1];
-        EXPECT_EQ(before.layer, layer);
-        EXPECT_EQ(before.point, 0U);
-        expect_speeds_up_from_rest(part, whole);
-        ASSERT_FALSE(::testing::Test::HasFatalFailure()) << layer;
-    }
-}
-
-TEST(LookaheadProgram, NothingStopsBetweenTheRowsOfASpiral) {
-    JobTable table;
-    table.layer_count = 12;
-    table.point_count = 61;
-    table.psi_sweep_pulses = 3200;
-    table.feed_mm_s = 1000.0;
-    for (std::uint32_t layer = 0; layer < table.layer_count; ++layer) {
-        table.layer_height_pulses.push_back(100 + 40 * layer);
-    }
-    table.r_left_pulses.assign(std::size_t{12} * 61, 4000);
-    table.r_right_pulses = table.r_left_pulses;
-    table.profile_toml = profile_to_toml(Profile{});
-    const auto spiral = job_of(spiral_of(table));
-    std::size_t runs = 0;
-    double slowest2 = 1.0;
-    const auto blocks = blocks_of(spiral);
-    for (const cycle::MotionBlock& block : blocks) {
-        runs += block.group_blocks > 0 ? 1 : 0;
-        if (block.reaches_points == 2) slowest2 = std::min(slowest2, block.path.end_speed2[0]);
-    }
-    EXPECT_EQ(runs, 1U);
-    EXPECT_GT(slowest2, 0.98);  // psi at its top speed
-    LookaheadProgram rings(machine_limits(Profile{}), job_of(table));
-    LookaheadProgram sut(machine_limits(Profile{}), spiral);
-    cycle::MotionBlock block;
-    while (rings.next(block)) continue;
-    while (sut.next(block)) continue;
-    EXPECT_LT(sut.planned().seconds, 0.95 * rings.planned().seconds);
-    EXPECT_EQ(sut.planned().points, 12U * 61U - 1U);
 }
 
 // Y is where the table is on its straight way between two points, to a pulse.

@@ -28,7 +28,7 @@ bool Planner::wants_poll() const noexcept {
     return program_ != nullptr && io_->blocks.size() <= cycle::kGroupStartBlocks;
 }
 
-void Planner::poll() {
+void Planner::poll(const std::function<bool()>& has_time) {
     take_requests();
     while (program_ != nullptr) {
         if (!has_pending_) {
@@ -47,6 +47,7 @@ void Planner::poll() {
         pending_.epoch = epoch_;
         if (!io_->blocks.push(pending_)) return;
         has_pending_ = false;
+        if (has_time && !has_time()) return;
     }
 }
 

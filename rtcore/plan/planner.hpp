@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 
@@ -28,8 +29,9 @@ public:
 
     /// Planner's thread. Cheap: a request waits, or an unfinished program's queue is at most half full.
     bool wants_poll() const noexcept;
-    /// Planner's thread. Takes the newest request and queues as many blocks as fit.
-    void poll();
+    /// Planner's thread. Takes the newest request and queues as many blocks as fit. That may be seconds of
+    /// work: whoever has other duties is asked after each block whether there is time for more.
+    void poll(const std::function<bool()>& has_time = {});
 
     /// Any thread. An estimate for the running job with so many points reached; negative: unknown.
     double seconds_left(std::uint64_t points_done) const noexcept;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 #include "rtcore/plan/cycle_config_from_profile.hpp"
@@ -13,14 +14,16 @@ constexpr std::uint64_t kLongestSlice = trace::kTraceRingEntries / 2;
 constexpr std::uint64_t kSettleTicks = 16;  ///< after coming to rest: pins fall, filters settle
 constexpr std::chrono::milliseconds kIdleWait{20};
 constexpr std::chrono::milliseconds kReaderWait{1};
+constexpr std::chrono::milliseconds kLongestSilence{20};  ///< of the core while it plans
 
 /// Decides which ticks virtual time has. At rest a tick passes only to take a request, so that the moment a
 /// command comes in from another process does not show in the trace.
 class VirtualTime {
 public:
-    VirtualTime(CoreParts& parts, RecordDirector* record)
+    VirtualTime(CoreParts& parts, RecordDirector* record, Supervisor& supervisor)
         : parts_(&parts),
           record_(record),
+          supervisor_(&supervisor),
           settle_ticks_(settle_ticks_of(parts.profile)),
           settle_left_(settle_ticks_) {}
 
@@ -47,7 +50,7 @@ private:
     }
     void tick() {
         if (record_ != nullptr) record_->before_tick(parts_->cycle->next_tick(), *parts_);
-        if (parts_->planner->wants_poll()) parts_->planner->poll();
+        if (parts_->planner->wants_poll()) plan();
         parts_->cycle->tick();
         if (!is_at_rest(parts_->cycle->state())) {
             settle_left_ = settle_ticks_;
@@ -56,8 +59,21 @@ private:
         }
     }
 
+    /// The planner has no thread of its own here: others are heard and answered while it works, and what they
+    /// ask of the tick does not wait for the whole plan.
+    void plan() {
+        auto last_heard = std::chrono::steady_clock::now();
+        parts_->planner->poll([&] {
+            if (std::chrono::steady_clock::now() - last_heard < kLongestSilence) return true;
+            const bool has_news = supervisor_->poll();
+            last_heard = std::chrono::steady_clock::now();
+            return !has_news;
+        });
+    }
+
     CoreParts* parts_;
     RecordDirector* record_;
+    Supervisor* supervisor_;
     /// So long after its last pulse an axis may still be turning: it must come to rest before time stands
     /// still.
     static std::uint64_t settle_ticks_of(const Profile& profile) {
@@ -82,7 +98,7 @@ void move_traces(CoreParts& parts) {
 
 int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors,
                          EndRequest& end) {
-    VirtualTime time{parts, directors.record};
+    VirtualTime time{parts, directors.record, supervisor};
     int exit_code = kExitDone;
     time.run_slice(false);
     for (;;) {

@@ -46,6 +46,18 @@ protected:
         EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
         return path;
     }
+    /// Whether a program makes the machine carve; what it said when it ended instead.
+    testing::AssertionResult makes_it_carve(RunningProgram& program) const {
+        bool carves = false;
+        const bool is_decided = eventually([&] {
+            carves = state() == MachineState::carving;
+            return carves || program.has_ended();
+        });
+        if (carves) return testing::AssertionSuccess();
+        if (!is_decided) return testing::AssertionFailure() << "it neither carves nor ends";
+        const int exit_code = program.wait();
+        return testing::AssertionFailure() << "ended with " << exit_code << ": " << program.error();
+    }
     /// What stands in the segment, as a file.
     std::string published_job() const {
         const std::string path = file("published.job");
@@ -274,7 +286,7 @@ TEST_F(Machine, WatchGoesOnLineByLineUntilInterrupted) {
 TEST_F(Machine, AKilledCoreIsSaidWhileCarving) {
     start_core();
     RunningProgram carve{"psicarve", {"carve", long_job(), "--segment", segment_, "--json"}};
-    ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
+    ASSERT_TRUE(makes_it_carve(carve));
     core_->send(SIGKILL);
     EXPECT_EQ(carve.wait(), 5) << carve.error();
     // The state may be seen before the answer to the last command was.
@@ -296,7 +308,7 @@ TEST_F(Machine, AStoppedCoreIsCalledSilent) {
 TEST_F(Machine, AnInterruptedCarveStopsTheRunningCoreInOrder) {
     start_core();
     RunningProgram carve{"psicarve", {"carve", long_job(), "--segment", segment_}};
-    ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
+    ASSERT_TRUE(makes_it_carve(carve));
     carve.send(SIGINT);
     EXPECT_EQ(carve.wait(), 4) << carve.error();
     EXPECT_NE(carve.error().find("stopped by the operator"), std::string::npos) << carve.error();
@@ -306,7 +318,7 @@ TEST_F(Machine, AnInterruptedCarveStopsTheRunningCoreInOrder) {
 
 TEST_F(Machine, APrivateCoreEndsWithAKilledCarve) {
     RunningProgram carve{"psicarve", {"carve", long_job(), "--segment", segment_}};
-    ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
+    ASSERT_TRUE(makes_it_carve(carve));
     carve.send(SIGKILL);
     carve.wait();
     EXPECT_TRUE(eventually([&] { return !core_pid().has_value(); }));
@@ -319,7 +331,7 @@ TEST_F(Machine, ACoreOnTheRealClockCarvesOnWhenItsCarveIsKilled) {
         "psicarve",
         {"carve", box_stl("box.stl"), "--layers", "4", "--points", "9", "--real-time", "--trace",
          file("pins.trace"), "--profile", file("slow.toml"), "--segment", segment_}};
-    ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
+    ASSERT_TRUE(makes_it_carve(carve));
     const auto pid = core_pid();
     ASSERT_TRUE(pid.has_value());
     carve.send(SIGKILL);
@@ -339,7 +351,7 @@ TEST_F(Machine, ACoreOnTheRealClockCarvesOnWhenItsCarveIsKilled) {
 TEST_F(Machine, AnInterruptedCarveEndsItsOwnCoreInOrder) {
     RunningProgram carve{"psicarve",
                          {"carve", long_job(), "--segment", segment_, "--picture", file("out.png")}};
-    ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
+    ASSERT_TRUE(makes_it_carve(carve));
     carve.send(SIGTERM);
     EXPECT_EQ(carve.wait(), 4) << carve.error();
     EXPECT_FALSE(core_pid().has_value());

@@ -59,6 +59,13 @@ RunningProgram::~RunningProgram() {
     (void)wait();
 }
 
+bool RunningProgram::has_ended() const {
+    if (is_over_) return true;
+    siginfo_t ended{};
+    return waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           ended.si_pid == pid_;
+}
+
 int RunningProgram::wait() {
     if (!is_over_) {
         int status = 0;

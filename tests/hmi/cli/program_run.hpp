@@ -50,6 +50,8 @@ public:
     void send(int signal_number) const {
         if (!is_over_) kill(pid_, signal_number);
     }
+    /// Whether it has ended by itself already.
+    bool has_ended() const;
     /// Its exit code; 128 + signal when one ended it.
     int wait();
     /// What came of it, once it has ended.

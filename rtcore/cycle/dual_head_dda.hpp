@@ -31,6 +31,18 @@ public:
         left_ = capacity_;
     }
 
+    /// A part of a longer line, in the very order of pulses that the whole line would have: the iterations
+    /// `done` to `done + count` of `line_pulses`. Requires done + count <= S and S * |d| < 2^62.
+    void start_within(const std::array<std::int64_t, kAxisCount>& line_pulses, std::int64_t done,
+                      std::int64_t count) noexcept {
+        start(line_pulses);
+        left_ = count;
+        if (done == 0) return;
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            accumulator_[k] = (accumulator_[k] + done * step_[k]) % capacity_;
+        }
+    }
+
     std::int64_t iterations_left() const noexcept { return left_; }
 
     /// One iteration: the axes that emit a pulse, bit by axis. Requires iterations_left() > 0.

@@ -101,6 +101,7 @@ private:
     bool is_segment_done() const noexcept;
     Progress begin_path(std::uint64_t tick) noexcept;
     void begin_segment(std::uint64_t tick) noexcept;
+    void start_dda() noexcept;
     void turn_idle_axes(std::uint64_t tick) noexcept;
     void expect_iteration(double number) noexcept;
     bool is_slowest() const noexcept;

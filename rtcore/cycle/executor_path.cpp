@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/cycle/executor.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+
 namespace psicarve::cycle {
 namespace {
 
@@ -74,13 +77,29 @@ Executor::Progress Executor::begin_path(std::uint64_t tick) noexcept {
 }
 
 void Executor::begin_segment(std::uint64_t tick) noexcept {
-    dda_.start(block_.delta_pulses);
+    start_dda();
     const std::int64_t iterations = dda_.iterations_left();
     iteration_way_ =
         iterations > 0 ? block_.path.length / static_cast<double>(iterations) : block_.path.length;
     expect_iteration(1.0);
     turn_axes(tick);
     if (!is_taking_up_) turn_idle_axes(tick);
+}
+
+void Executor::start_dda() noexcept {
+    std::array<std::int64_t, kAxisCount> line{};
+    std::int64_t longest = 0;
+    std::int64_t count = 0;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        line[k] = block_.line_pulses[k];
+        longest = std::max(longest, std::abs(line[k]));
+        count = std::max(count, std::abs(block_.delta_pulses[k]));
+    }
+    if (block_.line_done >= 0 && longest > 0 && block_.line_done + count <= longest) {
+        dda_.start_within(line, block_.line_done, count);
+    } else {
+        dda_.start(block_.delta_pulses);
+    }
 }
 
 // An axis without a pulse in this segment may already turn for the next one: its pins then need not be waited

@@ -76,8 +76,12 @@ struct MotionBlock {
     std::int64_t position_pulses;  ///< latch, define
     std::int64_t ticks;            ///< dwell
     PathTiming path;               ///< path
+    /// path: the straight line of whose pulses this segment has a part, and how many iterations of it come
+    /// before; all 0: a line of its own.
+    std::array<std::int32_t, kAxisCount> line_pulses;
+    std::int64_t line_done;
 };
-static_assert(sizeof(MotionBlock) <= 192 && std::is_trivially_copyable_v<MotionBlock>);
+static_assert(sizeof(MotionBlock) <= 216 && std::is_trivially_copyable_v<MotionBlock>);
 
 inline constexpr std::size_t kBlockRingEntries = 16384;
 /// A group starts when all of it, or this many blocks, are queued: then it cannot run dry.

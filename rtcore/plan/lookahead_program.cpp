@@ -148,6 +148,9 @@ void LookaheadProgram::add_block(const PathPiece& piece) {
     MotionBlock block{};
     block.kind = BlockKind::path;
     block.delta_pulses = piece.delta_pulses;
+    for (std::size_t k = 0; k < kAxisCount; ++k)
+        block.line_pulses[k] = static_cast<std::int32_t>(piece.line_pulses[k]);
+    block.line_done = piece.line_done;
     block.path = timing_of(limits_, piece);
     const bool reaches_point = piece.point != PathPiece::kNoPoint && !points_[piece.point].is_on_the_way;
     if (reaches_point && is_spiral()) {

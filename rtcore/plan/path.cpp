@@ -135,6 +135,11 @@ std::array<double, 2> greatest_radii_mm(const MachineLimits& limits, const Pulse
     return radii_mm;
 }
 
+bool heads_are_coarse(const MachineLimits& limits) {
+    const double pulses_per_mm = std::min(limits.axes[0].pulses_per_unit, limits.axes[1].pulses_per_unit);
+    return limits.path_tolerance_mm * pulses_per_mm < 1.0;
+}
+
 bool cuts_follow_table(const MachineLimits& limits, const std::array<double, 2>& radius_mm) {
     return std::max(radius_mm[0], radius_mm[1]) * rad_from_pulses(1, limits.pulses_per_rev) <
            limits.path_tolerance_mm;

@@ -56,6 +56,9 @@ struct PathCorner {
 
 /// By head: where its tip is at the larger of two radii.
 std::array<double, 2> greatest_radii_mm(const MachineLimits& limits, const Pulses4& from, const Pulses4& to);
+/// Whether a head's pulse is coarser than the tolerance: then spans are cut on their chords, as rounding the
+/// curve could leave them by more than the tolerance and a pulse.
+bool heads_are_coarse(const MachineLimits& limits);
 /// Whether a span is cut where the curve has the table: where the table's pulses are coarser than the
 /// tolerance, rounding the curve could leave the chord by more than the tolerance and a pulse; rounding the
 /// chord does not.

@@ -17,6 +17,26 @@ constexpr double kMostStretch = 0.05;
 // So many segments of unequal length are tried before a point's way is cut bit by bit.
 constexpr std::size_t kMostBitsInALine = 16;
 
+std::size_t longest_axis(const Pulses4& line_pulses) {
+    std::size_t longest = 0;
+    for (std::size_t k = 1; k < kAxisCount; ++k) {
+        if (std::abs(line_pulses[k]) > std::abs(line_pulses[longest])) longest = k;
+    }
+    return longest;
+}
+
+/// Where the line's DDA is after so many iterations.
+Pulses4 along_line(const Pulses4& from, const Pulses4& line_pulses, std::int64_t iterations) {
+    const std::int64_t capacity = std::abs(line_pulses[longest_axis(line_pulses)]);
+    Pulses4 pulses = from;
+    if (capacity == 0) return pulses;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        const std::int64_t count = (capacity / 2 + iterations * std::abs(line_pulses[k])) / capacity;
+        pulses[k] += line_pulses[k] < 0 ? -count : count;
+    }
+    return pulses;
+}
+
 }  // namespace
 
 std::size_t bits_in(const PathCell& cell, double length) {
@@ -81,8 +101,13 @@ void PieceMaker::flush(std::uint32_t point) {
     while (first < bits_.size()) {
         const std::size_t end = longest(first);
         const bool reaches = end == bits_.size();
+        const std::int64_t done = line_done(point);
         add_piece(first, end, reaches ? points_[point].pulses : cut_at(end, point),
                   reaches ? point : PathPiece::kNoPoint);
+        if (is_cut_on_line(point)) {
+            pieces_.back().line_pulses = line_to(point);
+            pieces_.back().line_done = done;
+        }
         first = end;
     }
     last_point_ = point;
@@ -114,12 +139,36 @@ void PieceMaker::keep_way(std::uint32_t point, Pulses4& pulses) const {
     pulses[kY] = from.pulses[kY] + (turn == 0.0 ? 0 : round_to_pulse(rise * turned / turn));
 }
 
+bool PieceMaker::is_cut_on_line(std::uint32_t point) const {
+    return heads_are_coarse(limits_) && !is_between_layers(points_[last_point_], points_[point]);
+}
+
+Pulses4 PieceMaker::line_to(std::uint32_t point) const {
+    Pulses4 line;
+    for (std::size_t k = 0; k < kAxisCount; ++k)
+        line[k] = points_[point].pulses[k] - points_[last_point_].pulses[k];
+    return line;
+}
+
+/// Its DDA's iterations that are in pieces already.
+std::int64_t PieceMaker::line_done(std::uint32_t point) const {
+    const std::size_t longest = longest_axis(line_to(point));
+    return std::abs(at_pulses_[longest] - points_[last_point_].pulses[longest]);
+}
+
 Pulses4 PieceMaker::cut_at(std::size_t end, std::uint32_t point) const {
     constexpr std::size_t kPsi = index_of(Axis::psi);
     Pulses4 pulses;
     for (std::size_t k = 0; k < kAxisCount; ++k) pulses[k] = round_to_pulse(bits_[end - 1].end[k]);
     const Pulses4& from = points_[last_point_].pulses;
     const Pulses4& to = points_[point].pulses;
+    if (is_cut_on_line(point)) {
+        const Pulses4 line = line_to(point);
+        const std::size_t longest = longest_axis(line);
+        const std::int64_t way =
+            line[longest] < 0 ? from[longest] - pulses[longest] : pulses[longest] - from[longest];
+        return along_line(from, line, std::clamp(way, line_done(point), std::abs(line[longest])));
+    }
     keep_way(point, pulses);
     if (cuts_follow_table(limits_, greatest_radii_mm(limits_, from, to))) return pulses;
     double length = 0.0;

@@ -22,7 +22,9 @@ struct PathPiece {
     static constexpr std::uint32_t kNoPoint = ~std::uint32_t{0};
 
     Pulses4 delta_pulses;
-    double length;  ///< of u [s]
+    Pulses4 line_pulses;     ///< of whose pulses it has a part; 0: a line of its own
+    std::int64_t line_done;  ///< DDA iterations of that line before it
+    double length;           ///< of u [s]
     Timings begin_speed2;
     Timings end_speed2;
     Lanes slope;          ///< greatest |dq/du| in it [pulses/s]
@@ -65,6 +67,9 @@ private:
     std::size_t longest(std::size_t first) const;
     bool is_straight(std::size_t first, std::size_t end) const;
     void keep_way(std::uint32_t point, Pulses4& pulses) const;
+    bool is_cut_on_line(std::uint32_t point) const;
+    Pulses4 line_to(std::uint32_t point) const;
+    std::int64_t line_done(std::uint32_t point) const;
     Pulses4 cut_at(std::size_t end, std::uint32_t point) const;
     void add_piece(std::size_t first, std::size_t end, const Pulses4& to, std::uint32_t point);
 

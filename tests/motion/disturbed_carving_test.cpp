@@ -98,6 +98,23 @@ TEST(Carving, ObeysTheFourRulesWhenItBeginsAtOnceAndOutwards) {
     }
 }
 
+class Tolerances : public ::testing::TestWithParam<double> {};
+
+// Down to a twenty-fifth of a pulse of the heads: the pulses are then those of the straight lines.
+TEST_P(Tolerances, BelowAPulseAreKeptToo) {
+    Profile profile = usual_profile();
+    profile.job.path_tolerance_mm = GetParam() / profile.r1.pulses_per_mm;
+    for (const NamedShape& shape : sample_shapes()) {
+        for (const Joining joining : {Joining::continuous, Joining::spiral}) {
+            const Carved result = carved(profile, table_of(profile, shape.shape, 2, 300, joining));
+            EXPECT_TRUE(result.report.ok) << shape.name << '\n' << verify::report_text(result.report);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheCurve, Tolerances, ::testing::Values(0.04, 0.4, 0.99),
+                         [](const auto& named) { return "Case" + std::to_string(named.index); });
+
 /// Heads that run down steep steps for seconds while the table has next to nothing to do.
 double cliff_mm(double direction, std::uint32_t) {
     return std::sin(2.0 * direction + 0.4) > 0.0 ? 11.0 : 3.0 + 0.5 * std::sin(9.0 * direction);

@@ -46,6 +46,27 @@ TEST(DualHeadDda, EmitsExactCountsWithinHalfAPulseOfTheLine) {
     }
 }
 
+TEST(DualHeadDda, KeepsTheOrderOfAWholeLineThatIsCutIntoParts) {
+    std::mt19937_64 random(12);
+    for (int round = 0; round < 2000; ++round) {
+        Deltas line{};
+        for (std::int64_t& delta : line) delta = static_cast<std::int64_t>(random() % 401) - 200;
+        DualHeadDda whole;
+        whole.start(line);
+        const std::int64_t capacity = whole.iterations_left();
+        std::int64_t done = 0;
+        while (done < capacity) {
+            const auto count =
+                1 + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(capacity - done));
+            DualHeadDda part;
+            part.start_within(line, done, count);
+            ASSERT_EQ(part.iterations_left(), count);
+            while (part.iterations_left() > 0) ASSERT_EQ(part.iterate(), whole.iterate()) << "after " << done;
+            done += count;
+        }
+    }
+}
+
 TEST(DualHeadDda, StaysExactOverLongLines) {
     expect_on_the_line({14'400'000, -3'999'999, 7'200'001, 0}, 14'400'000);
 }

@@ -10,7 +10,7 @@ set -euo pipefail
 
 build_packages=(cmake ninja-build g++ libboost-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
     libxxhash-dev libzip-dev libexpat1-dev pkg-config libcairo2-dev fonts-dejavu-core)
-window_packages=(qt6-base-dev)
+window_packages=(qt6-base-dev libqt6opengl6-dev)
 test_packages=(git ccache python3 python3-numpy python3-scipy libgtest-dev libgmock-dev sigrok-cli clang-14 clang-format-14 clang-tidy-14
     libclang-rt-14-dev)
 bench_packages=(libembree-dev admesh linuxcnc-uspace)

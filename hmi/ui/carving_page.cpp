@@ -6,36 +6,47 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "hmi/session/display_text.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/view_buttons.hpp"
-#include "shared/units.hpp"
 
 namespace psicarve::ui {
 namespace {
 
 using session::DeskState;
 
-/// In software: never more often than this, so that the machine's computer has time for the machine.
-constexpr qint64 kLeastPause_ms = 100;
-constexpr std::size_t kMostRound = 240;
-constexpr std::size_t kMostUp = 200;
+/// Never more often than this, so that the machine's computer has time for the machine.
+constexpr qint64 kLeastPause_ms = 66;
+constexpr std::uint64_t kCellsPerLook = 100'000;  // some milliseconds
 constexpr QRgb kDone = 0xC4CAD0;
 constexpr QRgb kBlank = 0x7C8894;
+constexpr double kRodLength = 0.35;  // of the blank's diameter
+constexpr double kRodRadius = 0.04;
+
+session::CarvedScenePlan plan_for(Drawing drawing) {
+    return drawing == Drawing::opengl ? session::CarvedScenePlan{480, 400, 2, kDone, kBlank}
+                                      : session::CarvedScenePlan{240, 200, 2, kDone, kBlank};
+}
+
+bool is_moving(MachineState state) {
+    return !is_at_rest(state);
+}
 
 }  // namespace
 
-CarvingPage::CarvingPage(Bench& bench, QWidget* parent)
+CarvingPage::CarvingPage(Bench& bench, Drawing drawing, QWidget* parent)
     : QWidget(parent),
       bench_(bench),
-      view_(new MeshView),
+      view_(new MeshView{drawing}),
       done_(role_label("label")),
       point_(role_label("title")) {
+    view_->setObjectName("carving_view");
     view_->setAccessibleName(tr("The blank as carved so far"));
     view_->set_empty_text(tr("No job is published."));
+    view_->look_from(MeshView::Side::front);
     auto* foot = new QHBoxLayout;
     foot->addWidget(done_, 1);
     foot->addWidget(point_);
@@ -49,14 +60,32 @@ CarvingPage::CarvingPage(Bench& bench, QWidget* parent)
 void CarvingPage::set_theme(const Tokens& tokens) {
     tokens_ = &tokens;
     view_->set_theme(tokens);
-    drawn_edition_ = 0;
+    drawn_positions_ = {};
 }
 
 void CarvingPage::refresh() {
+    lane_.deliver();
     keep_record();
     if (!isVisible() || tokens_ == nullptr) return;
     draw();
     say();
+}
+
+/// Of a large job it takes longer than a window may stand still.
+void CarvingPage::make_record() {
+    record_.reset();
+    scene_.reset();
+    rods_ = {};
+    lane_.drop_waiting();
+    if (!job_) return;
+    lane_.post([this, job = job_]() -> session::WorkLane::Finish {
+        auto made = session::CarvingRecord::make(job);
+        if (!made) return {};
+        auto record = std::make_shared<std::unique_ptr<session::CarvingRecord>>(std::move(*made));
+        return [this, job, record] {
+            if (job == job_) record_ = std::move(*record);
+        };
+    });
 }
 
 void CarvingPage::keep_record() {
@@ -64,13 +93,8 @@ void CarvingPage::keep_record() {
     const auto job = is_published ? bench_.desk.job() : nullptr;
     if (job != job_) {
         job_ = job;
-        record_.reset();
-        if (job_) {
-            auto made = session::CarvingRecord::make(job_);
-            if (made) record_ = std::move(*made);
-        }
         job_start_tick_ = 0;
-        drawn_edition_ = ~std::uint64_t{0};
+        make_record();
     }
     const auto& status = bench_.machine.sight().status;
     if (!record_ || !status) {
@@ -86,28 +110,58 @@ void CarvingPage::keep_record() {
         if (entry.tick >= job_start_tick_ && job_start_tick_ != 0) record_->take(entry);
     });
     const bool is_complete = status->points_total > 0 && status->points_done == status->points_total;
-    if (status->points_done > 0) record_->take_as_planned(is_complete ? status->layer + 1 : status->layer);
+    if (status->points_done > 0)
+        record_->take_as_planned(is_complete ? status->layer + 1 : status->layer, kCellsPerLook);
 }
 
 void CarvingPage::draw() {
     if (!record_) {
-        if (drawn_edition_ != 0) view_->show_scene(nullptr);
-        drawn_edition_ = 0;
-        return;
+        if (view_->picture().bodies.empty()) return;
+        view_->set_heads({});
+        return view_->show_scene(nullptr);
     }
-    const bool is_same = drawn_edition_ == record_->edition();
+    const auto& status = bench_.machine.sight().status;
+    verify::Positions positions{};
+    if (status)
+        std::copy(std::begin(status->position_pulses), std::end(status->position_pulses), positions.begin());
+    const bool is_same = scene_ && drawn_edition_ == record_->edition() && drawn_positions_ == positions;
+    view_->set_moving(is_moving(bench_.machine.sight().state()));
     if (is_same || (drawn_.isValid() && drawn_.elapsed() < kLeastPause_ms)) return;
     drawn_.start();
     drawn_edition_ = record_->edition();
-    view_->replace_scene(
-        std::make_shared<const session::MeshScene>(record_->scene(kMostRound, kMostUp, kDone, kBlank)));
-    std::vector<MeshView::Mark> marks;
-    const QColor colours[] = {tokens_->r1, tokens_->r2};
-    for (std::size_t head = 0; head < 2; ++head) {
-        if (const auto tip = record_->tip(head))
-            marks.push_back({*tip, colours[head], head == 0 ? "R1" : "R2"});
+    drawn_positions_ = positions;
+    if (!scene_ || scene_drawing_ != view_->drawing()) {
+        scene_drawing_ = view_->drawing();
+        scene_ = std::make_unique<session::CarvedScene>(*record_, plan_for(view_->drawing()));
+        view_->show_scene(scene_->scene());
     }
-    view_->set_marks(std::move(marks));
+    view_->vertices_changed(scene_->update(*record_));
+    draw_heads();
+}
+
+void CarvingPage::draw_heads() {
+    const auto pose = record_->pose(drawn_positions_);
+    const double across_mm = scene_->scene()->size[0];
+    const QColor colours[] = {tokens_->r1, tokens_->r2};
+    std::vector<MeshView::Head> heads;
+    for (std::size_t h = 0; h < verify::kHeadCount; ++h) {
+        // Where it stands is known once its axis is homed.
+        if (!bench_.machine.sight().is_homed(verify::kHeads[h]) || !bench_.machine.sight().is_homed(Axis::y))
+            continue;
+        const auto& at = pose.heads[h];
+        if (!rods_[h])
+            rods_[h] = std::make_shared<const session::MeshScene>(
+                session::head_scene(across_mm * kRodLength, across_mm * kRodRadius));
+        const double name_mm = at.radius_mm + across_mm * kRodLength * 0.85;
+        heads.push_back(
+            {{rods_[h], {{at.radius_mm, 0.0, at.height_mm}, at.direction_rad}, colours[h].rgb() & 0xFFFFFFU},
+             h == 0 ? QStringLiteral("R1") : QStringLiteral("R2"),
+             colours[h],
+             {name_mm * std::cos(at.direction_rad), name_mm * std::sin(at.direction_rad),
+              at.height_mm + 2.0 * across_mm * kRodRadius}});
+    }
+    view_->turn_part(pose.part_turn_rad);
+    view_->set_heads(std::move(heads));
 }
 
 void CarvingPage::say() {

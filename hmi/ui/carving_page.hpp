@@ -5,11 +5,15 @@
 #include <QElapsedTimer>
 #include <QWidget>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 
+#include "hmi/session/carved_scene.hpp"
 #include "hmi/session/carving_record.hpp"
+#include "hmi/session/work_lane.hpp"
 #include "hmi/ui/bench.hpp"
+#include "hmi/ui/space_canvas.hpp"
 #include "hmi/ui/tokens.hpp"
 
 class QLabel;
@@ -23,28 +27,36 @@ class MeshView;
 class CarvingPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CarvingPage)
 public:
-    explicit CarvingPage(Bench& bench, QWidget* parent = nullptr);
+    explicit CarvingPage(Bench& bench, Drawing drawing, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     /// The record is kept whether or not somebody looks at the page.
     void refresh();
     const session::CarvingRecord* record() const noexcept { return record_.get(); }
+    MeshView& view() noexcept { return *view_; }
 
 private:
+    void make_record();
     void keep_record();
     void draw();
+    void draw_heads();
     void say();
 
     Bench& bench_;
     const Tokens* tokens_ = nullptr;
     std::shared_ptr<const cam::PreparedJob> job_;
     std::unique_ptr<session::CarvingRecord> record_;
+    std::unique_ptr<session::CarvedScene> scene_;
+    std::array<std::shared_ptr<const session::MeshScene>, verify::kHeadCount> rods_;
+    Drawing scene_drawing_ = Drawing::painter;  ///< that scene_ was made for
     std::uint64_t job_start_tick_ = 0;
     std::uint64_t drawn_edition_ = 0;
+    verify::Positions drawn_positions_{};
     QElapsedTimer drawn_;
     MeshView* view_;
     QLabel* done_;
     QLabel* point_;
+    session::WorkLane lane_;
 };
 
 }  // namespace psicarve::ui

@@ -50,7 +50,8 @@ bool is_under_way(const session::MachineSight& sight) {
 
 }  // namespace
 
-MainWindow::MainWindow(const session::SessionOptions& options) : bench_(options), menu_(new QMenu{this}) {
+MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing)
+    : bench_(options), drawing_(drawing), menu_(new QMenu{this}) {
     setWindowTitle("Psicarve");
     setAcceptDrops(true);
     make_menu();
@@ -109,9 +110,9 @@ QWidget* MainWindow::make_centre() {
     tabs_ = new QTabWidget;
     tabs_->setDocumentMode(true);
     tabs_->tabBar()->setDrawBase(false);
-    model_ = new ModelPage{bench_};
+    model_ = new ModelPage{bench_, drawing_};
     layers_ = new LayersPage{bench_};
-    carving_ = new CarvingPage{bench_};
+    carving_ = new CarvingPage{bench_, drawing_};
     ports_ = new PortsPage{bench_};
     realtime_ = new RealtimePage{bench_};
     messages_ = new MessagesPage{bench_};

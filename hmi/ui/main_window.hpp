@@ -10,6 +10,7 @@
 
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/settings.hpp"
+#include "hmi/ui/space_canvas.hpp"
 #include "hmi/ui/tokens.hpp"
 
 class QLabel;
@@ -38,7 +39,7 @@ enum class CloseChoice : std::uint8_t { stay_open, leave_running, hold, stop };
 class MainWindow : public QMainWindow {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MainWindow)
 public:
-    explicit MainWindow(const session::SessionOptions& options);
+    explicit MainWindow(const session::SessionOptions& options, Drawing drawing = Drawing::painter);
     ~MainWindow() override;
 
     Bench& bench() noexcept { return bench_; }
@@ -70,6 +71,7 @@ private:
     CloseChoice ask_what_to_do();
 
     Bench bench_;
+    Drawing drawing_;
     WindowSettings settings_;
     QMenu* menu_;
     QMenu* recent_ = nullptr;

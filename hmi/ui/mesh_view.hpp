@@ -2,69 +2,97 @@
 #pragma once
 
 #include <QCoreApplication>
-#include <QImage>
 #include <QPointF>
+#include <QTimer>
 #include <QWidget>
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "hmi/session/mesh_scene.hpp"
+#include "hmi/session/carved_scene.hpp"
+#include "hmi/session/space_picture.hpp"
+#include "hmi/ui/space_canvas.hpp"
 #include "hmi/ui/tokens.hpp"
+
+class QLabel;
 
 namespace psicarve::ui {
 
-/// The model in space, drawn without OpenGL: turned with the left button, moved with the right, zoomed with
-/// the wheel. Redrawn only when something changed.
+/// Something in space: turned with the left button, moved with the right, zoomed with the wheel. Redrawn only
+/// when something changed; coarser while it is being turned. A drawing that fails goes on without OpenGL.
 class MeshView : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MeshView)
 public:
     enum class Side : std::uint8_t { front, side, top, iso };
 
-    /// Something at a place in the scene (placed coordinates), with its name.
-    struct Mark {
-        std::array<double, 3> place;
-        QColor colour;
+    /// A head at its place, with its name.
+    struct Head {
+        session::SceneBody body;
         QString name;
+        QColor colour;
+        std::array<double, 3> label_place{};  ///< placed coordinates
+    };
+    /// Lengths in the scene's units, places relative to the middle of its box.
+    struct Blank {
+        std::array<double, 2> axis{};
+        double radius = 0.0;
+        QString text;
     };
 
-    explicit MeshView(QWidget* parent = nullptr);
+    explicit MeshView(Drawing drawing, QWidget* parent = nullptr);
 
+    Drawing drawing() const noexcept { return drawing_; }
     void set_theme(const Tokens& tokens);
     void show_scene(std::shared_ptr<const session::MeshScene> scene);
     /// The same thing in another state: seen as before.
     void replace_scene(std::shared_ptr<const session::MeshScene> scene);
-    void set_marks(std::vector<Mark> marks);
+    /// Of the scene that is shown, these vertices are others now.
+    void vertices_changed(const std::vector<session::VertexRange>& ranges);
+    void turn_part(double turn_rad);
+    void set_heads(std::vector<Head> heads);
+    void set_blank(std::optional<Blank> blank);
+    /// In the lower left corner; rich text, empty: none.
+    void set_legend(const QString& text);
     /// Shown while there is no scene.
-    void set_empty_text(const QString& text) { empty_text_ = text; }
+    void set_empty_text(const QString& text);
     void set_up(slice::Up up);
-    /// Where the rotation axis passes, in the turned model's file units.
-    void set_axis_at_origin(bool at_origin);
+    /// Something goes on changing: speed is worth more than detail.
+    void set_moving(bool is_moving);
     void look_from(Side side);
     void fit();
-    const session::SceneView& view() const noexcept { return view_; }
+    const session::SpacePicture& picture() const noexcept { return picture_; }
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
 
 private:
+    void make_canvas();
     void redraw();
-    void draw_image(QPainter& painter);
-    void draw_axis(QPainter& painter, const session::SceneCamera& camera) const;
-    void draw_marks(QPainter& painter, const session::SceneCamera& camera) const;
+    void make_lines(const session::SceneCamera& camera);
+    void place_labels(const session::SceneCamera& camera);
+    void hurry();
 
+    Drawing drawing_;
     const Tokens* tokens_ = nullptr;
-    std::shared_ptr<const session::MeshScene> scene_;
-    session::SceneView view_;
-    std::vector<Mark> marks_;
-    QString empty_text_;
-    bool axis_at_origin_ = false;
-    QImage image_;  ///< null: to be drawn anew
+    session::SpacePicture picture_;  // the first body is the part, if there is one
+    std::shared_ptr<const session::MeshScene> part_;
+    double part_turn_rad_ = 0.0;
+    std::vector<Head> heads_;
+    std::optional<Blank> blank_;
+    bool is_moving_ = false;
+    SpaceCanvas* canvas_ = nullptr;
+    QLabel* empty_;
+    QLabel* axis_label_;
+    QLabel* blank_label_;
+    QLabel* legend_;
+    std::array<QLabel*, 2> head_labels_{};
+    QTimer rest_;  // until the view is drawn finely again
     QPointF grabbed_;
 };
 

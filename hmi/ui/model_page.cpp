@@ -13,12 +13,14 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/choice_box.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/view_buttons.hpp"
+#include "hmi/ui/warning_list.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -32,6 +34,8 @@ constexpr int kMostPoints = 100'000;
 constexpr int kUsualCount = 500;
 constexpr double kMostHeight_mm = 10'000.0;
 constexpr int kSteps = 1000;
+constexpr QRgb kReachable = 0xC2C8CE;
+constexpr QRgb kUndercut = 0xFFC21A;
 
 QString state_words(DeskState state) {
     switch (state) {
@@ -55,7 +59,8 @@ QString state_words(DeskState state) {
 
 }  // namespace
 
-ModelPage::ModelPage(Bench& bench, QWidget* parent) : QWidget(parent), bench_(bench), view_(new MeshView) {
+ModelPage::ModelPage(Bench& bench, Drawing drawing, QWidget* parent)
+    : QWidget(parent), bench_(bench), watch_(kReachable, kUndercut), view_(new MeshView{drawing}) {
     auto* all = new QHBoxLayout{this};
     all->setContentsMargins(kGap, kGap, kGap, kGap);
     all->setSpacing(kGap);
@@ -67,12 +72,15 @@ QWidget* ModelPage::make_view() {
     auto* whole = new QWidget;
     auto* column = new QVBoxLayout{whole};
     column->setContentsMargins(0, 0, 0, 0);
+    view_->setObjectName("model_view");
     view_->set_empty_text(tr("No model. Open one from the menu, or drop a file here."));
     QHBoxLayout* buttons = view_buttons(*view_);
     size_ = role_label("label");
     buttons->addWidget(size_);
     column->addLayout(buttons);
     column->addWidget(view_, 1);
+    warnings_ = new WarningList;
+    column->addWidget(warnings_);
     return whole;
 }
 
@@ -140,9 +148,10 @@ void ModelPage::fill_form(QFormLayout& form) {
     form.addRow(tr("Layers"), layers_);
     form.addRow(tr("Points / head"), points_);
     form.addRow(tr("Joining"), joining_);
-    connect(up_, &QComboBox::currentIndexChanged, this, [this] { view_->set_up(job_options().up); });
-    connect(axis_, &QComboBox::currentIndexChanged, this,
-            [this] { view_->set_axis_at_origin(job_options().axis_at == cam::AxisAt::origin); });
+    for (QComboBox* box : {up_, axis_})
+        connect(box, &QComboBox::currentIndexChanged, this, [this] { look(); });
+    height_->setKeyboardTracking(false);
+    connect(height_, &QDoubleSpinBox::valueChanged, this, [this] { look(); });
 }
 
 cam::JobOptions ModelPage::job_options() const {
@@ -161,15 +170,32 @@ cam::JobOptions ModelPage::job_options() const {
     return options;
 }
 
-void ModelPage::slice() {
-    const auto& chosen = bench_.machine.options().profile;
+Profile ModelPage::profile() const {
     const auto& of_core = bench_.machine.sight().profile;
-    const Profile profile = of_core ? *of_core : chosen.value_or(Profile{});
-    bench_.desk.slice(job_options(), profile);
+    return of_core ? *of_core : bench_.machine.options().profile.value_or(Profile{});
+}
+
+void ModelPage::slice() {
+    bench_.desk.slice(job_options(), profile());
+}
+
+/// What the form says about the placement is seen at once; what cannot be reached, when it is found out.
+void ModelPage::look() {
+    const auto scene = bench_.desk.scene();
+    view_->set_up(job_options().up);
+    view_->set_blank({});
+    view_->set_legend({});
+    view_->replace_scene(scene);
+    shown_sight_.reset();
+    if (scene)
+        watch_.look(bench_.desk.mesh(), scene, profile(), job_options());
+    else
+        watch_.forget();
 }
 
 void ModelPage::set_theme(const Tokens& tokens) {
     view_->set_theme(tokens);
+    warnings_->set_theme(tokens);
     refresh();
 }
 
@@ -177,10 +203,20 @@ void ModelPage::refresh() {
     slice_->refresh(bench_);
     publish_->refresh(bench_);
     refresh_state();
+    watch_.poll();
+    show_sight();
     if (shown_edition_ == bench_.desk.edition()) return;
     shown_edition_ = bench_.desk.edition();
+    show_opened();
+    show_warnings();
+}
+
+void ModelPage::show_opened() {
     const auto scene = bench_.desk.scene();
-    view_->show_scene(scene);
+    if (scene == opened_) return;
+    opened_ = scene;
+    view_->fit();
+    look();
     if (!scene) return size_->clear();
     const auto number = [](double value) { return QString::fromStdString(session::number_text(value, 1)); };
     const auto size = slice::placed(job_options().up, scene->size);
@@ -188,6 +224,36 @@ void ModelPage::refresh() {
                        .arg(number(size[0]), number(size[1]), number(size[2]),
                             QString::fromStdString(session::count_text(
                                 static_cast<std::int64_t>(bench_.desk.mesh()->triangles.size())))));
+}
+
+void ModelPage::show_sight() {
+    const auto seen = watch_.seen();
+    if (!seen || seen == shown_sight_) return;
+    shown_sight_ = seen;
+    const session::ModelSight& sight = seen->sight;
+    view_->replace_scene(seen->painted);
+    const double across_mm = 2.0 * sight.blank_radius * sight.mm_per_unit;
+    view_->set_blank(
+        MeshView::Blank{sight.axis, sight.blank_radius,
+                        tr("blank ⌀ %1").arg(QString::fromStdString(session::number_text(across_mm, 1)))});
+    const auto entry = [](QRgb rgb, const QString& text) {
+        return QStringLiteral("<span style='color:%1'>■</span> %2").arg(QColor::fromRgb(rgb).name(), text);
+    };
+    constexpr double kPercent = 100.0;
+    view_->set_legend(entry(kReachable, tr("reachable")) + "<br>" +
+                      entry(kUndercut, tr("undercut %1 %")
+                                           .arg(QString::fromStdString(
+                                               session::number_text(kPercent * sight.undercut_share, 1)))));
+}
+
+void ModelPage::show_warnings() {
+    std::vector<std::string> all;
+    if (bench_.desk.mesh()) all = bench_.desk.mesh()->warnings;
+    if (bench_.desk.job()) {
+        const auto& more = bench_.desk.job()->warnings;
+        all.insert(all.end(), more.begin(), more.end());
+    }
+    warnings_->show_warnings(std::move(all));
 }
 
 void ModelPage::refresh_state() {

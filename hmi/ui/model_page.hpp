@@ -4,8 +4,10 @@
 #include <QCoreApplication>
 #include <QWidget>
 
+#include "hmi/session/model_watch.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/bench.hpp"
+#include "hmi/ui/space_canvas.hpp"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -17,12 +19,13 @@ class QSpinBox;
 namespace psicarve::ui {
 
 class MeshView;
+class WarningList;
 
 /// The model, how it is to stand and be sliced, and what was noticed about it.
 class ModelPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::ModelPage)
 public:
-    explicit ModelPage(Bench& bench, QWidget* parent = nullptr);
+    explicit ModelPage(Bench& bench, Drawing drawing, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -35,11 +38,20 @@ private:
     QWidget* make_form();
     void fill_form(QFormLayout& form);
     void refresh_state();
+    void show_opened();
+    void look();
+    void show_sight();
+    void show_warnings();
+    Profile profile() const;
 
     Bench& bench_;
+    session::ModelWatch watch_;
+    std::shared_ptr<const session::ModelWatch::Seen> shown_sight_;
+    std::shared_ptr<const session::MeshScene> opened_;
     std::uint64_t shown_edition_ = ~std::uint64_t{0};
     MeshView* view_;
     QLabel* size_;
+    WarningList* warnings_;
     QComboBox* up_;
     QComboBox* axis_;
     QDoubleSpinBox* height_;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hmi/ui/gl_probe.hpp"
 #include "hmi/ui/main_window.hpp"
 #include "hmi/ui/window_options.hpp"
 
@@ -13,6 +14,16 @@ namespace psicarve::ui {
 namespace {
 
 constexpr int kExitInput = 3;
+
+Drawing drawing_for(OpenGl wanted) {
+    if (wanted == OpenGl::never) return Drawing::painter;
+    const GlProbe probe = probe_gl();
+    if (wanted == OpenGl::always && !probe.is_usable)
+        std::fprintf(stderr, "psicarve-hmi: no OpenGL here (%s); going on without\n",
+                     probe.reason.toUtf8().constData());
+    const bool is_wanted = wanted == OpenGl::always || !probe.is_software;
+    return probe.is_usable && is_wanted ? Drawing::opengl : Drawing::painter;
+}
 
 }  // namespace
 
@@ -35,7 +46,7 @@ int run(int argc, char** argv) {
     QApplication::setApplicationName("psicarve-hmi");
     QApplication::setApplicationDisplayName("Psicarve");
     QApplication::setStyle("Fusion");
-    MainWindow window{session};
+    MainWindow window{session, drawing_for(options.opengl)};
     window.show();
     if (!options.path.empty()) window.open(QString::fromStdString(options.path));
     return QApplication::exec();

@@ -10,12 +10,15 @@ constexpr int kExitDone = 0;
 constexpr int kExitUsage = 2;
 
 constexpr const char* kHelp =
-    "usage: psicarve-hmi [MODEL|JOB] [--segment NAME] [--profile FILE] [--group NAME]\n\n"
+    "usage: psicarve-hmi [MODEL|JOB] [--segment NAME] [--profile FILE] [--group NAME]\n"
+    "                    [--opengl | --no-opengl]\n\n"
     "The operator's window. Shows the machine whose core serves the segment, opens models and jobs, slices,\n"
     "publishes, starts, holds and stops.\n\n"
     "  --segment NAME   the core's shared-memory segment (default /psicarve)\n"
     "  --profile FILE   the machine's profile, as the core has it (default: the built-in one)\n"
     "  --group NAME     the segment belongs to this group\n"
+    "  --opengl         draw the views of the space with OpenGL even where no graphics card does it\n"
+    "  --no-opengl      draw them without\n"
     "  --help, --version\n\n"
     "example: psicarve-rtcore --port sim --clock real & psicarve-hmi examples/figurine.stl\n";
 
@@ -59,6 +62,8 @@ WindowOptions parse_window_options(const std::vector<std::string>& arguments) {
             return ended(kExitDone, kHelp);
         } else if (!only_files && word == "--version") {
             return ended(kExitDone, "psicarve-hmi " PSICARVE_VERSION "\n");
+        } else if (!only_files && (word == "--opengl" || word == "--no-opengl")) {
+            options.opengl = word == "--opengl" ? OpenGl::always : OpenGl::never;
         } else if (!only_files && word.size() > 1 && word.front() == '-') {
             const std::size_t equals = word.find('=');
             const std::string name = word.substr(0, equals);

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace psicarve::ui {
+
+/// Whether the views of the space are drawn with OpenGL.
+enum class OpenGl : std::uint8_t {
+    automatic,  ///< where a graphics card does it
+    always,     ///< also where the processor has to
+    never,
+};
 
 /// What stands on the command line of psicarve-hmi.
 struct WindowOptions {
@@ -13,6 +21,7 @@ struct WindowOptions {
     std::string segment_name;
     std::string group;
     std::string profile_path;
+    OpenGl opengl = OpenGl::automatic;
     /// The program ends at once: with this text and this exit code.
     std::optional<int> exit_code;
     std::string text;

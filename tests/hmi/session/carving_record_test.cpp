@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/session/carving_record.hpp"
+#include "hmi/session/carved_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "shared/units.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::session {
@@ -36,25 +37,28 @@ protected:
                         job_->view.psi_pulses(layer, point), job_->view.y_pulses(layer, point)});
         }
     }
-    std::size_t done_facets() const {
-        const MeshScene scene = sut_->scene(1000, 1000, kDone, kBlank);
-        return static_cast<std::size_t>(std::count(scene.facet_rgb.begin(), scene.facet_rgb.end(), kDone));
+    CarvedScenePlan plan(std::size_t most_round = 1000, std::size_t most_up = 1000) const {
+        return {most_round, most_up, 4, kDone, kBlank};
     }
-    static constexpr std::size_t kFacetsOfLayer = 2 * 2 * (kPoints - 1);
+    std::size_t done_vertices() const {
+        const auto scene = CarvedScene{*sut_, plan()}.scene();
+        return static_cast<std::size_t>(
+            std::count(scene->vertex_rgb.begin(), scene->vertex_rgb.end(), kDone));
+    }
+    static constexpr std::size_t kCellsOfLayer = 2 * (kPoints - 1);
 
     std::shared_ptr<const cam::PreparedJob> job_;
     std::unique_ptr<CarvingRecord> sut_;
 };
 
 TEST_F(Carving, ShowsWhatTheCoreReportedAndNothingElse) {
-    EXPECT_EQ(done_facets(), 0U);
-    EXPECT_FALSE(sut_->tip(0));
+    EXPECT_EQ(done_vertices(), 0U);
     const auto before = sut_->edition();
     carve(0);
     EXPECT_GT(sut_->edition(), before);
-    EXPECT_EQ(done_facets(), kFacetsOfLayer);
+    EXPECT_EQ(done_vertices(), kCellsOfLayer);
     carve(1);
-    EXPECT_EQ(done_facets(), 2 * kFacetsOfLayer);
+    EXPECT_EQ(done_vertices(), 2 * kCellsOfLayer);
     sut_->take_as_planned(2);
     EXPECT_EQ(sut_->planned_layers(), 0U);
 }
@@ -62,31 +66,67 @@ TEST_F(Carving, ShowsWhatTheCoreReportedAndNothingElse) {
 TEST_F(Carving, TakesFromTheJobWhatNobodySaw) {
     carve(0);
     sut_->take_as_planned(4);
-    EXPECT_EQ(done_facets(), 4 * kFacetsOfLayer);
+    EXPECT_EQ(done_vertices(), 4 * kCellsOfLayer);
     EXPECT_EQ(sut_->planned_layers(), 3U);
     sut_->take_as_planned(1000);
     EXPECT_EQ(sut_->planned_layers(), kLayers - 1);
     sut_->start_anew();
-    EXPECT_EQ(done_facets(), 0U);
+    EXPECT_EQ(done_vertices(), 0U);
     EXPECT_EQ(sut_->planned_layers(), 0U);
 }
 
-TEST_F(Carving, KnowsWhereTheTipsAreOnTheWorkpiece) {
-    sut_->take({0, 400 * 12, 400 * 15, 6400 / 4, job_->view.layer_heights_pulses()[0]});
-    const auto r1 = sut_->tip(0);
-    const auto r2 = sut_->tip(1);
-    ASSERT_TRUE(r1 && r2);
-    EXPECT_NEAR((*r1)[0], 0.0, 1e-9);
-    EXPECT_NEAR((*r1)[1], 12.0, 1e-9);
-    EXPECT_NEAR((*r2)[1], -15.0, 1e-9);
-    EXPECT_LT((*r1)[2], 0.0);
+TEST_F(Carving, GoesOnWithALongPlanFromCallToCall) {
+    sut_->take_as_planned(4, 2 * kCellsOfLayer);
+    EXPECT_EQ(done_vertices(), 2 * kCellsOfLayer);
+    sut_->take_as_planned(4, 1);  // never none
+    EXPECT_EQ(done_vertices(), 3 * kCellsOfLayer);
+    sut_->take_as_planned(4);
+    EXPECT_EQ(done_vertices(), 4 * kCellsOfLayer);
+}
+
+TEST_F(Carving, TurnsThePartUntilR1StandsLeft) {
+    const std::int64_t y_pulses = job_->view.layer_heights_pulses()[0];
+    verify::Positions positions{};
+    positions[index_of(Axis::r1)] = 400 * 12;
+    positions[index_of(Axis::r2)] = 400 * 15;
+    positions[index_of(Axis::psi)] = 6400 / 4;
+    positions[index_of(Axis::y)] = y_pulses;
+    const MachinePose pose = sut_->pose(positions);
+    EXPECT_NEAR(pose.heads[0].direction_rad, kPi, 1e-9);
+    EXPECT_NEAR(std::cos(pose.heads[1].direction_rad), 1.0, 1e-9);
+    EXPECT_NEAR(pose.heads[0].radius_mm, 12.0, 1e-9);
+    EXPECT_NEAR(pose.heads[1].radius_mm, 15.0, 1e-9);
+    EXPECT_LT(pose.heads[0].height_mm, 0.0);
+    // A quarter turn of the table: what R1 works on stands at a quarter of the workpiece.
+    EXPECT_NEAR(pose.part_turn_rad, kPi / 2.0, 1e-9);
 }
 
 TEST_F(Carving, DrawsNoMoreCellsThanAsked) {
-    const MeshScene scene = sut_->scene(10, 3, kDone, kBlank);
-    EXPECT_EQ(scene.vertices.size(), 10U * 3U + 1U);
-    EXPECT_EQ(scene.facets.size(), 2U * 10U * 2U + 10U);
-    EXPECT_EQ(scene.facet_rgb.size(), scene.facets.size());
+    const auto scene = CarvedScene{*sut_, plan(10, 3)}.scene();
+    EXPECT_EQ(scene->vertices.size(), 10U * 3U + 1U);
+    EXPECT_EQ(scene->facets.size(), 2U * 10U * 2U + 10U);
+    // Columns 0, 4, 8 and the seam; the lowest row and the highest.
+    EXPECT_EQ(scene->coarse_facets.size(), 3U * 2U + 3U);
+    EXPECT_EQ(scene->vertex_rgb.size(), scene->vertices.size());
+}
+
+TEST_F(Carving, MakesOnlyThoseRowsAnewThatWereCarved) {
+    CarvedScene scene{*sut_, plan()};
+    scene.update(*sut_);
+    EXPECT_TRUE(scene.update(*sut_).empty());
+    carve(1);
+    carve(2);
+    carve(4);
+    const std::vector<VertexRange> wanted{{kCellsOfLayer, 2 * kCellsOfLayer},
+                                          {4 * kCellsOfLayer, kCellsOfLayer}};
+    EXPECT_EQ(scene.update(*sut_), wanted);
+    EXPECT_EQ(scene.scene()->vertex_rgb[2 * kCellsOfLayer], kDone);
+    EXPECT_EQ(scene.scene()->vertex_rgb[3 * kCellsOfLayer], kBlank);
+    EXPECT_EQ(scene.scene()->vertices, CarvedScene(*sut_, plan()).scene()->vertices);
+    EXPECT_TRUE(scene.update(*sut_).empty());
+    sut_->start_anew();
+    EXPECT_EQ(scene.update(*sut_).size(), 1U);
+    EXPECT_EQ(scene.scene()->vertex_rgb[2 * kCellsOfLayer], kBlank);
 }
 
 }  // namespace

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include "hmi/model/load_mesh.hpp"
 #include "hmi/session/mesh_scene.hpp"
 #include "hmi/session/radius_map.hpp"
+#include "hmi/session/space_picture.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::session {
@@ -77,6 +79,12 @@ protected:
         EXPECT_TRUE(read);
         mesh_ = std::move(*read);
     }
+    static verify::PixelImage draw(const MeshScene& scene, const SceneView& view, std::size_t width_px,
+                                   std::size_t height_px, bool is_coarse = false) {
+        return draw_bodies(
+            {scene.size, view, {{std::make_shared<const MeshScene>(scene), {}}}, {}, is_coarse}, width_px,
+            height_px);
+    }
     static std::size_t painted(const verify::PixelImage& image) {
         return static_cast<std::size_t>(std::count_if(image.argb.begin(), image.argb.end(),
                                                       [](std::uint32_t pixel) { return pixel != 0; }));
@@ -91,7 +99,7 @@ TEST_F(MeshPicture, FitsWithAMarginFromEverySide) {
             SceneView view;
             view.azimuth_rad = azimuth_rad;
             view.elevation_rad = elevation_rad;
-            const auto image = draw_mesh_scene(scene, view, 120, 100, 0xC0C0C0);
+            const auto image = draw(scene, view, 120, 100);
             EXPECT_GT(painted(image), 120U * 100U / 40U);
             for (std::size_t x = 0; x < 120; ++x) {
                 EXPECT_EQ(image.argb[x], 0U);
@@ -103,13 +111,17 @@ TEST_F(MeshPicture, FitsWithAMarginFromEverySide) {
 
 TEST_F(MeshPicture, CostsFewFacetsAndLooksTheSame) {
     const MeshScene fine = make_mesh_scene(mesh_, 100'000);
-    const MeshScene coarse = make_mesh_scene(mesh_, 80);
+    const MeshScene coarse = make_mesh_scene(mesh_, 80, 30);
     EXPECT_GT(fine.facets.size(), mesh_.triangles.size() - 100);
     EXPECT_LT(coarse.facets.size(), fine.facets.size());
     EXPECT_LT(coarse.vertices.size(), std::size_t{80 * 80 * 8});
-    const auto a = static_cast<double>(painted(draw_mesh_scene(fine, {}, 200, 200, 0xC0C0C0)));
-    const auto b = static_cast<double>(painted(draw_mesh_scene(coarse, {}, 200, 200, 0xC0C0C0)));
+    const auto a = static_cast<double>(painted(draw(fine, {}, 200, 200)));
+    const auto b = static_cast<double>(painted(draw(coarse, {}, 200, 200)));
     EXPECT_NEAR(b / a, 1.0, 0.05);
+    EXPECT_LT(coarse.coarse_facets.size(), coarse.facets.size() / 4);
+    const auto c = static_cast<double>(painted(draw(coarse, {}, 200, 200, true)));
+    EXPECT_NEAR(c / a, 1.0, 0.15);
+    EXPECT_NE(b, c);
 }
 
 TEST_F(MeshPicture, LooksFromTheRightAndKnowsWhatStandsInFront) {
@@ -119,7 +131,7 @@ TEST_F(MeshPicture, LooksFromTheRightAndKnowsWhatStandsInFront) {
     scene.facets = {{3, 4, 5}, {0, 1, 2}};
     scene.size = {2, 4, 4};
     SceneView view;  // from +x: +y to the right, z up
-    const SceneCamera camera{scene, view, 100, 100};
+    const SceneCamera camera{scene.size, view, 100, 100};
     const auto right = camera.project({0.0, 1.0, 0.0});
     const auto high = camera.project({0.0, 0.0, 1.0});
     const auto near = camera.project({1.0, 0.0, 0.0});
@@ -127,9 +139,9 @@ TEST_F(MeshPicture, LooksFromTheRightAndKnowsWhatStandsInFront) {
     EXPECT_LT(high[1], 50.0);
     EXPECT_GT(near[2], 0.0);
     scene.facets = {{0, 1, 2}, {3, 4, 5}};
-    const auto one = draw_mesh_scene(scene, view, 50, 50, 0xFFFFFF);
+    const auto one = draw(scene, view, 50, 50);
     std::swap(scene.facets[0], scene.facets[1]);
-    EXPECT_EQ(draw_mesh_scene(scene, view, 50, 50, 0xFFFFFF).argb, one.argb);
+    EXPECT_EQ(draw(scene, view, 50, 50).argb, one.argb);
 }
 
 }  // namespace

@@ -16,6 +16,12 @@ TEST(WindowOptions, TakesAFileAndASegment) {
     EXPECT_EQ(parse_window_options({"--", "--odd.stl"}).path, "--odd.stl");
 }
 
+TEST(WindowOptions, LeavesOpenGlToTheMachineUnlessTold) {
+    EXPECT_EQ(parse_window_options({}).opengl, OpenGl::automatic);
+    EXPECT_EQ(parse_window_options({"--opengl"}).opengl, OpenGl::always);
+    EXPECT_EQ(parse_window_options({"--no-opengl"}).opengl, OpenGl::never);
+}
+
 TEST(WindowOptions, RefusesWrongUsageInOneLine) {
     using Words = std::vector<std::string>;
     for (const Words& wrong :

@@ -3,10 +3,14 @@
 
 #include <QKeyEvent>
 #include <QLabel>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QPushButton>
 
+#include <algorithm>
+
+#include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/strip.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 
@@ -82,6 +86,51 @@ TEST_F(Window, RemembersItsThemeAndItsFilesAndDoesNotMoveAnything) {
     EXPECT_TRUE(settings.recent_files().front().endsWith("small.stl"));
     EXPECT_FALSE(settings.geometry().isEmpty());
     EXPECT_TRUE(settings.last_folder().endsWith("examples"));
+}
+
+TEST_F(Window, ShowsTheBlankAndWhatTheHeadsCannotReach) {
+    open_window();
+    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/figurine.stl");
+    auto& view = *static_cast<MeshView*>(window_->findChild<QWidget*>("model_view"));
+    const auto has_colours = [&] {
+        return !view.picture().bodies.empty() && !view.picture().bodies.front().scene->vertex_rgb.empty();
+    };
+    ASSERT_TRUE(comes_true(has_colours));
+    constexpr std::uint32_t kUndercut = 0xFFC21A;
+    const auto& colours = view.picture().bodies.front().scene->vertex_rgb;
+    const auto hidden = std::count(colours.begin(), colours.end(), kUndercut);
+    EXPECT_GT(hidden, 0);
+    EXPECT_LT(hidden, static_cast<std::ptrdiff_t>(colours.size() / 4));
+    EXPECT_GT(view.picture().lines.size(), 50U);  // the axis, and the blank's dashes
+    auto* const warnings = window_->findChild<QListWidget*>("warnings");
+    EXPECT_FALSE(warnings->isVisible());
+    take_picture("undercut_light");
+    ASSERT_TRUE(click("slice"));
+    ASSERT_TRUE(comes_to(session::DeskState::job));
+    ASSERT_TRUE(comes_true([&] { return warnings->count() > 0 && warnings->isVisible(); }));
+    EXPECT_TRUE(warnings->item(0)->text().contains("cannot be reached"));
+    window_->set_theme(ThemeChoice::dark);
+    take_picture("warnings_dark");
+}
+
+TEST_F(Window, DrawsCoarselyWhileTheModelIsTurnedAndFinelyAfterwards) {
+    open_window();
+    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/figurine.stl");
+    ASSERT_TRUE(comes_to(session::DeskState::model));
+    auto& view = *static_cast<MeshView*>(window_->findChild<QWidget*>("model_view"));
+    ASSERT_TRUE(comes_true([&] { return !view.picture().bodies.empty(); }));
+    const double before_rad = view.picture().view.azimuth_rad;
+    const auto send = [&](QEvent::Type type, double x) {
+        QMouseEvent event{type,           QPointF{x, 100}, QPointF{x, 100},
+                          Qt::LeftButton, Qt::LeftButton,  Qt::NoModifier};
+        QApplication::sendEvent(&view, &event);
+    };
+    send(QEvent::MouseButtonPress, 100);
+    send(QEvent::MouseMove, 150);
+    EXPECT_TRUE(view.picture().is_coarse);
+    EXPECT_NE(view.picture().view.azimuth_rad, before_rad);
+    send(QEvent::MouseButtonRelease, 150);
+    EXPECT_FALSE(view.picture().is_coarse);
 }
 
 TEST_F(Window, NeverPutsTheFirstFocusOnWhatMoves) {

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/carved_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/units.hpp"
+
+namespace psicarve::session {
+namespace {
+
+constexpr std::uint32_t kNoRow = ~std::uint32_t{0};
+
+}  // namespace
+
+CarvedScene::CarvedScene(const CarvingRecord& record, const CarvedScenePlan& plan)
+    : plan_(plan),
+      round_(std::clamp<std::size_t>(record.surface().direction_count(), 3,
+                                     std::max<std::size_t>(plan.most_round, 3))),
+      up_(std::min<std::size_t>(record.surface().layer_count(), plan.most_up)),
+      layer_count_(record.surface().layer_count()),
+      row_of_layer_(layer_count_, kNoRow),
+      scene_(std::make_shared<MeshScene>()) {
+    const verify::JobGeometry& geometry = record.geometry();
+    for (std::size_t column = 0; column < round_; ++column) {
+        const auto cell = static_cast<std::uint32_t>(column * geometry.direction_count() / round_);
+        const double angle_rad = rad_from_pulses(geometry.direction_of(cell), geometry.rev_pulses());
+        directions_.push_back(
+            {static_cast<float>(std::cos(angle_rad)), static_cast<float>(std::sin(angle_rad))});
+    }
+    const double across_mm = 2.0 * geometry.blank_radius_mm();
+    scene_->size = {across_mm, across_mm, record.top_mm() - record.bottom_mm()};
+    scene_->vertices.resize(up_ * round_ + 1);
+    scene_->vertex_rgb.resize(up_ * round_ + 1, plan_.blank_rgb);
+    for (std::size_t row = 0; row < up_; ++row) {
+        row_of_layer_[layer_of(row)] = static_cast<std::uint32_t>(row);
+        fill_row(record, row);
+    }
+    // The lid: without it one looks into the blank.
+    scene_->vertices.back() = {0.0F, 0.0F, static_cast<float>(scene_->size[2] / 2.0)};
+    make_facets(1, scene_->facets);
+    if (plan_.coarse_step > 1) make_facets(plan_.coarse_step, scene_->coarse_facets);
+}
+
+std::uint32_t CarvedScene::layer_of(std::size_t row) const noexcept {
+    return static_cast<std::uint32_t>(up_ > 1 ? row * (layer_count_ - 1) / (up_ - 1) : 0);
+}
+
+void CarvedScene::fill_row(const CarvingRecord& record, std::size_t row) {
+    const std::uint32_t layer = layer_of(row);
+    const auto radii = record.surface().radii_mm(layer);
+    const auto height = static_cast<float>(record.surface().layer_height_mm(layer) -
+                                           (record.bottom_mm() + record.top_mm()) / 2.0);
+    for (std::size_t column = 0; column < round_; ++column) {
+        const auto cell = static_cast<std::uint32_t>(column * radii.size() / round_);
+        const auto& [cosine, sine] = directions_[column];
+        const std::size_t place = row * round_ + column;
+        scene_->vertices[place] = {radii[cell] * cosine, radii[cell] * sine, height};
+        scene_->vertex_rgb[place] = record.is_carved(layer, cell) ? plan_.done_rgb : plan_.blank_rgb;
+    }
+}
+
+void CarvedScene::make_facets(std::size_t step, std::vector<Facet>& facets) const {
+    const auto add = [&facets](std::size_t a, std::size_t b, std::size_t c) {
+        facets.push_back(
+            {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+    };
+    // The last row and the seam are always there, however wide the steps.
+    const auto next_of = [step](std::size_t here, std::size_t end) { return std::min(here + step, end); };
+    for (std::size_t column = 0; column < round_; column += step) {
+        const std::size_t beside = next_of(column, round_) % round_;
+        for (std::size_t row = 0; row + 1 < up_; row = next_of(row, up_ - 1)) {
+            const std::size_t low = row * round_;
+            const std::size_t high = next_of(row, up_ - 1) * round_;
+            add(low + column, low + beside, high + column);
+            add(low + beside, high + beside, high + column);
+        }
+        const std::size_t top = (up_ - 1) * round_;
+        add(top + column, top + beside, up_ * round_);
+    }
+}
+
+std::vector<VertexRange> CarvedScene::update(CarvingRecord& record) {
+    std::vector<std::uint32_t> rows;
+    for (const std::uint32_t layer : record.take_changed_layers()) {
+        if (row_of_layer_[layer] != kNoRow) rows.push_back(row_of_layer_[layer]);
+    }
+    std::sort(rows.begin(), rows.end());
+    std::vector<VertexRange> changed;
+    for (const std::uint32_t row : rows) {
+        fill_row(record, row);
+        const std::size_t first = row * round_;
+        if (!changed.empty() && changed.back().first + changed.back().count == first)
+            changed.back().count += round_;
+        else
+            changed.push_back({first, round_});
+    }
+    return changed;
+}
+
+}  // namespace psicarve::session

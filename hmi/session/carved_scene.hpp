@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hmi/session/carving_record.hpp"
+#include "hmi/session/mesh_scene.hpp"
+
+namespace psicarve::session {
+
+/// Vertices first .. first + count - 1.
+struct VertexRange {
+    std::size_t first = 0;
+    std::size_t count = 0;
+    bool operator==(const VertexRange&) const = default;
+};
+
+struct CarvedScenePlan {
+    std::size_t most_round = 480;  ///< cells; a larger job is drawn with some of its own
+    std::size_t most_up = 400;
+    std::size_t coarse_step = 4;  ///< every so many cells in the coarse facets
+    std::uint32_t done_rgb = 0;
+    std::uint32_t blank_rgb = 0;
+};
+
+/// What stands on the table, as a scene that follows a record: only rows whose layers have changed are made
+/// anew. The scene's middle is the middle of the job on the axis [mm].
+class CarvedScene {
+public:
+    CarvedScene(const CarvingRecord& record, const CarvedScenePlan& plan);
+
+    std::shared_ptr<const MeshScene> scene() const noexcept { return scene_; }
+    /// Requires the record it was made with. What of the vertices is new.
+    std::vector<VertexRange> update(CarvingRecord& record);
+
+private:
+    void fill_row(const CarvingRecord& record, std::size_t row);
+    void make_facets(std::size_t step, std::vector<Facet>& facets) const;
+    std::uint32_t layer_of(std::size_t row) const noexcept;
+
+    CarvedScenePlan plan_;
+    std::size_t round_;
+    std::size_t up_;
+    std::uint32_t layer_count_;
+    std::vector<std::uint32_t> row_of_layer_;  ///< or kNoRow
+    std::vector<std::array<float, 2>> directions_;
+    std::shared_ptr<MeshScene> scene_;
+};
+
+}  // namespace psicarve::session

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/model_sight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hmi/cam/job_plan.hpp"
+#include "hmi/slice/best_axis.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::session {
+namespace {
+
+constexpr std::size_t kRound = 360;
+constexpr std::size_t kUp = 240;
+constexpr double kSlack = 0.01;  // of the largest radius: less deep is not shown as hidden
+
+using Vec = std::array<double, 3>;
+
+/// Where the axis passes in the turned model, file units.
+Result<std::array<double, 2>> axis_place(const model::Mesh& mesh, const Vec& middle, const Profile& profile,
+                                         const cam::JobOptions& options, double mm_per_unit) {
+    if (options.axis_at == cam::AxisAt::origin) return std::array{0.0, 0.0};
+    if (options.axis_at == cam::AxisAt::point) return std::array{options.axis_x, options.axis_y};
+    const std::array centre{middle[0], middle[1]};
+    if (options.axis_at == cam::AxisAt::centre) return centre;
+    const auto found = slice::search_axis(
+        mesh, options.up, centre, cam::reachable_radius(profile, mm_per_unit), options.search_progress);
+    if (!found) return found.error();
+    return found->best;
+}
+
+double undercut_share(const std::vector<slice::LayerTotals>& layers) {
+    double all = 0.0;
+    double outer = 0.0;
+    for (const slice::LayerTotals& layer : layers) {
+        all += layer.radius_sum;
+        outer += layer.outer_sum;
+    }
+    return all > 0.0 ? std::clamp((all - outer) / all, 0.0, 1.0) : 0.0;
+}
+
+/// The least of the outermost radii around a place of the map: a wall further in than all of these is hidden.
+double least_radius_near(const slice::RadialMap& map, double row, double column) {
+    double least = std::numeric_limits<double>::max();
+    const auto middle_row = static_cast<std::int64_t>(std::floor(row));
+    const auto middle_column = static_cast<std::int64_t>(std::lround(column));
+    for (std::int64_t r = middle_row - 1; r <= middle_row + 1; ++r) {
+        if (r < 0 || r >= static_cast<std::int64_t>(kUp)) return 0.0;  // a floor or a top is no wall
+        for (std::int64_t c = middle_column - 1; c <= middle_column + 1; ++c) {
+            const std::size_t wrapped =
+                static_cast<std::size_t>(c + static_cast<std::int64_t>(kRound)) % kRound;
+            least = std::min(least, map.radius[static_cast<std::size_t>(r) * kRound + wrapped]);
+        }
+    }
+    return least;
+}
+
+std::vector<std::uint8_t> hidden_vertices(const MeshScene& scene, slice::Up up, const ModelSight& sight,
+                                          const slice::RadialMap& map) {
+    const double height = slice::placed(up, scene.size)[2];
+    std::vector<std::uint8_t> is_hidden(scene.vertices.size(), 0);
+    for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
+        const auto& vertex = scene.vertices[i];
+        const Vec place = slice::placed(up, {vertex[0], vertex[1], vertex[2]});
+        const double x = place[0] - sight.axis[0];
+        const double y = place[1] - sight.axis[1];
+        const double angle_rad = std::atan2(y, x) + (y < 0.0 ? 2.0 * kPi : 0.0);
+        const double row = (place[2] / height + 0.5) * kUp;
+        const double column = angle_rad / (2.0 * kPi) * kRound;
+        const double outermost = least_radius_near(map, row, column);
+        is_hidden[i] = std::hypot(x, y) < outermost - kSlack * sight.blank_radius ? 1 : 0;
+    }
+    return is_hidden;
+}
+
+}  // namespace
+
+Result<ModelSight> look_at_model(const model::Mesh& mesh, const MeshScene& scene, const Profile& profile,
+                                 const cam::JobOptions& options) {
+    const Vec size = slice::placed(options.up, scene.size);
+    const Vec middle = slice::placed(options.up, scene.middle);
+    if (!(size[2] > 0.0)) return bad_input(mesh.source_name + ": the model has no height");
+    ModelSight sight;
+    sight.mm_per_unit = options.height_mm ? *options.height_mm / size[2] : options.scale.value_or(1.0);
+    const auto axis = axis_place(mesh, middle, profile, options, sight.mm_per_unit);
+    if (!axis) return axis.error();
+    sight.axis = {(*axis)[0] - middle[0], (*axis)[1] - middle[1]};
+    std::vector<double> angles_rad;
+    for (std::size_t i = 0; i < kRound; ++i)
+        angles_rad.push_back(2.0 * kPi * static_cast<double>(i) / static_cast<double>(kRound));
+    const auto map = slice::radial_map(mesh, {options.up, (*axis)[0], (*axis)[1]},
+                                       slice::layer_heights(middle[2] - size[2] / 2.0, size[2], kUp),
+                                       slice::Directions{angles_rad}, {1, options.search_progress});
+    if (!map) return map.error();
+    sight.blank_radius = *std::max_element(map->radius.begin(), map->radius.end());
+    sight.undercut_share = undercut_share(map->layers);
+    sight.is_hidden = hidden_vertices(scene, options.up, sight, *map);
+    return sight;
+}
+
+MeshScene painted_scene(const MeshScene& scene, const ModelSight& sight, std::uint32_t rgb,
+                        std::uint32_t hidden_rgb) {
+    MeshScene painted = scene;
+    painted.vertex_rgb.assign(scene.vertices.size(), rgb);
+    for (std::size_t i = 0; i < painted.vertex_rgb.size(); ++i) {
+        if (sight.is_hidden[i] != 0) painted.vertex_rgb[i] = hidden_rgb;
+    }
+    return painted;
+}
+
+}  // namespace psicarve::session

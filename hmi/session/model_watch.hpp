@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "hmi/session/model_sight.hpp"
+#include "hmi/session/work_lane.hpp"
+
+namespace psicarve::session {
+
+/// Looks at a model on a thread of its own, anew whenever it is placed otherwise. One thread, the owner's.
+class ModelWatch {
+public:
+    struct Seen {
+        ModelSight sight;
+        std::shared_ptr<const MeshScene> painted;
+    };
+
+    ModelWatch(std::uint32_t rgb, std::uint32_t hidden_rgb) : rgb_(rgb), hidden_rgb_(hidden_rgb) {}
+    ~ModelWatch() { forget(); }
+
+    /// Ends what is under way for another model or placement.
+    void look(std::shared_ptr<const model::Mesh> mesh, std::shared_ptr<const MeshScene> scene,
+              const Profile& profile, cam::JobOptions options);
+    void forget();
+    /// At screen rate.
+    void poll() { lane_.deliver(); }
+    /// Of what was asked for last; null until it is there.
+    std::shared_ptr<const Seen> seen() const noexcept { return seen_; }
+
+private:
+    std::uint32_t rgb_;
+    std::uint32_t hidden_rgb_;
+    std::shared_ptr<std::atomic<bool>> goes_on_;  ///< shared with the task under way
+    std::shared_ptr<const Seen> seen_;
+    WorkLane lane_;
+};
+
+}  // namespace psicarve::session

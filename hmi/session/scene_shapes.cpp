@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "hmi/session/space_picture.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::session {
+namespace {
+
+constexpr std::uint32_t kSides = 20;
+constexpr double kTipLength = 0.10;  // of the rod
+constexpr double kTipRadius = 0.35;
+constexpr int kRimDashes = 36;
+constexpr int kSideDashes = 18;
+constexpr double kDash = 0.6;  // of a dash and the gap after it
+
+double angle_of(double part) noexcept {
+    return 2.0 * kPi * part;
+}
+
+}  // namespace
+
+MeshScene head_scene(double rod_length, double rod_radius) {
+    MeshScene scene;
+    scene.size = {rod_length, 2.0 * rod_radius, 2.0 * rod_radius};
+    scene.vertices.push_back({0.0F, 0.0F, 0.0F});
+    // Rings along the rod: the needle's point, its end, the rod's two ends.
+    const double rings[][2] = {{kTipLength * 0.3 * rod_length, kTipRadius * rod_radius},
+                               {kTipLength * rod_length, kTipRadius * rod_radius},
+                               {kTipLength * rod_length, rod_radius},
+                               {rod_length, rod_radius}};
+    for (const auto& [x, radius] : rings) {
+        for (std::uint32_t side = 0; side < kSides; ++side) {
+            const double angle_rad = angle_of(static_cast<double>(side) / kSides);
+            scene.vertices.push_back({static_cast<float>(x), static_cast<float>(radius * std::cos(angle_rad)),
+                                      static_cast<float>(radius * std::sin(angle_rad))});
+        }
+    }
+    scene.vertices.push_back({static_cast<float>(rod_length), 0.0F, 0.0F});
+    const auto last = static_cast<std::uint32_t>(scene.vertices.size() - 1);
+    for (std::uint32_t side = 0; side < kSides; ++side) {
+        const std::uint32_t next = (side + 1) % kSides;
+        scene.facets.push_back({0, 1 + side, 1 + next});
+        for (std::uint32_t ring = 0; ring < 3; ++ring) {
+            const std::uint32_t here = 1 + ring * kSides;
+            scene.facets.push_back({here + side, here + kSides + side, here + next});
+            scene.facets.push_back({here + next, here + kSides + side, here + kSides + next});
+        }
+        scene.facets.push_back({last, last - kSides + side, last - kSides + next});
+    }
+    return scene;
+}
+
+std::vector<SceneLine> cylinder_outline(const std::array<double, 2>& axis, double radius, double low,
+                                        double high, const std::array<double, 3>& right, std::uint32_t rgb) {
+    std::vector<SceneLine> lines;
+    const auto at = [&](double angle_rad, double z) {
+        return std::array{axis[0] + radius * std::cos(angle_rad), axis[1] + radius * std::sin(angle_rad), z};
+    };
+    for (const double z : {low, high}) {
+        for (int dash = 0; dash < kRimDashes; ++dash)
+            lines.push_back({at(angle_of(static_cast<double>(dash) / kRimDashes), z),
+                             at(angle_of((dash + kDash) / kRimDashes), z), rgb});
+    }
+    const double side_rad = std::atan2(right[1], right[0]);
+    for (const double angle_rad : {side_rad, side_rad + kPi}) {
+        for (int dash = 0; dash < kSideDashes; ++dash) {
+            const double step = (high - low) / kSideDashes;
+            lines.push_back(
+                {at(angle_rad, low + dash * step), at(angle_rad, low + (dash + kDash) * step), rgb});
+        }
+    }
+    return lines;
+}
+
+}  // namespace psicarve::session

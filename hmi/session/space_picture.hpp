@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hmi/session/mesh_scene.hpp"
+#include "hmi/session/scene_camera.hpp"
+#include "hmi/verify/piece_view.hpp"
+
+namespace psicarve::session {
+
+/// One solid of a picture.
+struct SceneBody {
+    std::shared_ptr<const MeshScene> scene;
+    ScenePlace place;
+    std::uint32_t rgb = 0xC2C8CE;  ///< where the scene has no colours of its own
+};
+
+/// A straight line between two places of the scene (placed coordinates).
+struct SceneLine {
+    std::array<double, 3> from;
+    std::array<double, 3> to;
+    std::uint32_t rgb = 0;
+};
+
+/// Everything that a view of the space shows.
+struct SpacePicture {
+    std::array<double, 3> size{};  ///< of what has to fit, in the file's axes
+    SceneView view;
+    std::vector<SceneBody> bodies;
+    std::vector<SceneLine> lines;
+    bool is_coarse = false;  ///< with the coarse facets: it has to be quick
+};
+
+// Light as both ways of drawing have it: from the upper left, in front; x right, y down, z towards the
+// viewer.
+inline constexpr std::array<double, 3> kLight{-0.40, -0.56, 0.725};
+inline constexpr double kAmbient = 0.42;
+inline constexpr double kDiffuse = 0.58;
+
+/// The bodies shaded, the nearer before the farther; transparent around them. No lines.
+verify::PixelImage draw_bodies(const SpacePicture& picture, std::size_t width_px, std::size_t height_px);
+
+/// A head: its tip in the origin, its rod along +x (placed coordinates, so for up z).
+MeshScene head_scene(double rod_length, double rod_radius);
+
+/// The outline of an upright cylinder as one sees it with `right` to the right: two dashed rims and two
+/// dashed sides.
+std::vector<SceneLine> cylinder_outline(const std::array<double, 2>& axis, double radius, double low,
+                                        double high, const std::array<double, 3>& right, std::uint32_t rgb);
+
+}  // namespace psicarve::session

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/warning_list.hpp"
+
+#include <QCoreApplication>
+
+#include <utility>
+
+#include "hmi/ui/icon.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+constexpr int kMostHeight = 96;
+
+}  // namespace
+
+WarningList::WarningList(QWidget* parent) : QListWidget(parent) {
+    setObjectName("warnings");
+    setAccessibleName(QCoreApplication::translate("psicarve::ui::WarningList", "Warnings"));
+    setWordWrap(true);
+    setSelectionMode(QAbstractItemView::NoSelection);
+    setFocusPolicy(Qt::TabFocus);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setMaximumHeight(kMostHeight);
+    hide();
+}
+
+void WarningList::set_theme(const Tokens& tokens) {
+    tokens_ = &tokens;
+    fill();
+}
+
+void WarningList::show_warnings(std::vector<std::string> warnings) {
+    if (warnings == warnings_) return;
+    warnings_ = std::move(warnings);
+    fill();
+}
+
+void WarningList::fill() {
+    clear();
+    for (const std::string& warning : warnings_) {
+        auto* item = new QListWidgetItem{QString::fromStdString(warning), this};
+        if (tokens_ != nullptr) item->setIcon(glyph_icon(Glyph::triangle, tokens_->warn, tokens_->warn));
+    }
+    setVisible(!warnings_.empty());
+}
+
+}  // namespace psicarve::ui

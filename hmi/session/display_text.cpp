@@ -33,7 +33,7 @@ AxisReadout psi_readout(std::int64_t pulses, const Profile& profile) {
     // 359.996 is shown as 0.00, not as an angle that there is not.
     std::string value = number_text(deg_from_pulses(rest, per_rev), kDecimals);
     if (value == "360.00") value = "0.00";
-    return {value, "°", count_text(turns) + (turns == 1 ? " turn" : " turns")};
+    return {value, "°", turns == 1 ? phrase("1 turn") : phrase("%1 turns", count_text(turns))};
 }
 
 Phrase layer_of(const MachineSight& machine, std::uint32_t layer_count) {
@@ -66,12 +66,13 @@ Phrase alarm_second(const MachineSight& machine) {
 }  // namespace
 
 AxisReadout axis_readout(const MachineSight& machine, Axis axis) {
-    if (!machine.status) return {"–", "", ""};
+    if (!machine.status) return {"–", "", {}};
     const std::int64_t pulses = machine.status->position_pulses[index_of(axis)];
-    if (!machine.profile) return {count_text(pulses), "pulses", ""};
+    if (!machine.profile) return {count_text(pulses), "pulses", {}};
     if (axis == Axis::psi) return psi_readout(pulses, *machine.profile);
     const double per_mm = axis_motion(*machine.profile, axis).pulses_per_unit;
-    return {number_text(mm_from_pulses(pulses, per_mm), kDecimals), "mm", count_text(pulses) + " pulses"};
+    return {number_text(mm_from_pulses(pulses, per_mm), kDecimals), "mm",
+            phrase("%1 pulses", count_text(pulses))};
 }
 
 StateText state_text(const MachineSight& machine, std::uint32_t layer_count) {

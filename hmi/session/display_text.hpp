@@ -16,7 +16,7 @@ enum class Tone : std::uint8_t { idle, run, warn, alarm };
 struct AxisReadout {
     std::string value;   ///< "21.54"
     std::string unit;    ///< "mm", "°" or "pulses"
-    std::string second;  ///< psi: "157 turns"; "8 617 pulses"
+    Phrase second;  ///< psi: "157 turns"; "8 617 pulses"
 };
 AxisReadout axis_readout(const MachineSight& machine, Axis axis);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/histogram_view.hpp"
 
-#include <QCoreApplication>
 #include <QPainter>
 
 #include <algorithm>
@@ -17,15 +16,11 @@ constexpr int kCountHeight_px = 18;
 constexpr int kText_px = 11;
 constexpr double kBarShare = 0.72;
 
-QString text(const char* english) {
-    return QCoreApplication::translate("psicarve::ui::HistogramView", english);
-}
-
 }  // namespace
 
 HistogramView::HistogramView(QWidget* parent) : QWidget(parent) {
     setMinimumSize(300, 160);
-    setAccessibleName(text("How late ticks were: number of ticks by lateness"));
+    setAccessibleName(tr("How late ticks were: number of ticks by lateness"));
 }
 
 void HistogramView::set_theme(const Tokens& tokens) {
@@ -48,7 +43,7 @@ void HistogramView::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(small);
     painter.setPen(tokens_->text2);
     if (health_.ticks == 0) {
-        painter.drawText(rect(), Qt::AlignCenter, text("No tick by a real clock so far"));
+        painter.drawText(rect(), Qt::AlignCenter, tr("No tick by a real clock so far"));
         return;
     }
     // The first bars that nobody was in say nothing.
@@ -59,7 +54,7 @@ void HistogramView::paintEvent(QPaintEvent* /*event*/) {
         rect().adjusted(kMargin_px, kMargin_px + kCountHeight_px, -kMargin_px, -kLabelHeight_px);
     const double step = static_cast<double>(area.width()) / count;
     painter.drawText(QRect{area.left(), 2, area.width(), kMargin_px + 2}, Qt::AlignLeft | Qt::AlignVCenter,
-                     text("Ticks by how late they were (logarithmic)"));
+                     tr("Ticks by how late they were (logarithmic)"));
     for (int i = 0; i < count; ++i) {
         const std::size_t bin = first + static_cast<std::size_t>(i);
         const session::LatenessBar& bar = health_.bars[bin];
@@ -93,7 +88,7 @@ void HistogramView::paintEvent(QPaintEvent* /*event*/) {
         painter.drawLine(x, area.top() - kCountHeight_px, x, area.bottom());
         painter.setPen(tokens_->warn);
         painter.drawText(QRect{x - 204, area.bottom() + 18, 400, 14}, Qt::AlignCenter,
-                         text("from here on a tick may have been missed"));
+                         tr("from here on a tick may have been missed"));
     }
 }
 

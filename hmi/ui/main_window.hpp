@@ -62,6 +62,7 @@ private:
 
     void make_menu();
     void make_theme_menu();
+    void make_language_menu();
     QWidget* make_centre();
     void make_status_bar();
     void name_tabs();

@@ -19,6 +19,7 @@ void MainWindow::make_menu() {
     connect(recent_, &QMenu::aboutToShow, this, [this] { fill_recent(); });
     menu_->addSeparator();
     make_theme_menu();
+    make_language_menu();
     QAction* keys = menu_->addAction(tr("Keys…"));
     keys->setShortcut(Qt::Key_F12);
     connect(keys, &QAction::triggered, this, [this] {
@@ -62,6 +63,25 @@ void MainWindow::make_theme_menu() {
         group->addAction(action);
         connect(action, &QAction::triggered, this, [this, wanted = choice] { set_theme(wanted); });
     }
+}
+
+void MainWindow::make_language_menu() {
+    QMenu* languages = menu_->addMenu(tr("Language"));
+    languages->setObjectName("languages");
+    auto* group = new QActionGroup{this};
+    const auto add = [&](const QString& name, std::optional<Language> choice) {
+        QAction* action = languages->addAction(name);
+        action->setCheckable(true);
+        action->setChecked(choice == settings_.language());
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, choice] {
+            settings_.set_language(choice);
+            bench_.log.add(session::Severity::info,
+                           session::phrase("The language changes when the window is opened the next time"));
+        });
+    };
+    add(tr("As the desktop"), std::nullopt);
+    for (const LanguageName& name : kLanguages) add(QString::fromUtf8(name.own), name.language);
 }
 
 void MainWindow::choose_file() {

@@ -6,6 +6,7 @@
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/action_button.hpp"
+#include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -107,7 +108,7 @@ void PositionPanel::refresh_row(Axis axis) {
     const session::AxisReadout readout = session::axis_readout(sight, axis);
     row.value->setText(QString::fromStdString(readout.value));
     row.unit->setText(readout.unit == "pulses" ? tr("pul.") : QString::fromStdString(readout.unit));
-    row.value->setToolTip(QString::fromStdString(readout.second));
+    row.value->setToolTip(words(readout.second));
     const bool is_known = sight.is_heard() || !sight.status;
     QFont font = row.value->font();
     if (font.strikeOut() == is_known) {
@@ -122,7 +123,7 @@ void PositionPanel::refresh_row(Axis axis) {
             row.second->setText(tr("right"));
             break;
         case Axis::psi:
-            row.second->setText(QString::fromStdString(readout.second));
+            row.second->setText(words(readout.second));
             break;
         case Axis::y:
             row.second->setText(tr("height"));

@@ -2,6 +2,8 @@
 #include "hmi/ui/program.hpp"
 
 #include <QApplication>
+#include <QLocale>
+#include <clocale>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -25,6 +27,18 @@ Drawing drawing_for(OpenGl wanted) {
     return probe.is_usable && is_wanted ? Drawing::opengl : Drawing::painter;
 }
 
+/// Numbers have decimal points in all languages, as in the files. Qt has just set the desktop's ways, which
+/// C functions that read numbers follow.
+void keep_decimal_points() {
+    std::setlocale(LC_NUMERIC, "C");
+    QLocale::setDefault(QLocale::c());
+}
+
+Language language_for(const WindowOptions& options) {
+    if (const auto wanted = language_of(QString::fromStdString(options.language))) return *wanted;
+    return WindowSettings{}.language().value_or(desktop_language());
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
@@ -46,6 +60,8 @@ int run(int argc, char** argv) {
     QApplication::setApplicationName("psicarve-hmi");
     QApplication::setApplicationDisplayName("Psicarve");
     QApplication::setStyle("Fusion");
+    keep_decimal_points();
+    use_language(language_for(options));
     MainWindow window{session, drawing_for(options.opengl)};
     window.show();
     if (!options.path.empty()) window.open(QString::fromStdString(options.path));

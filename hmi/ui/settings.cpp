@@ -14,6 +14,7 @@ namespace {
 constexpr int kMostRecent = 10;
 constexpr const char* kGeometry = "window/geometry";
 constexpr const char* kTheme = "window/theme";
+constexpr const char* kLanguage = "window/language";
 constexpr const char* kRecent = "files/recent";
 constexpr const char* kThemeNames[] = {"system", "light", "dark"};
 
@@ -38,6 +39,18 @@ ThemeChoice WindowSettings::theme() const {
 
 void WindowSettings::set_theme(ThemeChoice choice) {
     store_.setValue(kTheme, kThemeNames[static_cast<int>(choice)]);
+}
+
+std::optional<Language> WindowSettings::language() const {
+    return language_of(store_.value(kLanguage).toString());
+}
+
+void WindowSettings::set_language(std::optional<Language> language) {
+    if (language) {
+        store_.setValue(kLanguage, kLanguages[static_cast<std::size_t>(*language)].code);
+    } else {
+        store_.remove(kLanguage);
+    }
 }
 
 QStringList WindowSettings::recent_files() const {

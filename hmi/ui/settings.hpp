@@ -5,6 +5,9 @@
 #include <QSettings>
 #include <QStringList>
 
+#include <optional>
+
+#include "hmi/ui/language.hpp"
 #include "hmi/ui/tokens.hpp"
 
 namespace psicarve::ui {
@@ -20,6 +23,9 @@ public:
     void set_geometry(const QByteArray& geometry);
     ThemeChoice theme() const;
     void set_theme(ThemeChoice choice);
+    /// None: the desktop's.
+    std::optional<Language> language() const;
+    void set_language(std::optional<Language> language);
     /// Newest first; only those that are still there.
     QStringList recent_files() const;
     void add_recent_file(const QString& path);

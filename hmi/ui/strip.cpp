@@ -39,6 +39,8 @@ void add_words(QPushButton& button, QLabel* icon, const QString& title, const QS
     auto* row = new QHBoxLayout{&button};
     row->setContentsMargins(kGap, 0, kGap, 0);
     row->addWidget(icon);
+    // In two lines the words themselves fill the button.
+    lower->setVisible(!title.contains('\n'));
     row->addLayout(column({upper, lower}), 1);
 }
 

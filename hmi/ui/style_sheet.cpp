@@ -40,7 +40,7 @@ QPushButton:checked { font-weight: 700; }
 QPushButton[key="true"] { min-height: 34px; padding: 0 2px; }
 QPushButton[main="true"] { background: @run_fill; color: @on_fill; border-color: @run_fill; font-weight: 700; min-height: 38px; }
 QPushButton[main="true"]:disabled { background: @panel; color: @dis; border-color: @line; }
-QPushButton[strong="true"] { font-weight: 700; min-height: 38px; }
+QPushButton[strong="true"] { font-weight: 700; min-height: 38px; padding: 0 2px; }
 QPushButton[small="true"] { min-height: 22px; padding: 0 6px; }
 QPushButton[estop="true"] { background: @alarm_fill; color: @on_fill; border: 3px solid @warn_fill; border-radius: 4px;
     font-weight: 700; font-size: 13px; padding: 0 4px; min-height: 50px; }

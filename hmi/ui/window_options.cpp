@@ -11,12 +11,13 @@ constexpr int kExitUsage = 2;
 
 constexpr const char* kHelp =
     "usage: psicarve-hmi [MODEL|JOB] [--segment NAME] [--profile FILE] [--group NAME]\n"
-    "                    [--opengl | --no-opengl]\n\n"
+    "                    [--language en|zh_CN|ru] [--opengl | --no-opengl]\n\n"
     "The operator's window. Shows the machine whose core serves the segment, opens models and jobs, slices,\n"
     "publishes, starts, holds and stops.\n\n"
     "  --segment NAME   the core's shared-memory segment (default /psicarve)\n"
     "  --profile FILE   the machine's profile, as the core has it (default: the built-in one)\n"
     "  --group NAME     the segment belongs to this group\n"
+    "  --language CODE  en, zh_CN or ru, for this time (default: chosen in the menu, or the desktop's)\n"
     "  --opengl         draw the views of the space with OpenGL even where no graphics card does it\n"
     "  --no-opengl      draw them without\n"
     "  --help, --version\n\n"
@@ -38,6 +39,7 @@ std::string* target_of(const std::string& name, WindowOptions& options) {
     if (name == "--segment") return &options.segment_name;
     if (name == "--profile") return &options.profile_path;
     if (name == "--group") return &options.group;
+    if (name == "--language") return &options.language;
     return nullptr;
 }
 
@@ -82,6 +84,8 @@ WindowOptions parse_window_options(const std::vector<std::string>& arguments) {
     }
     if (!is_segment_name(options.segment_name))
         return misused("--segment: a segment's name begins with / and has no other, as in /psicarve");
+    if (!options.language.empty() && !language_of(QString::fromStdString(options.language)))
+        return misused("--language: there are en, zh_CN and ru, not '" + options.language + "'");
     return options;
 }
 

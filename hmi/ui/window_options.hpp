@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "hmi/ui/language.hpp"
+
 namespace psicarve::ui {
 
 /// Whether the views of the space are drawn with OpenGL.
@@ -21,6 +23,7 @@ struct WindowOptions {
     std::string segment_name;
     std::string group;
     std::string profile_path;
+    std::string language;  ///< a code of kLanguages; empty: as in the settings
     OpenGl opengl = OpenGl::automatic;
     /// The program ends at once: with this text and this exit code.
     std::optional<int> exit_code;

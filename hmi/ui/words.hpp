@@ -4,14 +4,21 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <string>
+#include <vector>
+
 #include "hmi/session/phrase.hpp"
 
 namespace psicarve::ui {
 
-/// A phrase in the operator's language.
+/// A phrase in the operator's language. Words of the core that stand in it come along where there are any.
 inline QString words(const session::Phrase& text) {
-    const QString translated = QCoreApplication::translate("session", text.english);
-    return QString::fromStdString(session::filled_in(translated.toStdString(), text.arguments));
+    const auto translated = [](const char* context, const std::string& english) {
+        return QCoreApplication::translate(context, english.c_str()).toStdString();
+    };
+    std::vector<std::string> arguments;
+    for (const std::string& argument : text.arguments) arguments.push_back(translated("core", argument));
+    return QString::fromStdString(session::filled_in(translated("session", text.english), arguments));
 }
 
 }  // namespace psicarve::ui

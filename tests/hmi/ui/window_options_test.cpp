@@ -22,6 +22,18 @@ TEST(WindowOptions, LeavesOpenGlToTheMachineUnlessTold) {
     EXPECT_EQ(parse_window_options({"--no-opengl"}).opengl, OpenGl::never);
 }
 
+TEST(WindowOptions, KnowLanguages) {
+    EXPECT_EQ(parse_window_options({"--language", "ru"}).language, "ru");
+    EXPECT_EQ(parse_window_options({"--language", "tlh"}).exit_code, 2);
+    EXPECT_EQ(language_of("zh_CN"), Language::chinese);
+    EXPECT_EQ(language_of("zh-Hans-CN"), Language::chinese);
+    EXPECT_EQ(language_of("zh"), Language::chinese);
+    EXPECT_EQ(language_of("zh_TW"), std::nullopt);
+    EXPECT_EQ(language_of("ru_RU"), Language::russian);
+    EXPECT_EQ(language_of("en-GB"), Language::english);
+    EXPECT_EQ(language_of("C"), std::nullopt);
+}
+
 TEST(WindowOptions, RefusesWrongUsageInOneLine) {
     using Words = std::vector<std::string>;
     for (const Words& wrong :

@@ -47,6 +47,7 @@ CarvingPage::CarvingPage(Bench& bench, Drawing drawing, QWidget* parent)
     view_->setAccessibleName(tr("The blank as carved so far"));
     view_->set_empty_text(tr("No job is published."));
     view_->look_from(MeshView::Side::front);
+    point_->setObjectName("carving_point");
     auto* foot = new QHBoxLayout;
     foot->addWidget(done_, 1);
     foot->addWidget(point_);

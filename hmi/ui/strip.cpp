@@ -61,6 +61,7 @@ Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
       emergency_(new QPushButton),
       emergency_icon_(new QLabel) {
     setObjectName("strip");
+    pill_->setObjectName("state_pill");
     setAttribute(Qt::WA_StyledBackground);
     setFixedHeight(kStripHeight);
     menu_button_->setMenu(menu);

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Linked into psicarve-hmi as it is, this tells a test on the other end of a pipe what stands where on the
+// screen. It never acts: what the test does, it does with the mouse and the keyboard.
+#include <unistd.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPixmap>
+#include <QScreen>
+#include <QSocketNotifier>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTextStream>
+
+#include <array>
+#include <cstdio>
+#include <optional>
+
+namespace {
+
+QWidget* widget_named(const QString& name) {
+    for (QWidget* window : QApplication::topLevelWidgets()) {
+        if (window->objectName() == name) return window;
+        if (auto* const found = window->findChild<QWidget*>(name)) return found;
+    }
+    return nullptr;
+}
+
+QString text_of(const QWidget& widget) {
+    if (const auto* const label = qobject_cast<const QLabel*>(&widget)) return label->text();
+    if (const auto* const button = qobject_cast<const QAbstractButton*>(&widget)) return button->text();
+    return widget.accessibleName();
+}
+
+QString place_of(const QWidget& widget, const QRect& part) {
+    const QPoint middle = widget.mapToGlobal(part.center());
+    const bool is_ready = widget.isVisible() && widget.isEnabled() && widget.window()->isActiveWindow();
+    return QString{"%1 %2 %3 %4"}.arg(middle.x()).arg(middle.y()).arg(part.width()).arg(is_ready ? 1 : 0);
+}
+
+/// tab N: of the tabs; button N: of the dialog that is open; else a widget's name.
+QString where(const QStringList& words) {
+    if (words.value(1) == "tab") {
+        auto* const window = widget_named("window");
+        auto* const tabs = window != nullptr ? window->findChild<QTabWidget*>() : nullptr;
+        if (tabs == nullptr) return "none";
+        return place_of(*tabs->tabBar(), tabs->tabBar()->tabRect(words.value(2).toInt()));
+    }
+    if (words.value(1) == "dialog") {
+        auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        const auto index = words.value(2).toInt();
+        if (box == nullptr || index >= box->buttons().size()) return "none";
+        return place_of(*box->buttons()[index], box->buttons()[index]->rect());
+    }
+    const QWidget* const widget = widget_named(words.value(1));
+    return widget != nullptr ? place_of(*widget, widget->rect()) : "none";
+}
+
+QString answer(const QString& question) {
+    const QStringList words = question.split(' ');
+    if (words[0] == "where") return where(words);
+    if (words[0] == "modal") {
+        const QWidget* const modal = QApplication::activeModalWidget();
+        return modal != nullptr && modal->isActiveWindow() ? modal->windowTitle() : "none";
+    }
+    if (words[0] == "picture") {
+        const QPixmap all = QGuiApplication::primaryScreen()->grabWindow(0);
+        return all.save(words.value(1)) ? "saved" : "none";
+    }
+    const QWidget* const widget = widget_named(words.value(1));
+    if (words[0] == "text" && widget != nullptr && widget->isVisible()) return text_of(*widget);
+    if (words[0] == "kind" && widget != nullptr) {
+        // What draws a view of the space.
+        for (const QObject* child : widget->children()) {
+            if (child->inherits("QOpenGLWidget")) return "opengl";
+        }
+        return "painter";
+    }
+    return "none";
+}
+
+void listen() {
+    auto* const ear = new QSocketNotifier{STDIN_FILENO, QSocketNotifier::Read, qApp};
+    QObject::connect(ear, &QSocketNotifier::activated, qApp, [ear] {
+        std::array<char, 4096> line{};
+        if (std::fgets(line.data(), line.size(), stdin) == nullptr) return ear->setEnabled(false);
+        const QString said = answer(QString::fromUtf8(line.data()).trimmed()).simplified();
+        std::fprintf(stdout, "%s\n", said.toUtf8().constData());
+        std::fflush(stdout);
+    });
+}
+
+}  // namespace
+
+Q_COREAPP_STARTUP_FUNCTION(listen)

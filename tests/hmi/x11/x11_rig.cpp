@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/hmi/x11/x11_rig.hpp"
+
+#include <sys/stat.h>
+
+#include <csignal>
+#include <cstdio>
+
+namespace psicarve::test {
+
+void X11Rig::SetUp() {
+    std::signal(SIGPIPE, SIG_IGN);  // a window that is gone answers nothing
+    screen_ = std::make_unique<ChildProcess>(
+        std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "1366x768x24", "-nolisten", "tcp",
+                                 "-noreset"},
+        std::vector<std::string>{}, file("screen.log"));
+    const std::string number = screen_->read_line();
+    ASSERT_FALSE(number.empty()) << two_process::text_of(file("screen.log"));
+    environment_ = {"DISPLAY=:" + number, "QT_QPA_PLATFORM=xcb", "XDG_RUNTIME_DIR=" + folder_,
+                    "XDG_CONFIG_HOME=" + folder_, "HOME=" + folder_, "LC_ALL=C.UTF-8",
+                    // No card: the processor draws, the same on every machine.
+                    "LIBGL_ALWAYS_SOFTWARE=1"};
+    manager_ = std::make_unique<ChildProcess>(std::vector<std::string>{"openbox"}, environment_,
+                                              file("manager.log"));
+}
+
+void X11Rig::open_window(std::vector<std::string> arguments, std::vector<std::string> environment) {
+    std::vector<std::string> words{PSICARVE_WATCHED_WINDOW, "--segment", segment_name_};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    environment.insert(environment.end(), environment_.begin(), environment_.end());
+    window_ = std::make_unique<ChildProcess>(words, environment, file("window.log"));
+    ASSERT_TRUE(says("where window", " 1")) << two_process::text_of(file("window.log"));
+}
+
+std::string X11Rig::ask(const std::string& question) const {
+    window_->write_line(question);
+    return window_->read_line();
+}
+
+::testing::AssertionResult X11Rig::says(const std::string& question, const std::string& part) {
+    std::string answer;
+    const bool has_come = eventually([&] {
+        answer = ask(question);
+        return answer.find(part) != std::string::npos;
+    });
+    if (has_come) return ::testing::AssertionSuccess();
+    take_picture("failed");
+    return ::testing::AssertionFailure()
+           << question << ": " << answer << ", not " << part << "; state " << pill();
+}
+
+::testing::AssertionResult X11Rig::use_mouse(const std::string& name, const std::string& mouse_button) {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int is_ready = 0;
+    std::string answer;
+    const bool has_come = eventually([&] {
+        answer = ask("where " + name);
+        return std::sscanf(answer.c_str(), "%d %d %d %d", &x, &y, &width, &is_ready) == 4 && is_ready == 1;
+    });
+    if (!has_come) {
+        take_picture("failed");
+        return ::testing::AssertionFailure()
+               << name << " cannot be pressed: " << answer << "; state " << pill();
+    }
+    xdotool({"mousemove", std::to_string(x), std::to_string(y), "click", mouse_button});
+    return ::testing::AssertionSuccess();
+}
+
+::testing::AssertionResult X11Rig::fill_in(const std::string& name, const std::string& text) {
+    auto clicked = click(name);
+    if (!clicked) return clicked;
+    press({"ctrl+a"});
+    type(text);
+    press({"Tab"});
+    return ::testing::AssertionSuccess();
+}
+
+void X11Rig::press(const std::vector<std::string>& keys) {
+    std::vector<std::string> words{"key"};
+    words.insert(words.end(), keys.begin(), keys.end());
+    xdotool(words);
+}
+
+void X11Rig::type(const std::string& text) {
+    xdotool({"type", "--delay", "5", text});
+}
+
+void X11Rig::xdotool(std::vector<std::string> words) {
+    words.insert(words.begin(), "xdotool");
+    EXPECT_EQ(run_to_end(words, environment_), 0) << words[1];
+}
+
+void X11Rig::take_picture(const std::string& name) {
+    const std::string folder = std::string{PSICARVE_BIN} + "/../screenshots";
+    mkdir(folder.c_str(), 0755);
+    EXPECT_EQ(ask("picture " + folder + "/x11_" + name + ".png"), "saved");
+}
+
+}  // namespace psicarve::test

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/hmi/x11/child_process.hpp"
+#include "tests/two_process/core_rig.hpp"
+
+namespace psicarve::test {
+
+/// A screen of its own with a window manager, the operator's window as a program of its own on it, a real
+/// core, and a hand on mouse and keyboard. Everything is waited for by what it shows, nothing by time.
+class X11Rig : public two_process::CoreRig {
+protected:
+    void SetUp() override;
+
+    void open_window(std::vector<std::string> arguments = {}, std::vector<std::string> environment = {});
+    /// The window's own answer.
+    std::string ask(const std::string& question) const;
+    ::testing::AssertionResult says(const std::string& question, const std::string& part);
+    /// The state's word and what stands below it.
+    std::string pill() const { return ask("text state_pill"); }
+
+    /// Waits until it can be pressed, moves the mouse there and presses.
+    ::testing::AssertionResult click(const std::string& name) { return use_mouse(name, "1"); }
+    ::testing::AssertionResult turn_wheel_down(const std::string& name) { return use_mouse(name, "5"); }
+    void press(const std::vector<std::string>& keys);
+    void type(const std::string& text);
+    /// Into a field, instead of what stands there.
+    ::testing::AssertionResult fill_in(const std::string& name, const std::string& text);
+    /// The whole screen, into the build folder, to be looked at.
+    void take_picture(const std::string& name);
+
+    std::unique_ptr<ChildProcess> window_;
+
+private:
+    ::testing::AssertionResult use_mouse(const std::string& name, const std::string& mouse_button);
+    void xdotool(std::vector<std::string> words);
+
+    std::unique_ptr<ChildProcess> screen_;
+    std::unique_ptr<ChildProcess> manager_;
+    std::vector<std::string> environment_;
+};
+
+}  // namespace psicarve::test

@@ -69,7 +69,7 @@ private:
     std::uint64_t edition_ = 0;
     std::atomic<bool> cancels_{false};
     std::atomic<double> progress_ratio_{0.0};
-    WorkLane lane_;  // last: its thread uses the others
+    WorkLane lane_{WorkLane::Haste::background};  // last: its thread uses the others
 };
 
 }  // namespace psicarve::session

@@ -8,6 +8,10 @@
 namespace psicarve::session {
 namespace {
 
+/// QPainter's way of drawing needs 15 ms for these.
+constexpr std::size_t kMostFacets = 150'000;
+constexpr double kOneLess = 0.9;  // of the cells, at least, from try to try
+
 /// Numbers for the cells of a grid: the first vertex that falls into a cell stands for all.
 class Cells {
 public:
@@ -33,17 +37,20 @@ bool is_flat(const Facet& facet) noexcept {
     return facet[0] == facet[1] || facet[1] == facet[2] || facet[0] == facet[2];
 }
 
-void add_coarse_facets(MeshScene& scene, double cell) {
+/// The scene's facets between fewer of its vertices.
+std::vector<Facet> coarser_facets(const MeshScene& scene, double cell) {
     Cells cells{cell};
     std::vector<std::uint32_t> stands_for(scene.vertices.size());
     for (std::uint32_t i = 0; i < scene.vertices.size(); ++i) {
         const auto& vertex = scene.vertices[i];
         stands_for[i] = cells.vertex({vertex[0], vertex[1], vertex[2]}, i);
     }
+    std::vector<Facet> facets;
     for (const Facet& fine : scene.facets) {
         const Facet facet{stands_for[fine[0]], stands_for[fine[1]], stands_for[fine[2]]};
-        if (!is_flat(facet)) scene.coarse_facets.push_back(facet);
+        if (!is_flat(facet)) facets.push_back(facet);
     }
+    return facets;
 }
 
 }  // namespace
@@ -72,7 +79,14 @@ MeshScene make_mesh_scene(const model::Mesh& mesh, std::uint32_t cells, std::uin
         }
         if (!is_flat(facet)) scene.facets.push_back(facet);
     }
-    if (coarse_cells > 0 && coarse_cells < cells) add_coarse_facets(scene, longest / coarse_cells);
+    // Facets grow with the square of the cells, at most.
+    for (double fewer = cells; scene.facets.size() > kMostFacets;) {
+        fewer *= std::min(
+            kOneLess, std::sqrt(static_cast<double>(kMostFacets) / static_cast<double>(scene.facets.size())));
+        scene.facets = coarser_facets(scene, longest / fewer);
+    }
+    if (coarse_cells > 0 && coarse_cells < cells)
+        scene.coarse_facets = coarser_facets(scene, longest / coarse_cells);
     return scene;
 }
 

@@ -23,7 +23,7 @@ struct MeshScene {
 };
 
 /// Vertices that fall into one cell of a grid of `cells` along the longest side become one; likewise for the
-/// coarse facets.
+/// coarse facets. Cells grow where a rugged mesh would still have more facets than a view can draw in time.
 MeshScene make_mesh_scene(const model::Mesh& mesh, std::uint32_t cells = 240,
                           std::uint32_t coarse_cells = 80);
 

@@ -34,7 +34,7 @@ private:
     std::uint32_t hidden_rgb_;
     std::shared_ptr<std::atomic<bool>> goes_on_;  ///< shared with the task under way
     std::shared_ptr<const Seen> seen_;
-    WorkLane lane_;
+    WorkLane lane_{WorkLane::Haste::background};
 };
 
 }  // namespace psicarve::session

@@ -44,12 +44,15 @@ void Raster::fill(const Vec& a, const Vec& b, const Vec& c, std::uint32_t argb) 
     const std::size_t right = clip(std::ceil(std::max({a[0], b[0], c[0]})) + 1.0, image.width);
     const std::size_t top = clip(std::floor(std::min({a[1], b[1], c[1]})), image.height);
     const std::size_t bottom = clip(std::ceil(std::max({a[1], b[1], c[1]})) + 1.0, image.height);
+    // Weights of b and c, which grow evenly along a row.
+    const double wb_step = (c[1] - a[1]) / area;
+    const double wc_step = -(b[1] - a[1]) / area;
     for (std::size_t y = top; y < bottom; ++y) {
-        for (std::size_t x = left; x < right; ++x) {
-            const double px = static_cast<double>(x) + 0.5;
-            const double py = static_cast<double>(y) + 0.5;
-            const double wb = ((px - a[0]) * (c[1] - a[1]) - (py - a[1]) * (c[0] - a[0])) / area;
-            const double wc = ((b[0] - a[0]) * (py - a[1]) - (b[1] - a[1]) * (px - a[0])) / area;
+        const double px = static_cast<double>(left) + 0.5 - a[0];
+        const double py = static_cast<double>(y) + 0.5 - a[1];
+        double wb = px * wb_step - py * (c[0] - a[0]) / area;
+        double wc = px * wc_step + py * (b[0] - a[0]) / area;
+        for (std::size_t x = left; x < right; ++x, wb += wb_step, wc += wc_step) {
             if (wb < 0.0 || wc < 0.0 || wb + wc > 1.0) continue;
             const auto z = static_cast<float>(a[2] + wb * (b[2] - a[2]) + wc * (c[2] - a[2]));
             const std::size_t place = y * image.width + x;

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/session/work_lane.hpp"
 
+#include <sys/resource.h>
+
 #include <utility>
 
 namespace psicarve::session {
+namespace {
 
-WorkLane::WorkLane() : thread_([this] { work(); }) {}
+constexpr int kGivesWay = 10;
+
+}  // namespace
+
+WorkLane::WorkLane(Haste haste) : thread_([this, haste] { work(haste); }) {}
 
 WorkLane::~WorkLane() {
     {
@@ -46,7 +53,9 @@ void WorkLane::deliver() {
     }
 }
 
-void WorkLane::work() {
+void WorkLane::work(Haste haste) {
+    // On Linux a thread has a priority of its own, which threads that it starts inherit.
+    if (haste == Haste::background) ::setpriority(PRIO_PROCESS, 0, kGivesWay);
     std::unique_lock lock{mutex_};
     while (true) {
         wake_.wait(lock, [this] { return ends_ || !tasks_.empty(); });

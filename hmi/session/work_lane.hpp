@@ -2,6 +2,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <mutex>
@@ -17,7 +18,10 @@ public:
     using Finish = std::function<void()>;
     using Task = std::function<Finish()>;
 
-    WorkLane();
+    /// Background: long work that gives way to the window and to a core on the same computer.
+    enum class Haste : std::uint8_t { prompt, background };
+
+    explicit WorkLane(Haste haste = Haste::prompt);
     /// Drops what waits, and what was not delivered; waits for the task that runs.
     ~WorkLane();
     WorkLane(const WorkLane&) = delete;
@@ -30,7 +34,7 @@ public:
     void deliver();
 
 private:
-    void work();
+    void work(Haste haste);
 
     mutable std::mutex mutex_;
     std::condition_variable wake_;

@@ -56,7 +56,7 @@ private:
     MeshView* view_;
     QLabel* done_;
     QLabel* point_;
-    session::WorkLane lane_;
+    session::WorkLane lane_{session::WorkLane::Haste::background};
 };
 
 }  // namespace psicarve::ui

@@ -26,8 +26,12 @@ public:
     GlCanvas(const session::SpacePicture& picture, std::function<void()> fail, QWidget* parent)
         : QOpenGLWidget(parent), picture_(picture), fail_(std::move(fail)) {
         setAttribute(Qt::WA_TransparentForMouseEvents);
+        check_.setSingleShot(true);
+        QObject::connect(&check_, &QTimer::timeout, this, [this] { check(); });
     }
     ~GlCanvas() override {
+        // The widget below us takes its context down when nothing of us is left to hear of it.
+        QObject::disconnect(context_end_);
         makeCurrent();
         forget();
         doneCurrent();
@@ -49,30 +53,31 @@ protected:
     void paintGL() override;
     void showEvent(QShowEvent* event) override {
         QOpenGLWidget::showEvent(event);
-        // Qt says nothing when there is no context after all.
-        QTimer::singleShot(0, this, [this] {
-            if (isVisible() && !isValid()) give_up();
-        });
+        check_.start(0);
     }
 
 private:
     void forget();
     void give_up();
+    void check();
     void draw_bodies(const session::SceneCamera& camera);
     void draw_lines(const session::SceneCamera& camera);
 
     const session::SpacePicture& picture_;
     std::function<void()> fail_;
     QColor background_;
+    QMetaObject::Connection context_end_;
     std::unique_ptr<GlProgram> program_;
     GlMeshes meshes_;
     QOpenGLVertexArrayObject arrays_;  // a core profile draws nothing without one
     qint64 fine_frame_ns_ = 0;
+    bool has_failed_ = false;
+    QTimer check_;
 };
 
 void GlCanvas::initializeGL() {
     // Again and again when the window goes to another screen or dock.
-    QObject::connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
+    context_end_ = QObject::connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
         makeCurrent();
         forget();
         doneCurrent();
@@ -90,7 +95,14 @@ void GlCanvas::forget() {
 
 void GlCanvas::give_up() {
     program_.reset();
-    if (fail_) QTimer::singleShot(0, this, std::exchange(fail_, nullptr));
+    has_failed_ = true;
+    check_.start(0);
+}
+
+/// Qt says nothing when there is no context after all.
+void GlCanvas::check() {
+    const bool is_lost = has_failed_ || (isVisible() && !isValid());
+    if (is_lost && fail_) std::exchange(fail_, nullptr)();
 }
 
 void GlCanvas::paintGL() {
@@ -123,40 +135,33 @@ void GlCanvas::draw_bodies(const session::SceneCamera& camera) {
     const bool is_coarse = picture_.is_coarse && fine_frame_ns_ > kQuick_ns;
     for (const session::SceneBody& body : picture_.bodies) {
         program_->set_matrix(session::scene_matrix(camera, picture_.view.up, body.place));
-        meshes_.draw(body, is_coarse);
+        meshes_.draw(*program_, body, is_coarse);
     }
 }
 
 void GlCanvas::draw_lines(const session::SceneCamera& camera) {
     if (picture_.lines.empty()) return;
     auto* const gl = context()->functions();
-    std::vector<float> places;
-    std::vector<std::uint8_t> colours;
+    std::vector<GlVertex> vertices;
     for (const session::SceneLine& line : picture_.lines) {
+        const auto channel = [&line](unsigned shift) {
+            return static_cast<std::uint8_t>(line.rgb >> shift & 0xFFU);
+        };
         for (const auto& end : {line.from, line.to}) {
-            for (const double coordinate : camera.project(end))
-                places.push_back(static_cast<float>(coordinate));
-            for (const unsigned shift : {16U, 8U, 0U})
-                colours.push_back(static_cast<std::uint8_t>(line.rgb >> shift & 0xFFU));
-            colours.push_back(255);
+            const auto at = camera.project(end);
+            vertices.push_back(
+                {{static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])},
+                 {channel(16), channel(8), channel(0), 255}});
         }
     }
     program_->set_light(false);
     program_->set_matrix({{}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}});
     QOpenGLBuffer buffer{QOpenGLBuffer::VertexBuffer};
-    const auto place_bytes = static_cast<int>(places.size() * sizeof(float));
-    const auto colour_bytes = static_cast<int>(colours.size());
     buffer.create();
     buffer.bind();
-    buffer.allocate(place_bytes + colour_bytes);
-    buffer.write(0, places.data(), place_bytes);
-    buffer.write(place_bytes, colours.data(), colour_bytes);
-    gl->glEnableVertexAttribArray(GlProgram::kPlace);
-    gl->glEnableVertexAttribArray(GlProgram::kColour);
-    gl->glVertexAttribPointer(GlProgram::kPlace, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-    gl->glVertexAttribPointer(GlProgram::kColour, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0,
-                              reinterpret_cast<const void*>(static_cast<std::uintptr_t>(place_bytes)));
-    gl->glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(2 * picture_.lines.size()));
+    buffer.allocate(vertices.data(), static_cast<int>(vertices.size() * sizeof(GlVertex)));
+    program_->take_vertices();
+    gl->glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(vertices.size()));
     buffer.release();
 }
 

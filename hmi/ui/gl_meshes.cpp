@@ -7,16 +7,8 @@
 #include <algorithm>
 #include <array>
 
-#include "hmi/ui/gl_program.hpp"
-
 namespace psicarve::ui {
 namespace {
-
-struct GlVertex {
-    std::array<float, 3> place;
-    std::array<std::uint8_t, 4> colour;
-};
-static_assert(sizeof(GlVertex) == 16);
 
 std::vector<GlVertex> vertices_of(const session::MeshScene& scene, std::uint32_t rgb,
                                   const session::VertexRange& range) {
@@ -79,17 +71,13 @@ GlMeshes::Mesh& GlMeshes::sent(const session::SceneBody& body) {
     return mesh;
 }
 
-void GlMeshes::draw(const session::SceneBody& body, bool is_coarse) {
+void GlMeshes::draw(GlProgram& program, const session::SceneBody& body, bool is_coarse) {
     if (!body.scene || body.scene->facets.empty()) return;
     auto* const gl = QOpenGLContext::currentContext()->functions();
     Mesh& mesh = sent(body);
     const bool takes_coarse = is_coarse && !body.scene->coarse_facets.empty();
     (takes_coarse ? mesh.coarse : mesh.fine).bind();
-    gl->glEnableVertexAttribArray(GlProgram::kPlace);
-    gl->glEnableVertexAttribArray(GlProgram::kColour);
-    gl->glVertexAttribPointer(GlProgram::kPlace, 3, GL_FLOAT, GL_FALSE, sizeof(GlVertex), nullptr);
-    gl->glVertexAttribPointer(GlProgram::kColour, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(GlVertex),
-                              reinterpret_cast<const void*>(sizeof(GlVertex::place)));
+    program.take_vertices();
     const auto& facets = takes_coarse ? body.scene->coarse_facets : body.scene->facets;
     gl->glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * facets.size()), GL_UNSIGNED_INT, nullptr);
     (takes_coarse ? mesh.coarse : mesh.fine).release();

@@ -9,6 +9,7 @@
 
 #include "hmi/session/carved_scene.hpp"
 #include "hmi/session/space_picture.hpp"
+#include "hmi/ui/gl_program.hpp"
 
 namespace psicarve::ui {
 
@@ -20,7 +21,7 @@ public:
     void note_change(const session::MeshScene& scene, const std::vector<session::VertexRange>& ranges);
     /// Forgets those that are not in the picture any more.
     void keep_only(const session::SpacePicture& picture);
-    void draw(const session::SceneBody& body, bool is_coarse);
+    void draw(GlProgram& program, const session::SceneBody& body, bool is_coarse);
     void clear() { meshes_.clear(); }
 
 private:

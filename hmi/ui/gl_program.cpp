@@ -10,6 +10,10 @@
 namespace psicarve::ui {
 namespace {
 
+// Attributes.
+constexpr int kPlace = 0;
+constexpr int kColour = 1;
+
 // Picture coordinates: x right, y down, z towards the viewer [px].
 constexpr const char* kVertexSource = R"(
 attribute highp vec3 place;
@@ -70,6 +74,13 @@ void GlProgram::set_matrix(const session::SceneMatrix& matrix) {
         m.setColumn(axis, {vector(matrix.columns[static_cast<std::size_t>(axis)]), 0.0F});
     m.setColumn(3, {vector(matrix.origin), 1.0F});
     program_.setUniformValue("to_picture", m);
+}
+
+void GlProgram::take_vertices() {
+    program_.enableAttributeArray(kPlace);
+    program_.enableAttributeArray(kColour);
+    program_.setAttributeBuffer(kPlace, GL_FLOAT, 0, 3, sizeof(GlVertex));
+    program_.setAttributeBuffer(kColour, GL_UNSIGNED_BYTE, sizeof(GlVertex::place), 4, sizeof(GlVertex));
 }
 
 void GlProgram::set_light(bool is_lit) {

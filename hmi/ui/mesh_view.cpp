@@ -33,11 +33,13 @@ QLabel* floating_label(QWidget* parent) {
     return label;
 }
 
-void place(QLabel& label, const QString& text, int x, int y) {
-    if (label.text() != text) label.setText(text);
-    label.adjustSize();
-    label.move(x, y);
-    label.show();
+/// Beside a place of the picture. What stands there already is not painted again.
+void place(QLabel& label, const QString& text, const std::array<double, 3>& at, QPoint beside) {
+    if (label.text() != text) {
+        label.setText(text);
+        label.adjustSize();
+    }
+    label.move(QPoint{static_cast<int>(at[0]), static_cast<int>(at[1])} + beside);
 }
 
 std::uint32_t rgb_of(const QColor& colour) {
@@ -51,6 +53,8 @@ MeshView::MeshView(Drawing drawing, QWidget* parent) : QWidget(parent), drawing_
     setAccessibleName(tr("The model in space"));
     make_canvas();
     empty_ = floating_label(this);
+    empty_->setWordWrap(true);
+    empty_->setAlignment(Qt::AlignCenter);
     axis_label_ = floating_label(this);
     blank_label_ = floating_label(this);
     legend_ = floating_label(this);
@@ -187,31 +191,29 @@ void MeshView::make_lines(const session::SceneCamera& camera) {
 
 void MeshView::place_labels(const session::SceneCamera& camera) {
     empty_->setVisible(!part_ && !empty_->text().isEmpty());
-    legend_->setVisible(part_ && !legend_->text().isEmpty());
-    empty_->setWordWrap(true);
-    empty_->setAlignment(Qt::AlignCenter);
     empty_->setGeometry(rect().adjusted(kGap, kGap, -kGap, -kGap));
+    legend_->setVisible(part_ && !legend_->text().isEmpty());
     legend_->adjustSize();
     legend_->move(kGap, height() - legend_->height() - kGap);
-    for (QLabel* label : {axis_label_, blank_label_, head_labels_[0], head_labels_[1]})
-        label->setVisible(false);
+    axis_label_->setVisible(part_ != nullptr);
+    blank_label_->setVisible(part_ && blank_);
+    for (std::size_t i = 0; i < head_labels_.size(); ++i)
+        head_labels_[i]->setVisible(part_ && i < heads_.size());
     if (!part_) return;
     const auto size = slice::placed(picture_.view.up, picture_.size);
     const auto axis = blank_ ? blank_->axis : std::array{0.0, 0.0};
     const auto top = camera.project({axis[0], axis[1], size[2] * (0.5 + kAxisOverhang)});
-    place(*axis_label_, tr("Ψ axis"), static_cast<int>(top[0]) + 6, static_cast<int>(top[1]));
+    place(*axis_label_, tr("Ψ axis"), top, {6, 0});
     if (blank_) {
         const auto& right = camera.right();
         const auto rim = camera.project(
             {axis[0] + right[0] * blank_->radius, axis[1] + right[1] * blank_->radius, size[2] / 2.0});
-        place(*blank_label_, blank_->text, static_cast<int>(rim[0]) + 6, static_cast<int>(rim[1]) - 18);
+        place(*blank_label_, blank_->text, rim, {6, -18});
     }
     for (std::size_t i = 0; i < std::min(heads_.size(), head_labels_.size()); ++i) {
-        const auto at = camera.project(heads_[i].label_place);
-        QLabel& label = *head_labels_[i];
         const QString text =
             QStringLiteral("<b style='color:%1'>%2</b>").arg(heads_[i].colour.name(), heads_[i].name);
-        place(label, text, static_cast<int>(at[0]) - 8, static_cast<int>(at[1]) - 20);
+        place(*head_labels_[i], text, camera.project(heads_[i].label_place), {-8, -20});
     }
 }
 

@@ -11,6 +11,7 @@
 #include "hmi/session/radius_map.hpp"
 #include "hmi/session/space_picture.hpp"
 #include "shared/units.hpp"
+#include "tests/hmi/model/shapes.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -122,6 +123,27 @@ TEST_F(MeshPicture, CostsFewFacetsAndLooksTheSame) {
     const auto c = static_cast<double>(painted(draw(coarse, {}, 200, 200, true)));
     EXPECT_NEAR(c / a, 1.0, 0.15);
     EXPECT_NE(b, c);
+}
+
+TEST_F(MeshPicture, NeverHasMoreFacetsThanAViewCanDrawInTime) {
+    // A rugged ball with every facet in a cell of its own.
+    constexpr int kRound = 500;
+    const auto at = [](int row, int column) {
+        const double up_rad = kPi * row / kRound;
+        const double round_rad = 2.0 * kPi * column / kRound;
+        const double radius = 100.0 + 2.0 * ((row + column) % 2);
+        return shapes::Point{radius * std::sin(up_rad) * std::cos(round_rad),
+                             radius * std::sin(up_rad) * std::sin(round_rad), radius * std::cos(up_rad)};
+    };
+    shapes::Builder ball;
+    for (int row = 0; row < kRound; ++row) {
+        for (int column = 0; column < kRound; ++column)
+            ball.quad(at(row, column), at(row, column + 1), at(row + 1, column + 1), at(row + 1, column));
+    }
+    const MeshScene scene = make_mesh_scene(ball.mesh(), 1000);
+    EXPECT_LT(scene.facets.size(), 200'000U);
+    EXPECT_GT(scene.facets.size(), 50'000U);
+    EXPECT_LT(scene.coarse_facets.size(), scene.facets.size());
 }
 
 TEST_F(MeshPicture, LooksFromTheRightAndKnowsWhatStandsInFront) {

@@ -2,6 +2,7 @@
 #include "hmi/session/work_lane.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <atomic>
 #include <future>
@@ -54,6 +55,23 @@ TEST(WorkLane, DropsWhatWaitsAndEndsWhatRuns) {
         may_end.set_value();
     }
     EXPECT_EQ(done.load(), 1);
+}
+
+TEST(WorkLane, GivesWayToOthersWithLongWork) {
+    const auto priority_on = [](WorkLane::Haste haste) {
+        WorkLane sut{haste};
+        int priority = -100;
+        sut.post([&priority]() -> WorkLane::Finish {
+            const int mine = ::getpriority(PRIO_PROCESS, 0);  // of the thread
+            return [&priority, mine] { priority = mine; };
+        });
+        finish_all(sut);
+        return priority;
+    };
+    const int here = ::getpriority(PRIO_PROCESS, 0);
+    EXPECT_EQ(priority_on(WorkLane::Haste::prompt), here);
+    EXPECT_GE(priority_on(WorkLane::Haste::background), 10);
+    EXPECT_EQ(::getpriority(PRIO_PROCESS, 0), here);
 }
 
 TEST(WorkLane, TakesNewTasksFromItsDeliveries) {

@@ -77,6 +77,8 @@ TEST_F(WindowOnAScreen, TakesAnOperatorFromAModelToTheLastLayer) {
     }));
     ASSERT_TRUE(says("text state_pill", "READY"));
     take_picture("6_done");
+    press({"ctrl+q"});
+    EXPECT_EQ(window_->wait(), 0) << text_of(file("window.log"));
 }
 
 TEST_F(WindowOnAScreen, IsKilledAndStartedAgainAndTheJobDoesNotNotice) {

@@ -36,6 +36,10 @@ std::string_view name_of(CommandKind kind) noexcept {
             return "override";
         case CommandKind::record:
             return "record";
+        case CommandKind::test_pin:
+            return "test-pin";
+        case CommandKind::drives_off:
+            return "drives-off";
     }
     return "unknown";  // a number from shared memory may be anything
 }

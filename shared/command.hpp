@@ -14,7 +14,7 @@ namespace psicarve {
 /// layout.
 enum class CommandKind : std::uint32_t {
     none = 0,
-    home = 1,
+    home = 1,   ///< axis: those to home, bit by axis; 0: all
     start = 2,  ///< drives on, spindle on, heads to the first point, wait there. value: the first
                 ///< layer; value2: so many layers, 0: all that follow
     start_interpolation = 3,  ///< carve the published tables
@@ -30,8 +30,11 @@ enum class CommandKind : std::uint32_t {
     spindle = 13,      ///< value: 1 on, 0 off
     override = 14,     ///< value: so many per cent of the planned feed, whole, 10 to 200
     record = 15,       ///< value: RecordingForm; lease_token: of the reader (recording.hpp)
+    test_pin = 16,    ///< drives off: axis: an output's Signal, active alone while value is 1, lease; value2:
+                      ///< so many pulses instead, speed: in a second; value 0: the test ends
+    drives_off = 17,  ///< at rest: positions are lost
 };
-inline constexpr std::uint32_t kCommandKindCount = 16;
+inline constexpr std::uint32_t kCommandKindCount = 18;
 std::string_view name_of(CommandKind kind) noexcept;  ///< as on the command line: "start-interpolation"
 
 inline constexpr std::uint32_t kLeastOverride_percent = 10;

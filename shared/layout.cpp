@@ -99,7 +99,9 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
                                offsetof(CommandSlot, command),
                                offsetof(CommandSlot, answer),
                                offsetof(IncrementEntry, r1_pulses),
-                               offsetof(IncrementEntry, psi_pulses)});
+                               offsetof(IncrementEntry, psi_pulses),
+                               kCommandKindCount,
+                               kMachineStateCount});
     return hash_numbers(hash, {sizeof(SegmentHeader),
                                offsetof(SegmentHeader, ready),
                                offsetof(SegmentHeader, total_bytes),

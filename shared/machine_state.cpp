@@ -19,6 +19,9 @@ struct Transition {
 constexpr std::array kTransitions{
     Transition{S::off, E::home, S::homing},
     Transition{S::off, E::reset_height, S::homing},
+    Transition{S::off, E::begin_test, S::testing},
+    Transition{S::testing, E::begin_test, S::testing},
+    Transition{S::testing, E::end_test, S::off},
 
     Transition{S::homing, E::home_done, S::ready},
     Transition{S::homing, E::home_done_unhomed, S::off},
@@ -27,6 +30,7 @@ constexpr std::array kTransitions{
     Transition{S::ready, E::reset_height, S::homing},
     Transition{S::ready, E::move, S::moving},
     Transition{S::ready, E::start, S::positioning},
+    Transition{S::ready, E::drives_off, S::off},
 
     Transition{S::moving, E::move_done, S::ready},
 
@@ -64,6 +68,8 @@ constexpr MachineState state_after_stop(MachineState from) noexcept {
             return S::stopping;
         case S::backing_off:
             return S::alarm;  // one axis at home speed: it just ceases
+        case S::testing:
+            return S::off;
         case S::off:
         case S::ready:
         case S::stopping:

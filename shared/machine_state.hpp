@@ -22,8 +22,9 @@ enum class MachineState : std::uint8_t {
     stopping = 10,     ///< slowing down on the path, then retracting, spindle off: the job ends
     alarm = 11,        ///< outputs safe
     backing_off = 12,  ///< in alarm, the one motion allowed: one axis away from its tripped sensor
+    testing = 13,      ///< drives off but for what is tested: one output by hand
 };
-inline constexpr std::uint8_t kMachineStateCount = 13;
+inline constexpr std::uint8_t kMachineStateCount = 14;
 
 /// What happened, as far as the state is concerned.
 enum class MachineEvent : std::uint8_t {
@@ -49,8 +50,11 @@ enum class MachineEvent : std::uint8_t {
     reset_height,       ///< Y alone to its sensor: a kind of homing
     home_done_unhomed,  ///< homing ended as asked, but not every axis is homed (reset height from off)
     stopped_unhomed,    ///< stopped, and an axis does not know its position (stop while homing)
+    begin_test,
+    end_test,
+    drives_off,  ///< by command, at rest
 };
-inline constexpr std::uint8_t kMachineEventCount = 22;
+inline constexpr std::uint8_t kMachineEventCount = 25;
 std::string_view name_of(MachineEvent event) noexcept;  ///< "start interpolation", "last point done"
 
 /// The one table of transitions; nothing means the event is refused in that state. A stop is never refused:

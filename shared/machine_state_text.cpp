@@ -31,6 +31,8 @@ std::string_view name_of(MachineState state) noexcept {
             return "alarm";
         case MachineState::backing_off:
             return "backing off";
+        case MachineState::testing:
+            return "testing";
     }
     return "unknown";  // a number from shared memory may be anything
 }
@@ -81,6 +83,12 @@ std::string_view name_of(MachineEvent event) noexcept {
             return "home done, an axis not homed";
         case MachineEvent::stopped_unhomed:
             return "stopped, an axis not homed";
+        case MachineEvent::begin_test:
+            return "begin test";
+        case MachineEvent::end_test:
+            return "end test";
+        case MachineEvent::drives_off:
+            return "drives off";
     }
     return "unknown";
 }

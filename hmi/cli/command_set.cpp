@@ -81,6 +81,11 @@ Syntax& Syntax::optional_argument(const char* name, std::string& target, const c
     return *this;
 }
 
+Syntax& Syntax::optional_arguments(const char* name, std::vector<std::string>& target, const char* help) {
+    app_->add_option(name, target, help)->type_name("")->expected(0, -1);
+    return *this;
+}
+
 Syntax& Syntax::arguments(const char* name, std::vector<std::string>& target, const char* help) {
     app_->add_option(name, target, help)->required()->type_name("")->expected(-1);
     return *this;

@@ -49,6 +49,8 @@ public:
     Syntax& argument(const char* name, std::uint32_t& target, std::uint32_t least, std::uint32_t most,
                      const char* help);
     Syntax& optional_argument(const char* name, std::string& target, const char* help);
+    /// Any number of words.
+    Syntax& optional_arguments(const char* name, std::vector<std::string>& target, const char* help);
     /// One or more words.
     Syntax& arguments(const char* name, std::vector<std::string>& target, const char* help);
     Syntax& option(const char* names, std::string& target, const char* type, const char* help);

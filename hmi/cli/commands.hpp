@@ -8,12 +8,14 @@ namespace psicarve::cli {
 // One file each, named like the command.
 void add_back_off(CommandSet& commands);
 void add_carve(CommandSet& commands);
+void add_drives_off(CommandSet& commands);
 void add_estop(CommandSet& commands);
 void add_hold(CommandSet& commands);
 void add_home(CommandSet& commands);
 void add_jog(CommandSet& commands);
 void add_move(CommandSet& commands);
 void add_override(CommandSet& commands);
+void add_pins(CommandSet& commands);
 void add_profile_check(CommandSet& commands);
 void add_profile_show(CommandSet& commands);
 void add_publish(CommandSet& commands);

@@ -38,6 +38,8 @@ void add_all_commands(CommandSet& commands) {
     add_jog(commands);
     add_move(commands);
     add_spindle(commands);
+    add_drives_off(commands);
+    add_pins(commands);
     CommandSet snapshot = commands.group("snapshot", "Save, look at, export and compare snapshots and jobs");
     add_snapshot_save(snapshot);
     add_snapshot_info(snapshot);

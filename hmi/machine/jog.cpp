@@ -50,6 +50,16 @@ Result<HeldJog> HeldJog::on(MachineLink& link, Axis axis, bool up, double speed)
     return begin(link, jog_command(CommandKind::jog_on, axis, up ? 1.0 : -1.0, speed), kJogLease);
 }
 
+Result<HeldJog> HeldJog::test(MachineLink& link, Signal output, std::uint32_t pulses, double rate_hz) {
+    Command command{};
+    command.kind = CommandKind::test_pin;
+    command.axis = static_cast<std::uint32_t>(index_of(output));
+    command.value = 1.0;
+    command.value2 = pulses;
+    command.speed = rate_hz;
+    return begin(link, command, kJogLease);
+}
+
 HeldJog::HeldJog(HeldJog&& other) noexcept
     : link_(other.link_),
       token_(other.token_),

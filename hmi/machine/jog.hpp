@@ -19,6 +19,10 @@ public:
     /// Upwards (or down) until it is released or the travel ends.
     static Result<HeldJog> on(MachineLink& link, Axis axis, bool up, double speed);
 
+    /// No jog, but held alike: with the drives off one output alone is active, or sends so many pulses.
+    static Result<HeldJog> test(MachineLink& link, Signal output, std::uint32_t pulses = 0,
+                                double rate_hz = 0.0);
+
     HeldJog(HeldJog&& other) noexcept;
     HeldJog& operator=(HeldJog&&) = delete;
     ~HeldJog() { release(); }

@@ -30,6 +30,8 @@ Lock motion_lock(const MachineSight& machine) {
         case S::holding:
         case S::finishing:
             return phrase("Locked while carving");
+        case S::testing:
+            return phrase("Locked by the wiring test");
         case S::off:
         case S::ready:
             break;
@@ -77,6 +79,8 @@ Lock start_lock(const MachineSight& machine, const JobSight& job) {
         case S::homing:
         case S::moving:
             return phrase("Start: the machine moves");
+        case S::testing:
+            return phrase("Start: an output is tested");
         case S::off:
         case S::ready:
             if (const Lock lock = unhomed_lock(machine)) return lock;
@@ -102,7 +106,8 @@ Lock stop_lock(const MachineSight& machine) {
 }
 
 Lock override_lock(const MachineSight& machine) {
-    if (machine.state() == S::off) return phrase("Feed override: the machine is not homed");
+    if (machine.state() == S::off || machine.state() == S::testing)
+        return phrase("Feed override: the machine is not homed");
     if (machine.state() == S::alarm || machine.state() == S::backing_off)
         return phrase("Feed override: reset the alarm first");
     return std::nullopt;
@@ -163,7 +168,6 @@ std::optional<Phrase> lock_of(Action action, const MachineSight& machine, const 
     if (!machine.is_heard() || !machine.status) return phrase("The core is silent");
     switch (action) {
         case Action::home:
-        case Action::home_y:
             return motion_lock(machine);
         case Action::jog:
             return jog_lock(machine);

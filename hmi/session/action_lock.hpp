@@ -12,7 +12,6 @@ namespace psicarve::session {
 /// What an operator may ask for. Emergency stop is not here: it is never locked.
 enum class Action : std::uint8_t {
     home,
-    home_y,
     jog,
     start,
     one_layer,

@@ -107,6 +107,8 @@ StateText state_text(const MachineSight& machine, std::uint32_t layer_count) {
             return {phrase("ALARM"), alarm_second(machine), Tone::alarm};
         case S::backing_off:
             return {phrase("BACKING OFF"), alarm_second(machine), Tone::alarm};
+        case S::testing:
+            return {phrase("TESTING"), phrase("One output by hand"), Tone::warn};
     }
     return {};
 }

@@ -26,11 +26,15 @@ JogHand::JogHand(std::string segment_name, std::string group, std::function<void
     : segment_name_(std::move(segment_name)), group_(std::move(group)), refused_(std::move(refused)) {}
 
 void JogHand::hold(Axis axis, bool up, double speed) {
-    begin({axis, 0.0, up, false, speed, 0});
+    begin({axis, 0.0, up, false, speed, 0, {}});
 }
 
 void JogHand::step(Axis axis, double distance, double speed) {
-    begin({axis, distance, distance > 0.0, true, speed, 0});
+    begin({axis, distance, distance > 0.0, true, speed, 0, {}});
+}
+
+void JogHand::test(Signal output, std::uint32_t pulses, double rate_hz) {
+    begin({Axis::r1, 0.0, true, false, rate_hz, 0, output, pulses});
 }
 
 void JogHand::poll() {
@@ -54,12 +58,17 @@ bool JogHand::is_wanted(const Wish& wish) const noexcept {
     return wanted_.load() == wish.ticket && silence < kOwnerLimit;
 }
 
+Result<HeldJog> JogHand::take(MachineLink& link, const Wish& wish) {
+    if (wish.output) return HeldJog::test(link, *wish.output, wish.pulses, wish.speed);
+    if (wish.is_step) return HeldJog::by(link, wish.axis, wish.distance, wish.speed);
+    return HeldJog::on(link, wish.axis, wish.up, wish.speed);
+}
+
 Result<void> JogHand::jog(const Wish& wish) {
     if (!is_wanted(wish)) return {};
     auto link = MachineLink::attach(segment_name_, group_);
     if (!link) return link.error();
-    auto held = wish.is_step ? HeldJog::by(*link, wish.axis, wish.distance, wish.speed)
-                             : HeldJog::on(*link, wish.axis, wish.up, wish.speed);
+    auto held = take(*link, wish);
     if (!held) return held.error();
     const auto watch = [&](const CoreStatus&) -> Result<void> {
         if (is_wanted(wish)) {
@@ -69,7 +78,7 @@ Result<void> JogHand::jog(const Wish& wish) {
         }
         return {};
     };
-    const auto end = link->wait_for_state({MachineState::ready}, watch);
+    const auto end = link->wait_for_state({wish.output ? MachineState::off : MachineState::ready}, watch);
     if (!end) return end.error();
     return {};
 }

@@ -4,8 +4,10 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "hmi/machine/jog.hpp"
 #include "hmi/session/work_lane.hpp"
 #include "shared/result.hpp"
 #include "shared/signal.hpp"
@@ -24,6 +26,8 @@ public:
     void hold(Axis axis, bool up, double speed);
     /// By a distance [mm; deg]. Ends early by release().
     void step(Axis axis, double distance, double speed);
+    /// No jog, but held alike: one output alone, with the drives off, until release(); or so many pulses.
+    void test(Signal output, std::uint32_t pulses, double rate_hz);
     /// At once, whatever is under way.
     void release() noexcept { wanted_.store(0); }
     void poll();
@@ -34,11 +38,14 @@ private:
         double distance;  ///< of a step
         bool up;
         bool is_step;
-        double speed;
+        double speed;  ///< of a test: pulses in a second
         std::uint64_t ticket;
+        std::optional<Signal> output;  ///< of a test
+        std::uint32_t pulses = 0;
     };
     void begin(Wish wish);
     Result<void> jog(const Wish& wish);
+    static Result<machine::HeldJog> take(machine::MachineLink& link, const Wish& wish);
     bool is_wanted(const Wish& wish) const noexcept;
 
     std::string segment_name_;

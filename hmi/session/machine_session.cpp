@@ -17,8 +17,9 @@ constexpr std::chrono::milliseconds kAttachPause{200};
 MachineSession::MachineSession(SessionOptions options, MessageLog& log)
     : options_(std::move(options)),
       log_(log),
-      jog_(options_.segment_name, options_.group,
-           [this](const Error& error) { log_.add(Severity::warning, phrase("Jog: %1", error.message)); }) {
+      jog_(options_.segment_name, options_.group, [this](const Error& error) {
+          log_.add(Severity::warning, phrase("By hand: %1", error.message));
+      }) {
     if (options_.profile) offer_profile(*options_.profile);
     offer_profile(Profile{});
 }

@@ -16,6 +16,10 @@
             <translation>! КВ</translation>
         </message>
         <message>
+            <source>%1 alone finds its home position</source>
+            <translation>%1 один ищет свой ноль</translation>
+        </message>
+        <message>
             <source>%1 changes not saved</source>
             <translation>не сохранено изменений: %1</translation>
         </message>
@@ -140,6 +144,18 @@
             <translation>Все</translation>
         </message>
         <message>
+            <source>Arm</source>
+            <translation>Включить</translation>
+        </message>
+        <message>
+            <source>Arm keyboard jog</source>
+            <translation>Включить клавиши</translation>
+        </message>
+        <message>
+            <source>Armed for one output, all others off. Ends after 30 s, on focus loss or F1.</source>
+            <translation>Доступен один выход, прочие выключены. Конец через 30 с, при потере фокуса или по F1.</translation>
+        </message>
+        <message>
             <source>As fast as every motor can follow, or the original's acceleration segments.</source>
             <translation>Так быстро, как успевают двигатели, или участки разгона прежней машины.</translation>
         </message>
@@ -210,6 +226,10 @@
         <message>
             <source>By hand</source>
             <translation>Вручную</translation>
+        </message>
+        <message>
+            <source>By hand: %1</source>
+            <translation>Вручную: %1</translation>
         </message>
         <message>
             <source>CARVING</source>
@@ -284,12 +304,28 @@
             <translation>Направление установлено до фронта шага не меньше.</translation>
         </message>
         <message>
+            <source>Disarm</source>
+            <translation>Выключить</translation>
+        </message>
+        <message>
+            <source>Disarm keyboard jog</source>
+            <translation>Выключить клавиши</translation>
+        </message>
+        <message>
             <source>Drives and spindle are off; the position is not certain any more.</source>
             <translation>Приводы и шпиндель выключены; положение больше не достоверно.</translation>
         </message>
         <message>
+            <source>Drives off</source>
+            <translation>Отключить приводы</translation>
+        </message>
+        <message>
             <source>Drives off, not homed</source>
             <translation>Выключен, нулей нет</translation>
+        </message>
+        <message>
+            <source>Drives off: they are off</source>
+            <translation>Отключить приводы: они отключены</translation>
         </message>
         <message>
             <source>EMERGENCY STOP</source>
@@ -315,15 +351,17 @@ Pause  hold, resume
 Ctrl+Home  home all
 Ctrl+O  open
 F5  slice
+F9  arm keyboard jog
 Ctrl+1 … 4  tabs
 F10  menu
 F12  this list</source>
             <translation>F1  аварийный останов, везде
 Ctrl+Enter  пуск
 Pause  пауза, продолжить
-Ctrl+Home  поиск всех нулей
+Ctrl+Home  все нули
 Ctrl+O  открыть
 F5  нарезать
+F9  включить клавиши перемещения
 Ctrl+1 … 4  вкладки
 F10  меню
 F12  этот список</translation>
@@ -361,12 +399,20 @@ F12  этот список</translation>
             <translation>Вписать</translation>
         </message>
         <message>
+            <source>Forgets the zero of %1</source>
+            <translation>Забывает отсчёт %1</translation>
+        </message>
+        <message>
             <source>From layer</source>
             <translation>Со слоя</translation>
         </message>
         <message>
             <source>From layer %1</source>
             <translation>Со слоя %1</translation>
+        </message>
+        <message>
+            <source>From your zero of %1. The large number is the machine's own position.</source>
+            <translation>От вашего отсчёта %1. Крупное число — положение самого станка.</translation>
         </message>
         <message>
             <source>Front</source>
@@ -429,6 +475,10 @@ F12  этот список</translation>
             <translation>Удерживать = двигаться, щелчок = один шаг.</translation>
         </message>
         <message>
+            <source>Hold for high</source>
+            <translation>Держать: высокий</translation>
+        </message>
+        <message>
             <source>Hold, Resume, Stop: nothing is moving.</source>
             <translation>Пауза, Продолжить, Стоп: ничего не движется.</translation>
         </message>
@@ -445,12 +495,16 @@ F12  этот список</translation>
             <translation>Поиск нуля</translation>
         </message>
         <message>
-            <source>Home Y</source>
-            <translation>Ноль Y</translation>
+            <source>Home %1</source>
+            <translation>Ноль %1</translation>
         </message>
         <message>
             <source>Home all</source>
             <translation>Все нули</translation>
+        </message>
+        <message>
+            <source>Home Ψ: home R1 and R2 first</source>
+            <translation>Ноль Ψ: сначала найдите нули R1 и R2</translation>
         </message>
         <message>
             <source>Homed, job published</source>
@@ -471,6 +525,10 @@ F12  этот список</translation>
         <message>
             <source>How late ticks were: number of ticks by lateness</source>
             <translation>Насколько запаздывали такты: число тактов по запаздыванию</translation>
+        </message>
+        <message>
+            <source>How many pulses</source>
+            <translation>Сколько импульсов</translation>
         </message>
         <message>
             <source>How much higher R2 stands than R1, measured once.</source>
@@ -531,10 +589,6 @@ F12  этот список</translation>
         <message>
             <source>Jog speed of Ψ</source>
             <translation>Скорость ручного перемещения Ψ</translation>
-        </message>
-        <message>
-            <source>Jog: %1</source>
-            <translation>Ручное перемещение: %1</translation>
         </message>
         <message>
             <source>Jog: the machine is not homed</source>
@@ -659,6 +713,10 @@ F12  этот список</translation>
         <message>
             <source>Limits clear</source>
             <translation>Концевики</translation>
+        </message>
+        <message>
+            <source>Locked by the wiring test</source>
+            <translation>Заперто: проверка проводки</translation>
         </message>
         <message>
             <source>Locked on hold: resume or stop</source>
@@ -825,6 +883,10 @@ F12  этот список</translation>
             <translation>С запуска ядра тактов не пропущено</translation>
         </message>
         <message>
+            <source>No zero</source>
+            <translation>Снять Δ</translation>
+        </message>
+        <message>
             <source>None yet</source>
             <translation>Пока нет</translation>
         </message>
@@ -855,6 +917,10 @@ F12  этот список</translation>
         <message>
             <source>One layer</source>
             <translation>Один слой</translation>
+        </message>
+        <message>
+            <source>One output by hand</source>
+            <translation>Один выход вручную</translation>
         </message>
         <message>
             <source>One timer for everything, or the original's two.</source>
@@ -891,6 +957,10 @@ F12  этот список</translation>
         <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
             <translation>Выход: вывод 1..9, 14, 16 или 17; 0: не подключён; минус: активный низкий.</translation>
+        </message>
+        <message>
+            <source>Output to test</source>
+            <translation>Проверяемый выход</translation>
         </message>
         <message>
             <source>POSITIONING</source>
@@ -961,6 +1031,10 @@ F12  этот список</translation>
             <translation>При подводе головки держатся на столько вне заготовки.</translation>
         </message>
         <message>
+            <source>Positions are lost; home again afterwards</source>
+            <translation>Положения теряются; затем снова найдите нули</translation>
+        </message>
+        <message>
             <source>Pre-flight</source>
             <translation>Перед пуском</translation>
         </message>
@@ -1011,6 +1085,10 @@ F12  этот список</translation>
         <message>
             <source>Pull-in speed: what the motor may jump to from rest (j_k).</source>
             <translation>Скорость приёмистости: на неё двигатель может перейти сразу из покоя (j_k).</translation>
+        </message>
+        <message>
+            <source>Pulses in a second</source>
+            <translation>Импульсов в секунду</translation>
         </message>
         <message>
             <source>Pulses per second R1, R2, Ψ, Y</source>
@@ -1177,8 +1255,20 @@ F12  этот список</translation>
             <translation>Сечение слоя, вид сверху</translation>
         </message>
         <message>
+            <source>Select axis %1</source>
+            <translation>Выбрать ось %1</translation>
+        </message>
+        <message>
+            <source>Send pulses</source>
+            <translation>Послать импульсы</translation>
+        </message>
+        <message>
             <source>Show</source>
             <translation>Показать</translation>
+        </message>
+        <message>
+            <source>Shows how far %1 is from here; no motion changes</source>
+            <translation>Показывает, как далеко %1 отсюда; движения не меняются</translation>
         </message>
         <message>
             <source>Shows only what differs from the built-in profile</source>
@@ -1253,6 +1343,10 @@ F12  этот список</translation>
             <translation>Пуск: резьба уже идёт</translation>
         </message>
         <message>
+            <source>Start: an output is tested</source>
+            <translation>Пуск: проверяется выход</translation>
+        </message>
+        <message>
             <source>Start: axis %1 is not homed</source>
             <translation>Пуск: ноль оси %1 не найден</translation>
         </message>
@@ -1311,6 +1405,14 @@ F12  этот список</translation>
         <message>
             <source>Switch %1 is still closed</source>
             <translation>Выключатель %1 всё ещё замкнут</translation>
+        </message>
+        <message>
+            <source>Switches one output at a time. Home again afterwards.</source>
+            <translation>Переключает по одному выходу. Затем снова найдите нули.</translation>
+        </message>
+        <message>
+            <source>TESTING</source>
+            <translation>ПРОВЕРКА</translation>
         </message>
         <message>
             <source>Take backup</source>
@@ -1421,6 +1523,14 @@ F12  этот список</translation>
             <translation>Оформление</translation>
         </message>
         <message>
+            <source>Then keys move the machine (F9)</source>
+            <translation>Тогда станок движется от клавиш (F9)</translation>
+        </message>
+        <message>
+            <source>Then outputs can be switched one by one</source>
+            <translation>Тогда выходы можно переключать по одному</translation>
+        </message>
+        <message>
             <source>Tick</source>
             <translation>Такт</translation>
         </message>
@@ -1521,8 +1631,16 @@ F12  этот список</translation>
             <translation>Какие сообщения показаны</translation>
         </message>
         <message>
-            <source>Y alone to its switch, which defines its position</source>
-            <translation>Только Y к своему выключателю, который задаёт её положение</translation>
+            <source>Wiring test</source>
+            <translation>Проверка проводки</translation>
+        </message>
+        <message>
+            <source>Wiring test: arm it first</source>
+            <translation>Проверка проводки: сначала включите</translation>
+        </message>
+        <message>
+            <source>Wiring test: switch the drives off first</source>
+            <translation>Проверка проводки: сначала отключите приводы</translation>
         </message>
         <message>
             <source>Y direction</source>
@@ -1549,6 +1667,18 @@ F12  этот список</translation>
             <source>Y up</source>
             <translation>Y
 вверх</translation>
+        </message>
+        <message>
+            <source>Zero %1</source>
+            <translation>Отсчёт %1</translation>
+        </message>
+        <message>
+            <source>Zero: axis %1 is not homed</source>
+            <translation>Отсчёт: ноль оси %1 не найден</translation>
+        </message>
+        <message>
+            <source>Zero: the machine's profile is not known here</source>
+            <translation>Отсчёт: профиль станка здесь неизвестен</translation>
         </message>
         <message>
             <source>as in the file</source>
@@ -1735,6 +1865,10 @@ F12  этот список</translation>
             <translation>имп.</translation>
         </message>
         <message>
+            <source>pulses</source>
+            <translation>имп.</translation>
+        </message>
+        <message>
             <source>radius %1 to %2 mm</source>
             <translation>радиус от %1 до %2 mm</translation>
         </message>
@@ -1833,6 +1967,12 @@ F12  этот список</translation>
         <message>
             <source>Ψ step</source>
             <translation>Ψ шаг</translation>
+        </message>
+        <message>
+            <source>← → Ψ   ↑ ↓ Y   PgUp PgDn R1
+Ctrl+PgUp PgDn R2   Shift one step</source>
+            <translation>← → Ψ   ↑ ↓ Y   PgUp PgDn R1
+Ctrl+PgUp PgDn R2   Shift один шаг</translation>
         </message>
         <message>
             <source>○ index</source>

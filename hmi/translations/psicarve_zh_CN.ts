@@ -16,6 +16,10 @@
             <translation>! 限位</translation>
         </message>
         <message>
+            <source>%1 alone finds its home position</source>
+            <translation>%1 单独回零</translation>
+        </message>
+        <message>
             <source>%1 changes not saved</source>
             <translation>%1 处修改未保存</translation>
         </message>
@@ -140,6 +144,18 @@
             <translation>全部</translation>
         </message>
         <message>
+            <source>Arm</source>
+            <translation>启用</translation>
+        </message>
+        <message>
+            <source>Arm keyboard jog</source>
+            <translation>启用键盘点动</translation>
+        </message>
+        <message>
+            <source>Armed for one output, all others off. Ends after 30 s, on focus loss or F1.</source>
+            <translation>仅一个输出可用，其余关闭。30 秒后、失去焦点或按 F1 时结束。</translation>
+        </message>
+        <message>
             <source>As fast as every motor can follow, or the original's acceleration segments.</source>
             <translation>以各电机能跟上的最快速度，或采用原机的加减速段。</translation>
         </message>
@@ -210,6 +226,10 @@
         <message>
             <source>By hand</source>
             <translation>手动</translation>
+        </message>
+        <message>
+            <source>By hand: %1</source>
+            <translation>手动：%1</translation>
         </message>
         <message>
             <source>CARVING</source>
@@ -284,12 +304,28 @@
             <translation>步进沿之前方向信号至少建立这么久。</translation>
         </message>
         <message>
+            <source>Disarm</source>
+            <translation>停用</translation>
+        </message>
+        <message>
+            <source>Disarm keyboard jog</source>
+            <translation>停用键盘点动</translation>
+        </message>
+        <message>
             <source>Drives and spindle are off; the position is not certain any more.</source>
             <translation>驱动和主轴已关闭；位置不再可靠。</translation>
         </message>
         <message>
+            <source>Drives off</source>
+            <translation>关闭驱动</translation>
+        </message>
+        <message>
             <source>Drives off, not homed</source>
             <translation>驱动关闭，未回零</translation>
+        </message>
+        <message>
+            <source>Drives off: they are off</source>
+            <translation>关闭驱动：驱动已关闭</translation>
         </message>
         <message>
             <source>EMERGENCY STOP</source>
@@ -314,6 +350,7 @@ Pause  hold, resume
 Ctrl+Home  home all
 Ctrl+O  open
 F5  slice
+F9  arm keyboard jog
 Ctrl+1 … 4  tabs
 F10  menu
 F12  this list</source>
@@ -323,9 +360,10 @@ Pause  暂停、继续
 Ctrl+Home  全部回零
 Ctrl+O  打开
 F5  切片
-Ctrl+1 … 4  标签页
+F9  启用键盘点动
+Ctrl+1 … 4  选项卡
 F10  菜单
-F12  本列表</translation>
+F12  此列表</translation>
         </message>
         <message>
             <source>F1 · works everywhere</source>
@@ -360,12 +398,20 @@ F12  本列表</translation>
             <translation>适合</translation>
         </message>
         <message>
+            <source>Forgets the zero of %1</source>
+            <translation>清除 %1 的显示零点</translation>
+        </message>
+        <message>
             <source>From layer</source>
             <translation>从层</translation>
         </message>
         <message>
             <source>From layer %1</source>
             <translation>从第 %1 层开始</translation>
+        </message>
+        <message>
+            <source>From your zero of %1. The large number is the machine's own position.</source>
+            <translation>从 %1 的显示零点算起。大号数字是机床自身的位置。</translation>
         </message>
         <message>
             <source>Front</source>
@@ -428,6 +474,10 @@ F12  本列表</translation>
             <translation>按住 = 移动，单击 = 一步。</translation>
         </message>
         <message>
+            <source>Hold for high</source>
+            <translation>按住为高</translation>
+        </message>
+        <message>
             <source>Hold, Resume, Stop: nothing is moving.</source>
             <translation>暂停、继续、停止：没有运动。</translation>
         </message>
@@ -444,12 +494,16 @@ F12  本列表</translation>
             <translation>回零</translation>
         </message>
         <message>
-            <source>Home Y</source>
-            <translation>Y 回零</translation>
+            <source>Home %1</source>
+            <translation>%1 回零</translation>
         </message>
         <message>
             <source>Home all</source>
             <translation>全部回零</translation>
+        </message>
+        <message>
+            <source>Home Ψ: home R1 and R2 first</source>
+            <translation>Ψ 回零：请先将 R1 和 R2 回零</translation>
         </message>
         <message>
             <source>Homed, job published</source>
@@ -470,6 +524,10 @@ F12  本列表</translation>
         <message>
             <source>How late ticks were: number of ticks by lateness</source>
             <translation>节拍迟滞：按迟滞量统计的节拍数</translation>
+        </message>
+        <message>
+            <source>How many pulses</source>
+            <translation>脉冲数</translation>
         </message>
         <message>
             <source>How much higher R2 stands than R1, measured once.</source>
@@ -530,10 +588,6 @@ F12  本列表</translation>
         <message>
             <source>Jog speed of Ψ</source>
             <translation>Ψ 的点动速度</translation>
-        </message>
-        <message>
-            <source>Jog: %1</source>
-            <translation>点动：%1</translation>
         </message>
         <message>
             <source>Jog: the machine is not homed</source>
@@ -658,6 +712,10 @@ F12  本列表</translation>
         <message>
             <source>Limits clear</source>
             <translation>限位均断开</translation>
+        </message>
+        <message>
+            <source>Locked by the wiring test</source>
+            <translation>接线测试中，已锁定</translation>
         </message>
         <message>
             <source>Locked on hold: resume or stop</source>
@@ -824,6 +882,10 @@ F12  本列表</translation>
             <translation>内核启动以来未丢节拍</translation>
         </message>
         <message>
+            <source>No zero</source>
+            <translation>清除 Δ</translation>
+        </message>
+        <message>
             <source>None yet</source>
             <translation>暂无</translation>
         </message>
@@ -854,6 +916,10 @@ F12  本列表</translation>
         <message>
             <source>One layer</source>
             <translation>一层</translation>
+        </message>
+        <message>
+            <source>One output by hand</source>
+            <translation>手动单个输出</translation>
         </message>
         <message>
             <source>One timer for everything, or the original's two.</source>
@@ -890,6 +956,10 @@ F12  本列表</translation>
         <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
             <translation>输出引脚 1..9、14、16 或 17；0：未接；负号：低电平有效。</translation>
+        </message>
+        <message>
+            <source>Output to test</source>
+            <translation>要测试的输出</translation>
         </message>
         <message>
             <source>POSITIONING</source>
@@ -960,6 +1030,10 @@ F12  本列表</translation>
             <translation>定位时刀头与毛坯保持的距离。</translation>
         </message>
         <message>
+            <source>Positions are lost; home again afterwards</source>
+            <translation>位置将丢失；之后请重新回零</translation>
+        </message>
+        <message>
             <source>Pre-flight</source>
             <translation>启动前检查</translation>
         </message>
@@ -1010,6 +1084,10 @@ F12  本列表</translation>
         <message>
             <source>Pull-in speed: what the motor may jump to from rest (j_k).</source>
             <translation>启动速度：电机可从静止直接跳到的速度（j_k）。</translation>
+        </message>
+        <message>
+            <source>Pulses in a second</source>
+            <translation>每秒脉冲数</translation>
         </message>
         <message>
             <source>Pulses per second R1, R2, Ψ, Y</source>
@@ -1172,8 +1250,20 @@ F12  本列表</translation>
             <translation>层截面，俯视</translation>
         </message>
         <message>
+            <source>Select axis %1</source>
+            <translation>选择轴 %1</translation>
+        </message>
+        <message>
+            <source>Send pulses</source>
+            <translation>发送脉冲</translation>
+        </message>
+        <message>
             <source>Show</source>
             <translation>显示</translation>
+        </message>
+        <message>
+            <source>Shows how far %1 is from here; no motion changes</source>
+            <translation>显示 %1 离此处的距离；不影响任何运动</translation>
         </message>
         <message>
             <source>Shows only what differs from the built-in profile</source>
@@ -1248,6 +1338,10 @@ F12  本列表</translation>
             <translation>启动：已在雕刻</translation>
         </message>
         <message>
+            <source>Start: an output is tested</source>
+            <translation>启动：正在测试输出</translation>
+        </message>
+        <message>
             <source>Start: axis %1 is not homed</source>
             <translation>启动：轴 %1 未回零</translation>
         </message>
@@ -1306,6 +1400,14 @@ F12  本列表</translation>
         <message>
             <source>Switch %1 is still closed</source>
             <translation>开关 %1 仍闭合</translation>
+        </message>
+        <message>
+            <source>Switches one output at a time. Home again afterwards.</source>
+            <translation>一次切换一个输出。之后请重新回零。</translation>
+        </message>
+        <message>
+            <source>TESTING</source>
+            <translation>测试中</translation>
         </message>
         <message>
             <source>Take backup</source>
@@ -1416,6 +1518,14 @@ F12  本列表</translation>
             <translation>主题</translation>
         </message>
         <message>
+            <source>Then keys move the machine (F9)</source>
+            <translation>之后可用键盘移动机床 (F9)</translation>
+        </message>
+        <message>
+            <source>Then outputs can be switched one by one</source>
+            <translation>之后可逐个切换输出</translation>
+        </message>
+        <message>
             <source>Tick</source>
             <translation>节拍</translation>
         </message>
@@ -1516,8 +1626,16 @@ F12  本列表</translation>
             <translation>显示哪些消息</translation>
         </message>
         <message>
-            <source>Y alone to its switch, which defines its position</source>
-            <translation>仅 Y 移到其开关，由此确定位置</translation>
+            <source>Wiring test</source>
+            <translation>接线测试</translation>
+        </message>
+        <message>
+            <source>Wiring test: arm it first</source>
+            <translation>接线测试：请先启用</translation>
+        </message>
+        <message>
+            <source>Wiring test: switch the drives off first</source>
+            <translation>接线测试：请先关闭驱动</translation>
         </message>
         <message>
             <source>Y direction</source>
@@ -1542,6 +1660,18 @@ F12  本列表</translation>
         <message>
             <source>Y up</source>
             <translation>Y 上</translation>
+        </message>
+        <message>
+            <source>Zero %1</source>
+            <translation>%1 设零</translation>
+        </message>
+        <message>
+            <source>Zero: axis %1 is not homed</source>
+            <translation>设零：轴 %1 未回零</translation>
+        </message>
+        <message>
+            <source>Zero: the machine's profile is not known here</source>
+            <translation>设零：此处不知道机床配置</translation>
         </message>
         <message>
             <source>as in the file</source>
@@ -1728,6 +1858,10 @@ F12  本列表</translation>
             <translation>脉冲</translation>
         </message>
         <message>
+            <source>pulses</source>
+            <translation>脉冲</translation>
+        </message>
+        <message>
             <source>radius %1 to %2 mm</source>
             <translation>半径 %1 到 %2 mm</translation>
         </message>
@@ -1826,6 +1960,12 @@ F12  本列表</translation>
         <message>
             <source>Ψ step</source>
             <translation>Ψ 步进</translation>
+        </message>
+        <message>
+            <source>← → Ψ   ↑ ↓ Y   PgUp PgDn R1
+Ctrl+PgUp PgDn R2   Shift one step</source>
+            <translation>← → Ψ   ↑ ↓ Y   PgUp PgDn R1
+Ctrl+PgUp PgDn R2   Shift 一步</translation>
         </message>
         <message>
             <source>○ index</source>

@@ -9,7 +9,14 @@ namespace psicarve::ui {
 
 ActionButton::ActionButton(session::Action action, const QString& text, std::function<void()> act,
                            QWidget* parent)
-    : QPushButton(text, parent), action_(action) {
+    : ActionButton(
+          [action](const Bench& bench) {
+              return session::lock_of(action, bench.machine.sight(), bench.desk.sight());
+          },
+          text, std::move(act), parent) {}
+
+ActionButton::ActionButton(LockOf lock_of, const QString& text, std::function<void()> act, QWidget* parent)
+    : QPushButton(text, parent), lock_of_(std::move(lock_of)) {
     setFocusPolicy(Qt::TabFocus);
     setAutoDefault(false);
     if (act) QObject::connect(this, &QPushButton::clicked, this, [act = std::move(act)] { act(); });
@@ -20,7 +27,7 @@ void ActionButton::set_glyph(Glyph glyph, const Tokens& tokens, bool on_fill) {
 }
 
 const QString& ActionButton::refresh(const Bench& bench) {
-    const auto lock = session::lock_of(action_, bench.machine.sight(), bench.desk.sight());
+    const auto lock = lock_of_(bench);
     const QString reason = lock ? words(*lock) : QString{};
     setEnabled(!lock);
     const QString& tip = lock ? reason : hint_;

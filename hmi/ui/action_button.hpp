@@ -3,6 +3,7 @@
 
 #include <QPushButton>
 #include <functional>
+#include <optional>
 
 #include "hmi/session/action_lock.hpp"
 #include "hmi/ui/bench.hpp"
@@ -15,6 +16,11 @@ namespace psicarve::ui {
 /// focus happens to be there: it takes the focus from the Tab key only.
 class ActionButton : public QPushButton {
 public:
+    /// What stands in the way of it; nothing when it can be asked for.
+    using LockOf = std::function<std::optional<session::Phrase>(const Bench&)>;
+
+    /// For what is no Action: something of one axis, of one page.
+    ActionButton(LockOf lock_of, const QString& text, std::function<void()> act, QWidget* parent = nullptr);
     /// Without a glyph the button has words alone.
     ActionButton(session::Action action, const QString& text, std::function<void()> act,
                  QWidget* parent = nullptr);
@@ -27,7 +33,7 @@ public:
     void set_hint(const QString& hint) { hint_ = hint; }
 
 private:
-    session::Action action_;
+    LockOf lock_of_;
     QString reason_;
     QString hint_;
 };

@@ -165,6 +165,7 @@ Glyph glyph_of(MachineState state, bool has_core) noexcept {
         case MachineState::held:
             return Glyph::pause;
         case MachineState::stopping:
+        case MachineState::testing:
             return Glyph::triangle;
         case MachineState::alarm:
         case MachineState::backing_off:

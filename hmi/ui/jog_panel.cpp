@@ -51,7 +51,9 @@ JogPanel::JogPanel(Bench& bench, QWidget* parent)
     angular_speed_->setValue(kUsualAngular);
     linear_speed_->setAccessibleName(tr("Jog speed of R1, R2 and Y"));
     angular_speed_->setAccessibleName(tr("Jog speed of Ψ"));
+    make_arm_button();
     hint_->setWordWrap(true);
+    hint_->setObjectName("jog_hint");
     body().addWidget(hint_);
     body().addStretch();
     hold_timer_.setSingleShot(true);
@@ -137,6 +139,7 @@ void JogPanel::release() {
 }
 
 void JogPanel::let_go() {
+    disarm();
     hold_timer_.stop();
     is_held_ = false;
     bench_.machine.jog().release();
@@ -151,8 +154,14 @@ void JogPanel::set_theme(const Tokens& tokens) {
 void JogPanel::refresh() {
     QString reason;
     for (const Key& key : keys_) reason = key.button->refresh(bench_);
-    if (!reason.isEmpty() && (is_held_ || hold_timer_.isActive())) let_go();
-    hint_->setText(reason.isEmpty() ? tr("Hold = move, click = one step.") : reason);
+    const bool is_armed = keyboard_.is_armed();
+    if (!reason.isEmpty() && (is_held_ || hold_timer_.isActive() || is_armed)) let_go();
+    if (keyboard_.is_over(session::KeyboardJog::Clock::now())) disarm();
+    arm_->refresh(bench_);
+    hint_->setText(!reason.isEmpty() ? reason
+                   : keyboard_.is_armed()
+                       ? tr("← → Ψ   ↑ ↓ Y   PgUp PgDn R1\nCtrl+PgUp PgDn R2   Shift one step")
+                       : tr("Hold = move, click = one step."));
     note().setText(reason.isEmpty() ? QString{} : tr("locked"));
     linear_label_->setText(tr("%1 mm/s").arg(speed_of(Axis::y), 0, 'f', 1));
     angular_label_->setText(tr("%1 °/s").arg(angular_speed_->value()));

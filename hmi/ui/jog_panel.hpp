@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "hmi/session/keyboard_jog.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/frames.hpp"
@@ -15,7 +16,8 @@ class QSlider;
 
 namespace psicarve::ui {
 
-/// Moves one axis by hand: a click is a step, holding the button goes on until it is let go.
+/// Moves one axis by hand: a click is a step, holding the button goes on until it is let go. Likewise with
+/// the keyboard, while that is armed.
 class JogPanel : public Dock {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::JogPanel)
 public:
@@ -23,8 +25,11 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
-    /// Whatever is held is let go: the window lost the focus, or a dialog opens.
+    /// Whatever is held is let go, and keys mean nothing any more: the window lost the focus, or a dialog
+    /// opens.
     void let_go();
+    /// Keys while they are armed.
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     struct Key {
@@ -39,6 +44,12 @@ private:
     void add_key(const QString& text, Axis axis, bool up, Glyph glyph, const char* name);
     void press(const Key& key);
     void release();
+    // jog_panel_keys.cpp
+    void make_arm_button();
+    void arm();
+    void disarm();
+    void show_armed();
+    void follow(const session::KeyboardJog::Order& order);
     double speed_of(Axis axis) const;
     double step_of(Axis axis) const;
 
@@ -51,6 +62,8 @@ private:
     QLabel* linear_label_ = nullptr;
     QLabel* angular_label_ = nullptr;
     QLabel* hint_;
+    ActionButton* arm_ = nullptr;
+    session::KeyboardJog keyboard_;
     QTimer hold_timer_;  ///< runs while a press may still become a click
     Axis pressed_axis_ = Axis::r1;
     bool pressed_up_ = true;

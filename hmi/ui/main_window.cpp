@@ -226,12 +226,17 @@ void MainWindow::open(const QString& path) {
 
 void MainWindow::emergency_stop() {
     strip_->emergency_stop();
+    let_go();
+}
+
+void MainWindow::let_go() {
     jog_->let_go();
+    ports_->let_go();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
     // A jog ends when the hand may be elsewhere.
-    if (event->type() == QEvent::ActivationChange && !isActiveWindow() && jog_ != nullptr) jog_->let_go();
+    if (event->type() == QEvent::ActivationChange && !isActiveWindow() && ports_ != nullptr) let_go();
     QMainWindow::changeEvent(event);
 }
 
@@ -246,7 +251,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    jog_->let_go();
+    let_go();
     const CloseChoice choice = is_under_way(bench_.machine.sight()) ? ask_() : CloseChoice::leave_running;
     if (choice == CloseChoice::stay_open) return event->ignore();
     if (choice == CloseChoice::hold) bench_.machine.order_and_wait(CommandKind::hold);

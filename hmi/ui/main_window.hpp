@@ -48,6 +48,8 @@ public:
     void refresh();
     void set_theme(ThemeChoice choice);
     void emergency_stop();
+    /// Whatever a hand holds.
+    void let_go();
     /// For tests, instead of the dialog.
     void set_close_question(std::function<CloseChoice()> ask) { ask_ = std::move(ask); }
 

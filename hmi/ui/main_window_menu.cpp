@@ -23,10 +23,10 @@ void MainWindow::make_menu() {
     QAction* keys = menu_->addAction(tr("Keys…"));
     keys->setShortcut(Qt::Key_F12);
     connect(keys, &QAction::triggered, this, [this] {
-        QMessageBox::information(
-            this, tr("Keys"),
-            tr("F1  emergency stop, everywhere\nCtrl+Enter  start\nPause  hold, resume\n"
-               "Ctrl+Home  home all\nCtrl+O  open\nF5  slice\nCtrl+1 … 4  tabs\nF10  menu\nF12  this list"));
+        QMessageBox::information(this, tr("Keys"),
+                                 tr("F1  emergency stop, everywhere\nCtrl+Enter  start\nPause  hold, resume\n"
+                                    "Ctrl+Home  home all\nCtrl+O  open\nF5  slice\nF9  arm keyboard "
+                                    "jog\nCtrl+1 … 4  tabs\nF10  menu\nF12  this list"));
     });
     menu_->addSeparator();
     QAction* quit = menu_->addAction(tr("Close the window"));

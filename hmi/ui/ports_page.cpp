@@ -10,6 +10,7 @@
 #include "hmi/ui/connector_view.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/timing_view.hpp"
+#include "hmi/ui/wiring_bar.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
@@ -28,7 +29,8 @@ PortsPage::PortsPage(Bench& bench, QWidget* parent)
       connector_(new ConnectorView),
       table_(new QTableWidget{0, kColumns}),
       timing_(new TimingView),
-      note_(role_label("small")) {
+      note_(role_label("small")),
+      wiring_(new WiringBar{bench}) {
     setObjectName("ports_page");
     table_->setObjectName("pins");
     table_->setHorizontalHeaderLabels({tr("Pin"), tr("Signal"), tr("Register bit"), {}, tr("Level")});
@@ -58,6 +60,7 @@ PortsPage::PortsPage(Bench& bench, QWidget* parent)
     all->addWidget(connector_);
     all->addLayout(middle, 1);
     all->addWidget(note_);
+    all->addWidget(wiring_);
     take_profile(Profile{});
 }
 
@@ -74,6 +77,7 @@ void PortsPage::take_profile(const Profile& profile) {
     profile_ = profile;
     rows_ = session::pin_rows(profile);
     connector_->show_rows(rows_);
+    wiring_->show_rows(rows_);
     std::vector<Signal> order;
     order.reserve(rows_.size());
     for (const session::PinRow& row : rows_) order.push_back(row.signal);
@@ -118,7 +122,12 @@ void PortsPage::show_levels(SignalWord levels) {
     shown_levels_ = levels;
 }
 
+void PortsPage::let_go() {
+    wiring_->let_go();
+}
+
 void PortsPage::refresh() {
+    wiring_->refresh();
     const auto& sight = bench_.machine.sight();
     if (sight.core_pid != core_pid_) history_.forget();
     core_pid_ = sight.core_pid;

@@ -19,6 +19,7 @@ namespace psicarve::ui {
 
 class ConnectorView;
 class TimingView;
+class WiringBar;
 
 /// The connector with live levels, and every signal's last seconds. Levels are logical.
 class PortsPage : public QWidget {
@@ -28,6 +29,8 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
+    /// Ends the wiring test.
+    void let_go();
 
 private:
     void take_profile(const Profile& profile);
@@ -45,6 +48,7 @@ private:
     QTableWidget* table_;
     TimingView* timing_;
     QLabel* note_;
+    WiringBar* wiring_;
 };
 
 }  // namespace psicarve::ui

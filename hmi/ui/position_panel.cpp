@@ -3,6 +3,10 @@
 
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
+
+#include <functional>
+#include <utility>
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/action_button.hpp"
@@ -16,6 +20,25 @@ constexpr int kLampWidth = 58;
 constexpr int kLampHeight = 18;
 constexpr int kUnitWidth = 26;
 constexpr int kNameWidth = 56;
+
+/// A row that a click, or Space on it, selects.
+class AxisRow : public QFrame {
+public:
+    explicit AxisRow(std::function<void()> selected) : selected_(std::move(selected)) {
+        setProperty("axis_row", true);
+        setFocusPolicy(Qt::TabFocus);
+    }
+
+protected:
+    void mousePressEvent(QMouseEvent* /*event*/) override { selected_(); }
+    void keyPressEvent(QKeyEvent* event) override {
+        if (event->key() != Qt::Key_Space) return QFrame::keyPressEvent(event);
+        selected_();
+    }
+
+private:
+    std::function<void()> selected_;
+};
 
 QLabel* lamp() {
     auto* label = new QLabel;
@@ -38,22 +61,32 @@ PositionPanel::PositionPanel(Bench& bench, QWidget* parent) : Dock(tr("Position"
     home_->setObjectName("home");
     home_->set_hint(tr("R1 and R2 out, then Y, then Ψ to its index (Ctrl+Home)"));
     home_->setShortcut(Qt::CTRL | Qt::Key_Home);
-    home_y_ = new ActionButton{session::Action::home_y, tr("Home Y"), [this] {
-                                   bench_.machine.order(CommandKind::reset_height, session::phrase("Home Y"));
-                               }};
-    home_y_->setObjectName("home_y");
-    home_y_->set_hint(tr("Y alone to its switch, which defines its position"));
+    home_one_ = new ActionButton{
+        [this](const Bench& now) { return session::home_lock(now.machine.sight(), selected_); }, QString{},
+        [this] { home_selected(); }};
+    home_one_->setObjectName("home_one");
+    zero_one_ = new ActionButton{
+        [this](const Bench& now) { return session::zero_lock(now.machine.sight(), selected_); }, QString{},
+        [this] { change_zero(); }};
+    zero_one_->setObjectName("zero_one");
+    for (const Axis axis : kAllAxes)
+        zero_.set(axis, settings_.zero(bench_.machine.options().segment_name, axis));
     auto* buttons = new QHBoxLayout;
     buttons->setContentsMargins(kGap, kGap, kGap, 0);
-    buttons->setSpacing(kGap);
-    buttons->addWidget(home_y_);
-    buttons->addWidget(home_);
+    buttons->setSpacing(kSmallGap);
+    buttons->addWidget(zero_one_, 1);
+    buttons->addWidget(home_one_, 1);
+    buttons->addWidget(home_, 1);
     body().addLayout(buttons);
+    select(Axis::r1);
 }
 
 QWidget* PositionPanel::make_row(Axis axis) {
     Row& row = rows_[index_of(axis)];
-    auto* widget = new QWidget;
+    auto* widget = new AxisRow{[this, axis] { select(axis); }};
+    widget->setObjectName(QString{"axis_%1"}.arg(QString::fromStdString(std::string{name_of(axis)})));
+    widget->setAccessibleName(tr("Select axis %1").arg(session::axis_letter(axis)));
+    row.whole = widget;
     auto* grid = new QGridLayout{widget};
     grid->setContentsMargins(0, 1, kSmallGap, 1);
     grid->setHorizontalSpacing(kSmallGap);
@@ -62,6 +95,7 @@ QWidget* PositionPanel::make_row(Axis axis) {
     row.bar->setFixedWidth(kBarWidth);
     row.name = role_label("axis", session::axis_letter(axis));
     row.second = role_label("small");
+    row.second->setObjectName(QString{"second_%1"}.arg(QString::fromStdString(std::string{name_of(axis)})));
     row.name->setMinimumWidth(kNameWidth);
     row.value = role_label("digits");
     row.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -98,8 +132,46 @@ void PositionPanel::refresh() {
     }
     const session::MachineSight& sight = bench_.machine.sight();
     note().setText(sight.is_heard() || !sight.status ? QString{} : tr("last known"));
-    home_->refresh(bench_);
-    home_y_->refresh(bench_);
+    refresh_buttons();
+}
+
+void PositionPanel::select(Axis axis) {
+    selected_ = axis;
+    for (const Axis each : kAllAxes)
+        set_styled(rows_[index_of(each)].whole, "selected", each == axis ? "yes" : "no");
+    refresh_buttons();
+}
+
+bool PositionPanel::is_zero_shown() const {
+    return session::is_at_zero(session::from_zero(bench_.machine.sight(), selected_, zero_.of(selected_)));
+}
+
+void PositionPanel::refresh_buttons() {
+    const QString letter = session::axis_letter(selected_);
+    const bool clears = is_zero_shown();
+    home_one_->setText(tr("Home %1").arg(letter));
+    home_one_->set_hint(tr("%1 alone finds its home position").arg(letter));
+    zero_one_->setText(clears ? tr("No zero") : tr("Zero %1").arg(letter));
+    zero_one_->set_hint(clears ? tr("Forgets the zero of %1").arg(letter)
+                               : tr("Shows how far %1 is from here; no motion changes").arg(letter));
+    for (ActionButton* button : {home_, home_one_, zero_one_}) button->refresh(bench_);
+}
+
+void PositionPanel::change_zero() {
+    zero_.set(selected_,
+              is_zero_shown() ? std::nullopt : session::position_of(bench_.machine.sight(), selected_));
+    settings_.set_zero(bench_.machine.options().segment_name, selected_, zero_.of(selected_));
+    refresh();
+}
+
+// Y alone may always go to its switch; the other axes alone need a core's look at the heads first.
+void PositionPanel::home_selected() {
+    const session::Phrase name = session::phrase("Home %1", session::axis_letter(selected_));
+    if (selected_ == Axis::y) return bench_.machine.order(CommandKind::reset_height, name);
+    Command command{};
+    command.kind = CommandKind::home;
+    command.axis = 1U << index_of(selected_);
+    bench_.machine.order(command, name);
 }
 
 void PositionPanel::refresh_row(Axis axis) {
@@ -115,20 +187,15 @@ void PositionPanel::refresh_row(Axis axis) {
         font.setStrikeOut(!is_known);
         row.value->setFont(font);
     }
-    switch (axis) {
-        case Axis::r1:
-            row.second->setText(tr("left"));
-            break;
-        case Axis::r2:
-            row.second->setText(tr("right"));
-            break;
-        case Axis::psi:
-            row.second->setText(words(readout.second));
-            break;
-        case Axis::y:
-            row.second->setText(tr("height"));
-            break;
-    }
+    const QString usual[] = {tr("left"), tr("right"), words(readout.second), tr("height")};
+    const auto distance = session::from_zero(sight, axis, zero_.of(axis));
+    row.second->setText(distance
+                            ? QString{"Δ %1"}.arg(QString::fromStdString(session::number_text(*distance, 2)))
+                            : usual[index_of(axis)]);
+    row.second->setToolTip(distance
+                               ? tr("From your zero of %1. The large number is the machine's own position.")
+                                     .arg(session::axis_letter(axis))
+                               : QString{});
 }
 
 void PositionPanel::refresh_lamps(Axis axis) {

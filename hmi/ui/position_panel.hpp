@@ -5,15 +5,18 @@
 
 #include <array>
 
+#include "hmi/session/axis_actions.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/settings.hpp"
 #include "hmi/ui/tokens.hpp"
 
 namespace psicarve::ui {
 
 class ActionButton;
 
-/// Where the axes are, whether they know it, and their sensors.
+/// Where the axes are, whether they know it, and their sensors. One axis is selected: Home and Zero are of
+/// it.
 class PositionPanel : public Dock {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::PositionPanel)
 public:
@@ -24,6 +27,7 @@ public:
 
 private:
     struct Row {
+        QFrame* whole;
         QFrame* bar;
         QLabel* name;
         QLabel* second;
@@ -35,11 +39,20 @@ private:
     QWidget* make_row(Axis axis);
     void refresh_row(Axis axis);
     void refresh_lamps(Axis axis);
+    void refresh_buttons();
+    void select(Axis axis);
+    bool is_zero_shown() const;
+    void change_zero();
+    void home_selected();
 
     Bench& bench_;
     std::array<Row, kAxisCount> rows_{};
+    Axis selected_ = Axis::r1;
+    session::WorkZero zero_;
+    WindowSettings settings_;
     ActionButton* home_;
-    ActionButton* home_y_;
+    ActionButton* home_one_;
+    ActionButton* zero_one_;
 };
 
 }  // namespace psicarve::ui

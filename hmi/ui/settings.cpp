@@ -16,6 +16,12 @@ constexpr const char* kGeometry = "window/geometry";
 constexpr const char* kTheme = "window/theme";
 constexpr const char* kLanguage = "window/language";
 constexpr const char* kRecent = "files/recent";
+/// "zero/psicarve/r1"
+QString zero_key(const std::string& segment, Axis axis) {
+    return QString{"zero/%1/%2"}.arg(QString::fromStdString(segment).remove('/'),
+                                     QString::fromStdString(std::string{name_of(axis)}));
+}
+
 constexpr const char* kThemeNames[] = {"system", "light", "dark"};
 
 }  // namespace
@@ -72,6 +78,20 @@ void WindowSettings::add_recent_file(const QString& path) {
 QString WindowSettings::last_folder() const {
     const QStringList files = recent_files();
     return files.isEmpty() ? QDir::homePath() : QFileInfo{files.front()}.absolutePath();
+}
+
+std::optional<double> WindowSettings::zero(const std::string& segment, Axis axis) const {
+    bool is_number = false;
+    const double position = store_.value(zero_key(segment, axis)).toDouble(&is_number);
+    return is_number ? std::optional{position} : std::nullopt;
+}
+
+void WindowSettings::set_zero(const std::string& segment, Axis axis, std::optional<double> position) {
+    if (position) {
+        store_.setValue(zero_key(segment, axis), *position);
+    } else {
+        store_.remove(zero_key(segment, axis));
+    }
 }
 
 Theme theme_of(ThemeChoice choice) {

@@ -6,9 +6,11 @@
 #include <QStringList>
 
 #include <optional>
+#include <string>
 
 #include "hmi/ui/language.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "shared/signal.hpp"
 
 namespace psicarve::ui {
 
@@ -30,6 +32,9 @@ public:
     QStringList recent_files() const;
     void add_recent_file(const QString& path);
     QString last_folder() const;
+    /// The operator's own zero of an axis [mm; psi: deg], of the machine behind a segment.
+    std::optional<double> zero(const std::string& segment, Axis axis) const;
+    void set_zero(const std::string& segment, Axis axis, std::optional<double> position);
 
 private:
     QSettings store_;

@@ -14,6 +14,13 @@ QMainWindow, QDialog, #window { background: @win; }
 #strip { border-bottom: 1px solid @line; }
 QFrame[dock="true"] { background: @panel; border: 1px solid @line; border-radius: 4px; }
 QLabel { background: transparent; border: 0; }
+QFrame[axis_row="true"] { border: 0; }
+QFrame[axis_row="true"][selected="yes"] { background: @sel; }
+QFrame[axis_row="true"]:focus { border: 2px solid @text; }
+QFrame[jog_armed="yes"] { border: 2px solid @alarm; }
+#wiring { border: 0; border-left: 4px solid @line; background: @panel; }
+#wiring[armed="yes"] { border-left: 4px solid @warn_fill; background: @warn_ground; }
+QLabel[role="armed"] { color: @alarm; font-weight: 700; font-size: 12px; }
 QLabel[role="head"] { color: @text2; font-weight: 700; font-size: 12px; }
 QLabel[role="small"] { color: @text2; font-size: 11px; }
 QLabel[role="label"] { color: @text2; font-size: 12px; }
@@ -99,6 +106,7 @@ QString style_sheet(const Tokens& tokens) {
     const std::pair<const char*, QColor> colours[] = {{"@alarm_ground", tokens.alarm_ground},
                                                       {"@alarm_fill", tokens.alarm_fill},
                                                       {"@alarm", tokens.alarm},
+                                                      {"@warn_ground", tokens.warn_ground},
                                                       {"@warn_fill", tokens.warn_fill},
                                                       {"@warn", tokens.warn},
                                                       {"@run_fill", tokens.run_fill},

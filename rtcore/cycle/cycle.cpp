@@ -27,6 +27,7 @@ void Cycle::tick() noexcept {
         take_request(copy);
     }
     if (lease_.is_held()) check_lease();
+    if (state_ == MachineState::testing) go_on_with_test();
     if (executes()) {
         const Executor::Progress progress = executor_.step(tick_);
         if (progress != Executor::kNothing) after_step(progress);
@@ -71,7 +72,9 @@ void Cycle::take_inputs(SignalWord raw) noexcept {
 }
 
 void Cycle::check_limits() noexcept {
-    if (state_ == MachineState::off || state_ == MachineState::alarm) return;
+    constexpr std::uint32_t kAtHand =
+        state_bit(MachineState::off) | state_bit(MachineState::alarm) | state_bit(MachineState::testing);
+    if ((kAtHand >> static_cast<unsigned>(state_) & 1U) != 0) return;
     SignalWord tripped = inputs_.accepted() & kLimitMask & ~limits_exempt_;
     if (executor_.homing_axis() != kNoAxis) tripped &= ~(bit_of(Signal::r1_limit) << executor_.homing_axis());
     for (std::size_t k = 0; tripped != 0 && k < kAxisCount; ++k) {

@@ -11,6 +11,7 @@
 #include "rtcore/cycle/inputs.hpp"
 #include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/cycle/lease.hpp"
+#include "rtcore/cycle/pin_test.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
 #include "rtcore/port/port.hpp"
 #include "shared/machine_state.hpp"
@@ -82,7 +83,9 @@ private:
     // cycle_requests.cpp: what the supervisor asks
     void take_request(const Request& request) noexcept;
     Refusal judge(const Request& request) noexcept;
-    Refusal start_home(bool only_height) noexcept;
+    Refusal start_home(std::uint64_t axes) noexcept;
+    Refusal reset_height() noexcept;
+    void begin_homing(MachineEvent event, std::uint32_t axes) noexcept;
     Refusal start_job(LayerRange layers) noexcept;
     Refusal start_interpolation() noexcept;
     Refusal hold() noexcept;
@@ -98,6 +101,11 @@ private:
     void check_lease() noexcept;
     void end_jog(MoveEnd end) noexcept;
     Refusal switch_spindle(bool on) noexcept;
+    // cycle_test.cpp: the outputs by hand
+    Refusal test_pin(const Request& request) noexcept;
+    void go_on_with_test() noexcept;
+    void end_test() noexcept;
+    Refusal drives_off() noexcept;
     // cycle_reports.cpp
     void report(const FlightRecord& record, std::int64_t expected_pulses = 0) noexcept;
     void answer(const Request& request, Refusal refusal) noexcept;
@@ -136,7 +144,8 @@ private:
     AlarmCause pending_fail_ = AlarmCause::none;  ///< raised once the controlled stop came to rest
     /// Limits that were tripped when homing or backing off began, until they clear.
     SignalWord limits_exempt_ = 0;
-    Lease lease_;  ///< held while a jog is under way
+    Lease lease_;  ///< held while a jog or a test is under way
+    PinTest test_;
     MoveEnd move_end_ = MoveEnd::none;
     std::uint8_t refused_axis_ = kNoAxis;  ///< of the request at hand
     std::uint32_t epoch_ = 0;

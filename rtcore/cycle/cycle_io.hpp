@@ -20,7 +20,7 @@ namespace psicarve::cycle {
 
 /// supervisor -> tick. One request is answered by one report of kind `answer`.
 enum class RequestKind : std::uint8_t {
-    home,
+    home,   ///< value: the axes, bit by axis; 0: all
     start,  ///< value: a LayerRange, packed
     start_interpolation,
     hold,
@@ -37,6 +37,8 @@ enum class RequestKind : std::uint8_t {
     end_jog,     ///< value: MoveEnd. A replay lets go of a jog where the recorded run did
     spindle,     ///< value: 1 on, 0 off
     record,      ///< value: RecordingForm; lease_token: whose, 0 at the end: whoever's
+    test_pin,    ///< value: a PinOrder, packed; lease
+    drives_off,
 };
 struct Request {
     std::uint64_t sequence;  ///< echoed in the answer
@@ -66,8 +68,9 @@ enum class Refusal : std::uint8_t {
     at_the_end,    ///< no way is left in this direction
     bad_override,  ///< beyond 10 to 200 per cent
     no_such_layer,
-    not_an_arc,  ///< begin and end are not as far from the centre, or it is too small
-    recording,   ///< another process has the pins recorded, or nobody can
+    not_an_arc,       ///< begin and end are not as far from the centre, or it is too small
+    recording,        ///< another process has the pins recorded, or nobody can
+    heads_not_homed,  ///< psi and y are homed after the heads, or with them
 };
 
 /// tick -> supervisor, in the order in which things happened. Each carries the flight-recorder entry of it.

@@ -13,9 +13,9 @@ void Cycle::take_request(const Request& request) noexcept {
 Refusal Cycle::judge(const Request& request) noexcept {
     switch (request.kind) {
         case RequestKind::home:
-            return start_home(false);
+            return start_home(request.value);
         case RequestKind::reset_height:
-            return start_home(true);
+            return reset_height();
         case RequestKind::start:
             return start_job(layer_range(request.value));
         case RequestKind::start_interpolation:
@@ -43,6 +43,10 @@ Refusal Cycle::judge(const Request& request) noexcept {
             return take_override(request.value);
         case RequestKind::record:
             return record(request);
+        case RequestKind::test_pin:
+            return test_pin(request);
+        case RequestKind::drives_off:
+            return drives_off();
         case RequestKind::fail:
             break;
     }
@@ -50,17 +54,32 @@ Refusal Cycle::judge(const Request& request) noexcept {
     return Refusal::none;
 }
 
-Refusal Cycle::start_home(bool only_height) noexcept {
+// Y and psi only move where the heads are known to be out of their way, or go out first.
+Refusal Cycle::start_home(std::uint64_t axes) noexcept {
+    constexpr std::uint32_t kHeads = 0b11;
+    if (!next_state(state_, MachineEvent::home).has_value()) return Refusal::not_in_this_state;
+    const auto wanted =
+        axes == 0 ? std::uint32_t{kAllAxesMask} : static_cast<std::uint32_t>(axes) & kAllAxesMask;
+    const bool has_others = (wanted & ~kHeads) != 0;
+    if (has_others && ((homed_mask_ | wanted) & kHeads) != kHeads) return Refusal::heads_not_homed;
+    begin_homing(MachineEvent::home, wanted);
+    request_plan(PlanKind::home, static_cast<std::uint8_t>(wanted));
+    return Refusal::none;
+}
+
+Refusal Cycle::reset_height() noexcept {
     constexpr std::size_t kY = index_of(Axis::y);
-    const MachineEvent event = only_height ? MachineEvent::reset_height : MachineEvent::home;
-    if (!next_state(state_, event).has_value()) return Refusal::not_in_this_state;
-    if (only_height && !config_.axes[kY].has_sensor) return Refusal::no_sensor;
-    const std::uint32_t axes = only_height ? 1U << kY : kAllAxesMask;
+    if (!next_state(state_, MachineEvent::reset_height).has_value()) return Refusal::not_in_this_state;
+    if (!config_.axes[kY].has_sensor) return Refusal::no_sensor;
+    begin_homing(MachineEvent::reset_height, 1U << kY);
+    request_plan(PlanKind::reset_height);
+    return Refusal::none;
+}
+
+void Cycle::begin_homing(MachineEvent event, std::uint32_t axes) noexcept {
     homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~axes);
     limits_exempt_ = (inputs_.accepted() | inputs_.raw()) & kLimitMask;
     apply(event);
-    request_plan(only_height ? PlanKind::reset_height : PlanKind::home);
-    return Refusal::none;
 }
 
 Refusal Cycle::start_job(LayerRange layers) noexcept {

@@ -11,6 +11,7 @@ bool Cycle::apply(MachineEvent event) noexcept {
 }
 
 void Cycle::enter(MachineState state) noexcept {
+    if (state_ == MachineState::testing) pulses_.force(0);
     state_ = state;
     if (state == MachineState::off || state == MachineState::alarm) pulses_.make_safe();
     if (state == MachineState::ready) pulses_.set_enables(kAllAxesMask, tick_);
@@ -53,6 +54,7 @@ void Cycle::program_done() noexcept {
         case S::holding:
         case S::held:
         case S::alarm:
+        case S::testing:
             break;
     }
 }

@@ -21,6 +21,7 @@ public:
     }
     void forget() noexcept { is_held_ = false; }
     bool is_held() const noexcept { return is_held_; }
+    bool is_of(std::uint32_t token) const noexcept { return is_held_ && token == token_; }
 
     /// At each tick while it is held: none as long as the jog may go on.
     MoveEnd end_at(std::uint64_t word, std::uint64_t now_tick) noexcept {

@@ -90,7 +90,7 @@ using BlockRing = SpscRing<MotionBlock, kBlockRingEntries>;
 
 /// What the tick asks of the planner. The newest request replaces all before it.
 enum class PlanKind : std::uint8_t {
-    home,          ///< all four axes
+    home,          ///< `axis`: those to home, bit by axis
     reset_height,  ///< Y to its sensor
     position,      ///< from anywhere to the job's first point, spindle up
     carve,         ///< from the first layer's first point to the last layer's last

@@ -72,6 +72,11 @@ public:
         levels_ &= kDirMask;
         dir_waiting_ = 0;
     }
+    /// By hand: these levels and no others, until the next. Nothing is counted.
+    void force(SignalWord levels) noexcept {
+        levels_ = levels & kOutputMask;
+        dir_waiting_ = 0;
+    }
     void set_enables(std::uint32_t axes, std::uint64_t tick) noexcept;
     void set_spindle(bool on) noexcept {
         levels_ = on ? levels_ | bit_of(Signal::spindle) : levels_ & ~bit_of(Signal::spindle);

@@ -31,6 +31,8 @@ inline constexpr std::array kRequestCommands{
     RequestCommand{RequestKind::spindle, CommandKind::spindle},
     RequestCommand{RequestKind::override, CommandKind::override},
     RequestCommand{RequestKind::record, CommandKind::record},
+    RequestCommand{RequestKind::test_pin, CommandKind::test_pin},
+    RequestCommand{RequestKind::drives_off, CommandKind::drives_off},
 };
 
 /// Nothing: the tick has no such request.

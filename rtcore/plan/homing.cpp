@@ -100,10 +100,12 @@ void home_axis(BlockList& list, const MachineLimits& limits, Axis axis) {
 
 }  // namespace
 
-std::vector<cycle::MotionBlock> homing_blocks(const MachineLimits& limits) {
+std::vector<cycle::MotionBlock> homing_blocks(const MachineLimits& limits, std::uint32_t axes) {
     BlockList list(limits);
     list.outputs(kAllDrives, Spindle::off);
-    for (const Axis axis : {Axis::r1, Axis::r2, Axis::y, Axis::psi}) home_axis(list, limits, axis);
+    for (const Axis axis : {Axis::r1, Axis::r2, Axis::y, Axis::psi}) {
+        if ((axes >> index_of(axis) & 1U) != 0) home_axis(list, limits, axis);
+    }
     list.end();
     return std::move(list.blocks());
 }

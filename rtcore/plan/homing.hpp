@@ -17,7 +17,8 @@ namespace psicarve::plan {
 ///
 /// psi turns positive at home speed until its index begins to trip, goes back before it, and comes again at
 /// start-stop speed: it rests on home_position. home = none takes the present position.
-std::vector<cycle::MotionBlock> homing_blocks(const MachineLimits& limits);
+/// Of `axes` (bit by axis) alone, in the same order.
+std::vector<cycle::MotionBlock> homing_blocks(const MachineLimits& limits, std::uint32_t axes = 0b1111);
 
 /// Y alone.
 std::vector<cycle::MotionBlock> reset_height_blocks(const MachineLimits& limits);

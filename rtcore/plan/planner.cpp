@@ -75,7 +75,7 @@ std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
     points_total_.store(0, std::memory_order_relaxed);
     switch (request.kind) {
         case PlanKind::home:
-            return list(homing_blocks(limits_));
+            return list(homing_blocks(limits_, request.axis));
         case PlanKind::reset_height:
             return list(reset_height_blocks(limits_));
         case PlanKind::finish:

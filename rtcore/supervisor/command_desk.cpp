@@ -53,7 +53,8 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
 }
 
 void CommandDesk::note_lease(const Command& command) noexcept {
-    const bool is_jog = command.kind == CommandKind::jog || command.kind == CommandKind::jog_on;
+    const bool is_jog = command.kind == CommandKind::jog || command.kind == CommandKind::jog_on ||
+                        command.kind == CommandKind::test_pin;
     if (!is_jog && command.kind != CommandKind::move) return;
     const std::chrono::milliseconds asked{is_jog ? command.lease_ms : 0};
     jog_lease_ = std::min(asked, kLongestJogLease);

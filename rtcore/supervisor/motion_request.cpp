@@ -7,6 +7,7 @@
 #include <string>
 
 #include "rtcore/cycle/layer_range.hpp"
+#include "rtcore/cycle/pin_test.hpp"
 #include "shared/job.hpp"
 #include "shared/jog_lease.hpp"
 #include "shared/recording.hpp"
@@ -18,6 +19,11 @@ namespace {
 using cycle::Request;
 using cycle::RequestKind;
 
+constexpr double kMsPerSecond = 1000.0;
+constexpr double kLeastTestRate_hz = 1.0;
+constexpr double kMostTestRate_hz = 500.0;
+constexpr std::uint64_t kMostTestPulses = 10'000;
+
 Error refused(const std::string& reason) {
     return Error{ErrorCode::machine_refused, reason};
 }
@@ -28,6 +34,15 @@ Result<std::int64_t> pulses_of(double value, Axis axis, const Profile& profile, 
         return round_to_pulse(pulses);
     }
     return refused(std::string{what} + ": no axis goes so far (" + std::string{name_of(axis)} + ")");
+}
+
+void add_lease(Request& request, const Command& command, const Profile& profile, bool is_virtual_clock) {
+    request.lease_token = command.lease_token;
+    if (is_virtual_clock) return;
+    const auto longest_ms = static_cast<std::uint32_t>(kLongestJogLease.count());
+    const std::int64_t lease_ns = std::int64_t{std::min(command.lease_ms, longest_ms)} * kNsPerMs;
+    request.lease_ticks = static_cast<std::uint32_t>(
+        std::max<std::int64_t>(1, ticks_covering_ns(lease_ns, tick_period_ns(profile))));
 }
 
 Result<void> add_jog(Request& request, const Command& command, const Profile& profile,
@@ -48,12 +63,7 @@ Result<void> add_jog(Request& request, const Command& command, const Profile& pr
         request.order.target_pulses[command.axis] = command.value < 0.0 ? -1 : 1;
     }
     if (command.lease_token == 0 || command.lease_ms == 0) return refused("jog: nobody holds its lease");
-    request.lease_token = command.lease_token;
-    if (is_virtual_clock) return {};
-    const auto longest_ms = static_cast<std::uint32_t>(kLongestJogLease.count());
-    const std::int64_t lease_ns = std::int64_t{std::min(command.lease_ms, longest_ms)} * kNsPerMs;
-    request.lease_ticks = static_cast<std::uint32_t>(
-        std::max<std::int64_t>(1, ticks_covering_ns(lease_ns, tick_period_ns(profile))));
+    add_lease(request, command, profile, is_virtual_clock);
     return {};
 }
 
@@ -110,7 +120,7 @@ Result<void> add_layers(Request& request, const Command& command) {
     if (!is_layer || static_cast<double>(first) != command.value)
         return refused("start: layers are counted from 0, in whole numbers");
     if (command.value2 > kMaxJobCount) return refused("start: the job has no such layer; the first is 0");
-    request.value = cycle::packed({first, static_cast<std::uint32_t>(command.value2)});
+    request.value = cycle::packed(cycle::LayerRange{first, static_cast<std::uint32_t>(command.value2)});
     return {};
 }
 
@@ -120,6 +130,30 @@ Result<void> add_recording(Request& request, const Command& command) {
         return refused("record: no such form, or nobody to record for");
     request.value = static_cast<std::uint64_t>(command.value);
     request.lease_token = command.lease_token;
+    return {};
+}
+
+Result<void> add_pin_test(Request& request, const Command& command, const Profile& profile,
+                          bool is_virtual_clock) {
+    if (command.axis >= kOutputSignalCount) return refused("test-pin: no such output");
+    const std::string name{name_of(static_cast<Signal>(command.axis))};
+    if (profile.port.pins[command.axis] == 0)
+        return refused("test-pin: " + name + " is not wired to any pin");
+    const bool is_end = command.value == 0.0;
+    if (command.lease_token == 0 || (command.lease_ms == 0 && !is_end))
+        return refused("test-pin: nobody holds its lease");
+    cycle::PinOrder order;
+    order.signal = static_cast<std::uint8_t>(command.axis);
+    order.is_on = !is_end;
+    if (command.value2 != 0) {
+        const bool is_rate = command.speed >= kLeastTestRate_hz && command.speed <= kMostTestRate_hz;
+        if (!is_rate || command.value2 > kMostTestPulses)
+            return refused("test-pin: 1 to 10000 pulses, 1 to 500 in a second");
+        order.pulses = static_cast<std::uint32_t>(command.value2);
+        order.half_ms = static_cast<std::uint32_t>(kMsPerSecond / 2.0 / command.speed);
+    }
+    request.value = cycle::packed(order);
+    add_lease(request, command, profile, is_virtual_clock);
     return {};
 }
 
@@ -142,6 +176,10 @@ Result<Request> motion_request(const Command& command, RequestKind kind, const P
         added = add_jog(request, command, profile, is_virtual_clock);
     } else if (kind == RequestKind::move) {
         added = add_move(request, command, profile);
+    } else if (kind == RequestKind::test_pin) {
+        added = add_pin_test(request, command, profile, is_virtual_clock);
+    } else if (kind == RequestKind::home) {
+        request.value = command.axis & ((1U << kAxisCount) - 1U);
     } else if (kind == RequestKind::start) {
         added = add_layers(request, command);
     } else if (kind == RequestKind::spindle) {

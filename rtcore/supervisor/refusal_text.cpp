@@ -78,6 +78,9 @@ std::string refusal_text(const cycle::Report& answer, CommandKind command, const
             if (command == CommandKind::reset_alarm || command == CommandKind::back_off) {
                 return std::string{name_of(command)} + ": there is no alarm";
             }
+            if (command == CommandKind::test_pin && sample.state == MachineState::ready)
+                return "test-pin: only with the drives off; drives-off first, positions are lost then";
+            if (sample.state == MachineState::testing) return "an output is being tested; end the test first";
             return std::string{name_of(command)} + ": not while " + state + "; " + remedy_in(sample.state);
         case R::no_job:
             return "no job is published; publish one first";
@@ -100,6 +103,8 @@ std::string refusal_text(const cycle::Report& answer, CommandKind command, const
             return "start: the job has not so many layers; the first is 0";
         case R::recording:
             return "record: another process has the pins recorded, or this core cannot; wait, or see status";
+        case R::heads_not_homed:
+            return "home: psi and y after r1 and r2, or with them; home r1 and r2 first";
         case R::bad_override:
             return "override: 10 to 200 per cent of the planned feed, whole";
     }

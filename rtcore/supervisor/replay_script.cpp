@@ -41,8 +41,9 @@ std::optional<ReplayStep> step_of(const FlightRecord& record) {
     step.axis = static_cast<std::uint8_t>(record.axis);
     switch (record.kind) {
         case RecordKind::command:
-            if (const auto request = request_of(record)) return request_step(record, *request, value);
-            return std::nullopt;
+            if (const auto request = request_of(record); request && *request != cycle::RequestKind::test_pin)
+                return request_step(record, *request, value);
+            return std::nullopt;  // a test moves nothing, and its lease is not recorded
         case RecordKind::jog_end:
             return request_step(record, cycle::RequestKind::end_jog, record.code);
         case RecordKind::failure:

@@ -13,7 +13,7 @@ constexpr std::chrono::milliseconds kSegmentCheckInterval{50};
 /// No job runs, but the tick is busy: what is published waits until it is at rest.
 bool must_wait_with_job(MachineState state) noexcept {
     return state == MachineState::homing || state == MachineState::moving ||
-           state == MachineState::backing_off;
+           state == MachineState::backing_off || state == MachineState::testing;
 }
 
 bool may_load_job(MachineState state) noexcept {
@@ -105,7 +105,8 @@ bool Supervisor::mirror_urgent_words() {
 void Supervisor::mirror_jog_lease() {
     const std::uint64_t word = segment_.header().jog_lease.load(std::memory_order_acquire);
     const bool is_renewed = word != parts_->io->urgent.jog_lease.load(std::memory_order_relaxed);
-    if (!is_virtual_clock_ || sample_.state != MachineState::moving || is_renewed) {
+    const bool is_leased = sample_.state == MachineState::moving || sample_.state == MachineState::testing;
+    if (!is_virtual_clock_ || !is_leased || is_renewed) {
         jog_renewed_ = std::chrono::steady_clock::now();
     }
     parts_->io->urgent.jog_lease.store(word, std::memory_order_release);

@@ -13,7 +13,13 @@ namespace {
 
 // What each state allows, in the operator's words: "event > state". Whatever is not here is refused.
 const std::map<std::string, std::map<std::string, std::string>> kAllowed{
-    {"off", {{"home", "homing"}, {"reset height", "homing"}, {"stop", "off"}, {"fail", "alarm"}}},
+    {"off",
+     {{"home", "homing"},
+      {"reset height", "homing"},
+      {"begin test", "testing"},
+      {"stop", "off"},
+      {"fail", "alarm"}}},
+    {"testing", {{"begin test", "testing"}, {"end test", "off"}, {"stop", "off"}, {"fail", "alarm"}}},
     {"homing",
      {{"home done", "ready"},
       {"home done, an axis not homed", "off"},
@@ -24,6 +30,7 @@ const std::map<std::string, std::map<std::string, std::string>> kAllowed{
       {"move", "moving"},
       {"home", "homing"},
       {"reset height", "homing"},
+      {"drives off", "off"},
       {"stop", "ready"},
       {"fail", "alarm"}}},
     {"moving", {{"move done", "ready"}, {"stop", "stopping"}, {"fail", "alarm"}}},

@@ -73,6 +73,45 @@ TEST_F(Jogging, AKilledClientsJogEndsByItself) {
     EXPECT_EQ(run({"jog", "psi", "-90"}).exit_code, 0);
 }
 
+TEST_F(Jogging, AnOutputIsTestedWithTheDrivesOffWhileTheProgramIsThere) {
+    start_real_core();
+    const Outcome refused = run({"pins", "spindle"});
+    EXPECT_EQ(refused.exit_code, 4);
+    EXPECT_NE(refused.error.find("drives-off first"), std::string::npos) << refused.error;
+    ASSERT_EQ(run({"drives-off"}).out, "drives-off: the machine is off\n");
+    EXPECT_EQ(status().homed_mask, 0);
+    {
+        RunningProgram held{"psicarve", {"pins", "spindle", "--segment", segment_}};
+        const auto is_spindle_alone = [&] {
+            return (status().signals & kOutputMask) == bit_of(Signal::spindle);
+        };
+        ASSERT_TRUE(eventually(is_spindle_alone));
+        EXPECT_NE(run({"home"}).error.find("end the test first"), std::string::npos);
+        held.send(SIGKILL);
+        ASSERT_TRUE(eventually([&] { return status().state == MachineState::off; }));
+    }
+    EXPECT_EQ(status().signals & kOutputMask, 0U);
+    const Outcome sent = run({"pins", "r1_step", "--pulses", "20", "--rate", "500"});
+    ASSERT_EQ(sent.exit_code, 0) << sent.error;
+    EXPECT_EQ(status().sim_ignored_pulses[index_of(Axis::r1)], 20U);
+    EXPECT_EQ(run({"pins", "--json"}).json()["signals"]["spindle"]["level"], false);
+    EXPECT_NE(run({"pins"}).out.find("spindle      out  low"), std::string::npos);
+    EXPECT_EQ(run({"pins", "y_limit"}).exit_code, 2);
+}
+
+TEST_F(Jogging, AxesAreHomedOneByOne) {
+    start_real_core();
+    ASSERT_EQ(run({"home", "y", "psi"}).out, "home: the machine is ready\n");
+    ASSERT_EQ(run({"drives-off"}).exit_code, 0);
+    const Outcome too_early = run({"home", "psi"});
+    EXPECT_EQ(too_early.exit_code, 4);
+    EXPECT_NE(too_early.error.find("home r1 and r2 first"), std::string::npos) << too_early.error;
+    ASSERT_EQ(run({"home", "r2", "r1"}).exit_code, 0);
+    EXPECT_EQ(status().homed_mask, 0b0011);
+    ASSERT_EQ(run({"home", "psi", "y"}).out, "home: the machine is ready\n");
+    EXPECT_EQ(run({"home", "q"}).exit_code, 2);
+}
+
 TEST_F(Jogging, AStoppedClientsJogEndsByItselfAndTheClientSaysSo) {
     start_real_core();
     const auto jog = begin_turning();

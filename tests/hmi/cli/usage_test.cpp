@@ -24,6 +24,8 @@ const std::vector<std::string> kCommands{"carve",
                                          "jog",
                                          "move",
                                          "spindle",
+                                         "drives-off",
+                                         "pins",
                                          "snapshot save",
                                          "snapshot info",
                                          "snapshot export",
@@ -203,8 +205,8 @@ INSTANTIATE_TEST_SUITE_P(Usage, WithoutSegment,
                          ::testing::Values("status", "home", "start", "start --carve", "start-interpolation",
                                            "hold", "resume", "stop", "estop", "reset-alarm", "back-off r1",
                                            "reset-height", "override 50", "jog r1 -1", "jog psi +",
-                                           "move r1=30", "spindle on", "snapshot save /dev/null",
-                                           "status --watch"));
+                                           "move r1=30", "spindle on", "home y", "drives-off", "pins",
+                                           "pins spindle", "snapshot save /dev/null", "status --watch"));
 
 }  // namespace
 }  // namespace psicarve::test

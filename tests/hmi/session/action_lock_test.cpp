@@ -35,7 +35,7 @@ TEST(ActionLock, LetsHoldResumeAndStopActWhereTheyMeanSomething) {
     EXPECT_EQ(states_that_allow(Action::resume), (std::vector{S::holding, S::held}));
     EXPECT_EQ(states_that_allow(Action::stop),
               (std::vector{S::homing, S::moving, S::positioning, S::waiting, S::carving, S::holding, S::held,
-                           S::finishing, S::backing_off}));
+                           S::finishing, S::backing_off, S::testing}));
     EXPECT_EQ(states_that_allow(Action::home), (std::vector{S::off, S::ready}));
     EXPECT_EQ(states_that_allow(Action::publish), (std::vector{S::off, S::ready}));
 }

@@ -21,12 +21,14 @@ protected:
     void open_window();
     /// The events of a running window, until the condition holds.
     template <typename Condition>
-    bool comes_true(Condition condition) {
-        return eventually([&] {
-            QApplication::processEvents();
-            window_->refresh();
-            return condition();
-        });
+    bool comes_true(Condition condition, two_process::milliseconds limit = two_process::kLimit) {
+        return eventually(
+            [&] {
+                QApplication::processEvents();
+                window_->refresh();
+                return condition();
+            },
+            limit);
     }
     ::testing::AssertionResult comes_to(MachineState state);
     ::testing::AssertionResult comes_to(session::DeskState state);

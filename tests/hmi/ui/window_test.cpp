@@ -24,8 +24,8 @@ class Window : public WindowRig {};
 TEST_F(Window, LocksEveryMotionWithoutACoreAndSaysWhy) {
     open_window();
     ASSERT_TRUE(comes_true([&] { return !button("start").toolTip().isEmpty(); }));
-    for (const char* name : {"home", "home_y", "start", "hold", "resume", "stop", "one_layer", "from_layer",
-                             "full", "jog_r1_out", "jog_psi_plus", "jog_y_down"}) {
+    for (const char* name : {"home", "home_one", "zero_one", "start", "hold", "resume", "stop", "one_layer",
+                             "from_layer", "full", "jog_r1_out", "jog_psi_plus", "jog_y_down"}) {
         EXPECT_FALSE(button(name).isEnabled()) << name;
         EXPECT_EQ(button(name).toolTip(), "No core serves the segment") << name;
         EXPECT_EQ(button(name).accessibleDescription(), button(name).toolTip()) << name;

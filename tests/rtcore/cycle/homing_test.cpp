@@ -45,6 +45,34 @@ TEST(Homing, StartsOnEverySensorAsWell) {
     expect_homed_truly(sut);
 }
 
+TEST(Homing, OfOneAxisLeavesTheOthersWhereTheyAre) {
+    MachineRig sut(quick_profile());
+    ASSERT_TRUE(sut.home());
+    const Positions before = sut.positions();
+    ASSERT_EQ(sut.ask(RequestKind::home, 0, 0b0010), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    expect_homed_truly(sut);
+    EXPECT_EQ(sut.positions(), before);
+    EXPECT_EQ(sut.cycle->sample().homed_mask, 0b1111);
+}
+
+TEST(Homing, AxisByAxisTheMachineIsReadyWithTheLast) {
+    MachineRig sut(quick_profile());
+    for (const std::uint64_t axes : {0b0100, 0b1000, 0b0101}) {
+        EXPECT_EQ(sut.ask(RequestKind::home, 0, axes), Refusal::heads_not_homed) << axes;
+    }
+    ASSERT_EQ(sut.ask(RequestKind::home, 0, 0b0001), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::off));
+    EXPECT_EQ(sut.cycle->sample().homed_mask, 0b0001);
+    EXPECT_EQ(sut.machine->report().axes[1].pulses_ignored + sut.cycle->sample().emitted_pulses[1], 0U);
+    ASSERT_EQ(sut.ask(RequestKind::home, 0, 0b0110), Refusal::none) << "with the other head first";
+    ASSERT_TRUE(sut.run_until(MachineState::off));
+    EXPECT_EQ(sut.cycle->sample().homed_mask, 0b0111);
+    ASSERT_EQ(sut.ask(RequestKind::home, 0, 0b1000), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    expect_homed_truly(sut);
+}
+
 TEST(Homing, OverrunsASensorByNoMoreThanTheRampAndOnePulse) {
     MachineRig sut(quick_profile());
     sut.ask(RequestKind::home);

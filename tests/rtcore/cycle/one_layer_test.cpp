@@ -115,7 +115,7 @@ TEST(LayerRange, RefusesLayersThatTheJobHasNot) {
         EXPECT_EQ(sut.ask(RequestKind::start, 0, packed(range)), Refusal::no_such_layer)
             << range.first << " " << range.count;
     }
-    EXPECT_EQ(sut.ask(RequestKind::start, 0, packed({kLayers - 1, 1})), Refusal::none);
+    EXPECT_EQ(sut.ask(RequestKind::start, 0, packed(LayerRange{kLayers - 1, 1})), Refusal::none);
 }
 
 }  // namespace

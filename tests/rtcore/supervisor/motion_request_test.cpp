@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "rtcore/cycle/pin_test.hpp"
+
 namespace psicarve::supervisor {
 namespace {
 
@@ -132,6 +134,59 @@ TEST(MotionRequest, OfARecordingNeedsAFormAndAReader) {
     command.value = 1.0;
     command.lease_token = 0;
     EXPECT_NE(refusal(command, RequestKind::record), "");
+}
+
+Command pin_test(Signal signal) {
+    Command command{};
+    command.kind = CommandKind::test_pin;
+    command.axis = static_cast<std::uint32_t>(index_of(signal));
+    command.value = 1.0;
+    command.lease_token = 9;
+    command.lease_ms = 200;
+    return command;
+}
+
+TEST(MotionRequest, TestsOnlyOutputsThatAreWiredAndHeld) {
+    EXPECT_EQ(refusal(pin_test(Signal::spindle), RequestKind::test_pin), "");
+    EXPECT_NE(refusal(pin_test(Signal::y_limit), RequestKind::test_pin), "");
+    Profile profile;
+    profile.port.pins[index_of(Signal::spindle)] = 0;
+    const auto unwired = motion_request(pin_test(Signal::spindle), RequestKind::test_pin, profile, false);
+    ASSERT_FALSE(unwired);
+    EXPECT_EQ(unwired.error().message, "test-pin: spindle is not wired to any pin");
+    Command nobody = pin_test(Signal::spindle);
+    nobody.lease_ms = 0;
+    EXPECT_NE(refusal(nobody, RequestKind::test_pin), "");
+    nobody.value = 0.0;
+    EXPECT_EQ(refusal(nobody, RequestKind::test_pin), "") << "the end of a test";
+}
+
+TEST(MotionRequest, BoundsThePulsesOfATest) {
+    Command command = pin_test(Signal::r1_step);
+    command.value2 = 200;
+    command.speed = 50.0;
+    const auto sut = motion_request(command, RequestKind::test_pin, Profile{}, false);
+    ASSERT_TRUE(sut);
+    const cycle::PinOrder order = cycle::pin_order(sut->value);
+    EXPECT_EQ(order.signal, index_of(Signal::r1_step));
+    EXPECT_TRUE(order.is_on);
+    EXPECT_EQ(order.pulses, 200U);
+    EXPECT_EQ(order.half_ms, 10U);
+    EXPECT_EQ(sut->lease_ticks, 4000U);
+    for (const double rate_hz : {0.0, 0.5, 501.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+        command.speed = rate_hz;
+        EXPECT_NE(refusal(command, RequestKind::test_pin), "") << rate_hz;
+    }
+    command.speed = 50.0;
+    command.value2 = 10'001;
+    EXPECT_NE(refusal(command, RequestKind::test_pin), "");
+}
+
+TEST(MotionRequest, HomesTheAxesThatAreNamed) {
+    Command command{};
+    command.kind = CommandKind::home;
+    command.axis = 0b0110;
+    EXPECT_EQ(motion_request(command, RequestKind::home, Profile{}, false)->value, 0b0110U);
 }
 
 }  // namespace

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "hmi/cli/commands.hpp"
+#include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/job_source.hpp"
+#include "hmi/cli/motion_command.hpp"
+#include "hmi/cli/operator_break.hpp"
+#include "hmi/cli/watch_loop.hpp"
+#include "hmi/machine/jog.hpp"
+#include "hmi/session/pin_rows.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+constexpr CommandText kText{
+    "pins", "The level of every signal; with SIGNAL: test one output",
+    "A test needs the drives off (before homing, or after drives-off). The one output is active until "
+    "Ctrl-C,\n"
+    "or sends --pulses; all others are inactive, and every change of a level is shown. It ends by itself "
+    "when\n"
+    "this program does. Levels are logical; pins are those of --profile when it is the core's.",
+    "psicarve pins --watch\n  psicarve pins spindle\n  psicarve pins r1_step --pulses 200 --rate 50"};
+
+constexpr std::uint32_t kMostPulses = 10'000;
+constexpr std::uint32_t kMostRate_hz = 500;
+constexpr std::uint32_t kUsualRate_hz = 50;
+
+struct Options {
+    std::string signal;
+    std::uint32_t pulses = 0;
+    std::uint32_t rate_hz = kUsualRate_hz;
+    bool watch = false;
+};
+
+using Rows = std::vector<session::PinRow>;
+
+/// Without pins when the core's profile is not the one that we have.
+Rows rows_of(machine::MachineLink& link, const Profile& chosen) {
+    Rows rows = session::pin_rows(chosen);
+    const bool is_known = link.segment().header().core_profile_hash.load() == profile_hash(chosen);
+    for (session::PinRow& row : rows) row.pin = is_known ? row.pin : 0;
+    return rows;
+}
+
+std::string levels_text(const Rows& rows, SignalWord levels) {
+    std::string text;
+    for (const session::PinRow& row : rows) {
+        char line[80];
+        const std::string pin = row.pin == 0 ? "-" : std::to_string(row.pin);
+        (void)std::snprintf(line, sizeof line, "%3s  %-12s %-3s  %s\n", pin.c_str(),
+                            std::string{name_of(row.signal)}.c_str(), is_output(row.signal) ? "out" : "in",
+                            (levels & bit_of(row.signal)) != 0 ? "high" : "low");
+        text += line;
+    }
+    return text;
+}
+
+std::string levels_line(SignalWord levels) {
+    std::string text;
+    for (std::size_t i = 0; i < kSignalCount; ++i) {
+        if ((levels >> i & 1U) != 0) text += " " + std::string{name_of(static_cast<Signal>(i))};
+    }
+    return "high:" + (text.empty() ? " none" : text) + "\n";
+}
+
+std::string levels_json(const Rows& rows, const CoreStatus& status) {
+    nlohmann::ordered_json signals;
+    for (const session::PinRow& row : rows) {
+        signals[std::string{name_of(row.signal)}] = {{"pin", row.pin},
+                                                     {"is_output", is_output(row.signal)},
+                                                     {"level", (status.signals & bit_of(row.signal)) != 0}};
+    }
+    return nlohmann::ordered_json{{"state", name_of(status.state)}, {"signals", signals}}.dump() + "\n";
+}
+
+Result<int> test_output(const CommonOptions& common, machine::MachineLink& link, const Options& options) {
+    const auto output = signal_from_name(options.signal);
+    if (!output || !is_output(*output)) {
+        return Error{ErrorCode::bad_usage,
+                     "pins: '" + options.signal + "' is no output; as in the profile's [port.pins]: r1_step"};
+    }
+    OperatorBreak operator_break;
+    auto held = machine::HeldJog::test(link, *output, options.pulses, options.rate_hz);
+    if (!held) return held.error();
+    std::optional<SignalWord> shown;
+    const auto watch = [&](const CoreStatus& status) -> Result<void> {
+        if (operator_break.was_asked()) {
+            held->release();
+        } else {
+            held->renew();
+        }
+        if (!common.json && shown != status.signals && options.pulses == 0)
+            std::printf("%s", levels_line(status.signals).c_str());
+        std::fflush(stdout);
+        shown = status.signals;
+        return {};
+    };
+    const auto end = link.wait_for_state({MachineState::off}, watch);
+    if (!end) return end.error();
+    report_motion(common, kText.name, *end);
+    return kExitDone;
+}
+
+Result<int> pins(const CommonOptions& common, const Options& options) {
+    const auto chosen = chosen_profile(common);
+    if (!chosen) return chosen.error();
+    auto link = link_to_core(common);
+    if (!link) return link.error();
+    if (!options.signal.empty()) return test_output(common, *link, options);
+    const auto show = [&](bool as_line) -> Result<std::string> {
+        const auto status = link->status();
+        if (!status) return status.error();
+        const Rows rows = rows_of(*link, *chosen);
+        if (common.json) return levels_json(rows, *status);
+        return as_line ? levels_line(status->signals) : levels_text(rows, status->signals);
+    };
+    if (options.watch) return watch_loop(show, common.json);
+    const auto text = show(false);
+    if (!text) return text.error();
+    std::printf("%s", text->c_str());
+    return kExitDone;
+}
+
+}  // namespace
+
+void add_pins(CommandSet& commands) {
+    const auto options = std::make_shared<Options>();
+    commands.add(kText, [options](const CommonOptions& common) { return pins(common, *options); })
+        .optional_argument("SIGNAL", options->signal, "The output to test, as in the profile: r1_step")
+        .option("--pulses", options->pulses, 1, kMostPulses, "Send so many pulses and end")
+        .option("--rate", options->rate_hz, 1, kMostRate_hz, "Pulses in a second")
+        .flag("--watch", options->watch, "Go on showing the levels until Ctrl-C");
+}
+
+}  // namespace psicarve::cli

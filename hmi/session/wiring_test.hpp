@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/phrase.hpp"
+
+namespace psicarve::session {
+
+/// What stands in the way of testing outputs one by one; nothing when the drives are off and nothing moves.
+std::optional<Phrase> wiring_lock(const MachineSight& machine);
+
+/// Whether outputs may be tested: armed on purpose, and over when nothing was tested for a while.
+class WiringTest {
+public:
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::seconds kIdleLimit{30};
+
+    void arm(Clock::time_point now) noexcept {
+        is_armed_ = true;
+        used_ = now;
+    }
+    void disarm() noexcept { is_armed_ = false; }
+    bool is_armed() const noexcept { return is_armed_; }
+    /// An output is tested now.
+    void use(Clock::time_point now) noexcept { used_ = now; }
+    /// Until it is over, rounded up; 0: it is, or not armed.
+    std::chrono::seconds left(Clock::time_point now) const noexcept;
+
+private:
+    bool is_armed_ = false;
+    Clock::time_point used_{};
+};
+
+}  // namespace psicarve::session

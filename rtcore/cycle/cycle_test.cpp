@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/cycle/cycle.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::cycle {
+
+// Whatever the axes are turned by meanwhile nobody counts: their positions are lost.
+Refusal Cycle::test_pin(const Request& request) noexcept {
+    const PinOrder order = pin_order(request.value);
+    const bool is_testing = state_ == MachineState::testing;
+    if (!next_state(state_, MachineEvent::begin_test).has_value()) return Refusal::not_in_this_state;
+    if (is_testing && !lease_.is_of(request.lease_token)) return Refusal::not_in_this_state;
+    if (!order.is_on) {
+        if (is_testing) end_test();
+        return Refusal::none;
+    }
+    if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
+    homed_mask_ = 0;
+    lease_.begin(request.lease_token, request.lease_ticks, io_->urgent.jog_lease.load(), tick_);
+    const std::int64_t half_ticks = order.half_ms * kNsPerMs / config_.period_ns;
+    test_.begin(bit_of(static_cast<Signal>(order.signal)) & kOutputMask, order.pulses,
+                half_ticks > 0 ? static_cast<std::uint64_t>(half_ticks) : 1, tick_);
+    apply(MachineEvent::begin_test);
+    next_publish_tick_ = tick_;
+    return Refusal::none;
+}
+
+void Cycle::go_on_with_test() noexcept {
+    if (test_.is_over(tick_)) return end_test();
+    pulses_.force(test_.levels_at(tick_));
+}
+
+void Cycle::end_test() noexcept {
+    lease_.forget();
+    apply(MachineEvent::end_test);
+}
+
+Refusal Cycle::drives_off() noexcept {
+    if (!next_state(state_, MachineEvent::drives_off).has_value()) return Refusal::not_in_this_state;
+    homed_mask_ = 0;
+    apply(MachineEvent::drives_off);
+    return Refusal::none;
+}
+
+}  // namespace psicarve::cycle

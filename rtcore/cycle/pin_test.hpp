@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "shared/signal.hpp"
+
+namespace psicarve::cycle {
+
+/// What a test of one output asks for. In a request, and in the flight recorder, it is one number.
+struct PinOrder {
+    std::uint8_t signal = 0;    ///< an output's Signal
+    bool is_on = false;         ///< false: the test ends
+    std::uint32_t pulses = 0;   ///< so many; 0: active until the test ends
+    std::uint32_t half_ms = 1;  ///< a pulse is active so long, and then inactive so long
+};
+
+constexpr std::uint64_t packed(PinOrder order) noexcept {
+    return std::uint64_t{order.pulses} << 32U | std::uint64_t{order.half_ms & 0xFFFFU} << 16U |
+           (order.is_on ? 0x100U : 0U) | order.signal;
+}
+constexpr PinOrder pin_order(std::uint64_t packed_order) noexcept {
+    return {static_cast<std::uint8_t>(packed_order), (packed_order & 0x100U) != 0,
+            static_cast<std::uint32_t>(packed_order >> 32U),
+            static_cast<std::uint32_t>(packed_order >> 16U & 0xFFFFU)};
+}
+
+/// One output by hand, all others inactive. RT: yes.
+class PinTest {
+public:
+    /// Requires half_ticks > 0.
+    void begin(SignalWord output, std::uint64_t pulses, std::uint64_t half_ticks,
+               std::uint64_t now_tick) noexcept {
+        output_ = output;
+        halves_ = 2 * pulses;
+        half_ticks_ = half_ticks;
+        begin_tick_ = now_tick;
+    }
+    /// The outputs' levels: active first, then inactive.
+    SignalWord levels_at(std::uint64_t now_tick) const noexcept {
+        if (halves_ == 0) return output_;
+        const std::uint64_t half = (now_tick - begin_tick_) / half_ticks_;
+        return half < halves_ && half % 2 == 0 ? output_ : 0;
+    }
+
+    /// All pulses are sent.
+    bool is_over(std::uint64_t now_tick) const noexcept {
+        return halves_ > 0 && (now_tick - begin_tick_) / half_ticks_ >= halves_;
+    }
+
+private:
+    SignalWord output_ = 0;
+    std::uint64_t halves_ = 0;
+    std::uint64_t half_ticks_ = 1;
+    std::uint64_t begin_tick_ = 0;
+};
+
+}  // namespace psicarve::cycle

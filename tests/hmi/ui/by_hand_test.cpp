@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMessageBox>
+#include <QSpinBox>
+#include <QTabWidget>
+
+#include "tests/hmi/ui/window_rig.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using test::WindowRig;
+using S = MachineState;
+
+constexpr int kPorts = 3;
+
+/// What a hand does at the window, and a real core on the simulated machine.
+class ByHand : public WindowRig {
+protected:
+    void open_homed() {
+        start_core();
+        open_window();
+        window_->activateWindow();
+        ASSERT_TRUE(click("home"));
+        ASSERT_TRUE(comes_to(S::ready));
+    }
+    const session::MachineSight& sight() { return window_->bench().machine.sight(); }
+    std::int64_t pulses(Axis axis) { return sight().status->position_pulses[index_of(axis)]; }
+    void key(QEvent::Type type, int code, Qt::KeyboardModifiers with = Qt::NoModifier,
+             bool is_repeat = false) {
+        QKeyEvent event{type, code, with, QString{}, is_repeat};
+        QApplication::sendEvent(window_.get(), &event);
+    }
+    void press(int code, Qt::KeyboardModifiers with = Qt::NoModifier) { key(QEvent::KeyPress, code, with); }
+    void let_go(int code) { key(QEvent::KeyRelease, code); }
+    bool is_armed() { return button("arm_keys").text() == "Disarm keyboard jog"; }
+    void select(const char* axis) {
+        auto* const row = window_->findChild<QWidget*>(axis);
+        ASSERT_NE(row, nullptr);
+        QMouseEvent click{QEvent::MouseButtonPress, QPointF{20, 20}, QPointF{20, 20},
+                          Qt::LeftButton,           Qt::LeftButton,  Qt::NoModifier};
+        QApplication::sendEvent(row, &click);
+    }
+};
+
+TEST_F(ByHand, KeysMoveTheMachineOnlyWhileTheyAreArmed) {
+    open_homed();
+    const auto from_pulses = pulses(Axis::y);
+    press(Qt::Key_Up);
+    let_go(Qt::Key_Up);
+    ASSERT_TRUE(comes_to(S::ready));
+    EXPECT_EQ(pulses(Axis::y), from_pulses);
+    ASSERT_TRUE(click("arm_keys"));
+    EXPECT_TRUE(is_armed());
+    EXPECT_TRUE(window_->findChild<QLabel*>("jog_hint")->text().contains("PgUp"));
+    take_picture("keys_armed_light");
+    press(Qt::Key_Up);
+    ASSERT_TRUE(comes_true([&] { return pulses(Axis::y) > from_pulses; })) << all_messages().toStdString();
+    key(QEvent::KeyPress, Qt::Key_Up, Qt::NoModifier, true);
+    key(QEvent::KeyRelease, Qt::Key_Up, Qt::NoModifier, true);
+    EXPECT_EQ(sight().state(), S::moving);
+    let_go(Qt::Key_Up);
+    ASSERT_TRUE(comes_to(S::ready));
+    const auto r1_pulses = pulses(Axis::r1);
+    const auto r2_pulses = pulses(Axis::r2);
+    press(Qt::Key_PageDown, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_TRUE(comes_true([&] { return pulses(Axis::r2) == r2_pulses - 40; }))
+        << all_messages().toStdString();
+    EXPECT_EQ(pulses(Axis::r1), r1_pulses);
+    ASSERT_TRUE(comes_to(S::ready));
+    ASSERT_TRUE(click("arm_keys"));
+    EXPECT_FALSE(is_armed());
+}
+
+TEST_F(ByHand, ArmedKeysAreDisarmedByATextFieldADialogAndTheEmergencyStop) {
+    open_homed();
+    ASSERT_TRUE(click("arm_keys"));
+    const auto from_pulses = pulses(Axis::y);
+    press(Qt::Key_Up);
+    ASSERT_TRUE(comes_true([&] { return pulses(Axis::y) > from_pulses; }));
+    window_->findChild<QSpinBox*>("layers")->setFocus();
+    ASSERT_TRUE(comes_to(S::ready));
+    EXPECT_FALSE(is_armed());
+    ASSERT_TRUE(click("arm_keys"));
+    {
+        QMessageBox dialog{window_.get()};
+        dialog.setModal(true);
+        dialog.open();
+        QApplication::processEvents();
+        const auto before = pulses(Axis::y);
+        press(Qt::Key_Down);
+        EXPECT_FALSE(
+            comes_true([&] { return sight().state() == S::moving; }, std::chrono::milliseconds{300}));
+        EXPECT_EQ(pulses(Axis::y), before);
+    }
+    if (!is_armed()) {
+        ASSERT_TRUE(click("arm_keys"));
+    }
+    window_->emergency_stop();
+    EXPECT_FALSE(is_armed());
+    ASSERT_TRUE(comes_to(S::alarm));
+    EXPECT_FALSE(button("arm_keys").isEnabled());
+    EXPECT_EQ(button("arm_keys").toolTip(), "Locked until the alarm is reset");
+}
+
+TEST_F(ByHand, HomesTheSelectedAxisAlone) {
+    start_core();
+    open_window();
+    select("axis_psi");
+    ASSERT_TRUE(comes_true([&] { return button("home_one").text() == "Home Ψ"; }));
+    ASSERT_TRUE(comes_true([&] { return button("home_one").toolTip() == "Home Ψ: home R1 and R2 first"; }));
+    for (const auto& [row, mask] :
+         {std::pair{"axis_r2", 0b0010}, {"axis_r1", 0b0011}, {"axis_psi", 0b0111}}) {
+        select(row);
+        ASSERT_TRUE(click("home_one"));
+        ASSERT_TRUE(comes_true([&] {
+            return sight().status->homed_mask == mask && sight().state() == S::off;
+        })) << row
+            << all_messages().toStdString();
+    }
+    select("axis_y");
+    ASSERT_TRUE(click("home_one"));
+    ASSERT_TRUE(comes_to(S::ready));
+}
+
+TEST_F(ByHand, AZeroIsShownKeptAndForgottenAndMovesNothing) {
+    open_homed();
+    select("axis_y");
+    const auto from_pulses = pulses(Axis::y);
+    ASSERT_TRUE(click("jog_y_up"));
+    ASSERT_TRUE(
+        comes_true([&] { return sight().state() == S::ready && pulses(Axis::y) == from_pulses + 40; }));
+    auto* const second = window_->findChild<QLabel*>("second_y");
+    EXPECT_EQ(second->text(), "height");
+    const auto stands_pulses = pulses(Axis::y);
+    const QString machine = window_->findChild<QLabel*>("position_y")->text();
+    ASSERT_TRUE(click("zero_one"));
+    EXPECT_EQ(second->text(), "Δ 0.00");
+    EXPECT_EQ(button("zero_one").text(), "No zero");
+    ASSERT_TRUE(click("jog_y_up"));
+    ASSERT_TRUE(comes_true([&] { return second->text() == "Δ 0.10"; }));
+    EXPECT_EQ(pulses(Axis::y), stands_pulses + 40);
+    take_picture("zero_light");
+    open_window();
+    ASSERT_TRUE(comes_to(S::ready));
+    EXPECT_EQ(window_->findChild<QLabel*>("second_y")->text(), "Δ 0.10") << "kept";
+    select("axis_y");
+    ASSERT_TRUE(click("zero_one"));
+    ASSERT_TRUE(click("zero_one"));
+    EXPECT_EQ(window_->findChild<QLabel*>("second_y")->text(), "height") << "forgotten";
+    EXPECT_EQ(pulses(Axis::y), stands_pulses + 40);
+    EXPECT_NE(window_->findChild<QLabel*>("position_y")->text(), machine);
+}
+
+TEST_F(ByHand, TestsTheWiringOfOneOutputWithTheDrivesOff) {
+    open_homed();
+    window_->findChild<QTabWidget*>()->setCurrentIndex(kPorts);
+    ASSERT_TRUE(comes_true([&] { return !button("arm_wiring").isEnabled(); }));
+    EXPECT_EQ(button("arm_wiring").toolTip(), "Wiring test: switch the drives off first");
+    ASSERT_TRUE(click("drives_off"));
+    ASSERT_TRUE(comes_to(S::off));
+    EXPECT_EQ(sight().status->homed_mask, 0);
+    EXPECT_FALSE(button("hold_high").isVisible());
+    ASSERT_TRUE(click("arm_wiring"));
+    auto* const outputs = window_->findChild<QComboBox*>("test_output");
+    outputs->setCurrentIndex(outputs->findData(static_cast<int>(index_of(Signal::spindle))));
+    button("hold_high").setDown(true);
+    Q_EMIT button("hold_high").pressed();
+    ASSERT_TRUE(comes_true([&] {
+        return (sight().status->signals & kOutputMask) == bit_of(Signal::spindle);
+    })) << all_messages().toStdString();
+    EXPECT_EQ(sight().state(), S::testing);
+    EXPECT_EQ(button("start").toolTip(), "Start: an output is tested");
+    take_picture("wiring_light");
+    Q_EMIT button("hold_high").released();
+    button("hold_high").setDown(false);
+    ASSERT_TRUE(comes_to(S::off));
+    EXPECT_EQ(sight().status->signals & kOutputMask, 0U);
+    outputs->setCurrentIndex(outputs->findData(static_cast<int>(index_of(Signal::r2_step))));
+    window_->findChild<QSpinBox*>("test_pulses")->setValue(30);
+    ASSERT_TRUE(click("send_pulses"));
+    ASSERT_TRUE(comes_true([&] {
+        return sight().status->sim_ignored_pulses[index_of(Axis::r2)] == 30 && sight().state() == S::off;
+    })) << all_messages().toStdString();
+    ASSERT_TRUE(click("arm_wiring"));
+    EXPECT_TRUE(comes_true([&] { return !button("hold_high").isVisible(); }));
+}
+
+}  // namespace
+}  // namespace psicarve::ui

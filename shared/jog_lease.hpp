@@ -4,12 +4,17 @@
 #include <chrono>
 #include <cstdint>
 
+#include "shared/signal.hpp"
+
 namespace psicarve {
 
 // A jog goes on only as long as whoever began it is there: it renews its lease through one word of the
 // segment, `jog_lease`. The word says whose lease (a token that the sender chose and sent with the command)
 // and holds a beat; any change of the beat renews, beat 0 lets go. A sender that dies or hangs renews no
 // more, and one that was forgotten cannot renew another's jog.
+
+/// In a jog's `axis`: R1 and R2 together, both outwards or both inwards.
+inline constexpr std::uint32_t kBothHeads = kAxisCount;
 
 inline constexpr std::chrono::milliseconds kJogLease{200};          ///< for a hand on a button
 inline constexpr std::chrono::milliseconds kLongestJogLease{2000};  ///< a longer one is cut to this

@@ -30,7 +30,8 @@ bool goes_on(const Options& options) {
 }
 
 Result<machine::HeldJog> begin_jog(machine::MachineLink& link, const Options& options, double distance) {
-    const Axis axis = axis_from_name(options.axis).value_or(Axis::r1);
+    const auto named = axis_from_name(options.axis);
+    const machine::JogAxis axis = named ? machine::JogAxis{*named} : machine::JogAxis::heads();
     const double speed = options.speed.value_or(0.0);
     if (goes_on(options)) return machine::HeldJog::on(link, axis, options.distance == "+", speed);
     return machine::HeldJog::by(link, axis, distance, speed);
@@ -81,7 +82,8 @@ Result<int> jog(const CommonOptions& common, const Options& options) {
 void add_jog(CommandSet& commands) {
     const auto options = std::make_shared<Options>();
     commands.add(kText, [options](const CommonOptions& common) { return jog(common, *options); })
-        .choice_argument("AXIS", options->axis, {"r1", "r2", "psi", "y"}, "The axis to move")
+        .choice_argument("AXIS", options->axis, {"r1", "r2", "psi", "y", "heads"},
+                         "The axis to move; heads: R1 and R2 together")
         .argument("DISTANCE", options->distance, "How far [mm; psi: deg], or + or - to go on")
         .option("--speed", options->speed, "SPEED", "How fast at most [mm/s; psi: deg/s]");
 }

@@ -19,10 +19,10 @@ std::uint32_t new_token() noexcept {
     return token != 0 ? token : 1;
 }
 
-Command jog_command(CommandKind kind, Axis axis, double value, double speed) noexcept {
+Command jog_command(CommandKind kind, JogAxis axis, double value, double speed) noexcept {
     Command command{};
     command.kind = kind;
-    command.axis = static_cast<std::uint32_t>(index_of(axis));
+    command.axis = axis.number();
     command.value = value;
     command.speed = speed;
     return command;
@@ -42,11 +42,11 @@ Result<HeldJog> HeldJog::begin(MachineLink& link, Command command, std::chrono::
     return jog;
 }
 
-Result<HeldJog> HeldJog::by(MachineLink& link, Axis axis, double distance, double speed) {
+Result<HeldJog> HeldJog::by(MachineLink& link, JogAxis axis, double distance, double speed) {
     return begin(link, jog_command(CommandKind::jog, axis, distance, speed), kDistanceLease);
 }
 
-Result<HeldJog> HeldJog::on(MachineLink& link, Axis axis, bool up, double speed) {
+Result<HeldJog> HeldJog::on(MachineLink& link, JogAxis axis, bool up, double speed) {
     return begin(link, jog_command(CommandKind::jog_on, axis, up ? 1.0 : -1.0, speed), kJogLease);
 }
 

@@ -9,15 +9,32 @@
 
 namespace psicarve::machine {
 
+/// What a jog moves: one axis, or both heads, outwards or inwards.
+class JogAxis {
+public:
+    // NOLINTNEXTLINE(google-explicit-constructor): every axis is one
+    constexpr JogAxis(Axis axis) noexcept : number_(static_cast<std::uint32_t>(index_of(axis))) {}
+    static constexpr JogAxis heads() noexcept {
+        JogAxis both{Axis::r1};
+        both.number_ = kBothHeads;
+        return both;
+    }
+    constexpr std::uint32_t number() const noexcept { return number_; }
+    constexpr bool is_turned() const noexcept { return number_ == index_of(Axis::psi); }
+
+private:
+    std::uint32_t number_;
+};
+
 /// A jog that we began and hold: it goes on only while renew() is called again and again, at least every
 /// kJogRenewal. Ends in order when it is released or destroyed; by itself when this process dies or hangs.
 /// The link outlives it. One thread.
 class HeldJog {
 public:
     /// By a distance [mm; psi: deg]; `speed` [mm/s; deg/s], 0: the axis' home speed.
-    static Result<HeldJog> by(MachineLink& link, Axis axis, double distance, double speed);
+    static Result<HeldJog> by(MachineLink& link, JogAxis axis, double distance, double speed);
     /// Upwards (or down) until it is released or the travel ends.
-    static Result<HeldJog> on(MachineLink& link, Axis axis, bool up, double speed);
+    static Result<HeldJog> on(MachineLink& link, JogAxis axis, bool up, double speed);
 
     /// No jog, but held alike: with the drives off one output alone is active, or sends so many pulses.
     static Result<HeldJog> test(MachineLink& link, Signal output, std::uint32_t pulses = 0,

@@ -25,11 +25,11 @@ std::int64_t now_ns() noexcept {
 JogHand::JogHand(std::string segment_name, std::string group, std::function<void(const Error&)> refused)
     : segment_name_(std::move(segment_name)), group_(std::move(group)), refused_(std::move(refused)) {}
 
-void JogHand::hold(Axis axis, bool up, double speed) {
+void JogHand::hold(machine::JogAxis axis, bool up, double speed) {
     begin({axis, 0.0, up, false, speed, 0, {}});
 }
 
-void JogHand::step(Axis axis, double distance, double speed) {
+void JogHand::step(machine::JogAxis axis, double distance, double speed) {
     begin({axis, distance, distance > 0.0, true, speed, 0, {}});
 }
 

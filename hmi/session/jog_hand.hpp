@@ -23,9 +23,9 @@ public:
     ~JogHand() { release(); }
 
     /// Until release(). `speed` [mm/s; deg/s].
-    void hold(Axis axis, bool up, double speed);
+    void hold(machine::JogAxis axis, bool up, double speed);
     /// By a distance [mm; deg]. Ends early by release().
-    void step(Axis axis, double distance, double speed);
+    void step(machine::JogAxis axis, double distance, double speed);
     /// No jog, but held alike: one output alone, with the drives off, until release(); or so many pulses.
     void test(Signal output, std::uint32_t pulses, double rate_hz);
     /// At once, whatever is under way.
@@ -34,7 +34,7 @@ public:
 
 private:
     struct Wish {
-        Axis axis;
+        machine::JogAxis axis;
         double distance;  ///< of a step
         bool up;
         bool is_step;

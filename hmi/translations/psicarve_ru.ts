@@ -224,6 +224,14 @@
             <translation>Между двумя точками путь может отойти от прямой на столько.</translation>
         </message>
         <message>
+            <source>Both heads in</source>
+            <translation>Обе головки внутрь</translation>
+        </message>
+        <message>
+            <source>Both heads out</source>
+            <translation>Обе головки наружу</translation>
+        </message>
+        <message>
             <source>By hand</source>
             <translation>Вручную</translation>
         </message>

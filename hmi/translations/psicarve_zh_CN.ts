@@ -224,6 +224,14 @@
             <translation>两点之间轨迹可偏离直线这么多。</translation>
         </message>
         <message>
+            <source>Both heads in</source>
+            <translation>两刀头向内</translation>
+        </message>
+        <message>
+            <source>Both heads out</source>
+            <translation>两刀头向外</translation>
+        </message>
+        <message>
             <source>By hand</source>
             <translation>手动</translation>
         </message>

@@ -38,9 +38,10 @@ JogPanel::JogPanel(Bench& bench, QWidget* parent)
     add_key(tr("R2 in"), Axis::r2, false, Glyph::left, "jog_r2_in");
     add_key("Ψ −", Axis::psi, false, Glyph::turn_right, "jog_psi_minus");
     add_key("Ψ +", Axis::psi, true, Glyph::turn_left, "jog_psi_plus");
-    for (std::size_t i = 0; i < keys_.size(); ++i) {
+    make_heads_keys(*pad);
+    for (std::size_t i = 0; i < 8; ++i) {
         // The table's two keys stand at the sides.
-        const int place = static_cast<int>(i) + (i + 1 == keys_.size() ? 1 : 0);
+        const int place = static_cast<int>(i) + (i == 7 ? 1 : 0);
         pad->addWidget(keys_[i].button, place / 3, place % 3);
     }
     body().addLayout(speed_row(tr("linear"), linear_speed_, linear_label_));
@@ -62,6 +63,21 @@ JogPanel::JogPanel(Bench& bench, QWidget* parent)
         is_held_ = true;
         bench_.machine.jog().hold(pressed_axis_, pressed_up_, speed_of(pressed_axis_));
     });
+}
+
+void JogPanel::make_heads_keys(QGridLayout& pad) {
+    add_key(QStringLiteral("←→"), machine::JogAxis::heads(), true, std::nullopt, "jog_heads_out");
+    add_key(QStringLiteral("→←"), machine::JogAxis::heads(), false, std::nullopt, "jog_heads_in");
+    auto* both = new QHBoxLayout;
+    both->setSpacing(2);
+    const QString hints[] = {tr("Both heads out"), tr("Both heads in")};
+    for (std::size_t i = 0; i < 2; ++i) {
+        ActionButton* button = keys_[keys_.size() - 2 + i].button;
+        button->set_hint(hints[i]);
+        button->setAccessibleName(hints[i]);
+        both->addWidget(button);
+    }
+    pad.addLayout(both, 2, 1);
 }
 
 QWidget* JogPanel::step_row(const QString& unit, const std::vector<double>& steps, QButtonGroup*& group,
@@ -102,7 +118,8 @@ QLayout* JogPanel::speed_row(const QString& name, QSlider*& slider, QLabel*& lab
     return layout;
 }
 
-void JogPanel::add_key(const QString& text, Axis axis, bool up, Glyph glyph, const char* name) {
+void JogPanel::add_key(const QString& text, machine::JogAxis axis, bool up, std::optional<Glyph> glyph,
+                       const char* name) {
     auto* button = new ActionButton{session::Action::jog, text, {}};
     button->setObjectName(name);
     button->setProperty("key", true);
@@ -112,12 +129,12 @@ void JogPanel::add_key(const QString& text, Axis axis, bool up, Glyph glyph, con
     keys_.push_back(key);
 }
 
-double JogPanel::speed_of(Axis axis) const {
-    return axis == Axis::psi ? angular_speed_->value() : linear_speed_->value() / kLinearScale;
+double JogPanel::speed_of(machine::JogAxis axis) const {
+    return axis.is_turned() ? angular_speed_->value() : linear_speed_->value() / kLinearScale;
 }
 
-double JogPanel::step_of(Axis axis) const {
-    return (axis == Axis::psi ? angular_steps_ : linear_steps_)->checkedId() / kStepScale;
+double JogPanel::step_of(machine::JogAxis axis) const {
+    return (axis.is_turned() ? angular_steps_ : linear_steps_)->checkedId() / kStepScale;
 }
 
 void JogPanel::press(const Key& key) {
@@ -147,7 +164,9 @@ void JogPanel::let_go() {
 }
 
 void JogPanel::set_theme(const Tokens& tokens) {
-    for (const Key& key : keys_) key.button->set_glyph(key.glyph, tokens);
+    for (const Key& key : keys_) {
+        if (key.glyph) key.button->set_glyph(*key.glyph, tokens);
+    }
     refresh();
 }
 

@@ -12,6 +12,7 @@
 #include "hmi/ui/frames.hpp"
 
 class QButtonGroup;
+class QGridLayout;
 class QSlider;
 
 namespace psicarve::ui {
@@ -34,14 +35,16 @@ public:
 private:
     struct Key {
         ActionButton* button;
-        Axis axis;
+        machine::JogAxis axis;
         bool up;
-        Glyph glyph;
+        std::optional<Glyph> glyph;
     };
     QWidget* step_row(const QString& unit, const std::vector<double>& steps, QButtonGroup*& group,
                       int chosen);
     QLayout* speed_row(const QString& name, QSlider*& slider, QLabel*& label);
-    void add_key(const QString& text, Axis axis, bool up, Glyph glyph, const char* name);
+    void add_key(const QString& text, machine::JogAxis axis, bool up, std::optional<Glyph> glyph,
+                 const char* name);
+    void make_heads_keys(QGridLayout& pad);
     void press(const Key& key);
     void release();
     // jog_panel_keys.cpp
@@ -50,8 +53,8 @@ private:
     void disarm();
     void show_armed();
     void follow(const session::KeyboardJog::Order& order);
-    double speed_of(Axis axis) const;
-    double step_of(Axis axis) const;
+    double speed_of(machine::JogAxis axis) const;
+    double step_of(machine::JogAxis axis) const;
 
     Bench& bench_;
     std::vector<Key> keys_;
@@ -65,7 +68,7 @@ private:
     ActionButton* arm_ = nullptr;
     session::KeyboardJog keyboard_;
     QTimer hold_timer_;  ///< runs while a press may still become a click
-    Axis pressed_axis_ = Axis::r1;
+    machine::JogAxis pressed_axis_ = Axis::r1;
     bool pressed_up_ = true;
     bool is_held_ = false;
 };

@@ -29,8 +29,13 @@ Refusal Cycle::start_move(const Request& request) noexcept {
     if (!is_homed()) return Refusal::not_homed;
     const auto& from = pulses_.positions();
     auto to = from;
+    const bool goes_on_with_heads = request.kind == RequestKind::jog_on && request.order.axes == 0b11;
+    if (goes_on_with_heads) {
+        to = furthest_of_heads(config_.soft_limits, from, request.order.target_pulses[0] > 0);
+        if (to == from) return refuse_at(Refusal::at_the_end, 0);
+    }
     for (std::size_t k = 0; k < kAxisCount; ++k) {
-        if ((request.order.axes >> k & 1U) == 0) continue;
+        if (goes_on_with_heads || (request.order.axes >> k & 1U) == 0) continue;
         const std::int64_t target = request.order.target_pulses[k];
         if (request.kind == RequestKind::jog_on) {
             to[k] = furthest_pulses(config_.soft_limits, from, k, target > 0);

@@ -59,4 +59,19 @@ std::int64_t furthest_pulses(const SoftLimits& limits, const Pulses4& from, std:
     return std::min(from[axis], least);
 }
 
+Pulses4 furthest_of_heads(const SoftLimits& limits, const Pulses4& from, bool out) noexcept {
+    // Inwards they share what is left between the tips.
+    double way_mm = out ? 1e9 : std::max(0.0, (sum_mm(limits, from) - limits.least_sum_mm) / 2.0);
+    for (std::size_t k = 0; k < kHeads; ++k) {
+        const std::int64_t alone = furthest_pulses(limits, from, k, out) - from[k];
+        way_mm = std::min(way_mm, static_cast<double>(out ? alone : -alone) * limits.mm_per_pulse[k]);
+    }
+    Pulses4 to = from;
+    for (std::size_t k = 0; k < kHeads; ++k) {
+        const auto way = static_cast<std::int64_t>(way_mm / limits.mm_per_pulse[k] + 1e-9);
+        to[k] += out ? way : -way;
+    }
+    return to;
+}
+
 }  // namespace psicarve::cycle

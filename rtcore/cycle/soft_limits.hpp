@@ -34,4 +34,9 @@ SoftBreach first_breach(const SoftLimits& limits, const std::array<std::int64_t,
 std::int64_t furthest_pulses(const SoftLimits& limits, const std::array<std::int64_t, kAxisCount>& from,
                              std::size_t axis, bool up) noexcept;
 
+/// The same of both heads that go equally far, both outwards or both inwards. RT: yes.
+std::array<std::int64_t, kAxisCount> furthest_of_heads(const SoftLimits& limits,
+                                                       const std::array<std::int64_t, kAxisCount>& from,
+                                                       bool out) noexcept;
+
 }  // namespace psicarve::cycle

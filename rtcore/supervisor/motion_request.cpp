@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "rtcore/cycle/layer_range.hpp"
@@ -47,20 +48,24 @@ void add_lease(Request& request, const Command& command, const Profile& profile,
 
 Result<void> add_jog(Request& request, const Command& command, const Profile& profile,
                      bool is_virtual_clock) {
-    if (command.axis >= kAxisCount) return refused("jog: no such axis; r1, r2, psi or y");
-    const auto axis = static_cast<Axis>(command.axis);
-    const AxisMotion motion = axis_motion(profile, axis);
+    if (command.axis > kBothHeads) return refused("jog: no such axis; r1, r2, psi, y or heads");
     if (!std::isfinite(command.speed) || command.speed < 0.0)
         return refused("jog: the speed must be above 0");
-    request.order.axes = static_cast<std::uint8_t>(1U << command.axis);
-    request.order.speed_pps =
-        command.speed > 0.0 ? command.speed * motion.pulses_per_unit : motion.home_speed_pps;
-    if (request.kind == RequestKind::jog) {
+    const bool is_both = command.axis == kBothHeads;
+    request.order.axes = static_cast<std::uint8_t>(is_both ? 0b11U : 1U << command.axis);
+    request.order.speed_pps = std::numeric_limits<double>::infinity();
+    for (const Axis axis : kAllAxes) {
+        if ((request.order.axes >> index_of(axis) & 1U) == 0) continue;
+        const AxisMotion motion = axis_motion(profile, axis);
+        const double speed_pps =
+            command.speed > 0.0 ? command.speed * motion.pulses_per_unit : motion.home_speed_pps;
+        request.order.speed_pps = std::min(request.order.speed_pps, speed_pps);
+        std::int64_t& target_pulses = request.order.target_pulses[index_of(axis)];
+        target_pulses = command.value < 0.0 ? -1 : 1;
+        if (request.kind != RequestKind::jog) continue;
         const auto way = pulses_of(command.value, axis, profile, "jog");
         if (!way) return way.error();
-        request.order.target_pulses[command.axis] = *way;
-    } else {
-        request.order.target_pulses[command.axis] = command.value < 0.0 ? -1 : 1;
+        target_pulses = *way;
     }
     if (command.lease_token == 0 || command.lease_ms == 0) return refused("jog: nobody holds its lease");
     add_lease(request, command, profile, is_virtual_clock);

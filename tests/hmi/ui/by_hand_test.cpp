@@ -107,6 +107,24 @@ TEST_F(ByHand, ArmedKeysAreDisarmedByATextFieldADialogAndTheEmergencyStop) {
     EXPECT_EQ(button("arm_keys").toolTip(), "Locked until the alarm is reset");
 }
 
+TEST_F(ByHand, JogsBothHeadsInAndOut) {
+    open_homed();
+    const auto r1_pulses = pulses(Axis::r1);
+    const auto r2_pulses = pulses(Axis::r2);
+    EXPECT_EQ(button("jog_heads_in").toolTip(), "Both heads in");
+    ASSERT_TRUE(click("jog_heads_in"));
+    ASSERT_TRUE(comes_true([&] { return pulses(Axis::r2) == r2_pulses - 40 && sight().state() == S::ready; }))
+        << all_messages().toStdString();
+    EXPECT_EQ(pulses(Axis::r1), r1_pulses - 40);
+    button("jog_heads_in").setDown(true);
+    Q_EMIT button("jog_heads_in").pressed();
+    ASSERT_TRUE(comes_true([&] { return pulses(Axis::r1) < r1_pulses - 200; }))
+        << all_messages().toStdString();
+    Q_EMIT button("jog_heads_in").released();
+    ASSERT_TRUE(comes_to(S::ready));
+    EXPECT_EQ(pulses(Axis::r1) - r1_pulses, pulses(Axis::r2) - r2_pulses);
+}
+
 TEST_F(ByHand, HomesTheSelectedAxisAlone) {
     start_core();
     open_window();

@@ -90,5 +90,30 @@ TEST(SoftLimits, TheFurthestGoodPositionIsGoodAndTheNextOneIsNot) {
     EXPECT_GT(tested, 1000);
 }
 
+TEST(SoftLimits, BothHeadsGoEquallyFarAndAsFarAsTheyMay) {
+    std::mt19937_64 random(91);
+    const SoftLimits sut = limits_of(uneven_profile());
+    for (int round = 0; round < 2000; ++round) {
+        Pulses4 from{};
+        for (std::size_t k = 0; k < 2; ++k) {
+            const auto span = static_cast<std::uint64_t>(sut.most_pulses[k] - sut.least_pulses[k]);
+            from[k] = sut.least_pulses[k] + static_cast<std::int64_t>(random() % span);
+        }
+        for (const bool out : {true, false}) {
+            const Pulses4 to = furthest_of_heads(sut, from, out);
+            ASSERT_EQ(first_breach(sut, from, to).limit, SoftLimit::none);
+            double way_mm[2];
+            for (std::size_t k = 0; k < 2; ++k) {
+                way_mm[k] = static_cast<double>(to[k] - from[k]) * sut.mm_per_pulse[k];
+                ASSERT_GE(out ? way_mm[k] : -way_mm[k], 0.0);
+            }
+            ASSERT_NEAR(way_mm[0], way_mm[1], 0.004) << "a pulse";
+            Pulses4 further = to;
+            for (std::size_t k = 0; k < 2; ++k) further[k] += out ? 2 : -2;
+            ASSERT_NE(first_breach(sut, from, further).limit, SoftLimit::none);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace psicarve::cycle

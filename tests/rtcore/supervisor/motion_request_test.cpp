@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "rtcore/cycle/pin_test.hpp"
+#include "shared/jog_lease.hpp"
 
 namespace psicarve::supervisor {
 namespace {
@@ -97,7 +98,7 @@ TEST(MotionRequest, RefusesShapesThatTheseAxesDoNotHave) {
 
 TEST(MotionRequest, RefusesWhatMakesNoSenseByName) {
     Command no_axis = jog(1.0);
-    no_axis.axis = 4;
+    no_axis.axis = kBothHeads + 1;
     EXPECT_NE(refusal(no_axis, RequestKind::jog).find("no such axis"), std::string::npos);
     Command no_lease = jog(1.0);
     no_lease.lease_token = 0;
@@ -187,6 +188,21 @@ TEST(MotionRequest, HomesTheAxesThatAreNamed) {
     command.kind = CommandKind::home;
     command.axis = 0b0110;
     EXPECT_EQ(motion_request(command, RequestKind::home, Profile{}, false)->value, 0b0110U);
+}
+
+TEST(MotionRequest, JogsBothHeadsEachInItsOwnPulses) {
+    Profile profile;
+    profile.r2.pulses_per_mm = 200.0;
+    Command command = jog(-1.0);
+    command.axis = kBothHeads;
+    const auto sut = motion_request(command, RequestKind::jog, profile, false);
+    ASSERT_TRUE(sut);
+    EXPECT_EQ(sut->order.axes, 0b0011U);
+    EXPECT_EQ(sut->order.target_pulses[0], -400);
+    EXPECT_EQ(sut->order.target_pulses[1], -200);
+    EXPECT_EQ(sut->order.speed_pps, 1000.0) << "the slower one's";
+    command.axis = kBothHeads + 1;
+    EXPECT_NE(refusal(command, RequestKind::jog), "");
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 #include "hmi/ui/connector_view.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/timing_view.hpp"
@@ -18,7 +20,8 @@ namespace {
 
 enum Column { kPin, kSignal, kRegister, kWay, kLevel, kColumns };
 constexpr std::array<int, kColumns> kWidths{34, 116, 90, 32, 58};
-constexpr int kRowHeight_px = 22;
+constexpr int kMostRowHeight_px = 22;
+constexpr int kLeastRowHeight_px = 16;
 constexpr int kHeadHeight_px = 24;
 
 }  // namespace
@@ -35,7 +38,7 @@ PortsPage::PortsPage(Bench& bench, QWidget* parent)
     table_->setObjectName("pins");
     table_->setHorizontalHeaderLabels({tr("Pin"), tr("Signal"), tr("Register bit"), {}, tr("Level")});
     table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(kRowHeight_px);
+    table_->verticalHeader()->setMinimumSectionSize(kLeastRowHeight_px);
     table_->horizontalHeader()->setFixedHeight(kHeadHeight_px);
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -78,11 +81,21 @@ void PortsPage::take_profile(const Profile& profile) {
     rows_ = session::pin_rows(profile);
     connector_->show_rows(rows_);
     wiring_->show_rows(rows_);
+    row_height_px_ = 0;
+    fill_table();
+}
+
+// All signals are in sight, whatever else the page has to show.
+void PortsPage::fit_rows() {
+    const int room_px = table_->viewport()->height() / std::max(1, table_->rowCount());
+    const int height_px = std::clamp(room_px, kLeastRowHeight_px, kMostRowHeight_px);
+    if (height_px == row_height_px_) return;
+    row_height_px_ = height_px;
+    table_->verticalHeader()->setDefaultSectionSize(height_px);
     std::vector<Signal> order;
     order.reserve(rows_.size());
     for (const session::PinRow& row : rows_) order.push_back(row.signal);
-    timing_->set_rows(std::move(order), kHeadHeight_px + 1, kRowHeight_px);
-    fill_table();
+    timing_->set_rows(std::move(order), kHeadHeight_px + 1, height_px);
 }
 
 void PortsPage::fill_table() {
@@ -135,6 +148,8 @@ void PortsPage::refresh() {
     if (sight.status && sight.is_heard()) history_.note(*sight.status, now);
     if (!isVisible()) return;
     if (sight.profile) take_profile(*sight.profile);
+    fit_rows();
+    note_->setVisible(!wiring_->is_armed());
     show_levels(sight.status ? sight.status->signals : 0);
     timing_->show_history(history_, now);
     const QString note =

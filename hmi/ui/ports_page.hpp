@@ -35,6 +35,7 @@ public:
 private:
     void take_profile(const Profile& profile);
     void fill_table();
+    void fit_rows();
     void show_levels(SignalWord levels);
 
     Bench& bench_;
@@ -44,6 +45,7 @@ private:
     std::optional<SignalWord> shown_levels_;
     session::LevelHistory history_;
     std::uint32_t core_pid_ = 0;
+    int row_height_px_ = 0;
     ConnectorView* connector_;
     QTableWidget* table_;
     TimingView* timing_;

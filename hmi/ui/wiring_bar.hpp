@@ -25,6 +25,7 @@ public:
 
     void show_rows(const std::vector<session::PinRow>& rows);
     void refresh();
+    bool is_armed() const noexcept { return test_.is_armed(); }
     /// Ends the test, whatever is held.
     void let_go();
 

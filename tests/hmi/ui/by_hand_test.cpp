@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>
 #include <QSpinBox>
 #include <QTabWidget>
+#include <QTableWidget>
 
 #include "tests/hmi/ui/window_rig.hpp"
 
@@ -192,6 +194,8 @@ TEST_F(ByHand, TestsTheWiringOfOneOutputWithTheDrivesOff) {
         return (sight().status->signals & kOutputMask) == bit_of(Signal::spindle);
     })) << all_messages().toStdString();
     EXPECT_EQ(sight().state(), S::testing);
+    auto* const pins = window_->findChild<QTableWidget*>("pins");
+    EXPECT_LE(pins->verticalHeader()->length(), pins->viewport()->height()) << "every input is in sight";
     EXPECT_EQ(button("start").toolTip(), "Start: an output is tested");
     take_picture("wiring_light");
     Q_EMIT button("hold_high").released();

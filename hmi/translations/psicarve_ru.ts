@@ -256,6 +256,10 @@
             <translation>Резьба</translation>
         </message>
         <message>
+            <source>Carving time</source>
+            <translation>Время резьбы</translation>
+        </message>
+        <message>
             <source>Check the axis' home sensor, its wire and its pin in the profile; reset the alarm, then home again.</source>
             <translation>Проверьте датчик нуля оси, его провод и вывод в профиле; сбросьте аварию, затем снова найдите нули.</translation>
         </message>
@@ -270,6 +274,10 @@
         <message>
             <source>Clear switch %1, or Back off, until its lamp goes out</source>
             <translation>Освободите выключатель %1 или нажмите «Отвести», пока его лампа не погаснет</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Закрыть</translation>
         </message>
         <message>
             <source>Close other programs, or give the core real-time rights</source>
@@ -405,6 +413,10 @@ F12  этот список</translation>
         <message>
             <source>Fit</source>
             <translation>Вписать</translation>
+        </message>
+        <message>
+            <source>Folder for the support bundle</source>
+            <translation>Папка для пакета поддержки</translation>
         </message>
         <message>
             <source>Forgets the zero of %1</source>
@@ -565,6 +577,10 @@ F12  этот список</translation>
         <message>
             <source>Its sensor was not found, or did not clear. Likely a broken wire or a sensor out of place.</source>
             <translation>Датчик не найден или не отпустил. Вероятно, обрыв провода или датчик сдвинут.</translation>
+        </message>
+        <message>
+            <source>JSON (*.json)</source>
+            <translation>JSON (*.json)</translation>
         </message>
         <message>
             <source>Job</source>
@@ -755,6 +771,10 @@ F12  этот список</translation>
             <translation>Заперто: головки ждут у первой точки; пуск или стоп</translation>
         </message>
         <message>
+            <source>Log saved: %1</source>
+            <translation>Журнал сохранён: %1</translation>
+        </message>
+        <message>
             <source>Logical levels, looked at 30 times a second; steps by how many there were in between. A trace (--trace) holds every edge.</source>
             <translation>Логические уровни, 30 взглядов в секунду; шаги показаны числом между взглядами. Каждый фронт есть в записи (--trace).</translation>
         </message>
@@ -801,6 +821,10 @@ F12  этот список</translation>
         <message>
             <source>Messages</source>
             <translation>Сообщения</translation>
+        </message>
+        <message>
+            <source>Missed ticks</source>
+            <translation>Пропущено тактов</translation>
         </message>
         <message>
             <source>Missed, skipped</source>
@@ -901,6 +925,10 @@ F12  этот список</translation>
         <message>
             <source>Not homed, job published</source>
             <translation>Нули не найдены, задание передано</translation>
+        </message>
+        <message>
+            <source>Not saved: %1</source>
+            <translation>Не сохранено: %1</translation>
         </message>
         <message>
             <source>Not sliced yet.</source>
@@ -1059,6 +1087,10 @@ F12  этот список</translation>
             <translation>Профиль сохранён: %1</translation>
         </message>
         <message>
+            <source>Profile, log, snapshot of job and status, versions: for whoever helps</source>
+            <translation>Профиль, журнал, снимок задания и состояния, версии: для того, кто поможет</translation>
+        </message>
+        <message>
             <source>Profiles (*.toml)</source>
             <translation>Профили (*.toml)</translation>
         </message>
@@ -1097,6 +1129,10 @@ F12  этот список</translation>
         <message>
             <source>Pulses in a second</source>
             <translation>Импульсов в секунду</translation>
+        </message>
+        <message>
+            <source>Pulses of %1</source>
+            <translation>Импульсы %1</translation>
         </message>
         <message>
             <source>Pulses per second R1, R2, Ψ, Y</source>
@@ -1179,6 +1215,10 @@ F12  этот список</translation>
             <translation>Права РВ</translation>
         </message>
         <message>
+            <source>Reference time (T_ref)</source>
+            <translation>Опорное время (T_ref)</translation>
+        </message>
+        <message>
             <source>Register bit</source>
             <translation>Бит регистра</translation>
         </message>
@@ -1189,6 +1229,26 @@ F12  этот список</translation>
         <message>
             <source>Release the emergency stop switch</source>
             <translation>Отпустите кнопку аварийного останова</translation>
+        </message>
+        <message>
+            <source>Report</source>
+            <translation>Отчёт</translation>
+        </message>
+        <message>
+            <source>Report saved: %1</source>
+            <translation>Отчёт сохранён: %1</translation>
+        </message>
+        <message>
+            <source>Report: %1</source>
+            <translation>Отчёт: %1</translation>
+        </message>
+        <message>
+            <source>Report: no job is open</source>
+            <translation>Отчёт: задание не открыто</translation>
+        </message>
+        <message>
+            <source>Report: no job was started</source>
+            <translation>Отчёт: ни одно задание не запускалось</translation>
         </message>
         <message>
             <source>Reset alarm</source>
@@ -1205,6 +1265,10 @@ F12  этот список</translation>
         <message>
             <source>Reset the alarm, then home.</source>
             <translation>Сбросьте аварию, затем найдите нули.</translation>
+        </message>
+        <message>
+            <source>Result</source>
+            <translation>Итог</translation>
         </message>
         <message>
             <source>Resume</source>
@@ -1227,12 +1291,28 @@ F12  этот список</translation>
             <translation>Сохранить</translation>
         </message>
         <message>
+            <source>Save as JSON…</source>
+            <translation>Сохранить как JSON…</translation>
+        </message>
+        <message>
             <source>Save as...</source>
             <translation>Сохранить как...</translation>
         </message>
         <message>
+            <source>Save log…</source>
+            <translation>Сохранить журнал…</translation>
+        </message>
+        <message>
+            <source>Save the log</source>
+            <translation>Сохранить журнал</translation>
+        </message>
+        <message>
             <source>Save the profile as</source>
             <translation>Сохранить профиль как</translation>
+        </message>
+        <message>
+            <source>Save the report</source>
+            <translation>Сохранить отчёт</translation>
         </message>
         <message>
             <source>Save: %1 values are wrong</source>
@@ -1411,6 +1491,14 @@ F12  этот список</translation>
             <translation>Стоп: ничего не движется</translation>
         </message>
         <message>
+            <source>Support bundle: %1</source>
+            <translation>Пакет поддержки: %1</translation>
+        </message>
+        <message>
+            <source>Support bundle…</source>
+            <translation>Пакет поддержки…</translation>
+        </message>
+        <message>
             <source>Switch %1 is still closed</source>
             <translation>Выключатель %1 всё ещё замкнут</translation>
         </message>
@@ -1425,6 +1513,10 @@ F12  этот список</translation>
         <message>
             <source>Take backup</source>
             <translation>Взять копию</translation>
+        </message>
+        <message>
+            <source>Text (*.log *.txt)</source>
+            <translation>Текст (*.log *.txt)</translation>
         </message>
         <message>
             <source>The blank as carved so far</source>
@@ -1489,6 +1581,10 @@ F12  этот список</translation>
         <message>
             <source>The language changes when the window is opened the next time</source>
             <translation>Язык сменится при следующем открытии окна</translation>
+        </message>
+        <message>
+            <source>The log is not kept: %1</source>
+            <translation>Журнал не ведётся: %1</translation>
         </message>
         <message>
             <source>The machine is at work. It does not need this window: what is to become of it?</source>
@@ -1583,6 +1679,10 @@ F12  этот список</translation>
             <translation>Наибольшая скорость, за которой поспевает двигатель (v_k).</translation>
         </message>
         <message>
+            <source>Total time</source>
+            <translation>Общее время</translation>
+        </message>
+        <message>
             <source>Touch-off: the real tip stands this much further out than counted.</source>
             <translation>Касание: настоящее остриё стоит на столько дальше наружу, чем по счёту.</translation>
         </message>
@@ -1601,6 +1701,10 @@ F12  этот список</translation>
         <message>
             <source>Use the switch on the machine to stop it</source>
             <translation>Остановите станок его кнопкой</translation>
+        </message>
+        <message>
+            <source>Verified</source>
+            <translation>Проверено</translation>
         </message>
         <message>
             <source>WAITING</source>
@@ -1709,6 +1813,10 @@ F12  этот список</translation>
             <translation>встроенный профиль</translation>
         </message>
         <message>
+            <source>carved to the last point</source>
+            <translation>вырезано до последней точки</translation>
+        </message>
+        <message>
             <source>checked</source>
             <translation>проверено</translation>
         </message>
@@ -1719,6 +1827,14 @@ F12  этот список</translation>
         <message>
             <source>emergency stop</source>
             <translation>аварийный останов</translation>
+        </message>
+        <message>
+            <source>ended at layer %1 of %2</source>
+            <translation>закончено на слое %1 из %2</translation>
+        </message>
+        <message>
+            <source>ended by an alarm</source>
+            <translation>прервано аварией</translation>
         </message>
         <message>
             <source>file's origin</source>
@@ -1827,6 +1943,14 @@ F12  этот список</translation>
         <message>
             <source>none: ticks may be late</source>
             <translation>нет: такты могут запаздывать</translation>
+        </message>
+        <message>
+            <source>not by the window; psicarve carve does</source>
+            <translation>не окном; это делает psicarve carve</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>неизвестно</translation>
         </message>
         <message>
             <source>not needed</source>

@@ -256,6 +256,10 @@
             <translation>雕刻</translation>
         </message>
         <message>
+            <source>Carving time</source>
+            <translation>雕刻时间</translation>
+        </message>
+        <message>
             <source>Check the axis' home sensor, its wire and its pin in the profile; reset the alarm, then home again.</source>
             <translation>检查该轴的回零传感器、接线和配置中的引脚；复位报警，然后重新回零。</translation>
         </message>
@@ -270,6 +274,10 @@
         <message>
             <source>Clear switch %1, or Back off, until its lamp goes out</source>
             <translation>清理开关 %1，或按“退离”，直到其指示灯熄灭</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>关闭</translation>
         </message>
         <message>
             <source>Close other programs, or give the core real-time rights</source>
@@ -404,6 +412,10 @@ F12  此列表</translation>
         <message>
             <source>Fit</source>
             <translation>适合</translation>
+        </message>
+        <message>
+            <source>Folder for the support bundle</source>
+            <translation>支持包的文件夹</translation>
         </message>
         <message>
             <source>Forgets the zero of %1</source>
@@ -564,6 +576,10 @@ F12  此列表</translation>
         <message>
             <source>Its sensor was not found, or did not clear. Likely a broken wire or a sensor out of place.</source>
             <translation>未找到其传感器，或传感器未释放。可能断线或传感器移位。</translation>
+        </message>
+        <message>
+            <source>JSON (*.json)</source>
+            <translation>JSON (*.json)</translation>
         </message>
         <message>
             <source>Job</source>
@@ -754,6 +770,10 @@ F12  此列表</translation>
             <translation>锁定：刀头在第一点等待；请启动或停止</translation>
         </message>
         <message>
+            <source>Log saved: %1</source>
+            <translation>日志已保存：%1</translation>
+        </message>
+        <message>
             <source>Logical levels, looked at 30 times a second; steps by how many there were in between. A trace (--trace) holds every edge.</source>
             <translation>逻辑电平，每秒查看 30 次；步进按其间的数量显示。轨迹文件（--trace）记录每个边沿。</translation>
         </message>
@@ -800,6 +820,10 @@ F12  此列表</translation>
         <message>
             <source>Messages</source>
             <translation>消息</translation>
+        </message>
+        <message>
+            <source>Missed ticks</source>
+            <translation>错过的周期</translation>
         </message>
         <message>
             <source>Missed, skipped</source>
@@ -900,6 +924,10 @@ F12  此列表</translation>
         <message>
             <source>Not homed, job published</source>
             <translation>未回零，作业已发布</translation>
+        </message>
+        <message>
+            <source>Not saved: %1</source>
+            <translation>未保存：%1</translation>
         </message>
         <message>
             <source>Not sliced yet.</source>
@@ -1058,6 +1086,10 @@ F12  此列表</translation>
             <translation>配置已保存：%1</translation>
         </message>
         <message>
+            <source>Profile, log, snapshot of job and status, versions: for whoever helps</source>
+            <translation>配置、日志、作业与状态快照、版本：供协助者使用</translation>
+        </message>
+        <message>
             <source>Profiles (*.toml)</source>
             <translation>配置 (*.toml)</translation>
         </message>
@@ -1096,6 +1128,10 @@ F12  此列表</translation>
         <message>
             <source>Pulses in a second</source>
             <translation>每秒脉冲数</translation>
+        </message>
+        <message>
+            <source>Pulses of %1</source>
+            <translation>%1 的脉冲</translation>
         </message>
         <message>
             <source>Pulses per second R1, R2, Ψ, Y</source>
@@ -1174,6 +1210,10 @@ F12  此列表</translation>
             <translation>实时权限</translation>
         </message>
         <message>
+            <source>Reference time (T_ref)</source>
+            <translation>参考时间 (T_ref)</translation>
+        </message>
+        <message>
             <source>Register bit</source>
             <translation>寄存器位</translation>
         </message>
@@ -1184,6 +1224,26 @@ F12  此列表</translation>
         <message>
             <source>Release the emergency stop switch</source>
             <translation>松开急停开关</translation>
+        </message>
+        <message>
+            <source>Report</source>
+            <translation>报告</translation>
+        </message>
+        <message>
+            <source>Report saved: %1</source>
+            <translation>报告已保存：%1</translation>
+        </message>
+        <message>
+            <source>Report: %1</source>
+            <translation>报告：%1</translation>
+        </message>
+        <message>
+            <source>Report: no job is open</source>
+            <translation>报告：没有打开的作业</translation>
+        </message>
+        <message>
+            <source>Report: no job was started</source>
+            <translation>报告：尚未启动作业</translation>
         </message>
         <message>
             <source>Reset alarm</source>
@@ -1200,6 +1260,10 @@ F12  此列表</translation>
         <message>
             <source>Reset the alarm, then home.</source>
             <translation>复位报警，然后回零。</translation>
+        </message>
+        <message>
+            <source>Result</source>
+            <translation>结果</translation>
         </message>
         <message>
             <source>Resume</source>
@@ -1222,12 +1286,28 @@ F12  此列表</translation>
             <translation>保存</translation>
         </message>
         <message>
+            <source>Save as JSON…</source>
+            <translation>另存为 JSON…</translation>
+        </message>
+        <message>
             <source>Save as...</source>
             <translation>另存为...</translation>
         </message>
         <message>
+            <source>Save log…</source>
+            <translation>保存日志…</translation>
+        </message>
+        <message>
+            <source>Save the log</source>
+            <translation>保存日志</translation>
+        </message>
+        <message>
             <source>Save the profile as</source>
             <translation>配置另存为</translation>
+        </message>
+        <message>
+            <source>Save the report</source>
+            <translation>保存报告</translation>
         </message>
         <message>
             <source>Save: %1 values are wrong</source>
@@ -1406,6 +1486,14 @@ F12  此列表</translation>
             <translation>停止：没有运动</translation>
         </message>
         <message>
+            <source>Support bundle: %1</source>
+            <translation>支持包：%1</translation>
+        </message>
+        <message>
+            <source>Support bundle…</source>
+            <translation>支持包…</translation>
+        </message>
+        <message>
             <source>Switch %1 is still closed</source>
             <translation>开关 %1 仍闭合</translation>
         </message>
@@ -1420,6 +1508,10 @@ F12  此列表</translation>
         <message>
             <source>Take backup</source>
             <translation>恢复备份</translation>
+        </message>
+        <message>
+            <source>Text (*.log *.txt)</source>
+            <translation>文本 (*.log *.txt)</translation>
         </message>
         <message>
             <source>The blank as carved so far</source>
@@ -1484,6 +1576,10 @@ F12  此列表</translation>
         <message>
             <source>The language changes when the window is opened the next time</source>
             <translation>下次打开窗口时更换语言</translation>
+        </message>
+        <message>
+            <source>The log is not kept: %1</source>
+            <translation>日志未保存：%1</translation>
         </message>
         <message>
             <source>The machine is at work. It does not need this window: what is to become of it?</source>
@@ -1578,6 +1674,10 @@ F12  此列表</translation>
             <translation>电机能跟上的最高速度（v_k）。</translation>
         </message>
         <message>
+            <source>Total time</source>
+            <translation>总时间</translation>
+        </message>
+        <message>
             <source>Touch-off: the real tip stands this much further out than counted.</source>
             <translation>对刀：实际刀尖比计数位置更靠外的量。</translation>
         </message>
@@ -1596,6 +1696,10 @@ F12  此列表</translation>
         <message>
             <source>Use the switch on the machine to stop it</source>
             <translation>请用机床上的开关停机</translation>
+        </message>
+        <message>
+            <source>Verified</source>
+            <translation>已校验</translation>
         </message>
         <message>
             <source>WAITING</source>
@@ -1702,6 +1806,10 @@ F12  此列表</translation>
             <translation>内置配置</translation>
         </message>
         <message>
+            <source>carved to the last point</source>
+            <translation>已雕刻到最后一点</translation>
+        </message>
+        <message>
             <source>checked</source>
             <translation>已检查</translation>
         </message>
@@ -1712,6 +1820,14 @@ F12  此列表</translation>
         <message>
             <source>emergency stop</source>
             <translation>急停</translation>
+        </message>
+        <message>
+            <source>ended at layer %1 of %2</source>
+            <translation>结束于第 %1 层，共 %2 层</translation>
+        </message>
+        <message>
+            <source>ended by an alarm</source>
+            <translation>因报警结束</translation>
         </message>
         <message>
             <source>file's origin</source>
@@ -1820,6 +1936,14 @@ F12  此列表</translation>
         <message>
             <source>none: ticks may be late</source>
             <translation>无：节拍可能迟滞</translation>
+        </message>
+        <message>
+            <source>not by the window; psicarve carve does</source>
+            <translation>窗口不校验；psicarve carve 会校验</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>未知</translation>
         </message>
         <message>
             <source>not needed</source>

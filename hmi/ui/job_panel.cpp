@@ -10,6 +10,7 @@
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/preflight.hpp"
 #include "hmi/session/start_intent.hpp"
+#include "hmi/ui/report_dialog.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/units.hpp"
 
@@ -49,7 +50,18 @@ JobPanel::JobPanel(Bench& bench, QWidget* parent) : Dock(tr("Job"), parent), ben
 
 void JobPanel::make_facts() {
     name_ = role_label("title");
-    body().addWidget(name_);
+    auto* title = new QHBoxLayout;
+    title->addWidget(name_, 1);
+    report_ = new ActionButton{[](const Bench& now) -> std::optional<session::Phrase> {
+                                   if (!now.runs.run()) return session::phrase("Report: no job was started");
+                                   if (!now.desk.job()) return session::phrase("Report: no job is open");
+                                   return std::nullopt;
+                               },
+                               tr("Report"), [this] { show_report(); }};
+    report_->setObjectName("report_button");
+    report_->setProperty("small", true);
+    title->addWidget(report_);
+    body().addLayout(title);
     auto* grid = new QGridLayout;
     grid->setVerticalSpacing(1);
     body().addLayout(grid);
@@ -187,6 +199,12 @@ bool JobPanel::may_start_from_layer(std::uint32_t layer) {
     return box.clickedButton() == go && from_layer_->refresh(bench_).isEmpty();
 }
 
+void JobPanel::show_report() {
+    auto* report =
+        new ReportDialog{*bench_.runs.run(), bench_.runs.is_over(), bench_.desk.job(), bench_.log, window()};
+    report->show();
+}
+
 void JobPanel::set_theme(const Tokens& tokens) {
     tokens_ = &tokens;
     start_->set_glyph(Glyph::play, tokens, true);
@@ -257,7 +275,7 @@ void JobPanel::refresh_checks() {
 }
 
 void JobPanel::refresh_buttons() {
-    for (ActionButton* button : {start_, hold_, resume_, stop_, one_layer_, from_layer_})
+    for (ActionButton* button : {start_, hold_, resume_, stop_, one_layer_, from_layer_, report_})
         button->refresh(bench_);
     layer_->setEnabled(from_layer_->isEnabled());
     QString text = start_->reason();

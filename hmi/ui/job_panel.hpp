@@ -40,6 +40,7 @@ private:
     void refresh_override();
     /// 0 layers: all that follow.
     void start_at_layer(std::uint32_t layers);
+    void show_report();
     bool may_start_from_layer(std::uint32_t layer);
 
     Bench& bench_;
@@ -56,6 +57,7 @@ private:
     ActionButton* hold_;
     ActionButton* resume_;
     ActionButton* stop_;
+    ActionButton* report_;
     ActionButton* one_layer_;
     ActionButton* from_layer_;
     QSpinBox* layer_;

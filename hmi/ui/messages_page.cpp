@@ -3,18 +3,25 @@
 
 #include <QComboBox>
 #include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <span>
 
+#include "hmi/session/support_bundle.hpp"
 #include "hmi/ui/choice_box.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
 #include "hmi/ui/words.hpp"
+#include "shared/atomic_file.hpp"
+#include "shared/layout.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -34,6 +41,7 @@ Glyph glyph_of(Severity severity) {
 
 MessagesPage::MessagesPage(Bench& bench, QWidget* parent)
     : QWidget(parent), bench_(bench), least_(new ChoiceBox), table_(new QTableWidget{0, kColumns}) {
+    setObjectName("messages_page");
     least_->addItems({tr("All"), tr("Warnings and alarms"), tr("Alarms")});
     least_->setAccessibleName(tr("Which messages are shown"));
     connect(least_, &QComboBox::currentIndexChanged, this, [this] { filter(); });
@@ -53,6 +61,17 @@ MessagesPage::MessagesPage(Bench& bench, QWidget* parent)
     head->addWidget(role_label("label", tr("Show")));
     head->addWidget(least_);
     head->addStretch();
+    auto* save = new QPushButton{tr("Save log…")};
+    save->setObjectName("save_log");
+    save->setFocusPolicy(Qt::TabFocus);
+    auto* bundle = new QPushButton{tr("Support bundle…")};
+    bundle->setObjectName("save_bundle");
+    bundle->setFocusPolicy(Qt::TabFocus);
+    bundle->setToolTip(tr("Profile, log, snapshot of job and status, versions: for whoever helps"));
+    connect(save, &QPushButton::clicked, this, [this] { choose_log(); });
+    connect(bundle, &QPushButton::clicked, this, [this] { choose_bundle(); });
+    head->addWidget(save);
+    head->addWidget(bundle);
     auto* all = new QVBoxLayout{this};
     all->setContentsMargins(kGap, kGap, kGap, kGap);
     all->addLayout(head);
@@ -71,7 +90,57 @@ void MessagesPage::set_theme(const Tokens& tokens) {
     refresh();
 }
 
+void MessagesPage::choose_log() {
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Save the log"), "psicarve.log", tr("Text (*.log *.txt)"),
+                                     nullptr, QFileDialog::DontUseNativeDialog);
+    if (!path.isEmpty()) save_log(path);
+}
+
+void MessagesPage::choose_bundle() {
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, tr("Folder for the support bundle"), QDir::homePath(),
+                                          QFileDialog::ShowDirsOnly | QFileDialog::DontUseNativeDialog);
+    if (!folder.isEmpty()) save_bundle(folder);
+}
+
+void MessagesPage::save_log(const QString& path) {
+    lane_.post([this, path = path.toStdString(), text = session::log_text(bench_.log.messages())] {
+        const auto saved = write_file_atomically(path, std::as_bytes(std::span{text}));
+        return told(saved, session::phrase("Log saved: %1", path));
+    });
+}
+
+void MessagesPage::save_bundle(const QString& folder) {
+    session::SupportBundle bundle;
+    bundle.messages = session::log_text(bench_.log.messages());
+    bundle.log_folder = bench_.keeper.folder();
+    bundle.profile = bench_.machine.sight().profile;
+    bundle.versions = std::string{"psicarve   " PSICARVE_VERSION "\nlayout     "} +
+                      std::to_string(kLayoutVersion) + "\nQt         " + qVersion() + "\n" +
+                      session::system_text();
+    bundle.segment_name = bench_.machine.options().segment_name;
+    bundle.group = bench_.machine.options().group;
+    const std::string stamp = QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss").toStdString();
+    lane_.post([this, bundle, stamp, folder = folder.toStdString()] {
+        const auto made = session::write_support_bundle(bundle, folder, stamp);
+        return told(made ? Result<void>{} : Result<void>{made.error()},
+                    session::phrase("Support bundle: %1", made ? *made : std::string{}));
+    });
+}
+
+session::WorkLane::Finish MessagesPage::told(const Result<void>& done, const session::Phrase& success) {
+    return [this, success, why = done ? std::string{} : done.error().message] {
+        if (why.empty()) {
+            bench_.log.add(Severity::info, success);
+        } else {
+            bench_.log.add(Severity::warning, session::phrase("Not saved: %1", why));
+        }
+    };
+}
+
 void MessagesPage::refresh() {
+    lane_.deliver();
     const auto& messages = bench_.log.messages();
     if (tokens_ == nullptr || shown_count_ == bench_.log.count()) return;
     const auto fresh = static_cast<std::size_t>(bench_.log.count() - shown_count_);

@@ -4,8 +4,10 @@
 #include <QCoreApplication>
 #include <QWidget>
 
+#include "hmi/session/work_lane.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "shared/result.hpp"
 
 class QComboBox;
 class QTableWidget;
@@ -20,8 +22,16 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
+    /// All messages of this window, as text.
+    void save_log(const QString& path);
+    /// Profile, log, snapshot and versions, in a new folder below this one.
+    void save_bundle(const QString& folder);
 
 private:
+    void choose_log();
+    void choose_bundle();
+    session::WorkLane::Finish told(const Result<void>& done, const session::Phrase& success);
+
     void add(const session::Message& message);
     void filter();
     static QString name_of_severity(session::Severity severity);
@@ -31,6 +41,7 @@ private:
     std::uint64_t shown_count_ = 0;
     QComboBox* least_;
     QTableWidget* table_;
+    session::WorkLane lane_;  // last: its tasks use the others
 };
 
 }  // namespace psicarve::ui

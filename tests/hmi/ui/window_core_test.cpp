@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <QDialog>
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTabWidget>
 
+#include "hmi/ui/messages_page.hpp"
+#include "hmi/ui/report_dialog.hpp"
 #include "hmi/ui/strip.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 
@@ -35,6 +42,10 @@ protected:
         ASSERT_TRUE(comes_to(S::ready));
         ASSERT_TRUE(click("start"));
         ASSERT_TRUE(comes_to(S::carving));
+    }
+    QByteArray content_of(const char* name) const {
+        QFile saved{QString::fromStdString(file(name))};
+        return saved.open(QIODevice::ReadOnly) ? saved.readAll() : QByteArray{};
     }
     const session::MachineSight& sight() { return window_->bench().machine.sight(); }
 };
@@ -90,6 +101,53 @@ TEST_F(WindowOnCore, CarvesLayerAfterLayer) {
         EXPECT_EQ(sight().status->points_done, static_cast<std::uint64_t>(carved) * 201);
     }
     take_picture("one_layer_light");
+}
+
+TEST_F(WindowOnCore, KeepsALogSavesABundleAndReportsTheRun) {
+    start_core();
+    open_window();
+    EXPECT_FALSE(button("report_button").isEnabled());
+    Snapshot snapshot;
+    snapshot.job_blob = job_blob_from_table(two_process::lobed_job(3, 40));
+    ASSERT_TRUE(save_snapshot(snapshot, file("short.job")));
+    window_->open(QString::fromStdString(file("short.job")));
+    ASSERT_TRUE(comes_to(DeskState::job));
+    EXPECT_EQ(button("report_button").toolTip(), "Report: no job was started");
+    window_->bench().desk.publish();
+    ASSERT_TRUE(comes_to(DeskState::published));
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    ASSERT_TRUE(click("start"));
+    ASSERT_TRUE(comes_true([&] { return window_->bench().runs.is_over(); })) << all_messages().toStdString();
+    ASSERT_TRUE(click("report_button"));
+    auto* const report = static_cast<ReportDialog*>(window_->findChild<QDialog*>("report"));
+    ASSERT_NE(report, nullptr);
+    report->grab().save(QString::fromLatin1(PSICARVE_BIN) + "/../screenshots/report_light.png");
+    report->save(QString::fromStdString(file("report.json")));
+    const QByteArray json = content_of("report.json");
+    const QJsonObject object = QJsonDocument::fromJson(json).object();
+    EXPECT_EQ(object["layers"].toInt(), 3) << json.toStdString();
+    EXPECT_GT(object["carve_seconds"].toDouble(), 0.0);
+    EXPECT_GT(object["reference_seconds"].toDouble(), 0.0);
+    EXPECT_EQ(object["pulses"].toObject()["psi"].toInteger(),
+              static_cast<qint64>(sight().status->emitted_pulses[index_of(Axis::psi)]));
+    EXPECT_TRUE(object["verified"].isNull());
+    auto* const page = static_cast<MessagesPage*>(window_->findChild<QWidget*>("messages_page"));
+    page->save_log(QString::fromStdString(file("saved.log")));
+    page->save_bundle(QString::fromStdString(file("")));
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("Support bundle: "); }))
+        << all_messages().toStdString();
+    EXPECT_TRUE(content_of("saved.log").contains("Job no. 1 accepted"));
+    const QDir bundle{
+        QDir{QString::fromStdString(file(""))}.entryInfoList({"psicarve-support-*"}).front().filePath()};
+    for (const char* name :
+         {"messages.txt", "profile.toml", "snapshot.psi", "versions.txt", "psicarve-hmi.log"})
+        EXPECT_TRUE(bundle.exists(name)) << name;
+    const auto saved = load_snapshot(bundle.filePath("snapshot.psi").toStdString());
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->job_blob, snapshot.job_blob);
+    window_.reset();
+    EXPECT_TRUE(content_of("state/psicarve/psicarve-hmi.log").contains("Report saved"));
 }
 
 TEST_F(WindowOnCore, TakesAModelFromItsFileToACarvedPiece) {

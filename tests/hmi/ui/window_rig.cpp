@@ -32,6 +32,7 @@ private:
 }  // namespace
 
 WindowRig::WindowRig() {
+    qputenv("XDG_STATE_HOME", QByteArray::fromStdString(file("state")));
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, QString::fromStdString(file("settings")));
 }
 

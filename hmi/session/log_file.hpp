@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "hmi/session/message_log.hpp"
+#include "hmi/session/work_lane.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::session {
+
+/// "2026-11-21T14:58:07.123Z alarm   Limit switch R2 closed: Clear switch R2", in English: for whoever helps.
+std::string log_line(const Message& message);
+std::string log_text(const std::deque<Message>& messages);
+
+/// Where programs of this user keep what they noted: $XDG_STATE_HOME/psicarve, or ~/.local/state/psicarve.
+/// Empty when neither is known.
+std::string state_folder(const char* xdg_state_home, const char* home);
+
+/// A file that lines are added to. When it is full it becomes FILE.1, and FILE.1 becomes FILE.2; what was
+/// FILE.2 is gone.
+class LogFile {
+public:
+    static constexpr std::uintmax_t kMostBytes = 1'000'000;
+    static constexpr int kOldFiles = 2;
+
+    explicit LogFile(std::string path, std::uintmax_t most_bytes = kMostBytes)
+        : path_(std::move(path)), most_bytes_(most_bytes) {}
+    /// Makes the folder when it is not there.
+    Result<void> add(const std::string& lines);
+    const std::string& path() const noexcept { return path_; }
+
+private:
+    std::string path_;
+    std::uintmax_t most_bytes_;
+};
+
+/// Carries every new message into the log file, on a thread of its own: a slow disk delays nobody.
+class LogKeeper {
+public:
+    /// An empty folder keeps nothing.
+    explicit LogKeeper(const std::string& folder);
+    /// Writes what is left.
+    ~LogKeeper();
+    /// Says once when the file cannot be written.
+    void poll(MessageLog& log);
+    /// Empty: nothing is kept.
+    const std::string& folder() const noexcept { return folder_; }
+
+private:
+    Result<void> flush();
+
+    std::string folder_;
+    LogFile file_;
+    std::mutex mutex_;
+    std::string pending_;  ///< guarded by mutex_
+    std::uint64_t seen_ = 0;
+    bool has_complained_ = false;
+    std::optional<WorkLane> lane_;
+};
+
+}  // namespace psicarve::session

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/run_watch.hpp"
+
+#include <string>
+
+#include "hmi/session/display_text.hpp"
+
+namespace psicarve::session {
+namespace {
+
+using S = MachineState;
+
+bool is_running(S state) {
+    return state == S::positioning || state == S::waiting || state == S::carving || state == S::holding ||
+           state == S::held || state == S::finishing || state == S::stopping;
+}
+
+Phrase how_it_went(const machine::RunFigures& figures, const CoreStatus& after, bool is_over,
+                   std::uint32_t layer_count) {
+    if (!is_over) return phrase("under way");
+    if (!figures.alarms.empty()) return phrase("ended by an alarm");
+    if (figures.is_complete) return phrase("carved to the last point");
+    return phrase("ended at layer %1 of %2", std::to_string(after.layer + 1), std::to_string(layer_count));
+}
+
+Phrase time_or_none(const std::optional<double>& seconds) {
+    return seconds ? phrase("%1", clock_text(*seconds)) : phrase("not known");
+}
+
+}  // namespace
+
+void RunWatch::note(const MachineSight& machine, Clock::time_point now) {
+    if (!machine.status || !machine.is_heard()) return;
+    const CoreStatus& status = *machine.status;
+    if (machine.core_pid != core_pid_) {
+        core_pid_ = machine.core_pid;
+        run_.reset();
+        last_.reset();
+    }
+    const std::uint64_t seen_start = run_ ? run_->after.job_start_tick : 0;
+    if (status.job_start_tick != 0 && status.job_start_tick != seen_start) begin(status, now);
+    if (run_ && !is_over_) {
+        run_->after = status;
+        run_->wall_seconds = std::chrono::duration<double>(now - began_).count();
+        is_over_ = !is_running(status.state);
+    }
+    last_ = status;
+}
+
+void RunWatch::begin(const CoreStatus& status, Clock::time_point now) {
+    run_.emplace();
+    run_->has_started = true;
+    // A run that had begun before anybody looked: what was before it cannot be told from what came since.
+    run_->before = last_.value_or(status);
+    run_->before.tick = status.job_start_tick;
+    is_over_ = false;
+    began_ = now;
+}
+
+std::vector<ReportRow> run_rows(const machine::JobRun& run, bool is_over, std::uint32_t layer_count) {
+    const machine::RunFigures figures = machine::figures_of(run);
+    std::vector<ReportRow> rows{
+        {phrase("Result"), how_it_went(figures, run.after, is_over, layer_count)},
+        {phrase("Carving time"), time_or_none(figures.carve_seconds)},
+        {phrase("Total time"), phrase("%1", clock_text(figures.total_seconds))},
+        {phrase("Reference time (T_ref)"), time_or_none(figures.reference_seconds)}};
+    for (const Axis axis : kAllAxes) {
+        rows.push_back({phrase("Pulses of %1", axis_letter(axis)),
+                        phrase("%1", count_text(static_cast<std::int64_t>(figures.pulses[index_of(axis)])))});
+    }
+    rows.push_back(
+        {phrase("Missed ticks"), phrase("%1", count_text(static_cast<std::int64_t>(figures.missed_ticks)))});
+    rows.push_back({phrase("Alarms"), phrase("%1", std::to_string(figures.alarms.size()))});
+    rows.push_back({phrase("Verified"), phrase("not by the window; psicarve carve does")});
+    return rows;
+}
+
+}  // namespace psicarve::session

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include "hmi/machine/job_run.hpp"
+#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/phrase.hpp"
+
+namespace psicarve::session {
+
+/// The run of a job, as a window sees it go by: from its start to its end, and nothing of what comes after.
+class RunWatch {
+public:
+    using Clock = std::chrono::steady_clock;
+
+    /// At every look at the machine.
+    void note(const MachineSight& machine, Clock::time_point now);
+    /// The last run, also while it goes on; nothing when this core has started none.
+    const std::optional<machine::JobRun>& run() const noexcept { return run_; }
+    bool is_over() const noexcept { return is_over_; }
+
+private:
+    void begin(const CoreStatus& status, Clock::time_point now);
+
+    std::optional<machine::JobRun> run_;
+    std::optional<CoreStatus> last_;
+    std::uint32_t core_pid_ = 0;
+    bool is_over_ = false;
+    Clock::time_point began_{};
+};
+
+/// One line of a run's report.
+struct ReportRow {
+    Phrase name;
+    Phrase value;
+};
+std::vector<ReportRow> run_rows(const machine::JobRun& run, bool is_over, std::uint32_t layer_count);
+
+}  // namespace psicarve::session

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::session {
+
+/// What somebody needs who is to find out what went wrong.
+struct SupportBundle {
+    std::string messages;            ///< of this window
+    std::string log_folder;          ///< whose log files are copied; empty: none
+    std::optional<Profile> profile;  ///< the machine's, as far as it is known
+    std::string versions;            ///< of the programs and what they run on
+    std::string segment_name;
+    std::string group;
+};
+
+/// Makes `folder`/psicarve-support-`stamp` with messages.txt, the log files, profile.toml, snapshot.psi (job,
+/// status and flight recorder of the segment) and versions.txt, and tells its path. What cannot be had is
+/// named in versions.txt. May take seconds.
+Result<std::string> write_support_bundle(const SupportBundle& bundle, const std::string& folder,
+                                         const std::string& stamp);
+
+/// Kernel and machine, a line each.
+std::string system_text();
+
+}  // namespace psicarve::session

@@ -19,7 +19,7 @@ namespace psicarve::ui {
 namespace {
 
 enum Column { kPin, kSignal, kRegister, kWay, kLevel, kColumns };
-constexpr std::array<int, kColumns> kWidths{34, 116, 90, 32, 58};
+constexpr std::array<int, kColumns> kWidths{34, 122, 96, 50, 84};
 constexpr int kMostRowHeight_px = 22;
 constexpr int kLeastRowHeight_px = 16;
 constexpr int kHeadHeight_px = 24;

@@ -137,7 +137,7 @@ TEST_F(ByHand, HomesTheSelectedAxisAlone) {
          {std::pair{"axis_r2", 0b0010}, {"axis_r1", 0b0011}, {"axis_psi", 0b0111}}) {
         select(row);
         ASSERT_TRUE(click("home_one"));
-        ASSERT_TRUE(comes_true([&] {
+        ASSERT_TRUE(comes_true([&, mask = mask] {
             return sight().status->homed_mask == mask && sight().state() == S::off;
         })) << row
             << all_messages().toStdString();

@@ -87,6 +87,20 @@ TEST_F(Machine, CarvesStepByStep) {
     EXPECT_EQ(status["alarm_cause"], nullptr);
 }
 
+TEST_F(Machine, CarvesOneLayerAlone) {
+    start_core();
+    ASSERT_EQ(run({"publish", job("3", "9")}).exit_code, 0);
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    const Outcome too_many = run({"start", "--from-layer", "2", "--layers", "2"});
+    EXPECT_EQ(too_many.exit_code, 4);
+    EXPECT_NE(too_many.error.find("not so many layers"), std::string::npos) << too_many.error;
+    ASSERT_EQ(run({"start", "--from-layer", "1", "--layers", "1", "--carve"}).exit_code, 0);
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::ready; }));
+    const auto status = run({"status", "--json"}).json();
+    EXPECT_EQ(status["points_done"], 18);
+    EXPECT_EQ(status["layer"], 1);
+}
+
 TEST_F(Machine, OverrideIsShownByTheStatusUntilAnotherJobIsPublished) {
     start_core();
     EXPECT_EQ(run({"override", "80"}).out, "override: 80 % of the planned feed; the machine is off\n");

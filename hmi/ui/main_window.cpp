@@ -8,6 +8,8 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QMimeData>
+#include <QResizeEvent>
+#include <QScrollArea>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QUrl>
@@ -28,6 +30,7 @@
 #include "hmi/ui/position_panel.hpp"
 #include "hmi/ui/profile_page.hpp"
 #include "hmi/ui/realtime_page.hpp"
+#include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/strip.hpp"
 #include "hmi/ui/words.hpp"
 
@@ -37,10 +40,8 @@ namespace {
 using S = MachineState;
 
 constexpr std::chrono::milliseconds kFrame{33};
-constexpr int kLeftWidth = 256;
-constexpr int kRightWidth = 264;
 constexpr QSize kUsualSize{1280, 720};
-constexpr QSize kLeastSize{1100, 660};
+constexpr QSize kLeastSize{640, 360};
 
 /// At rest with a job under way is not at rest for somebody who walks away.
 bool is_under_way(const session::MachineSight& sight) {
@@ -59,19 +60,13 @@ MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing)
     position_ = new PositionPanel{bench_};
     jog_ = new JogPanel{bench_};
     job_ = new JobPanel{bench_};
-    auto* left = new QVBoxLayout;
-    left->setSpacing(kGap);
-    left->addWidget(position_);
-    left->addWidget(jog_, 1);
-    position_->setFixedWidth(kLeftWidth);
-    jog_->setFixedWidth(kLeftWidth);
-    job_->setFixedWidth(kRightWidth);
+    sides_ = std::make_unique<SidePanels>(bench_, position_, jog_, job_);
     auto* middle = new QHBoxLayout;
     middle->setContentsMargins(kGap, kGap, kGap, kGap);
     middle->setSpacing(kGap);
-    middle->addLayout(left);
+    middle->addWidget(&sides_->left());
     middle->addWidget(make_centre(), 1);
-    middle->addWidget(job_);
+    middle->addWidget(&sides_->right());
     auto* whole = new QWidget;
     whole->setObjectName("window");
     whole->setAttribute(Qt::WA_StyledBackground);
@@ -121,7 +116,13 @@ QWidget* MainWindow::make_centre() {
                                                 realtime_, messages_, profile_};
     for (QWidget* page : pages) tabs_->addTab(page, QString{});
     name_tabs();
-    inside->addWidget(tabs_);
+    // In a small window pages may be larger than their room.
+    auto* room = new QScrollArea;
+    room->setObjectName("pages");
+    room->setWidgetResizable(true);
+    room->setFrameShape(QFrame::NoFrame);
+    room->setWidget(tabs_);
+    inside->addWidget(room);
     column->addWidget(frame, 1);
     return centre;
 }
@@ -169,7 +170,8 @@ void MainWindow::make_status_bar() {
 void MainWindow::set_theme(ThemeChoice choice) {
     settings_.set_theme(choice);
     const Tokens& tokens = tokens_of(theme_of(choice));
-    setStyleSheet(style_sheet(tokens));
+    setStyleSheet(style_sheet(tokens, room_in(size()) == Room::wide));
+    sides_->buttons().set_theme(tokens);
     strip_->set_theme(tokens);
     position_->set_theme(tokens);
     jog_->set_theme(tokens);
@@ -190,6 +192,7 @@ void MainWindow::refresh() {
     position_->refresh();
     jog_->refresh();
     job_->refresh();
+    sides_->buttons().refresh();
     banner_->refresh();
     model_->refresh();
     layers_->refresh();
@@ -238,6 +241,16 @@ void MainWindow::changeEvent(QEvent* event) {
     // A jog ends when the hand may be elsewhere.
     if (event->type() == QEvent::ActivationChange && !isActiveWindow() && ports_ != nullptr) let_go();
     QMainWindow::changeEvent(event);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    const Room room = room_in(event->size());
+    strip_->set_room(room);
+    if (sides_->arrange(room)) {
+        jog_->let_go();
+        setStyleSheet(style_sheet(tokens_of(theme_of(settings_.theme())), room == Room::wide));
+    }
+    QMainWindow::resizeEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -30,6 +30,7 @@ class PortsPage;
 class PositionPanel;
 class ProfilePage;
 class RealtimePage;
+class SidePanels;
 class Strip;
 
 /// What is to become of a machine that moves when the window closes.
@@ -58,6 +59,7 @@ protected:
     void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     class EmergencyKey;
@@ -82,6 +84,7 @@ private:
     PositionPanel* position_ = nullptr;
     JogPanel* jog_ = nullptr;
     JobPanel* job_ = nullptr;
+    std::unique_ptr<SidePanels> sides_;
     AlarmBanner* banner_ = nullptr;
     QTabWidget* tabs_ = nullptr;
     ModelPage* model_ = nullptr;

@@ -17,6 +17,9 @@
 namespace psicarve::ui {
 namespace {
 
+constexpr int kWideStripHeight = 72;
+constexpr QSize kEmergency{200, 56};
+constexpr QSize kWideEmergency{232, 60};
 constexpr int kStripHeight = 64;
 constexpr int kEmergencyIcon = 28;
 constexpr int kHeartWidth = 116;
@@ -77,7 +80,7 @@ Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
     progress_->setTextVisible(false);
     progress_->setAccessibleName(tr("Progress"));
     emergency_->setProperty("estop", true);
-    emergency_->setFixedSize(200, 56);
+    emergency_->setFixedSize(kEmergency);
     emergency_->setFocusPolicy(Qt::TabFocus);
     emergency_->setAccessibleName(tr("Emergency stop"));
     add_words(*emergency_, emergency_icon_, tr("EMERGENCY STOP"), tr("F1 · works everywhere"));
@@ -108,6 +111,16 @@ void Strip::set_theme(const Tokens& tokens) {
     menu_button_->setIcon(glyph_icon(Glyph::menu, tokens.text, tokens.dis));
     emergency_icon_->setPixmap(glyph_pixmap(Glyph::octagon, kEmergencyIcon, tokens.on_fill));
     refresh();
+}
+
+void Strip::set_room(Room room) {
+    const bool is_wide = room == Room::wide;
+    setFixedHeight(is_wide ? kWideStripHeight : kStripHeight);
+    emergency_->setFixedSize(is_wide ? kWideEmergency : kEmergency);
+    // The state's word says as much where room is short.
+    for (QWidget* widget :
+         {static_cast<QWidget*>(heart_), static_cast<QWidget*>(tick_), static_cast<QWidget*>(missed_)})
+        widget->setVisible(room != Room::small);
 }
 
 void Strip::emergency_stop() {

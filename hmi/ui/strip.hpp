@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "hmi/ui/bench.hpp"
+#include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/tokens.hpp"
 
 class QLabel;
@@ -25,6 +26,7 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
+    void set_room(Room room);
     /// Acts at once, whatever the machine does; also when no core is there to hear it.
     void emergency_stop();
     QPushButton& emergency_button() noexcept { return *emergency_; }

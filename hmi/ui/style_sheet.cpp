@@ -70,6 +70,8 @@ QFrame[invalid="true"] { background: @alarm_ground; }
 QLabel[role="problem"] { color: @alarm; font-size: 12px; }
 QScrollArea, #profile_sheet { background: @field; border: 1px solid @line; }
 #profile_sheet { border: 0; }
+#pages, #side_pages QScrollArea { background: @panel; border: 0; }
+#pages > QWidget, #pages QStackedWidget, #side_pages QScrollArea > QWidget { background: @panel; }
 QListWidget { background: @field; border: 1px solid @line; }
 QListWidget::item { padding: 6px 8px; }
 QListWidget::item:selected { background: @sel; color: @text; font-weight: 700; }
@@ -99,9 +101,18 @@ QToolTip { background: @field; color: @text; border: 1px solid @edge; padding: 3
 #banner { background: @alarm_ground; border: 2px solid @alarm; border-radius: 4px; }
 )";
 
+// For a hand that stands further off.
+constexpr const char* kWideSheet = R"(
+QLabel[role="digits"] { font-size: 36px; }
+QPushButton { min-height: 34px; }
+QPushButton[key="true"] { min-height: 50px; }
+QPushButton[main="true"], QPushButton[strong="true"] { min-height: 46px; }
+QTableView::item, QTableWidget::item { padding: 2px 0; }
+)";
+
 }  // namespace
 
-QString style_sheet(const Tokens& tokens) {
+QString style_sheet(const Tokens& tokens, bool is_wide) {
     // Longer names first: @warn is the beginning of @warn_fill.
     const std::pair<const char*, QColor> colours[] = {{"@alarm_ground", tokens.alarm_ground},
                                                       {"@alarm_fill", tokens.alarm_fill},
@@ -123,7 +134,7 @@ QString style_sheet(const Tokens& tokens) {
                                                       {"@edge", tokens.edge},
                                                       {"@dis", tokens.dis},
                                                       {"@win", tokens.win}};
-    QString sheet = QString::fromLatin1(kSheet);
+    QString sheet = QString::fromLatin1(kSheet) + QString::fromLatin1(is_wide ? kWideSheet : "");
     for (const auto& [name, colour] : colours) sheet.replace(QLatin1String(name), colour.name());
     return sheet;
 }

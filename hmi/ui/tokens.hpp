@@ -24,6 +24,7 @@ QColor fill_of(const Tokens& tokens, session::Tone tone);
 QColor ink_of(const Tokens& tokens, session::Tone tone);
 
 /// The whole window's style sheet.
-QString style_sheet(const Tokens& tokens);
+/// Of a wide window: larger digits and buttons.
+QString style_sheet(const Tokens& tokens, bool is_wide = false);
 
 }  // namespace psicarve::ui

@@ -7,6 +7,8 @@
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QStackedWidget>
+#include <QTabBar>
 
 #include <algorithm>
 
@@ -71,6 +73,40 @@ TEST_F(Window, FitsItsSmallestScreenInBothThemes) {
         EXPECT_LE(window_->minimumSizeHint().height(), 720);
     }
     take_picture("no_core_dark");
+}
+
+// 1280 x 720 at 200 %: what must be seen is seen, everything else is a page or can be scrolled to.
+TEST_F(Window, KeepsItsSafetyOnAVerySmallScreen) {
+    open_window();
+    window_->resize(640, 360);
+    QApplication::processEvents();
+    EXPECT_EQ(window_->size(), QSize(640, 360));
+    const QRect screen{0, 0, 640, 360};
+    const auto place_of = [&](const QWidget& widget) {
+        return QRect{widget.mapTo(window_.get(), QPoint{0, 0}), widget.size()};
+    };
+    auto& strip = *static_cast<Strip*>(window_->findChild<QWidget*>("strip"));
+    EXPECT_TRUE(screen.contains(place_of(strip.emergency_button())));
+    for (const QAbstractButton* motion :
+         window_->findChild<QWidget*>("motion")->findChildren<QAbstractButton*>())
+        EXPECT_TRUE(motion->isVisible() && screen.contains(place_of(*motion)))
+            << motion->text().toStdString();
+    take_picture("smallest_light");
+    auto* const names = window_->findChild<QTabBar*>("side_names");
+    auto* const pages = window_->findChild<QStackedWidget*>("side_pages");
+    for (int i = 0; i < names->count(); ++i) {
+        names->setCurrentIndex(i);
+        EXPECT_EQ(pages->currentIndex(), i);
+    }
+    window_->resize(1920, 1080);
+    QApplication::processEvents();
+    EXPECT_FALSE(pages->isVisible());
+    EXPECT_TRUE(button("start").isVisible());
+    take_picture("wide_light");
+    window_->resize(1280, 720);
+    QApplication::processEvents();
+    take_picture("usual_again_light");
+    EXPECT_TRUE(button("start").isVisible());
 }
 
 TEST_F(Window, RemembersItsThemeAndItsFilesAndDoesNotMoveAnything) {

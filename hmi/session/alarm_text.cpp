@@ -48,9 +48,18 @@ Phrase limit_detail(const MachineSight& machine, Axis axis) {
         letter, position_of(machine, axis), number_text(switch_mm, 2));
 }
 
+/// The one axis whose position is not certain any more, or all.
+Phrase home_step(const MachineSight& machine) {
+    std::vector<Axis> unsure;
+    for (const Axis axis : kAllAxes) {
+        if (!machine.is_homed(axis)) unsure.push_back(axis);
+    }
+    return unsure.size() == 1 ? phrase("Home %1", axis_letter(unsure.front())) : phrase("Home all");
+}
+
 void add_way_back(const MachineSight& machine, AlarmText& text) {
     text.steps.push_back(phrase("Reset alarm"));
-    text.steps.push_back(phrase("Home all"));
+    text.steps.push_back(home_step(machine));
     const CoreStatus& status = *machine.status;
     if (status.points_done > 0 && status.points_done < status.points_total)
         text.steps.push_back(phrase("From layer %1", std::to_string(status.layer + 1)));

@@ -35,6 +35,14 @@ TEST(AlarmText, NamesTheSwitchTheAxisAndTheRemedy) {
               "Limit switch Y closed (lower end, pin 10)");
 }
 
+TEST(AlarmText, SaysWhichAxisToHomeWhenItIsOne) {
+    MachineSight machine = limit_alarm(Axis::r2);
+    machine.status->homed_mask = 0b1101;  // all but R2
+    EXPECT_EQ(in_english(alarm_text(machine).steps[2]), "Home R2");
+    machine.status->homed_mask = 0b0101;  // Y neither
+    EXPECT_EQ(in_english(alarm_text(machine).steps[2]), "Home all");
+}
+
 TEST(AlarmText, GivesEveryCauseATitleAndAWayOut) {
     for (std::uint8_t i = 1; i < kAlarmCauseCount; ++i) {
         MachineSight machine = limit_alarm(Axis::psi);

@@ -9,6 +9,7 @@
 
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/model/load_mesh.hpp"
+#include "hmi/session/warning_phrase.hpp"
 #include "shared/snapshot_file.hpp"
 
 namespace psicarve::session {
@@ -125,7 +126,7 @@ void JobDesk::take_opened(const std::string& path, Opened opened) {
     resting_state_ = DeskState::model;
     log_.add(Severity::info, phrase("Opened %1", std::filesystem::path{path}.filename().string()));
     if (opened.job) return take_job(std::move(opened.job), 0);
-    for (const std::string& warning : mesh_->warnings) log_.add(Severity::warning, phrase("%1", warning));
+    for (const std::string& warning : mesh_->warnings) log_.add(Severity::warning, warning_phrase(warning));
     ++edition_;
 }
 
@@ -151,7 +152,7 @@ void JobDesk::take_job(JobPointer job, std::uint64_t generation) {
     generation_ = generation;
     resting_state_ = DeskState::job;
     ++edition_;
-    for (const std::string& warning : job_->warnings) log_.add(Severity::warning, phrase("%1", warning));
+    for (const std::string& warning : job_->warnings) log_.add(Severity::warning, warning_phrase(warning));
     for (const std::string& note : job_->notes) log_.add(Severity::info, phrase("%1", note));
     log_.add(Severity::info, phrase("Job: %1 × %2 points", std::to_string(job_->view.layer_count()),
                                     std::to_string(job_->view.point_count())));

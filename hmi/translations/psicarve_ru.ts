@@ -56,8 +56,24 @@
             <translation>нет: %1</translation>
         </message>
         <message>
+            <source>%1 of %2 layers do not contain the axis.</source>
+            <translation>Слоёв, не содержащих ось: %1 из %2.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 layers do not contain the axis. With Axis at: least lost, %3 of the surface and %4 of the layers would be lost.</source>
+            <translation>Слоёв, не содержащих ось: %1 из %2. С «Ось проходит: мин. потеря» потеря составит %3 поверхности и %4 слоёв.</translation>
+        </message>
+        <message>
             <source>%1 of %2 pass</source>
             <translation>пройдено %1 из %2</translation>
+        </message>
+        <message>
+            <source>%1 of the surface lies behind another part and cannot be reached.</source>
+            <translation>%1 поверхности заслонено другой частью и недостижимо.</translation>
+        </message>
+        <message>
+            <source>%1 of the surface lies behind another part and cannot be reached. With Axis at: least lost, %2 of the surface and %3 of the layers would be lost.</source>
+            <translation>%1 поверхности заслонено другой частью и недостижимо. С «Ось проходит: мин. потеря» потеря составит %2 поверхности и %3 слоёв.</translation>
         </message>
         <message>
             <source>%1 planned</source>
@@ -1563,6 +1579,10 @@ F12  этот список</translation>
             <translation>Кнопка аварийного останова всё ещё нажата</translation>
         </message>
         <message>
+            <source>The file ends without endsolid.</source>
+            <translation>Файл кончается без endsolid.</translation>
+        </message>
+        <message>
             <source>The gap between two step pulses lasts at least this long.</source>
             <translation>Промежуток между шаговыми импульсами длится не меньше.</translation>
         </message>
@@ -1595,8 +1615,20 @@ F12  этот список</translation>
             <translation>Профиль станка здесь неизвестен: выводы взяты из встроенного профиля.</translation>
         </message>
         <message>
+            <source>The mesh is open at %1 of the samples; what is missing there is carved down to what lies behind it, or to the core.</source>
+            <translation>Сетка открыта в %1 отсчётах; недостающее там вырезается до того, что лежит за ним, или до сердцевины.</translation>
+        </message>
+        <message>
             <source>The model in space</source>
             <translation>Модель в пространстве</translation>
+        </message>
+        <message>
+            <source>The model is only %1 mm high: are its units inches or metres? Height makes it larger.</source>
+            <translation>Высота модели всего %1 mm: её единицы — дюймы или метры? Увеличьте её через «Высота».</translation>
+        </message>
+        <message>
+            <source>The model stands so far from its file's origin that its coordinates are rounded to %1 mm, more than a pulse (%2 mm): move it to the origin before it is exported.</source>
+            <translation>Модель стоит так далеко от начала координат файла, что её координаты округлены до %1 mm, больше импульса (%2 mm): перенесите её к началу перед экспортом.</translation>
         </message>
         <message>
             <source>The old file is kept as a backup. A core takes a profile when it starts.</source>

@@ -56,8 +56,24 @@
             <translation>%1 未回零</translation>
         </message>
         <message>
+            <source>%1 of %2 layers do not contain the axis.</source>
+            <translation>%2 层中有 %1 层不包含轴心。</translation>
+        </message>
+        <message>
+            <source>%1 of %2 layers do not contain the axis. With Axis at: least lost, %3 of the surface and %4 of the layers would be lost.</source>
+            <translation>%2 层中有 %1 层不包含轴心。若“轴心位于”选“损失最少”，将损失 %3 的表面和 %4 的层。</translation>
+        </message>
+        <message>
             <source>%1 of %2 pass</source>
             <translation>%2 项中 %1 项通过</translation>
+        </message>
+        <message>
+            <source>%1 of the surface lies behind another part and cannot be reached.</source>
+            <translation>%1 的表面位于其他部分之后，无法到达。</translation>
+        </message>
+        <message>
+            <source>%1 of the surface lies behind another part and cannot be reached. With Axis at: least lost, %2 of the surface and %3 of the layers would be lost.</source>
+            <translation>%1 的表面位于其他部分之后，无法到达。若“轴心位于”选“损失最少”，将损失 %2 的表面和 %3 的层。</translation>
         </message>
         <message>
             <source>%1 planned</source>
@@ -1558,6 +1574,10 @@ F12  此列表</translation>
             <translation>急停开关仍被按下</translation>
         </message>
         <message>
+            <source>The file ends without endsolid.</source>
+            <translation>文件结尾缺少 endsolid。</translation>
+        </message>
+        <message>
             <source>The gap between two step pulses lasts at least this long.</source>
             <translation>两个步进脉冲之间的间隔至少这么久。</translation>
         </message>
@@ -1590,8 +1610,20 @@ F12  此列表</translation>
             <translation>此处不知道机床配置：引脚按内置配置显示。</translation>
         </message>
         <message>
+            <source>The mesh is open at %1 of the samples; what is missing there is carved down to what lies behind it, or to the core.</source>
+            <translation>网格在 %1 个采样处是开口的；缺失处将雕刻到其后的表面或芯部。</translation>
+        </message>
+        <message>
             <source>The model in space</source>
             <translation>空间中的模型</translation>
+        </message>
+        <message>
+            <source>The model is only %1 mm high: are its units inches or metres? Height makes it larger.</source>
+            <translation>模型只有 %1 mm 高：单位是英寸或米吗？用“高度”放大。</translation>
+        </message>
+        <message>
+            <source>The model stands so far from its file's origin that its coordinates are rounded to %1 mm, more than a pulse (%2 mm): move it to the origin before it is exported.</source>
+            <translation>模型离文件原点太远，坐标被舍入到 %1 mm，超过一个脉冲（%2 mm）：导出前请移到原点。</translation>
         </message>
         <message>
             <source>The old file is kept as a backup. A core takes a profile when it starts.</source>

@@ -5,7 +5,9 @@
 
 #include <utility>
 
+#include "hmi/session/warning_phrase.hpp"
 #include "hmi/ui/icon.hpp"
+#include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -39,7 +41,7 @@ void WarningList::show_warnings(std::vector<std::string> warnings) {
 void WarningList::fill() {
     clear();
     for (const std::string& warning : warnings_) {
-        auto* item = new QListWidgetItem{QString::fromStdString(warning), this};
+        auto* item = new QListWidgetItem{words(session::warning_phrase(warning)), this};
         if (tokens_ != nullptr) item->setIcon(glyph_icon(Glyph::triangle, tokens_->warn, tokens_->warn));
     }
     setVisible(!warnings_.empty());

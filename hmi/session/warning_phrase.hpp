@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "hmi/session/phrase.hpp"
+
+namespace psicarve::session {
+
+/// A warning of the reader or the slicer, in words that can be translated and that name the window's fields
+/// where the command line has options. One that is not known stays as it is.
+Phrase warning_phrase(const std::string& warning);
+
+}  // namespace psicarve::session

@@ -80,6 +80,11 @@ void CarvingRecord::start_anew() {
     for (std::uint32_t layer = 0; layer < surface_.layer_count(); ++layer) note_change(layer);
 }
 
+void CarvingRecord::put(std::uint32_t layer, std::uint32_t cell, float radius_mm) {
+    surface_.put(layer, cell, radius_mm);
+    note_change(layer);
+}
+
 MachinePose CarvingRecord::pose(const verify::Positions& positions_pulses) const noexcept {
     const auto direction_rad = [&](std::size_t head) {
         return rad_from_pulses(geometry_.direction(head, positions_pulses[index_of(Axis::psi)]),

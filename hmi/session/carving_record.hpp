@@ -36,6 +36,8 @@ public:
     /// the next call.
     void take_as_planned(std::uint32_t layers_done, std::uint64_t most_cells = ~std::uint64_t{0});
     void start_anew();
+    /// Of a recording: a cell as it was, deeper or not.
+    void put(std::uint32_t layer, std::uint32_t cell, float radius_mm);
 
     /// Grows whenever something was carved.
     std::uint64_t edition() const noexcept { return edition_; }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <utility>
 
 #include "shared/signal.hpp"
 #include "shared/status.hpp"
@@ -26,6 +27,8 @@ public:
 
     void note(const CoreStatus& status, Clock::time_point now);
     void forget() noexcept;
+    /// Of a recording: these, oldest first.
+    void show(std::deque<Look> looks) noexcept { looks_ = std::move(looks); }
     /// Oldest first.
     const std::deque<Look>& looks() const noexcept { return looks_; }
 

@@ -47,10 +47,26 @@ bool fits(std::int64_t tick, std::uint64_t ticks_passed, std::int64_t period_ns,
 }  // namespace
 
 Result<std::unique_ptr<TraceReader>> BinaryReader::open(ByteSource source) {
+    auto reader = open_binary(std::move(source));
+    if (!reader) return reader.error();
+    return std::unique_ptr<TraceReader>(std::move(reader).value());
+}
+
+Result<std::unique_ptr<BinaryReader>> BinaryReader::open_binary(ByteSource source) {
     std::unique_ptr<BinaryReader> reader(new BinaryReader(std::move(source)));
     auto header = reader->read_header();
     if (!header) return header.error();
-    return std::unique_ptr<TraceReader>(std::move(reader));
+    return reader;
+}
+
+std::unique_ptr<BinaryReader> BinaryReader::resume(ByteSource source, const TraceStart& start,
+                                                   const Place& place) {
+    std::unique_ptr<BinaryReader> reader(new BinaryReader(std::move(source)));
+    reader->start_ = start;
+    reader->tick_ = place.tick;
+    reader->time_ns_ = place.time_ns;
+    reader->levels_ = place.levels;
+    return reader;
 }
 
 Result<void> BinaryReader::read_header() {

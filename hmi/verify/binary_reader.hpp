@@ -13,8 +13,24 @@ namespace psicarve::verify {
 /// Reads the compact binary trace of shared/trace_format.hpp.
 class BinaryReader final : public TraceReader {
 public:
+    /// Between two records: all that reading needs to go on from there.
+    struct Place {
+        std::uint64_t offset = 0;  ///< in the file
+        std::int64_t tick = 0;
+        std::int64_t time_ns = 0;
+        SignalWord levels = 0;
+    };
+
     /// Waits for the header and checks it.
     static Result<std::unique_ptr<TraceReader>> open(ByteSource source);
+    /// The same, for who wants to come back to a place.
+    static Result<std::unique_ptr<BinaryReader>> open_binary(ByteSource source);
+    /// Goes on from a place of the same file; the source stands there.
+    static std::unique_ptr<BinaryReader> resume(ByteSource source, const TraceStart& start,
+                                                const Place& place);
+
+    /// Behind the events that were returned.
+    Place place() const noexcept { return {source_.offset(), tick_, time_ns_, levels_}; }
 
     const TraceStart& start() const noexcept override { return start_; }
     Result<std::size_t> read(std::span<TraceEvent> events) override;

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kBufferBytes = std::size_t{256} * 1024;
 }
 
-ByteSource::ByteSource(int descriptor, std::string name)
-    : descriptor_(descriptor), name_(std::move(name)), buffer_(kBufferBytes) {}
+ByteSource::ByteSource(int descriptor, std::string name, std::uint64_t offset)
+    : descriptor_(descriptor), name_(std::move(name)), buffer_(kBufferBytes), offset_of_buffer_(offset) {}
 
 ByteSource::ByteSource(ByteSource&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)),

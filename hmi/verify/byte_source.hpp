@@ -14,7 +14,8 @@ namespace psicarve::verify {
 /// A file or pipe read through one buffer of fixed size. Owns the descriptor.
 class ByteSource {
 public:
-    ByteSource(int descriptor, std::string name);
+    /// `offset`: the place in the file at which the descriptor stands.
+    ByteSource(int descriptor, std::string name, std::uint64_t offset = 0);
     ~ByteSource();
     ByteSource(ByteSource&& other) noexcept;
     ByteSource(const ByteSource&) = delete;

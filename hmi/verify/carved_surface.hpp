@@ -52,6 +52,11 @@ public:
         reached_[index] = 1;
         is_touched_ = true;
     }
+    /// For who shows an earlier state again: the cell as it was then.
+    void put(std::uint32_t layer, std::uint32_t cell, float radius_mm) noexcept {
+        radius_mm_[std::size_t{layer} * direction_count() + cell] = radius_mm;
+        is_touched_ = true;
+    }
     /// How far from the wanted radius a tip came at a point; the deepest stays.
     void note_deviation(std::uint32_t layer, std::uint32_t cell, std::int64_t pulses) noexcept;
     /// A fresh blank.

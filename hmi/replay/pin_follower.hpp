@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hmi/verify/backlash.hpp"
+#include "hmi/verify/trace_reader.hpp"
+#include "shared/profile.hpp"
+#include "shared/signal.hpp"
+
+namespace psicarve::replay {
+
+/// What the pins alone say of one instant of a trace.
+struct PinMoment {
+    std::int64_t time_ns = 0;
+    SignalWord levels = 0;
+    std::array<std::int64_t, kAxisCount> position_pulses{};  ///< the tips', as the core counts them
+    std::array<std::uint64_t, kAxisCount> pulses{};          ///< since the trace began
+    std::uint32_t definitions = 0;                           ///< how often homing defined the positions
+
+    friend bool operator==(const PinMoment&, const PinMoment&) = default;
+};
+
+/// Follows a trace from event to event. What it is after an event depends on the events before alone.
+class PinFollower {
+public:
+    /// Backlash of this machine: pulses that only cross a gap move no tip.
+    PinFollower(const verify::TraceStart& start, const Profile& profile);
+
+    void take(const verify::TraceEvent& event) noexcept;
+    const PinMoment& moment() const noexcept { return moment_; }
+
+private:
+    void pulse(Axis axis) noexcept;
+
+    PinMoment moment_;
+    verify::Backlash backlash_;
+};
+
+}  // namespace psicarve::replay

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/replay/pin_looks.hpp"
+
+#include <algorithm>
+
+namespace psicarve::replay {
+namespace {
+
+using session::LevelHistory;
+
+constexpr std::int64_t kPause_ns = 20'000'000;
+constexpr std::int64_t kLength_ns = std::chrono::nanoseconds{LevelHistory::kLength}.count();
+/// Directions turn hundreds of times a second and are seen at the next look.
+constexpr SignalWord kSeldom = ~(kStepMask | kDirMask);
+
+}  // namespace
+
+Result<void> PinLooks::begin_at(std::int64_t time_ns) {
+    auto moment = cursor_.at(time_ns);
+    if (!moment) return moment.error();
+    looks_.clear();
+    last_ = *moment;
+    look(time_ns, last_);
+    next_look_ns_ = time_ns + kPause_ns;
+    has_begun_ = true;
+    return {};
+}
+
+void PinLooks::look(std::int64_t time_ns, const PinMoment& moment) {
+    LevelHistory::Look look{time_point(time_ns), moment.levels, {}};
+    for (std::size_t k = 0; k < kAxisCount; ++k) look.pulses[k] = moment.pulses[k] - last_.pulses[k];
+    looks_.push_back(look);
+    last_ = moment;
+}
+
+Result<PinLooks::Looks> PinLooks::until(std::int64_t time_ns) {
+    const std::int64_t from_ns = std::max<std::int64_t>(time_ns - kLength_ns, 0);
+    const bool goes_on = has_begun_ && cursor_.position_ns() <= time_ns && cursor_.position_ns() >= from_ns;
+    if (!goes_on) {
+        if (const auto begun = begin_at(from_ns); !begun) return begun.error();
+    }
+    const auto visit = [this](const PinMoment& before, const PinMoment& after) {
+        while (next_look_ns_ <= after.time_ns) {
+            look(next_look_ns_, before);
+            next_look_ns_ += kPause_ns;
+        }
+        if (((before.levels ^ after.levels) & kSeldom) != 0) look(after.time_ns, after);
+    };
+    const auto now = cursor_.go_on(time_ns, visit);
+    if (!now) return now.error();
+    for (; next_look_ns_ <= time_ns; next_look_ns_ += kPause_ns) look(next_look_ns_, *now);
+    while (looks_.size() > 2 && looks_[1].time < time_point(from_ns)) looks_.pop_front();
+    Looks shown = looks_;
+    LevelHistory::Look end{time_point(time_ns), now->levels, {}};
+    for (std::size_t k = 0; k < kAxisCount; ++k) end.pulses[k] = now->pulses[k] - last_.pulses[k];
+    shown.push_back(end);
+    return shown;
+}
+
+}  // namespace psicarve::replay

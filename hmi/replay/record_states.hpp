@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shared/status.hpp"
+
+namespace psicarve::replay {
+
+/// The machine's states as a flight recorder tells them.
+class RecordStates {
+public:
+    RecordStates() = default;
+    explicit RecordStates(const std::vector<FlightRecord>& records);
+
+    bool is_empty() const noexcept { return states_.empty(); }
+    /// Fills in state, alarm, homing, override and job of that tick, as far as entries tell.
+    void fill(CoreStatus& status, std::uint64_t tick) const noexcept;
+
+private:
+    struct At {
+        std::uint64_t tick;
+        MachineState state;
+        AlarmCause cause;
+        std::uint8_t axis;
+        std::uint32_t override_percent;
+        std::uint64_t generation;
+        std::uint64_t alarms;
+    };
+    std::vector<At> states_;
+};
+
+/// While a job is carved, or on hold.
+constexpr bool is_at_job(MachineState state) noexcept {
+    return state == MachineState::carving || state == MachineState::holding || state == MachineState::held;
+}
+
+}  // namespace psicarve::replay

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hmi/cam/prepared_job.hpp"
+#include "hmi/replay/entry.hpp"
+#include "hmi/replay/job_place.hpp"
+#include "hmi/replay/trace_index.hpp"
+#include "hmi/session/level_history.hpp"
+#include "hmi/session/preflight.hpp"
+
+namespace psicarve::replay {
+
+using JobPointer = std::shared_ptr<const cam::PreparedJob>;
+
+/// What a recording shows of one instant.
+struct Shown {
+    std::int64_t time_ns = 0;
+    CoreStatus status{};                            ///< what the recording does not hold is 0
+    std::optional<JobPlace> place;                  ///< while a job is carved, as far as that is known
+    std::int64_t carving_time = 0;                  ///< of the carving timeline
+    std::deque<session::LevelHistory::Look> looks;  ///< when they were asked for
+};
+
+/// A trace or a snapshot.
+class Recording {
+public:
+    enum class Kind : std::uint8_t { trace, snapshot };
+    struct Facts {
+        Kind kind = Kind::trace;
+        std::string path;
+        std::int64_t end_ns = 0;  ///< it begins at 0
+        JobPointer job;           ///< may be missing
+        Profile profile;          ///< the job's; else one that was taken for the machine's
+        bool knows_states = false;
+        bool knows_every_pulse = false;
+        std::vector<Entry> entries;            ///< by time
+        std::vector<session::Check> contents;  ///< what is in it and what is not
+        std::vector<std::string> warnings;
+    };
+
+    virtual ~Recording() = default;
+    const Facts& facts() const noexcept { return facts_; }
+    /// May read the file. One thread at a time; not the window's. 0 <= time_ns <= end_ns.
+    virtual Result<Shown> at(std::int64_t time_ns, bool with_looks) = 0;
+    /// The pulses, when there are any.
+    virtual std::shared_ptr<const TraceIndex> index() const { return nullptr; }
+
+protected:
+    Facts facts_;
+};
+
+/// A binary trace or a snapshot with more than a job in it. One that cannot be read is none.
+bool is_recording(const std::string& path);
+
+struct OpenOptions {
+    std::string path;
+    std::string
+        job_path;     ///< of a trace: its job or snapshot; empty: FILE.job, .psi, .snap beside it, if any
+    Profile profile;  ///< for a trace without a job
+};
+/// Reads the whole file. "FILE: what is wrong".
+Result<std::unique_ptr<Recording>> open_recording(const OpenOptions& options, const Progress& progress);
+
+}  // namespace psicarve::replay

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/replay/replay_desk.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "hmi/session/display_text.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::replay {
+namespace {
+
+using session::phrase;
+using session::Severity;
+using session::WorkLane;
+
+/// A few milliseconds' worth: a jump over a whole job takes some frames.
+constexpr std::size_t kMostCutsAtOnce = 400'000;
+
+}  // namespace
+
+ReplayDesk::ReplayDesk(session::MessageLog& log) : log_(log) {}
+
+ReplayDesk::~ReplayDesk() {
+    cancels_.store(true);
+    if (drops_carving_) drops_carving_->store(true);
+}
+
+void ReplayDesk::open(const std::string& path, const Profile& profile) {
+    post_open({path, {}, profile}, 0);
+}
+
+void ReplayDesk::add_job(const std::string& path) {
+    if (!recording_) return;
+    OpenOptions options = options_;
+    options.job_path = path;
+    post_open(options, clock_.now_ns());
+}
+
+void ReplayDesk::post_open(const OpenOptions& options, std::int64_t from_ns) {
+    if (is_opening_) return;
+    is_opening_ = true;
+    cancels_.store(false);
+    progress_ratio_.store(0.0);
+    opener_.post([this, options, from_ns]() -> WorkLane::Finish {
+        const auto show = [this](double done) {
+            progress_ratio_.store(done);
+            return !cancels_.load();
+        };
+        auto opened = open_recording(options, show);
+        if (!opened) return [this, error = opened.error()] { fail(error); };
+        const std::shared_ptr<Recording> recording{std::move(opened).value()};
+        return [this, recording, options, from_ns] { take_opened(recording, options, from_ns); };
+    });
+}
+
+void ReplayDesk::fail(const Error& error) {
+    is_opening_ = false;
+    const bool was_cancelled = error.code == ErrorCode::cancelled;
+    log_.add(was_cancelled ? Severity::info : Severity::warning, phrase("%1", error.message));
+}
+
+void ReplayDesk::take_opened(std::shared_ptr<Recording> recording, const OpenOptions& options,
+                             std::int64_t from_ns) {
+    is_opening_ = false;
+    leave();
+    recording_ = std::move(recording);
+    options_ = options;
+    facts_ = recording_->facts();
+    clock_.begin(facts_.end_ns);
+    // What happened last is why somebody saved a snapshot.
+    clock_.seek(facts_.kind == Recording::Kind::snapshot ? facts_.end_ns : from_ns);
+    sight_ = {};
+    sight_.life = session::CoreLife::alive;
+    sight_.profile = facts_.profile;
+    ++edition_;
+    log_.add(Severity::info,
+             phrase("Replay: %1, %2 recorded", std::filesystem::path{options.path}.filename().string(),
+                    session::clock_text(seconds_from_ns(facts_.end_ns))));
+    for (const std::string& warning : facts_.warnings) log_.add(Severity::warning, phrase("%1", warning));
+    prepare_carving();
+}
+
+void ReplayDesk::leave() {
+    if (!recording_) return;
+    reader_.drop_waiting();
+    if (drops_carving_) drops_carving_->store(true);
+    recording_.reset();  // a read that is under way keeps its own
+    facts_ = {};
+    clock_.begin(0);
+    has_shown_ = false;
+    shown_ = {};
+    sight_ = {};
+    history_.forget();
+    carving_.reset();
+    timeline_.reset();
+    cuts_ = 0;
+    carving_ratio_.store(1.0);
+    ++edition_;
+}
+
+void ReplayDesk::prepare_carving() {
+    if (!facts_.job) return;
+    auto made = session::CarvingRecord::make(facts_.job);
+    if (!made) return log_.add(Severity::warning, phrase("%1", made.error().message));
+    carving_ = std::move(made).value();
+    carving_ratio_.store(0.0);
+    drops_carving_ = std::make_shared<std::atomic<bool>>(false);
+    carver_.post([this, job = facts_.job, index = recording_->index(), drops = drops_carving_,
+                  edition = edition_]() -> WorkLane::Finish {
+        const auto show = [this, &drops](double done) {
+            if (!drops->load()) carving_ratio_.store(done);
+            return !drops->load();
+        };
+        auto timeline =
+            index ? CarvingTimeline::of_trace(job, index, show) : CarvingTimeline::of_job(job, show);
+        if (!timeline) return [] {};
+        return [this, edition, made_timeline = *timeline] {
+            if (edition == edition_) take_timeline(made_timeline);
+        };
+    });
+}
+
+void ReplayDesk::take_timeline(Timeline timeline) {
+    timeline_ = std::move(timeline);
+    cuts_ = 0;
+    carving_ratio_.store(1.0);
+    if (!timeline_->is_whole())
+        log_.add(Severity::warning, phrase("Replay: the piece is too large to be shown to its end"));
+}
+
+void ReplayDesk::poll(Clock::time_point now) {
+    opener_.deliver();
+    reader_.deliver();
+    carver_.deliver();
+    const auto passed = now - std::exchange(polled_, now);
+    if (!recording_) return;
+    // A window that stood still for a while does not jump ahead.
+    constexpr std::chrono::milliseconds kMostPassed{250};
+    clock_.advance(std::min<Clock::duration>(passed, kMostPassed) / std::chrono::nanoseconds{1});
+    ask_for_moment();
+    follow_carving();
+}
+
+void ReplayDesk::ask_for_moment() {
+    const std::int64_t wanted_ns = clock_.now_ns();
+    const bool is_shown = has_shown_ && shown_.time_ns == wanted_ns && (!wants_looks_ || shown_has_looks_);
+    if (is_shown || !reader_.is_idle()) return;
+    reader_.post([this, recording = recording_, wanted_ns, with_looks = wants_looks_,
+                  edition = edition_]() -> WorkLane::Finish {
+        auto shown = std::make_shared<Result<Shown>>(recording->at(wanted_ns, with_looks));
+        return [this, shown, with_looks, edition] {
+            if (edition != edition_) return;
+            if (!*shown) {
+                log_.add(Severity::warning, phrase("%1", shown->error().message));
+                return leave();
+            }
+            shown_has_looks_ = with_looks;
+            take_shown(std::move(*shown).value());
+        };
+    });
+}
+
+void ReplayDesk::take_shown(Shown shown) {
+    shown_ = std::move(shown);
+    has_shown_ = true;
+    CoreStatus& status = shown_.status;
+    if (facts_.job && shown_.place) {
+        const std::uint32_t points = facts_.job->view.point_count();
+        status.layer = shown_.place->layer;
+        status.point = shown_.place->point;
+        status.points_total = std::uint64_t{facts_.job->view.layer_count()} * points;
+        status.points_done = std::uint64_t{status.layer} * points + status.point + 1;
+    }
+    sight_.status = status;
+    if (shown_has_looks_) history_.show(std::move(shown_.looks));
+}
+
+void ReplayDesk::follow_carving() {
+    if (!timeline_ || !has_shown_) return;
+    cuts_ = timeline_->apply(*carving_, cuts_, shown_.carving_time, kMostCutsAtOnce);
+}
+
+bool ReplayDesk::is_settled() const noexcept {
+    if (!recording_ || !has_shown_ || shown_.time_ns != clock_.now_ns()) return false;
+    if (wants_looks_ && !shown_has_looks_) return false;
+    if (!carving_) return true;
+    return timeline_ && timeline_->is_applied(cuts_, shown_.carving_time);
+}
+
+void ReplayDesk::step_layer(int by) {
+    // Found by the piece's own history: where the first cut of that layer is.
+    if (!timeline_ || !shown_.place || !facts_.knows_every_pulse) return;
+    const auto time = timeline_->begin_of_layer(static_cast<std::int64_t>(shown_.place->layer) + by);
+    if (time) clock_.seek(*time);
+}
+
+}  // namespace psicarve::replay

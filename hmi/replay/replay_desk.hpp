@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "hmi/replay/carving_timeline.hpp"
+#include "hmi/replay/recording.hpp"
+#include "hmi/replay/replay_clock.hpp"
+#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/message_log.hpp"
+#include "hmi/session/work_lane.hpp"
+
+namespace psicarve::replay {
+
+/// The recording that a window shows instead of the machine. Files are read on threads of its own; the owner
+/// calls poll() and never waits. One thread, the owner's.
+class ReplayDesk {
+public:
+    using Clock = std::chrono::steady_clock;
+
+    explicit ReplayDesk(session::MessageLog& log);
+    ~ReplayDesk();
+
+    /// A trace or a snapshot; `profile` for a trace without a job. What is open stays open until the other is
+    /// ready, and when it cannot be read.
+    void open(const std::string& path, const Profile& profile);
+    /// The open trace again, with this job or snapshot.
+    void add_job(const std::string& path);
+    /// Ends opening soon.
+    void cancel() noexcept { cancels_.store(true); }
+    /// Back to the machine.
+    void leave();
+
+    bool is_opening() const noexcept { return is_opening_; }
+    double progress_ratio() const noexcept { return progress_ratio_.load(); }
+    bool is_open() const noexcept { return recording_ != nullptr; }
+    /// Grows when another recording is there, or none.
+    std::uint64_t edition() const noexcept { return edition_; }
+
+    /// At screen rate.
+    void poll(Clock::time_point now);
+    ReplayClock& clock() noexcept { return clock_; }
+    const ReplayClock& clock() const noexcept { return clock_; }
+    /// To the begin of the layer before or after, where the recording knows it.
+    void step_layer(int by);
+
+    // While is_open():
+    const Recording::Facts& facts() const noexcept { return facts_; }
+    /// The machine as it was at shown().time_ns.
+    const session::MachineSight& sight() const noexcept { return sight_; }
+    const Shown& shown() const noexcept { return shown_; }
+    /// It shows the clock's time, piece and all.
+    bool is_settled() const noexcept;
+    /// Whether somebody looks at the timing diagram: it costs reading.
+    void want_looks(bool wanted) noexcept { wants_looks_ = wanted; }
+    const session::LevelHistory& history() const noexcept { return history_; }
+    /// The piece at that time; nothing without a job, or until it is worked out.
+    session::CarvingRecord* carving() const noexcept { return carving_.get(); }
+    /// Of working the piece out; 1 when there is nothing to be done.
+    double carving_ratio() const noexcept { return carving_ratio_.load(); }
+
+private:
+    using Timeline = std::shared_ptr<const CarvingTimeline>;
+
+    void post_open(const OpenOptions& options, std::int64_t from_ns);
+    void take_opened(std::shared_ptr<Recording> recording, const OpenOptions& options, std::int64_t from_ns);
+    void fail(const Error& error);
+    void prepare_carving();
+    void take_timeline(Timeline timeline);
+    void ask_for_moment();
+    void take_shown(Shown shown);
+    void follow_carving();
+
+    session::MessageLog& log_;
+    ReplayClock clock_;
+    Clock::time_point polled_{};
+    OpenOptions options_;
+    std::shared_ptr<Recording> recording_;
+    Recording::Facts facts_;
+    session::MachineSight sight_;
+    Shown shown_;
+    bool has_shown_ = false;
+    bool shown_has_looks_ = false;
+    bool wants_looks_ = false;
+    session::LevelHistory history_;
+    std::unique_ptr<session::CarvingRecord> carving_;
+    Timeline timeline_;
+    std::size_t cuts_ = 0;  ///< of timeline_ that are in carving_
+    std::uint64_t edition_ = 0;
+    bool is_opening_ = false;
+    std::atomic<bool> cancels_{false};
+    std::shared_ptr<std::atomic<bool>> drops_carving_;  ///< of the piece that is being worked out
+    std::atomic<double> progress_ratio_{0.0};
+    std::atomic<double> carving_ratio_{1.0};
+    session::WorkLane opener_;  // last: their threads use the others
+    session::WorkLane reader_;
+    session::WorkLane carver_;
+};
+
+}  // namespace psicarve::replay

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hmi/machine/unique_fd.hpp"
+#include "hmi/replay/pin_follower.hpp"
+#include "hmi/verify/binary_reader.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::replay {
+
+/// Whether the file begins like a binary pin trace. One that cannot be read does not.
+bool is_binary_trace(const std::string& path);
+
+/// Gets how much is done, 0 to 1; false: give up.
+using Progress = std::function<bool(double)>;
+
+/// Where in a binary trace which time stands, and what had become of the pins there: any instant is then a
+/// short read away. Its memory does not grow with the trace, only its keyframes move apart.
+class TraceIndex {
+public:
+    struct Keyframe {
+        verify::BinaryReader::Place place;
+        PinFollower follower;
+    };
+    /// Something other than a step that the pins did.
+    struct PinChange {
+        std::int64_t time_ns;
+        SignalWord before;
+        SignalWord after;
+        bool is_definition;  ///< homing defined the positions anew; the pins stayed
+    };
+
+    static constexpr std::uint64_t kLeastStride_bytes = std::uint64_t{32} * 1024;
+    static constexpr std::size_t kMostKeyframes = 16384;
+    static constexpr std::size_t kMostChanges = 20'000;
+
+    /// Reads the file once. One that was cut off or damaged on its way is taken up to there: damage() says
+    /// so. "FILE: what is wrong" when nothing of it can be shown.
+    static Result<std::shared_ptr<const TraceIndex>> build(const std::string& path, const Profile& profile,
+                                                           const Progress& progress,
+                                                           std::size_t most_keyframes = kMostKeyframes);
+
+    const std::string& path() const noexcept { return path_; }
+    const verify::TraceStart& start() const noexcept { return start_; }
+    std::int64_t end_ns() const noexcept { return end_ns_; }
+    std::uint64_t events() const noexcept { return events_; }
+    const std::string& damage() const noexcept { return damage_; }  ///< empty: the trace is whole
+    const std::vector<Keyframe>& keyframes() const noexcept { return keyframes_; }
+    /// The last that is not behind the time.
+    const Keyframe& keyframe_at(std::int64_t time_ns) const noexcept;
+    /// In order; the first kMostChanges.
+    const std::vector<PinChange>& changes() const noexcept { return changes_; }
+    /// A reader of its own that goes on behind the keyframe. Any thread.
+    Result<std::unique_ptr<verify::BinaryReader>> read_from(const Keyframe& keyframe) const;
+
+private:
+    TraceIndex() = default;
+    Result<void> read_all(verify::BinaryReader& reader, const Profile& profile, const Progress& progress,
+                          std::size_t most_keyframes);
+    void note_change(const PinMoment& before, const verify::TraceEvent& event);
+    void keep(const verify::BinaryReader::Place& place, const PinFollower& follower, std::size_t most);
+
+    std::string path_;
+    machine::UniqueFd file_;  ///< of the file that was indexed, whatever becomes of its name
+    verify::TraceStart start_;
+    std::int64_t end_ns_ = 0;
+    std::uint64_t events_ = 0;
+    std::uint64_t bytes_ = 0;
+    std::uint64_t stride_bytes_ = kLeastStride_bytes;
+    std::string damage_;
+    std::vector<Keyframe> keyframes_;
+    std::vector<PinChange> changes_;
+};
+
+}  // namespace psicarve::replay

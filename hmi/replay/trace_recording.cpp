@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/replay/trace_recording.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "hmi/session/display_text.hpp"
+
+namespace psicarve::replay {
+namespace {
+
+using session::Check;
+using session::phrase;
+using V = Check::Verdict;
+
+constexpr std::size_t kProbes = 64;
+
+std::string name_of_file(const std::string& path) {
+    return std::filesystem::path{path}.filename().string();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Recording>> TraceRecording::open(const std::string& path, Company company,
+                                                        const Profile& profile, const Progress& progress) {
+    const Profile& taken = company.job ? company.job->profile : profile;
+    auto index = TraceIndex::build(path, taken, progress);
+    if (!index) return index.error();
+    std::unique_ptr<TraceRecording> made{new TraceRecording{std::move(index).value()}};
+    Facts& facts = made->facts_;
+    facts.kind = Kind::trace;
+    facts.path = path;
+    facts.end_ns = made->index_->end_ns();
+    facts.job = company.job;
+    facts.profile = taken;
+    facts.knows_every_pulse = true;
+    facts.entries = entries_of(made->index_->changes());
+    if (company.job) {
+        const auto geometry = verify::JobGeometry::make(company.job->view, company.job->profile);
+        if (geometry) made->geometry_ = *geometry;
+    }
+    if (!made->index_->damage().empty()) facts.warnings.push_back(made->index_->damage());
+    made->take_records(company);
+    made->list_contents(company);
+    return std::unique_ptr<Recording>{std::move(made)};
+}
+
+/// Whether the entries tell of this run: the axes must have stood where the entries say. Before homing the
+/// core counts from anywhere.
+bool TraceRecording::records_fit(const std::vector<FlightRecord>& records, const RecordStates& states) {
+    const std::int64_t period_ns = index_->start().period_ns;
+    const std::size_t stride = std::max<std::size_t>(records.size() / kProbes, 1);
+    for (std::size_t i = 0; i < records.size(); i += stride) {
+        const FlightRecord& record = records[i];
+        if (record.tick > static_cast<std::uint64_t>(facts_.end_ns / period_ns)) return false;
+        CoreStatus before{};
+        if (record.tick > 0) states.fill(before, record.tick - 1);
+        if (before.homed_mask == 0) continue;
+        const auto moment = cursor_.at(static_cast<std::int64_t>(record.tick + 1) * period_ns - 1);
+        if (!moment) return false;
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            // The entry was made somewhere in the tick.
+            if (std::abs(moment->position_pulses[k] - record.position_pulses[k]) > 1) return false;
+        }
+    }
+    return true;
+}
+
+void TraceRecording::take_records(const Company& company) {
+    if (company.records.empty()) return;
+    RecordStates states{company.records};
+    if (!records_fit(company.records, states)) {
+        facts_.warnings.push_back(name_of_file(company.path) +
+                                  ": its flight recorder tells of another run; its entries are not shown");
+        return;
+    }
+    states_ = std::move(states);
+    facts_.knows_states = !states_.is_empty();
+    record_count_ = company.records.size();
+    facts_.entries.clear();
+    for (const FlightRecord& record : company.records)
+        facts_.entries.push_back(
+            entry_of(record, static_cast<std::int64_t>(record.tick) * index_->start().period_ns));
+}
+
+void TraceRecording::list_contents(const Company& company) {
+    auto& rows = facts_.contents;
+    const auto count = static_cast<std::int64_t>(index_->events());
+    rows.push_back({phrase("Every pulse"), phrase("%1 changes", session::count_text(count)), V::pass});
+    const bool is_whole = index_->damage().empty();
+    rows.push_back(
+        {phrase("End"), is_whole ? phrase("whole") : phrase("cut off"), is_whole ? V::pass : V::fail});
+    rows.push_back({phrase("Job"),
+                    company.job ? phrase("%1", name_of_file(company.path)) : phrase("none: add it"),
+                    company.job ? V::pass : V::info});
+    rows.push_back({phrase("Machine profile"), company.job ? phrase("the job's") : phrase("assumed"),
+                    company.job ? V::pass : V::info});
+    rows.push_back(
+        {phrase("Flight recorder"),
+         record_count_ > 0 ? phrase("%1 entries", std::to_string(record_count_)) : phrase("not in a trace"),
+         record_count_ > 0 ? V::pass : V::info});
+    rows.push_back({phrase("States"), facts_.knows_states ? phrase("recorded") : phrase("from the pins"),
+                    facts_.knows_states ? V::pass : V::info});
+}
+
+void TraceRecording::guess_state(CoreStatus& status) const noexcept {
+    const bool is_spinning = (status.signals & bit_of(Signal::spindle)) != 0;
+    if ((status.signals & kEnableMask) == 0) {
+        status.state = MachineState::off;
+    } else {
+        status.state = is_spinning ? MachineState::carving : MachineState::ready;
+    }
+}
+
+Result<Shown> TraceRecording::at(std::int64_t time_ns, bool with_looks) {
+    const auto moment = cursor_.at(time_ns);
+    if (!moment) return moment.error();
+    Shown shown;
+    shown.time_ns = time_ns;
+    shown.carving_time = time_ns;
+    CoreStatus& status = shown.status;
+    status.period_ns = index_->start().period_ns;
+    status.tick = static_cast<std::uint64_t>(time_ns / status.period_ns);
+    status.signals = moment->levels;
+    status.alarm_axis = kNoAxis;
+    status.seconds_left = -1.0;
+    std::copy(moment->position_pulses.begin(), moment->position_pulses.end(), status.position_pulses);
+    std::copy(moment->pulses.begin(), moment->pulses.end(), status.emitted_pulses);
+    guess_state(status);
+    states_.fill(status, status.tick);
+    if (geometry_ && is_at_job(status.state)) shown.place = job_place(*geometry_, moment->position_pulses);
+    if (with_looks) {
+        auto looks = looks_.until(time_ns);
+        if (!looks) return looks.error();
+        shown.looks = std::move(looks).value();
+    }
+    return shown;
+}
+
+}  // namespace psicarve::replay

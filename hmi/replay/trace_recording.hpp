@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "hmi/replay/pin_looks.hpp"
+#include "hmi/replay/record_states.hpp"
+#include "hmi/replay/recording.hpp"
+
+namespace psicarve::replay {
+
+/// Every pin at every time. What the machine meant by it is worked out from the pins, unless a snapshot of
+/// the same run lies beside the trace.
+class TraceRecording final : public Recording {
+public:
+    /// What belongs to the trace.
+    struct Company {
+        std::string path;  ///< empty: nothing was found
+        JobPointer job;
+        std::vector<FlightRecord> records;
+    };
+    static Result<std::unique_ptr<Recording>> open(const std::string& path, Company company,
+                                                   const Profile& profile, const Progress& progress);
+
+    Result<Shown> at(std::int64_t time_ns, bool with_looks) override;
+    std::shared_ptr<const TraceIndex> index() const override { return index_; }
+
+private:
+    explicit TraceRecording(std::shared_ptr<const TraceIndex> index)
+        : index_(std::move(index)), cursor_(index_), looks_(index_) {}
+    bool records_fit(const std::vector<FlightRecord>& records, const RecordStates& states);
+    void take_records(const Company& company);
+    void list_contents(const Company& company);
+    void guess_state(CoreStatus& status) const noexcept;
+
+    std::shared_ptr<const TraceIndex> index_;
+    TraceCursor cursor_;
+    PinLooks looks_;
+    std::optional<verify::JobGeometry> geometry_;
+    RecordStates states_;
+    std::size_t record_count_ = 0;
+};
+
+}  // namespace psicarve::replay

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/replay/entry.hpp"
+
+#include <gtest/gtest.h>
+
+#include "shared/command.hpp"
+
+namespace psicarve::replay {
+namespace {
+
+using session::Severity;
+
+std::string text_of(const Entry& entry) {
+    return in_english(entry.what);
+}
+
+TEST(ReplayEntry, SaysWhatTheFlightRecorderHolds) {
+    FlightRecord record{};
+    record.kind = RecordKind::command;
+    record.code = static_cast<std::uint16_t>(CommandKind::home);
+    record.answer = static_cast<std::uint32_t>(AnswerKind::done);
+    EXPECT_EQ(text_of(entry_of(record, 0)), "Command: home");
+    record.answer = static_cast<std::uint32_t>(AnswerKind::refused);
+    EXPECT_EQ(text_of(entry_of(record, 0)), "Refused: home");
+    EXPECT_EQ(entry_of(record, 0).severity, Severity::warning);
+    record.kind = RecordKind::alarm;
+    record.code = static_cast<std::uint16_t>(AlarmCause::limit);
+    record.axis = 1;
+    EXPECT_EQ(text_of(entry_of(record, 7)), "Alarm: limit of R2");
+    EXPECT_EQ(entry_of(record, 7).severity, Severity::alarm);
+    EXPECT_EQ(entry_of(record, 7).time_ns, 7);
+    record.kind = static_cast<RecordKind>(999);
+    EXPECT_EQ(text_of(entry_of(record, 0)), "Entry of kind 999");
+}
+
+TEST(ReplayEntry, ReadsDrivesSpindleAndSwitchesOffThePins) {
+    const SignalWord drives = kEnableMask;
+    const SignalWord spindle = bit_of(Signal::spindle);
+    const SignalWord limit = bit_of(Signal::y_limit);
+    const auto entries = entries_of({{10, 0, drives, false},
+                                     {20, drives, drives | spindle | limit, false},
+                                     {30, drives, drives, true},
+                                     {40, drives | limit, limit | bit_of(Signal::estop), false}});
+    std::vector<std::string> texts;
+    for (const Entry& entry : entries) texts.push_back(std::to_string(entry.time_ns) + " " + text_of(entry));
+    EXPECT_EQ(texts, (std::vector<std::string>{"10 Drives on", "20 Spindle on", "20 Limit switch Y closed",
+                                               "30 Homing: positions defined", "40 Drives off",
+                                               "40 Emergency stop switch pressed"}));
+    EXPECT_EQ(entries.back().severity, Severity::alarm);
+}
+
+TEST(ReplayEntry, FindsItsNeighboursInTime) {
+    std::vector<Entry> entries(3);
+    entries[0].time_ns = 10;
+    entries[1].time_ns = 20;
+    entries[2].time_ns = 20;
+    EXPECT_EQ(entry_at(entries, 9), -1);
+    EXPECT_EQ(entry_at(entries, 20), 2);
+    EXPECT_EQ(next_entry(entries, 10), 1);
+    EXPECT_EQ(next_entry(entries, 20), -1);
+    EXPECT_EQ(entry_before(entries, 20), 0);
+    EXPECT_EQ(entry_before(entries, 10), -1);
+    EXPECT_EQ(next_entry({}, 0), -1);
+}
+
+}  // namespace
+}  // namespace psicarve::replay

@@ -134,7 +134,7 @@ std::vector<Entry> entries_of(const std::vector<TraceIndex::PinChange>& changes)
         const SignalWord changed = change.before ^ change.after;
         const bool was_on = (change.before & kDrives) != 0;
         if (const bool is_on = (change.after & kDrives) != 0; is_on != was_on)
-            add(change, Severity::info, is_on ? phrase("Drives on") : phrase("Drives off"));
+            add(change, Severity::info, is_on ? phrase("Drives switched on") : phrase("Drives switched off"));
         if ((changed & bit_of(Signal::spindle)) != 0) {
             const bool is_on = (change.after & bit_of(Signal::spindle)) != 0;
             add(change, Severity::info, is_on ? phrase("Spindle on") : phrase("Spindle off"));

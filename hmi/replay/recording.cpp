@@ -60,7 +60,7 @@ Result<std::unique_ptr<Recording>> open_recording(const OpenOptions& options, co
     if (!is_binary_trace(options.path)) return SnapshotRecording::open(options.path);
     auto company = company_of(options);
     if (!company) return company.error();
-    return TraceRecording::open(options.path, std::move(*company), options.profile, progress);
+    return TraceRecording::open(options.path, *company, options.profile, progress);
 }
 
 }  // namespace psicarve::replay

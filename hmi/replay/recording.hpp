@@ -41,6 +41,7 @@ public:
         bool knows_states = false;
         bool knows_every_pulse = false;
         std::vector<Entry> entries;            ///< by time
+        std::vector<float> activity;           ///< pulses by time, even parts of it; most: 1; may be empty
         std::vector<session::Check> contents;  ///< what is in it and what is not
         std::vector<std::string> warnings;
     };

@@ -102,30 +102,33 @@ void ReplayDesk::leave() {
 
 void ReplayDesk::prepare_carving() {
     if (!facts_.job) return;
-    auto made = session::CarvingRecord::make(facts_.job);
-    if (!made) return log_.add(Severity::warning, phrase("%1", made.error().message));
-    carving_ = std::move(made).value();
-    carving_ratio_.store(0.0);
     drops_carving_ = std::make_shared<std::atomic<bool>>(false);
+    carving_ratio_.store(0.0);
     carver_.post([this, job = facts_.job, index = recording_->index(), drops = drops_carving_,
                   edition = edition_]() -> WorkLane::Finish {
         const auto show = [this, &drops](double done) {
             if (!drops->load()) carving_ratio_.store(done);
             return !drops->load();
         };
+        const auto piece = std::make_shared<Piece>();
+        auto record = session::CarvingRecord::make(job);
         auto timeline =
             index ? CarvingTimeline::of_trace(job, index, show) : CarvingTimeline::of_job(job, show);
-        if (!timeline) return [] {};
-        return [this, edition, made_timeline = *timeline] {
-            if (edition == edition_) take_timeline(made_timeline);
+        if (record) piece->record = std::move(record).value();
+        if (timeline) piece->timeline = std::move(timeline).value();
+        return [this, edition, piece] {
+            if (edition == edition_) take_piece(*piece);
         };
     });
 }
 
-void ReplayDesk::take_timeline(Timeline timeline) {
-    timeline_ = std::move(timeline);
-    cuts_ = 0;
+void ReplayDesk::take_piece(Piece& piece) {
     carving_ratio_.store(1.0);
+    if (!piece.record || !piece.timeline)
+        return log_.add(Severity::warning, phrase("Replay: the piece cannot be shown"));
+    carving_ = std::move(piece.record);
+    timeline_ = std::move(piece.timeline);
+    cuts_ = 0;
     if (!timeline_->is_whole())
         log_.add(Severity::warning, phrase("Replay: the piece is too large to be shown to its end"));
 }
@@ -185,8 +188,8 @@ void ReplayDesk::follow_carving() {
 bool ReplayDesk::is_settled() const noexcept {
     if (!recording_ || !has_shown_ || shown_.time_ns != clock_.now_ns()) return false;
     if (wants_looks_ && !shown_has_looks_) return false;
-    if (!carving_) return true;
-    return timeline_ && timeline_->is_applied(cuts_, shown_.carving_time);
+    if (carving_ratio_.load() < 1.0) return false;
+    return !timeline_ || timeline_->is_applied(cuts_, shown_.carving_time);
 }
 
 void ReplayDesk::step_layer(int by) {

@@ -5,9 +5,11 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "hmi/replay/carving_timeline.hpp"
+#include "hmi/replay/pin_looks.hpp"
 #include "hmi/replay/recording.hpp"
 #include "hmi/replay/replay_clock.hpp"
 #include "hmi/session/machine_sight.hpp"
@@ -64,13 +66,16 @@ public:
     double carving_ratio() const noexcept { return carving_ratio_.load(); }
 
 private:
-    using Timeline = std::shared_ptr<const CarvingTimeline>;
+    struct Piece {
+        std::unique_ptr<session::CarvingRecord> record;
+        std::shared_ptr<const CarvingTimeline> timeline;
+    };
 
     void post_open(const OpenOptions& options, std::int64_t from_ns);
     void take_opened(std::shared_ptr<Recording> recording, const OpenOptions& options, std::int64_t from_ns);
     void fail(const Error& error);
     void prepare_carving();
-    void take_timeline(Timeline timeline);
+    void take_piece(Piece& piece);
     void ask_for_moment();
     void take_shown(Shown shown);
     void follow_carving();
@@ -88,7 +93,7 @@ private:
     bool wants_looks_ = false;
     session::LevelHistory history_;
     std::unique_ptr<session::CarvingRecord> carving_;
-    Timeline timeline_;
+    std::shared_ptr<const CarvingTimeline> timeline_;
     std::size_t cuts_ = 0;  ///< of timeline_ that are in carving_
     std::uint64_t edition_ = 0;
     bool is_opening_ = false;
@@ -100,5 +105,10 @@ private:
     session::WorkLane reader_;
     session::WorkLane carver_;
 };
+
+/// Why nothing can be asked for while a recording is shown.
+inline std::optional<session::Phrase> lock() {
+    return session::phrase("Replay moves nothing: leave replay first");
+}
 
 }  // namespace psicarve::replay

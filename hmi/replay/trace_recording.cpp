@@ -17,6 +17,7 @@ using session::phrase;
 using V = Check::Verdict;
 
 constexpr std::size_t kProbes = 64;
+constexpr std::size_t kActivityParts = 256;
 
 std::string name_of_file(const std::string& path) {
     return std::filesystem::path{path}.filename().string();
@@ -24,7 +25,7 @@ std::string name_of_file(const std::string& path) {
 
 }  // namespace
 
-Result<std::unique_ptr<Recording>> TraceRecording::open(const std::string& path, Company company,
+Result<std::unique_ptr<Recording>> TraceRecording::open(const std::string& path, const Company& company,
                                                         const Profile& profile, const Progress& progress) {
     const Profile& taken = company.job ? company.job->profile : profile;
     auto index = TraceIndex::build(path, taken, progress);
@@ -43,6 +44,7 @@ Result<std::unique_ptr<Recording>> TraceRecording::open(const std::string& path,
         if (geometry) made->geometry_ = *geometry;
     }
     if (!made->index_->damage().empty()) facts.warnings.push_back(made->index_->damage());
+    made->measure_activity();
     made->take_records(company);
     made->list_contents(company);
     return std::unique_ptr<Recording>{std::move(made)};
@@ -67,6 +69,29 @@ bool TraceRecording::records_fit(const std::vector<FlightRecord>& records, const
         }
     }
     return true;
+}
+
+void TraceRecording::measure_activity() {
+    const auto& frames = index_->keyframes();
+    if (frames.size() < 2 || facts_.end_ns <= 0) return;
+    const auto pulses_of = [](const TraceIndex::Keyframe& frame) {
+        const auto& pulses = frame.follower.moment().pulses;
+        return static_cast<double>(pulses[0] + pulses[1] + pulses[2] + pulses[3]);
+    };
+    std::vector<double> rates(kActivityParts, 0.0);
+    double most = 0.0;
+    std::size_t frame = 1;
+    for (std::size_t part = 0; part < kActivityParts; ++part) {
+        const std::int64_t time_ns =
+            facts_.end_ns / static_cast<std::int64_t>(kActivityParts) * static_cast<std::int64_t>(part);
+        while (frame + 1 < frames.size() && frames[frame].place.time_ns <= time_ns) ++frame;
+        const auto passed =
+            static_cast<double>(frames[frame].place.time_ns - frames[frame - 1].place.time_ns);
+        if (passed > 0.0) rates[part] = (pulses_of(frames[frame]) - pulses_of(frames[frame - 1])) / passed;
+        most = std::max(most, rates[part]);
+    }
+    if (most <= 0.0) return;
+    for (const double rate : rates) facts_.activity.push_back(static_cast<float>(rate / most));
 }
 
 void TraceRecording::take_records(const Company& company) {

@@ -21,7 +21,7 @@ public:
         JobPointer job;
         std::vector<FlightRecord> records;
     };
-    static Result<std::unique_ptr<Recording>> open(const std::string& path, Company company,
+    static Result<std::unique_ptr<Recording>> open(const std::string& path, const Company& company,
                                                    const Profile& profile, const Progress& progress);
 
     Result<Shown> at(std::int64_t time_ns, bool with_looks) override;
@@ -31,6 +31,7 @@ private:
     explicit TraceRecording(std::shared_ptr<const TraceIndex> index)
         : index_(std::move(index)), cursor_(index_), looks_(index_) {}
     bool records_fit(const std::vector<FlightRecord>& records, const RecordStates& states);
+    void measure_activity();
     void take_records(const Company& company);
     void list_contents(const Company& company);
     void guess_state(CoreStatus& status) const noexcept;

@@ -159,4 +159,13 @@ std::string clock_text(double seconds) {
     return text;
 }
 
+std::string time_text_ms(std::int64_t time_ns) {
+    constexpr std::int64_t kNsPerMs = 1'000'000;
+    constexpr std::int64_t kMsPerS = 1000;
+    const std::int64_t ms = time_ns / kNsPerMs;
+    char text[8];
+    std::snprintf(text, sizeof text, ".%03d", static_cast<int>(ms % kMsPerS));
+    return clock_text(static_cast<double>(ms / kMsPerS)) + text;
+}
+
 }  // namespace psicarve::session

@@ -10,7 +10,7 @@
 namespace psicarve::session {
 
 /// What a colour says; each has an icon of its own shape.
-enum class Tone : std::uint8_t { idle, run, warn, alarm };
+enum class Tone : std::uint8_t { idle, run, warn, alarm, replay };
 
 /// One axis in large digits. Without a known profile positions are shown in pulses.
 struct AxisReadout {
@@ -37,5 +37,7 @@ std::string number_text(double value, int decimals);
 std::string count_text(std::int64_t value);
 /// "m:ss" below one hour and "h:mm:ss" above.
 std::string clock_text(double seconds);
+/// The same with milliseconds: "14:04.812". Not rounded up.
+std::string time_text_ms(std::int64_t time_ns);
 
 }  // namespace psicarve::session

@@ -98,9 +98,15 @@ void JobDesk::begin(DeskState state) {
 }
 
 void JobDesk::open(const std::string& path) {
+    post_open(path, true);
+}
+
+void JobDesk::post_open(const std::string& path, bool may_be_recording) {
     if (sight_.is_busy()) return;
     begin(DeskState::opening);
-    lane_.post([this, path]() -> WorkLane::Finish {
+    lane_.post([this, path, may_be_recording]() -> WorkLane::Finish {
+        if (may_be_recording && is_recording_ && is_recording_(path))
+            return [this, path] { take_recording_(path); };
         auto opened = std::make_shared<Opened>();
         if (is_snapshot_file(path)) {
             auto job = read_job(path);
@@ -119,6 +125,7 @@ void JobDesk::open(const std::string& path) {
 void JobDesk::take_opened(const std::string& path, Opened opened) {
     if (cancels_.load()) opened.error = Error{ErrorCode::cancelled, path + ": opening was cancelled"};
     if (opened.error) return fail(*opened.error);
+    if (opened_) opened_();
     path_ = path;
     mesh_ = std::move(opened.mesh);
     scene_ = std::move(opened.scene);

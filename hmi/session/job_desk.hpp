@@ -3,8 +3,10 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/cam/prepared_job.hpp"
@@ -22,9 +24,20 @@ class JobDesk {
 public:
     JobDesk(std::string segment_name, std::string group, MessageLog& log);
     ~JobDesk();
+    /// Files that are not for this desk, and who takes them. `is_one` may read the file.
+    void set_recordings(std::function<bool(const std::string&)> is_one,
+                        std::function<void(const std::string&)> take) {
+        is_recording_ = std::move(is_one);
+        take_recording_ = std::move(take);
+    }
+    /// Called when a file was opened that is for this desk.
+    void set_opened(std::function<void()> opened) { opened_ = std::move(opened); }
 
-    /// A mesh, or a job or snapshot file. What is open stays open when it cannot be read.
+    /// A mesh, or a job or snapshot file, or a recording for whoever takes those. What is open stays open
+    /// when it cannot be read.
     void open(const std::string& path);
+    /// The job in a snapshot, though it is a recording.
+    void open_job(const std::string& path) { post_open(path, false); }
     /// Requires a mesh.
     void slice(const cam::JobOptions& options, const Profile& profile);
     /// Requires a job.
@@ -50,11 +63,15 @@ private:
     using JobPointer = std::shared_ptr<const cam::PreparedJob>;
 
     void begin(DeskState state);
+    void post_open(const std::string& path, bool may_be_recording);
     void take_opened(const std::string& path, Opened opened);
     void take_job(JobPointer job, std::uint64_t generation);
     void fail(const Error& error);
     void fetch_from_core(std::uint64_t generation);
 
+    std::function<bool(const std::string&)> is_recording_;
+    std::function<void(const std::string&)> take_recording_;
+    std::function<void()> opened_;
     std::string segment_name_;
     std::string group_;
     MessageLog& log_;

@@ -43,6 +43,7 @@ void JogHand::poll() {
 }
 
 void JogHand::begin(Wish wish) {
+    if (is_locked_) return;
     beat_ns_.store(now_ns());
     wish.ticket = ++last_ticket_;
     wanted_.store(wish.ticket);

@@ -31,6 +31,11 @@ public:
     /// At once, whatever is under way.
     void release() noexcept { wanted_.store(0); }
     void poll();
+    /// Nothing moves while it is locked.
+    void set_locked(bool locked) noexcept {
+        if (locked) release();
+        is_locked_ = locked;
+    }
 
 private:
     struct Wish {
@@ -54,6 +59,7 @@ private:
     std::atomic<std::uint64_t> wanted_{0};  ///< the ticket of the jog that goes on; 0: none
     std::atomic<std::int64_t> beat_ns_{0};  ///< when the owner was last heard
     std::uint64_t last_ticket_ = 0;
+    bool is_locked_ = false;
     WorkLane lane_;  // last: its thread uses the others
 };
 

@@ -129,6 +129,12 @@ void MachineSession::skip_increments() {
     if (link_) increments_.emplace(link_->segment().header().increments, true);
 }
 
+void MachineSession::watch_only(bool only) noexcept {
+    if (only && !watches_only_) forget_wishes();
+    watches_only_ = only;
+    jog_.set_locked(only);
+}
+
 bool MachineSession::stop() noexcept {
     forget_wishes();
     if (!link_) return false;
@@ -175,6 +181,10 @@ void MachineSession::start(std::uint32_t from_layer, std::uint32_t layers) {
 }
 
 void MachineSession::send(const Command& command, const Phrase& name, Then then) {
+    if (watches_only_ && command.kind != CommandKind::hold) {
+        return log_.add(Severity::warning,
+                        phrase("%1: a recording is shown; leave replay first", in_english(name)));
+    }
     orders_.post([this, command, name, then = std::move(then), segment = options_.segment_name,
                   group = options_.group]() -> WorkLane::Finish {
         auto link = MachineLink::attach(segment, group);

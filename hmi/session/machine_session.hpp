@@ -39,6 +39,10 @@ public:
     /// A profile that may be the machine's: a job's.
     void offer_profile(const Profile& profile);
 
+    /// While a recording is shown nothing is asked of the machine but hold, stop and emergency stop; wishes
+    /// that are under way are dropped.
+    void watch_only(bool only) noexcept;
+
     // False when there is no core to take them.
     bool stop() noexcept;
     bool emergency_stop() noexcept;
@@ -53,7 +57,9 @@ public:
     /// waiting: carve what the heads wait for.
     void start(std::uint32_t from_layer, std::uint32_t layers = 0);
     /// The newest wish goes out as soon as the one before is answered.
-    void set_override(std::uint32_t percent) noexcept { wanted_override_percent_ = percent; }
+    void set_override(std::uint32_t percent) noexcept {
+        if (!watches_only_) wanted_override_percent_ = percent;
+    }
     /// The core may still show the percentage before.
     bool is_override_under_way() const { return wanted_override_percent_ || !orders_.is_idle(); }
     /// What the core has reported of its motion since the last call, oldest first. Those that came faster
@@ -89,6 +95,7 @@ private:
     Clock::time_point heartbeat_changed_{};
     Clock::time_point attach_tried_{};
     StartIntent intent_;
+    bool watches_only_ = false;
     std::optional<std::uint32_t> wanted_override_percent_;
     JogHand jog_;
     WorkLane finder_;

@@ -20,12 +20,24 @@
             <translation>%1 один ищет свой ноль</translation>
         </message>
         <message>
+            <source>%1 changes</source>
+            <translation>%1 фронтов</translation>
+        </message>
+        <message>
             <source>%1 changes not saved</source>
             <translation>не сохранено изменений: %1</translation>
         </message>
         <message>
             <source>%1 closed</source>
             <translation>%1 замкнут</translation>
+        </message>
+        <message>
+            <source>%1 entries</source>
+            <translation>записей: %1</translation>
+        </message>
+        <message>
+            <source>%1 found its sensor</source>
+            <translation>%1: датчик найден</translation>
         </message>
         <message>
             <source>%1 left</source>
@@ -84,12 +96,16 @@
             <translation>импульсов: %1</translation>
         </message>
         <message>
+            <source>%1 ticks missed</source>
+            <translation>Пропущено тактов: %1</translation>
+        </message>
+        <message>
             <source>%1 ticks missed in the last second</source>
             <translation>за последнюю секунду пропущено тактов: %1</translation>
         </message>
         <message>
             <source>%1 turns</source>
-            <translation>оборотов: %1</translation>
+            <translation>%1 об.</translation>
         </message>
         <message>
             <source>%1 × %2 × %3, %4 facets</source>
@@ -100,6 +116,10 @@
             <translation>%1. Отказаться от них?</translation>
         </message>
         <message>
+            <source>%1: a recording is shown; leave replay first</source>
+            <translation>%1: показана запись; сначала закройте воспроизведение</translation>
+        </message>
+        <message>
             <source>%1: homed</source>
             <translation>%1: ноль найден</translation>
         </message>
@@ -108,12 +128,16 @@
             <translation>%1: ноль не найден</translation>
         </message>
         <message>
+            <source>%1: whether it was homed is not recorded</source>
+            <translation>%1: найден ли ноль, не записано</translation>
+        </message>
+        <message>
             <source>1 change not saved</source>
             <translation>не сохранено одно изменение</translation>
         </message>
         <message>
             <source>1 turn</source>
-            <translation>1 оборот</translation>
+            <translation>1 об.</translation>
         </message>
         <message>
             <source>3 of 3</source>
@@ -144,12 +168,20 @@
             <translation>Активный низкий</translation>
         </message>
         <message>
+            <source>Add its job…</source>
+            <translation>Добавить задание…</translation>
+        </message>
+        <message>
             <source>Alarm</source>
             <translation>Авария</translation>
         </message>
         <message>
             <source>Alarm: %1</source>
             <translation>Авария: %1</translation>
+        </message>
+        <message>
+            <source>Alarm: %1 of %2</source>
+            <translation>Авария: %1, %2</translation>
         </message>
         <message>
             <source>Alarms</source>
@@ -236,6 +268,14 @@
             <translation>Отведите ось от датчика, сбросьте аварию, затем найдите нули; если у датчика нет ни одной оси, проверьте провод.</translation>
         </message>
         <message>
+            <source>Back to the machine</source>
+            <translation>Назад к станку</translation>
+        </message>
+        <message>
+            <source>Between entries</source>
+            <translation>Между записями</translation>
+        </message>
+        <message>
             <source>Between two points the path may leave the straight line by this.</source>
             <translation>Между двумя точками путь может отойти от прямой на столько.</translation>
         </message>
@@ -262,6 +302,14 @@
         <message>
             <source>Cancel</source>
             <translation>Отмена</translation>
+        </message>
+        <message>
+            <source>Cancel reading</source>
+            <translation>Прервать чтение</translation>
+        </message>
+        <message>
+            <source>Carved piece</source>
+            <translation>Деталь</translation>
         </message>
         <message>
             <source>Carves this layer and stops in order; press again for the next one</source>
@@ -302,6 +350,10 @@
         <message>
             <source>Close the window</source>
             <translation>Закрыть окно</translation>
+        </message>
+        <message>
+            <source>Command: %1</source>
+            <translation>Команда: %1</translation>
         </message>
         <message>
             <source>Compare with defaults</source>
@@ -348,6 +400,14 @@
             <translation>Приводы и шпиндель выключены; положение больше не достоверно.</translation>
         </message>
         <message>
+            <source>Drives and spindle on</source>
+            <translation>Приводы и шпиндель включены</translation>
+        </message>
+        <message>
+            <source>Drives are off</source>
+            <translation>Приводы выключены</translation>
+        </message>
+        <message>
             <source>Drives off</source>
             <translation>Отключить приводы</translation>
         </message>
@@ -358,6 +418,18 @@
         <message>
             <source>Drives off: they are off</source>
             <translation>Отключить приводы: они отключены</translation>
+        </message>
+        <message>
+            <source>Drives on, spindle off</source>
+            <translation>Приводы включены, шпиндель выключен</translation>
+        </message>
+        <message>
+            <source>Drives switched off</source>
+            <translation>Приводы выключены</translation>
+        </message>
+        <message>
+            <source>Drives switched on</source>
+            <translation>Приводы включены</translation>
         </message>
         <message>
             <source>EMERGENCY STOP</source>
@@ -373,8 +445,32 @@
             <translation>Запрошен аварийный останов</translation>
         </message>
         <message>
+            <source>Emergency stop switch pressed</source>
+            <translation>Нажат аварийный выключатель</translation>
+        </message>
+        <message>
+            <source>Emergency stop switch released</source>
+            <translation>Аварийный выключатель отпущен</translation>
+        </message>
+        <message>
+            <source>End</source>
+            <translation>Конец</translation>
+        </message>
+        <message>
             <source>End at which the limit sensor stands.</source>
             <translation>Конец, на котором стоит концевой датчик.</translation>
+        </message>
+        <message>
+            <source>Entries of the recording</source>
+            <translation>Записи журнала</translation>
+        </message>
+        <message>
+            <source>Entry of kind %1</source>
+            <translation>Запись вида %1</translation>
+        </message>
+        <message>
+            <source>Every pulse</source>
+            <translation>Импульсы</translation>
         </message>
         <message>
             <source>F1  emergency stop, everywhere
@@ -386,7 +482,13 @@ F5  slice
 F9  arm keyboard jog
 Ctrl+1 … 4  tabs
 F10  menu
-F12  this list</source>
+F12  this list
+
+Replay: K  play, pause
+J, L  slower, faster
+N, Shift+N  next entry, entry before
+,  .  one layer
+On the timeline: arrows, Page Up, Page Down, Home, End</source>
             <translation>F1  аварийный останов, везде
 Ctrl+Enter  пуск
 Pause  пауза, продолжить
@@ -396,7 +498,17 @@ F5  нарезать
 F9  включить клавиши перемещения
 Ctrl+1 … 4  вкладки
 F10  меню
-F12  этот список</translation>
+F12  этот список
+
+Запись: K  пуск, пауза
+J, L  медленнее, быстрее
+N, Shift+N  следующая, предыдущая запись
+,  .  один слой
+На шкале: стрелки, Page Up, Page Down, Home, End</translation>
+        </message>
+        <message>
+            <source>F1 · the live machine</source>
+            <translation>F1 · живой станок</translation>
         </message>
         <message>
             <source>F1 · works everywhere</source>
@@ -409,6 +521,10 @@ F12  этот список</translation>
         <message>
             <source>Feed override</source>
             <translation>Коррекция подачи</translation>
+        </message>
+        <message>
+            <source>Feed override %1 %</source>
+            <translation>Коррекция подачи %1 %</translation>
         </message>
         <message>
             <source>Feed override %1 % → %2 %</source>
@@ -431,6 +547,10 @@ F12  этот список</translation>
             <translation>Вписать</translation>
         </message>
         <message>
+            <source>Flight recorder</source>
+            <translation>Самописец</translation>
+        </message>
+        <message>
             <source>Folder for the support bundle</source>
             <translation>Папка для пакета поддержки</translation>
         </message>
@@ -445,6 +565,10 @@ F12  этот список</translation>
         <message>
             <source>From layer %1</source>
             <translation>Со слоя %1</translation>
+        </message>
+        <message>
+            <source>From the flight recorder. A click goes to an entry.</source>
+            <translation>Из самописца. Щелчок ведёт к записи.</translation>
         </message>
         <message>
             <source>From your zero of %1. The large number is the machine's own position.</source>
@@ -555,6 +679,10 @@ F12  этот список</translation>
             <translation>Поиск нуля оси %1 не удался</translation>
         </message>
         <message>
+            <source>Homing: positions defined</source>
+            <translation>Поиск нуля: положения заданы</translation>
+        </message>
+        <message>
             <source>How far past the sensor the mechanics allow.</source>
             <translation>На сколько механика допускает ход за датчик.</translation>
         </message>
@@ -579,12 +707,24 @@ F12  этот список</translation>
             <translation>В файле: %1</translation>
         </message>
         <message>
+            <source>In the recording</source>
+            <translation>Что записано</translation>
+        </message>
+        <message>
             <source>Info</source>
             <translation>Сведения</translation>
         </message>
         <message>
             <source>Input pin 10..13 or 15; 0: not wired; minus: active low.</source>
             <translation>Вход: вывод 10..13 или 15; 0: не подключён; минус: активный низкий.</translation>
+        </message>
+        <message>
+            <source>Inputs active: %1</source>
+            <translation>Входы активны: %1</translation>
+        </message>
+        <message>
+            <source>Inputs: none active</source>
+            <translation>Входы: ни один не активен</translation>
         </message>
         <message>
             <source>Iso</source>
@@ -611,6 +751,10 @@ F12  этот список</translation>
             <translation>Задание № %1 принято</translation>
         </message>
         <message>
+            <source>Job or snapshot of this trace</source>
+            <translation>Задание или снимок этой трассы</translation>
+        </message>
+        <message>
             <source>Job published</source>
             <translation>Передано</translation>
         </message>
@@ -619,8 +763,16 @@ F12  этот список</translation>
             <translation>Задание: %1 × %2 точек</translation>
         </message>
         <message>
+            <source>Jobs and snapshots (*.job *.psi *.snap);;All files (*)</source>
+            <translation>Задания и снимки (*.job *.psi *.snap);;Все файлы (*)</translation>
+        </message>
+        <message>
             <source>Jog</source>
             <translation>Ручное перемещение</translation>
+        </message>
+        <message>
+            <source>Jog ends</source>
+            <translation>Ручное перемещение кончается</translation>
         </message>
         <message>
             <source>Jog speed of R1, R2 and Y</source>
@@ -695,12 +847,20 @@ F12  этот список</translation>
             <translation>Наименьшее расстояние между остриями инструментов.</translation>
         </message>
         <message>
+            <source>Leave replay</source>
+            <translation>Закрыть запись</translation>
+        </message>
+        <message>
             <source>Leave running</source>
             <translation>Пусть работает</translation>
         </message>
         <message>
             <source>Leaves out the layers before it</source>
             <translation>Пропускает слои до него</translation>
+        </message>
+        <message>
+            <source>Leaves replay and opens the job in this snapshot</source>
+            <translation>Закрывает воспроизведение и открывает задание из снимка</translation>
         </message>
         <message>
             <source>Level</source>
@@ -723,6 +883,10 @@ F12  этот список</translation>
             <translation>Светлое: вырезано (слоёв не видели, показаны по плану: %1). Тёмное: заготовка.</translation>
         </message>
         <message>
+            <source>Light: carved, as planned. Dark: blank.</source>
+            <translation>Светлое: вырезано, по плану. Тёмное: заготовка.</translation>
+        </message>
+        <message>
             <source>Light: carved. Dark: blank.</source>
             <translation>Светлое: вырезано. Тёмное: заготовка.</translation>
         </message>
@@ -743,6 +907,10 @@ F12  этот список</translation>
             <translation>Концевой выключатель %1 замкнут (внешний конец, вывод %2)</translation>
         </message>
         <message>
+            <source>Limit switch %1 open</source>
+            <translation>Концевой выключатель %1 разомкнут</translation>
+        </message>
+        <message>
             <source>Limit switch Y closed (lower end, pin %1)</source>
             <translation>Концевой выключатель Y замкнут (нижний конец, вывод %1)</translation>
         </message>
@@ -753,6 +921,10 @@ F12  этот список</translation>
         <message>
             <source>Limits clear</source>
             <translation>Концевики</translation>
+        </message>
+        <message>
+            <source>Live machine: %1</source>
+            <translation>Станок: %1</translation>
         </message>
         <message>
             <source>Locked by the wiring test</source>
@@ -819,6 +991,10 @@ F12  этот список</translation>
             <translation>ДВИЖЕНИЕ</translation>
         </message>
         <message>
+            <source>Machine profile</source>
+            <translation>Профиль станка</translation>
+        </message>
+        <message>
             <source>Machine: %1</source>
             <translation>Станок: %1</translation>
         </message>
@@ -851,8 +1027,8 @@ F12  этот список</translation>
             <translation>Модель</translation>
         </message>
         <message>
-            <source>Models and jobs (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;All files (*)</source>
-            <translation>Модели и задания (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;Все файлы (*)</translation>
+            <source>Models and jobs (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;Recordings (*.snap *.trace);;All files (*)</source>
+            <translation>Модели и задания (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;Записи (*.snap *.trace);;Все файлы (*)</translation>
         </message>
         <message>
             <source>Motor pulses for one millimetre.</source>
@@ -983,12 +1159,16 @@ F12  этот список</translation>
             <translation>Открыть профиль станка</translation>
         </message>
         <message>
-            <source>Open model or job</source>
-            <translation>Открыть модель или задание</translation>
+            <source>Open its job</source>
+            <translation>Открыть задание</translation>
         </message>
         <message>
-            <source>Open model or job…</source>
-            <translation>Открыть модель или задание…</translation>
+            <source>Open model, job or recording</source>
+            <translation>Открыть модель, задание или запись</translation>
+        </message>
+        <message>
+            <source>Open model, job or recording…</source>
+            <translation>Открыть модель, задание или запись…</translation>
         </message>
         <message>
             <source>Open recent</source>
@@ -1019,8 +1199,16 @@ F12  этот список</translation>
             <translation>ПОДВОД</translation>
         </message>
         <message>
+            <source>Part of the next command</source>
+            <translation>Часть следующей команды</translation>
+        </message>
+        <message>
             <source>Parts of the profile</source>
             <translation>Части профиля</translation>
+        </message>
+        <message>
+            <source>Pause</source>
+            <translation>Пауза</translation>
         </message>
         <message>
             <source>Period of the core's base tick; pins change only at ticks.</source>
@@ -1041,6 +1229,14 @@ F12  этот список</translation>
         <message>
             <source>Planning fell behind the motion: free the computer of other work or lower the feed; reset the alarm, then start again.</source>
             <translation>Расчёт отстал от движения: освободите компьютер от другой работы или снизьте подачу; сбросьте аварию, затем пустите снова.</translation>
+        </message>
+        <message>
+            <source>Play</source>
+            <translation>Пуск</translation>
+        </message>
+        <message>
+            <source>Play or pause (K)</source>
+            <translation>Пуск или пауза (K)</translation>
         </message>
         <message>
             <source>Play that a reversal takes up before the axis moves.</source>
@@ -1215,12 +1411,28 @@ F12  этот список</translation>
             <translation>ГОТОВ</translation>
         </message>
         <message>
+            <source>REPLAY</source>
+            <translation>ЗАПИСЬ</translation>
+        </message>
+        <message>
+            <source>REPLAY: %1</source>
+            <translation>ЗАПИСЬ: %1</translation>
+        </message>
+        <message>
             <source>Radii of all layers, unrolled</source>
             <translation>Радиусы всех слоёв, развёртка</translation>
         </message>
         <message>
+            <source>Read off the pins: a trace has no flight recorder. A click goes to an entry.</source>
+            <translation>Прочитано с выводов: в трассе нет самописца. Щелчок ведёт к записи.</translation>
+        </message>
+        <message>
             <source>Reading the file …</source>
             <translation>Читается файл …</translation>
+        </message>
+        <message>
+            <source>Reading the recording</source>
+            <translation>Чтение записи</translation>
         </message>
         <message>
             <source>Real time</source>
@@ -1231,8 +1443,20 @@ F12  этот список</translation>
             <translation>Права РВ</translation>
         </message>
         <message>
+            <source>Recorded levels at the entries of the flight recorder. Steps are not in a snapshot.</source>
+            <translation>Уровни при записях самописца. Шагов в снимке нет.</translation>
+        </message>
+        <message>
+            <source>Recorded levels of the 20 seconds before this moment.</source>
+            <translation>Записанные уровни за 20 секунд до этого мгновения.</translation>
+        </message>
+        <message>
             <source>Reference time (T_ref)</source>
             <translation>Опорное время (T_ref)</translation>
+        </message>
+        <message>
+            <source>Refused: %1</source>
+            <translation>Отказано: %1</translation>
         </message>
         <message>
             <source>Register bit</source>
@@ -1245,6 +1469,22 @@ F12  этот список</translation>
         <message>
             <source>Release the emergency stop switch</source>
             <translation>Отпустите кнопку аварийного останова</translation>
+        </message>
+        <message>
+            <source>Replay moves nothing: leave replay first</source>
+            <translation>Запись ничего не движет: сначала закройте её</translation>
+        </message>
+        <message>
+            <source>Replay: %1, %2 recorded</source>
+            <translation>Воспроизведение: %1, записано %2</translation>
+        </message>
+        <message>
+            <source>Replay: the piece cannot be shown</source>
+            <translation>Воспроизведение: деталь показать нельзя</translation>
+        </message>
+        <message>
+            <source>Replay: the piece is too large to be shown to its end</source>
+            <translation>Воспроизведение: деталь слишком велика, конец не показан</translation>
         </message>
         <message>
             <source>Report</source>
@@ -1407,6 +1647,10 @@ F12  этот список</translation>
             <translation>Нарезается …</translation>
         </message>
         <message>
+            <source>Speed %1 (J slower, L faster)</source>
+            <translation>Скорость %1 (J медленнее, L быстрее)</translation>
+        </message>
+        <message>
             <source>Speed of homing and of backing off.</source>
             <translation>Скорость поиска нуля и отвода.</translation>
         </message>
@@ -1417,6 +1661,14 @@ F12  этот список</translation>
         <message>
             <source>Spindle</source>
             <translation>Шпиндель</translation>
+        </message>
+        <message>
+            <source>Spindle off</source>
+            <translation>Шпиндель выключен</translation>
+        </message>
+        <message>
+            <source>Spindle on</source>
+            <translation>Шпиндель включён</translation>
         </message>
         <message>
             <source>Start</source>
@@ -1487,12 +1739,24 @@ F12  этот список</translation>
             <translation>Пуск: станок движется</translation>
         </message>
         <message>
+            <source>State at the end</source>
+            <translation>Состояние в конце</translation>
+        </message>
+        <message>
+            <source>States</source>
+            <translation>Состояния</translation>
+        </message>
+        <message>
             <source>Step %1 %2</source>
             <translation>Шаг %1 %2</translation>
         </message>
         <message>
             <source>Stop</source>
             <translation>Стоп</translation>
+        </message>
+        <message>
+            <source>Stop asked for</source>
+            <translation>Запрошен стоп</translation>
         </message>
         <message>
             <source>Stop: all axes are at rest</source>
@@ -1559,6 +1823,10 @@ F12  этот список</translation>
             <translation>Выводы разъёма и их уровни</translation>
         </message>
         <message>
+            <source>The core found: %1</source>
+            <translation>Ядро обнаружило: %1</translation>
+        </message>
+        <message>
             <source>The core has ended</source>
             <translation>Ядро завершилось</translation>
         </message>
@@ -1599,8 +1867,16 @@ F12  этот список</translation>
             <translation>Задание готово к передаче.</translation>
         </message>
         <message>
+            <source>The job or snapshot that this trace belongs to</source>
+            <translation>Задание или снимок, к которому относится трасса</translation>
+        </message>
+        <message>
             <source>The language changes when the window is opened the next time</source>
             <translation>Язык сменится при следующем открытии окна</translation>
+        </message>
+        <message>
+            <source>The live machine, not the recording</source>
+            <translation>Живой станок, не запись</translation>
         </message>
         <message>
             <source>The log is not kept: %1</source>
@@ -1695,8 +1971,28 @@ F12  этот список</translation>
             <translation>Время</translation>
         </message>
         <message>
+            <source>Timeline of the recording</source>
+            <translation>Шкала времени записи</translation>
+        </message>
+        <message>
+            <source>To the begin</source>
+            <translation>К началу</translation>
+        </message>
+        <message>
+            <source>To the end</source>
+            <translation>К концу</translation>
+        </message>
+        <message>
+            <source>To the entry before (Shift+N)</source>
+            <translation>К предыдущей записи (Shift+N)</translation>
+        </message>
+        <message>
             <source>To the first point</source>
             <translation>К первой точке</translation>
+        </message>
+        <message>
+            <source>To the next entry (N)</source>
+            <translation>К следующей записи (N)</translation>
         </message>
         <message>
             <source>Tool over surface; a job carries its own.</source>
@@ -1787,6 +2083,10 @@ F12  этот список</translation>
             <translation>Проверка проводки: сначала отключите приводы</translation>
         </message>
         <message>
+            <source>Working the piece out: %1 %</source>
+            <translation>Деталь вычисляется: %1 %</translation>
+        </message>
+        <message>
             <source>Y direction</source>
             <translation>Y направление</translation>
         </message>
@@ -1825,8 +2125,24 @@ F12  этот список</translation>
             <translation>Отсчёт: профиль станка здесь неизвестен</translation>
         </message>
         <message>
+            <source>alarm</source>
+            <translation>авария</translation>
+        </message>
+        <message>
+            <source>as at the last</source>
+            <translation>как при последней</translation>
+        </message>
+        <message>
             <source>as in the file</source>
             <translation>как в файле</translation>
+        </message>
+        <message>
+            <source>as planned</source>
+            <translation>по плану</translation>
+        </message>
+        <message>
+            <source>assumed</source>
+            <translation>предположен</translation>
         </message>
         <message>
             <source>being made</source>
@@ -1853,6 +2169,10 @@ F12  этот список</translation>
             <translation>проверено</translation>
         </message>
         <message>
+            <source>cut off</source>
+            <translation>обрезана</translation>
+        </message>
+        <message>
             <source>done</source>
             <translation>готово</translation>
         </message>
@@ -1875,6 +2195,10 @@ F12  этот список</translation>
         <message>
             <source>from here on a tick may have been missed</source>
             <translation>отсюда такт мог быть пропущен</translation>
+        </message>
+        <message>
+            <source>from the pins</source>
+            <translation>с выводов</translation>
         </message>
         <message>
             <source>granted</source>
@@ -1911,6 +2235,14 @@ F12  этот список</translation>
         <message>
             <source>in</source>
             <translation>вход</translation>
+        </message>
+        <message>
+            <source>in it</source>
+            <translation>в записи</translation>
+        </message>
+        <message>
+            <source>info</source>
+            <translation>сведения</translation>
         </message>
         <message>
             <source>last known</source>
@@ -1973,12 +2305,20 @@ F12  этот список</translation>
             <translation>нет</translation>
         </message>
         <message>
+            <source>none: add it</source>
+            <translation>нет: добавьте</translation>
+        </message>
+        <message>
             <source>none: ticks may be late</source>
             <translation>нет: такты могут запаздывать</translation>
         </message>
         <message>
             <source>not by the window; psicarve carve does</source>
             <translation>не окном; это делает psicarve carve</translation>
+        </message>
+        <message>
+            <source>not in a trace</source>
+            <translation>в трассе нет</translation>
         </message>
         <message>
             <source>not known</source>
@@ -1989,8 +2329,20 @@ F12  этот список</translation>
             <translation>не нужны</translation>
         </message>
         <message>
+            <source>not recorded</source>
+            <translation>не записано</translation>
+        </message>
+        <message>
             <source>not sliced</source>
             <translation>не нарезано</translation>
+        </message>
+        <message>
+            <source>of %1</source>
+            <translation>из %1</translation>
+        </message>
+        <message>
+            <source>only in a trace</source>
+            <translation>только в трассе</translation>
         </message>
         <message>
             <source>open a model</source>
@@ -2045,6 +2397,10 @@ F12  этот список</translation>
             <translation>настоящие часы</translation>
         </message>
         <message>
+            <source>recorded</source>
+            <translation>записано</translation>
+        </message>
+        <message>
             <source>reset first</source>
             <translation>сбросьте</translation>
         </message>
@@ -2077,6 +2433,10 @@ F12  этот список</translation>
             <translation>остановлено</translation>
         </message>
         <message>
+            <source>the job's</source>
+            <translation>из задания</translation>
+        </message>
+        <message>
             <source>tick %1 µs</source>
             <translation>такт %1 µs</translation>
         </message>
@@ -2099,6 +2459,14 @@ F12  этот список</translation>
         <message>
             <source>virtual clock</source>
             <translation>виртуальные часы</translation>
+        </message>
+        <message>
+            <source>warning</source>
+            <translation>внимание</translation>
+        </message>
+        <message>
+            <source>whole</source>
+            <translation>цела</translation>
         </message>
         <message>
             <source>× NO CORE</source>

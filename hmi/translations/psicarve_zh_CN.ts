@@ -20,12 +20,24 @@
             <translation>%1 单独回零</translation>
         </message>
         <message>
+            <source>%1 changes</source>
+            <translation>%1 次变化</translation>
+        </message>
+        <message>
             <source>%1 changes not saved</source>
             <translation>%1 处修改未保存</translation>
         </message>
         <message>
             <source>%1 closed</source>
             <translation>%1 已闭合</translation>
+        </message>
+        <message>
+            <source>%1 entries</source>
+            <translation>%1 条记录</translation>
+        </message>
+        <message>
+            <source>%1 found its sensor</source>
+            <translation>%1 找到传感器</translation>
         </message>
         <message>
             <source>%1 left</source>
@@ -84,6 +96,10 @@
             <translation>%1 脉冲</translation>
         </message>
         <message>
+            <source>%1 ticks missed</source>
+            <translation>漏掉 %1 个节拍</translation>
+        </message>
+        <message>
             <source>%1 ticks missed in the last second</source>
             <translation>最近一秒丢失 %1 个节拍</translation>
         </message>
@@ -100,12 +116,20 @@
             <translation>%1。要放弃吗？</translation>
         </message>
         <message>
+            <source>%1: a recording is shown; leave replay first</source>
+            <translation>%1：正在显示记录；请先退出回放</translation>
+        </message>
+        <message>
             <source>%1: homed</source>
             <translation>%1：已回零</translation>
         </message>
         <message>
             <source>%1: not homed</source>
             <translation>%1：未回零</translation>
+        </message>
+        <message>
+            <source>%1: whether it was homed is not recorded</source>
+            <translation>%1：是否回零未记录</translation>
         </message>
         <message>
             <source>1 change not saved</source>
@@ -144,12 +168,20 @@
             <translation>低电平有效</translation>
         </message>
         <message>
+            <source>Add its job…</source>
+            <translation>添加作业…</translation>
+        </message>
+        <message>
             <source>Alarm</source>
             <translation>报警</translation>
         </message>
         <message>
             <source>Alarm: %1</source>
             <translation>报警：%1</translation>
+        </message>
+        <message>
+            <source>Alarm: %1 of %2</source>
+            <translation>报警：%1，%2</translation>
         </message>
         <message>
             <source>Alarms</source>
@@ -236,6 +268,14 @@
             <translation>使轴退离传感器，复位报警，然后回零；若没有轴在传感器处，请检查接线。</translation>
         </message>
         <message>
+            <source>Back to the machine</source>
+            <translation>回到机床</translation>
+        </message>
+        <message>
+            <source>Between entries</source>
+            <translation>记录之间</translation>
+        </message>
+        <message>
             <source>Between two points the path may leave the straight line by this.</source>
             <translation>两点之间轨迹可偏离直线这么多。</translation>
         </message>
@@ -262,6 +302,14 @@
         <message>
             <source>Cancel</source>
             <translation>取消</translation>
+        </message>
+        <message>
+            <source>Cancel reading</source>
+            <translation>取消读取</translation>
+        </message>
+        <message>
+            <source>Carved piece</source>
+            <translation>工件</translation>
         </message>
         <message>
             <source>Carves this layer and stops in order; press again for the next one</source>
@@ -302,6 +350,10 @@
         <message>
             <source>Close the window</source>
             <translation>关闭窗口</translation>
+        </message>
+        <message>
+            <source>Command: %1</source>
+            <translation>命令：%1</translation>
         </message>
         <message>
             <source>Compare with defaults</source>
@@ -348,6 +400,14 @@
             <translation>驱动和主轴已关闭；位置不再可靠。</translation>
         </message>
         <message>
+            <source>Drives and spindle on</source>
+            <translation>驱动和主轴开</translation>
+        </message>
+        <message>
+            <source>Drives are off</source>
+            <translation>驱动关</translation>
+        </message>
+        <message>
             <source>Drives off</source>
             <translation>关闭驱动</translation>
         </message>
@@ -358,6 +418,18 @@
         <message>
             <source>Drives off: they are off</source>
             <translation>关闭驱动：驱动已关闭</translation>
+        </message>
+        <message>
+            <source>Drives on, spindle off</source>
+            <translation>驱动开，主轴关</translation>
+        </message>
+        <message>
+            <source>Drives switched off</source>
+            <translation>驱动已关</translation>
+        </message>
+        <message>
+            <source>Drives switched on</source>
+            <translation>驱动开</translation>
         </message>
         <message>
             <source>EMERGENCY STOP</source>
@@ -372,8 +444,32 @@
             <translation>已请求急停</translation>
         </message>
         <message>
+            <source>Emergency stop switch pressed</source>
+            <translation>急停开关按下</translation>
+        </message>
+        <message>
+            <source>Emergency stop switch released</source>
+            <translation>急停开关松开</translation>
+        </message>
+        <message>
+            <source>End</source>
+            <translation>结尾</translation>
+        </message>
+        <message>
             <source>End at which the limit sensor stands.</source>
             <translation>限位传感器所在的一端。</translation>
+        </message>
+        <message>
+            <source>Entries of the recording</source>
+            <translation>记录条目</translation>
+        </message>
+        <message>
+            <source>Entry of kind %1</source>
+            <translation>第 %1 类记录</translation>
+        </message>
+        <message>
+            <source>Every pulse</source>
+            <translation>每个脉冲</translation>
         </message>
         <message>
             <source>F1  emergency stop, everywhere
@@ -385,7 +481,13 @@ F5  slice
 F9  arm keyboard jog
 Ctrl+1 … 4  tabs
 F10  menu
-F12  this list</source>
+F12  this list
+
+Replay: K  play, pause
+J, L  slower, faster
+N, Shift+N  next entry, entry before
+,  .  one layer
+On the timeline: arrows, Page Up, Page Down, Home, End</source>
             <translation>F1  急停，处处有效
 Ctrl+Enter  启动
 Pause  暂停、继续
@@ -395,7 +497,17 @@ F5  切片
 F9  启用键盘点动
 Ctrl+1 … 4  选项卡
 F10  菜单
-F12  此列表</translation>
+F12  此列表
+
+回放：K  播放、暂停
+J、L  更慢、更快
+N、Shift+N  下一条、上一条
+,  .  一层
+时间轴上：方向键、Page Up、Page Down、Home、End</translation>
+        </message>
+        <message>
+            <source>F1 · the live machine</source>
+            <translation>F1 · 实际机床</translation>
         </message>
         <message>
             <source>F1 · works everywhere</source>
@@ -408,6 +520,10 @@ F12  此列表</translation>
         <message>
             <source>Feed override</source>
             <translation>进给倍率</translation>
+        </message>
+        <message>
+            <source>Feed override %1 %</source>
+            <translation>进给倍率 %1 %</translation>
         </message>
         <message>
             <source>Feed override %1 % → %2 %</source>
@@ -430,6 +546,10 @@ F12  此列表</translation>
             <translation>适合</translation>
         </message>
         <message>
+            <source>Flight recorder</source>
+            <translation>飞行记录</translation>
+        </message>
+        <message>
             <source>Folder for the support bundle</source>
             <translation>支持包的文件夹</translation>
         </message>
@@ -444,6 +564,10 @@ F12  此列表</translation>
         <message>
             <source>From layer %1</source>
             <translation>从第 %1 层开始</translation>
+        </message>
+        <message>
+            <source>From the flight recorder. A click goes to an entry.</source>
+            <translation>来自飞行记录。单击转到该条。</translation>
         </message>
         <message>
             <source>From your zero of %1. The large number is the machine's own position.</source>
@@ -554,6 +678,10 @@ F12  此列表</translation>
             <translation>轴 %1 回零失败</translation>
         </message>
         <message>
+            <source>Homing: positions defined</source>
+            <translation>回零：位置已确定</translation>
+        </message>
+        <message>
             <source>How far past the sensor the mechanics allow.</source>
             <translation>机械结构允许越过传感器的距离。</translation>
         </message>
@@ -578,12 +706,24 @@ F12  此列表</translation>
             <translation>文件中为：%1</translation>
         </message>
         <message>
+            <source>In the recording</source>
+            <translation>记录内容</translation>
+        </message>
+        <message>
             <source>Info</source>
             <translation>信息</translation>
         </message>
         <message>
             <source>Input pin 10..13 or 15; 0: not wired; minus: active low.</source>
             <translation>输入引脚 10..13 或 15；0：未接；负号：低电平有效。</translation>
+        </message>
+        <message>
+            <source>Inputs active: %1</source>
+            <translation>有效输入：%1</translation>
+        </message>
+        <message>
+            <source>Inputs: none active</source>
+            <translation>输入：均无效</translation>
         </message>
         <message>
             <source>Iso</source>
@@ -610,6 +750,10 @@ F12  此列表</translation>
             <translation>作业 %1 号已接受</translation>
         </message>
         <message>
+            <source>Job or snapshot of this trace</source>
+            <translation>此轨迹的作业或快照</translation>
+        </message>
+        <message>
             <source>Job published</source>
             <translation>作业已发布</translation>
         </message>
@@ -618,8 +762,16 @@ F12  此列表</translation>
             <translation>作业：%1 × %2 点</translation>
         </message>
         <message>
+            <source>Jobs and snapshots (*.job *.psi *.snap);;All files (*)</source>
+            <translation>作业和快照 (*.job *.psi *.snap);;所有文件 (*)</translation>
+        </message>
+        <message>
             <source>Jog</source>
             <translation>点动</translation>
+        </message>
+        <message>
+            <source>Jog ends</source>
+            <translation>点动结束</translation>
         </message>
         <message>
             <source>Jog speed of R1, R2 and Y</source>
@@ -694,12 +846,20 @@ F12  此列表</translation>
             <translation>两个刀尖之间的最小距离。</translation>
         </message>
         <message>
+            <source>Leave replay</source>
+            <translation>退出回放</translation>
+        </message>
+        <message>
             <source>Leave running</source>
             <translation>继续运行</translation>
         </message>
         <message>
             <source>Leaves out the layers before it</source>
             <translation>跳过它之前的层</translation>
+        </message>
+        <message>
+            <source>Leaves replay and opens the job in this snapshot</source>
+            <translation>退出回放并打开快照中的作业</translation>
         </message>
         <message>
             <source>Level</source>
@@ -722,6 +882,10 @@ F12  此列表</translation>
             <translation>浅：已雕刻（%1 层未见到：按计划显示）。深：毛坯。</translation>
         </message>
         <message>
+            <source>Light: carved, as planned. Dark: blank.</source>
+            <translation>浅：已雕刻，按计划。深：毛坯。</translation>
+        </message>
+        <message>
             <source>Light: carved. Dark: blank.</source>
             <translation>浅：已雕刻。深：毛坯。</translation>
         </message>
@@ -742,6 +906,10 @@ F12  此列表</translation>
             <translation>限位开关 %1 闭合（外端，引脚 %2）</translation>
         </message>
         <message>
+            <source>Limit switch %1 open</source>
+            <translation>限位开关 %1 断开</translation>
+        </message>
+        <message>
             <source>Limit switch Y closed (lower end, pin %1)</source>
             <translation>限位开关 Y 闭合（下端，引脚 %1）</translation>
         </message>
@@ -752,6 +920,10 @@ F12  此列表</translation>
         <message>
             <source>Limits clear</source>
             <translation>限位均断开</translation>
+        </message>
+        <message>
+            <source>Live machine: %1</source>
+            <translation>实际机床：%1</translation>
         </message>
         <message>
             <source>Locked by the wiring test</source>
@@ -818,6 +990,10 @@ F12  此列表</translation>
             <translation>移动中</translation>
         </message>
         <message>
+            <source>Machine profile</source>
+            <translation>机床配置</translation>
+        </message>
+        <message>
             <source>Machine: %1</source>
             <translation>机床：%1</translation>
         </message>
@@ -850,8 +1026,8 @@ F12  此列表</translation>
             <translation>模型</translation>
         </message>
         <message>
-            <source>Models and jobs (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;All files (*)</source>
-            <translation>模型和作业 (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;所有文件 (*)</translation>
+            <source>Models and jobs (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;Recordings (*.snap *.trace);;All files (*)</source>
+            <translation>模型和作业 (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;记录 (*.snap *.trace);;所有文件 (*)</translation>
         </message>
         <message>
             <source>Motor pulses for one millimetre.</source>
@@ -982,12 +1158,16 @@ F12  此列表</translation>
             <translation>打开机床配置</translation>
         </message>
         <message>
-            <source>Open model or job</source>
-            <translation>打开模型或作业</translation>
+            <source>Open its job</source>
+            <translation>打开其作业</translation>
         </message>
         <message>
-            <source>Open model or job…</source>
-            <translation>打开模型或作业…</translation>
+            <source>Open model, job or recording</source>
+            <translation>打开模型、作业或记录</translation>
+        </message>
+        <message>
+            <source>Open model, job or recording…</source>
+            <translation>打开模型、作业或记录…</translation>
         </message>
         <message>
             <source>Open recent</source>
@@ -1018,8 +1198,16 @@ F12  此列表</translation>
             <translation>定位中</translation>
         </message>
         <message>
+            <source>Part of the next command</source>
+            <translation>下一命令的一部分</translation>
+        </message>
+        <message>
             <source>Parts of the profile</source>
             <translation>配置的各部分</translation>
+        </message>
+        <message>
+            <source>Pause</source>
+            <translation>暂停</translation>
         </message>
         <message>
             <source>Period of the core's base tick; pins change only at ticks.</source>
@@ -1040,6 +1228,14 @@ F12  此列表</translation>
         <message>
             <source>Planning fell behind the motion: free the computer of other work or lower the feed; reset the alarm, then start again.</source>
             <translation>规划落后于运动：减少计算机的其他工作或降低进给；复位报警，然后重新启动。</translation>
+        </message>
+        <message>
+            <source>Play</source>
+            <translation>播放</translation>
+        </message>
+        <message>
+            <source>Play or pause (K)</source>
+            <translation>播放或暂停 (K)</translation>
         </message>
         <message>
             <source>Play that a reversal takes up before the axis moves.</source>
@@ -1210,12 +1406,28 @@ F12  此列表</translation>
             <translation>就绪</translation>
         </message>
         <message>
+            <source>REPLAY</source>
+            <translation>回放</translation>
+        </message>
+        <message>
+            <source>REPLAY: %1</source>
+            <translation>回放：%1</translation>
+        </message>
+        <message>
             <source>Radii of all layers, unrolled</source>
             <translation>所有层的半径展开图</translation>
         </message>
         <message>
+            <source>Read off the pins: a trace has no flight recorder. A click goes to an entry.</source>
+            <translation>由引脚读出：轨迹中没有飞行记录。单击转到该条。</translation>
+        </message>
+        <message>
             <source>Reading the file …</source>
             <translation>正在读取文件 …</translation>
+        </message>
+        <message>
+            <source>Reading the recording</source>
+            <translation>读取记录</translation>
         </message>
         <message>
             <source>Real time</source>
@@ -1226,8 +1438,20 @@ F12  此列表</translation>
             <translation>实时权限</translation>
         </message>
         <message>
+            <source>Recorded levels at the entries of the flight recorder. Steps are not in a snapshot.</source>
+            <translation>飞行记录各条时的电平。快照中没有步进。</translation>
+        </message>
+        <message>
+            <source>Recorded levels of the 20 seconds before this moment.</source>
+            <translation>此刻之前 20 秒的记录电平。</translation>
+        </message>
+        <message>
             <source>Reference time (T_ref)</source>
             <translation>参考时间 (T_ref)</translation>
+        </message>
+        <message>
+            <source>Refused: %1</source>
+            <translation>已拒绝：%1</translation>
         </message>
         <message>
             <source>Register bit</source>
@@ -1240,6 +1464,22 @@ F12  此列表</translation>
         <message>
             <source>Release the emergency stop switch</source>
             <translation>松开急停开关</translation>
+        </message>
+        <message>
+            <source>Replay moves nothing: leave replay first</source>
+            <translation>回放不驱动机床：请先退出回放</translation>
+        </message>
+        <message>
+            <source>Replay: %1, %2 recorded</source>
+            <translation>回放：%1，已记录 %2</translation>
+        </message>
+        <message>
+            <source>Replay: the piece cannot be shown</source>
+            <translation>回放：无法显示工件</translation>
+        </message>
+        <message>
+            <source>Replay: the piece is too large to be shown to its end</source>
+            <translation>回放：工件过大，无法显示到结尾</translation>
         </message>
         <message>
             <source>Report</source>
@@ -1402,6 +1642,10 @@ F12  此列表</translation>
             <translation>正在切片 …</translation>
         </message>
         <message>
+            <source>Speed %1 (J slower, L faster)</source>
+            <translation>速度 %1（J 更慢，L 更快）</translation>
+        </message>
+        <message>
             <source>Speed of homing and of backing off.</source>
             <translation>回零和退离的速度。</translation>
         </message>
@@ -1412,6 +1656,14 @@ F12  此列表</translation>
         <message>
             <source>Spindle</source>
             <translation>主轴</translation>
+        </message>
+        <message>
+            <source>Spindle off</source>
+            <translation>主轴关</translation>
+        </message>
+        <message>
+            <source>Spindle on</source>
+            <translation>主轴开</translation>
         </message>
         <message>
             <source>Start</source>
@@ -1482,12 +1734,24 @@ F12  此列表</translation>
             <translation>启动：机床在运动</translation>
         </message>
         <message>
+            <source>State at the end</source>
+            <translation>结束状态</translation>
+        </message>
+        <message>
+            <source>States</source>
+            <translation>状态</translation>
+        </message>
+        <message>
             <source>Step %1 %2</source>
             <translation>步长 %1 %2</translation>
         </message>
         <message>
             <source>Stop</source>
             <translation>停止</translation>
+        </message>
+        <message>
+            <source>Stop asked for</source>
+            <translation>已请求停止</translation>
         </message>
         <message>
             <source>Stop: all axes are at rest</source>
@@ -1554,6 +1818,10 @@ F12  此列表</translation>
             <translation>接口引脚及其电平</translation>
         </message>
         <message>
+            <source>The core found: %1</source>
+            <translation>内核发现：%1</translation>
+        </message>
+        <message>
             <source>The core has ended</source>
             <translation>内核已结束</translation>
         </message>
@@ -1594,8 +1862,16 @@ F12  此列表</translation>
             <translation>作业可以发布了。</translation>
         </message>
         <message>
+            <source>The job or snapshot that this trace belongs to</source>
+            <translation>此轨迹所属的作业或快照</translation>
+        </message>
+        <message>
             <source>The language changes when the window is opened the next time</source>
             <translation>下次打开窗口时更换语言</translation>
+        </message>
+        <message>
+            <source>The live machine, not the recording</source>
+            <translation>实际机床，不是记录</translation>
         </message>
         <message>
             <source>The log is not kept: %1</source>
@@ -1690,8 +1966,28 @@ F12  此列表</translation>
             <translation>时间</translation>
         </message>
         <message>
+            <source>Timeline of the recording</source>
+            <translation>记录时间轴</translation>
+        </message>
+        <message>
+            <source>To the begin</source>
+            <translation>到开头</translation>
+        </message>
+        <message>
+            <source>To the end</source>
+            <translation>到结尾</translation>
+        </message>
+        <message>
+            <source>To the entry before (Shift+N)</source>
+            <translation>到上一条 (Shift+N)</translation>
+        </message>
+        <message>
             <source>To the first point</source>
             <translation>移到第一点</translation>
+        </message>
+        <message>
+            <source>To the next entry (N)</source>
+            <translation>到下一条 (N)</translation>
         </message>
         <message>
             <source>Tool over surface; a job carries its own.</source>
@@ -1782,6 +2078,10 @@ F12  此列表</translation>
             <translation>接线测试：请先关闭驱动</translation>
         </message>
         <message>
+            <source>Working the piece out: %1 %</source>
+            <translation>正在计算工件：%1 %</translation>
+        </message>
+        <message>
             <source>Y direction</source>
             <translation>Y 方向</translation>
         </message>
@@ -1818,8 +2118,24 @@ F12  此列表</translation>
             <translation>设零：此处不知道机床配置</translation>
         </message>
         <message>
+            <source>alarm</source>
+            <translation>报警</translation>
+        </message>
+        <message>
+            <source>as at the last</source>
+            <translation>同上一条</translation>
+        </message>
+        <message>
             <source>as in the file</source>
             <translation>与文件相同</translation>
+        </message>
+        <message>
+            <source>as planned</source>
+            <translation>按计划</translation>
+        </message>
+        <message>
+            <source>assumed</source>
+            <translation>假定</translation>
         </message>
         <message>
             <source>being made</source>
@@ -1846,6 +2162,10 @@ F12  此列表</translation>
             <translation>已检查</translation>
         </message>
         <message>
+            <source>cut off</source>
+            <translation>被截断</translation>
+        </message>
+        <message>
             <source>done</source>
             <translation>完成</translation>
         </message>
@@ -1868,6 +2188,10 @@ F12  此列表</translation>
         <message>
             <source>from here on a tick may have been missed</source>
             <translation>从此处起可能丢失节拍</translation>
+        </message>
+        <message>
+            <source>from the pins</source>
+            <translation>由引脚得出</translation>
         </message>
         <message>
             <source>granted</source>
@@ -1904,6 +2228,14 @@ F12  此列表</translation>
         <message>
             <source>in</source>
             <translation>入</translation>
+        </message>
+        <message>
+            <source>in it</source>
+            <translation>已包含</translation>
+        </message>
+        <message>
+            <source>info</source>
+            <translation>信息</translation>
         </message>
         <message>
             <source>last known</source>
@@ -1966,12 +2298,20 @@ F12  此列表</translation>
             <translation>无</translation>
         </message>
         <message>
+            <source>none: add it</source>
+            <translation>无：请添加</translation>
+        </message>
+        <message>
             <source>none: ticks may be late</source>
             <translation>无：节拍可能迟滞</translation>
         </message>
         <message>
             <source>not by the window; psicarve carve does</source>
             <translation>窗口不校验；psicarve carve 会校验</translation>
+        </message>
+        <message>
+            <source>not in a trace</source>
+            <translation>轨迹中没有</translation>
         </message>
         <message>
             <source>not known</source>
@@ -1982,8 +2322,20 @@ F12  此列表</translation>
             <translation>不需要</translation>
         </message>
         <message>
+            <source>not recorded</source>
+            <translation>未记录</translation>
+        </message>
+        <message>
             <source>not sliced</source>
             <translation>未切片</translation>
+        </message>
+        <message>
+            <source>of %1</source>
+            <translation>共 %1</translation>
+        </message>
+        <message>
+            <source>only in a trace</source>
+            <translation>仅在轨迹中</translation>
         </message>
         <message>
             <source>open a model</source>
@@ -2038,6 +2390,10 @@ F12  此列表</translation>
             <translation>实时时钟</translation>
         </message>
         <message>
+            <source>recorded</source>
+            <translation>已记录</translation>
+        </message>
+        <message>
             <source>reset first</source>
             <translation>请先复位</translation>
         </message>
@@ -2070,6 +2426,10 @@ F12  此列表</translation>
             <translation>已停止</translation>
         </message>
         <message>
+            <source>the job's</source>
+            <translation>作业自带</translation>
+        </message>
+        <message>
             <source>tick %1 µs</source>
             <translation>节拍 %1 µs</translation>
         </message>
@@ -2092,6 +2452,14 @@ F12  此列表</translation>
         <message>
             <source>virtual clock</source>
             <translation>虚拟时钟</translation>
+        </message>
+        <message>
+            <source>warning</source>
+            <translation>警告</translation>
+        </message>
+        <message>
+            <source>whole</source>
+            <translation>完整</translation>
         </message>
         <message>
             <source>× NO CORE</source>

@@ -27,7 +27,7 @@ void ActionButton::set_glyph(Glyph glyph, const Tokens& tokens, bool on_fill) {
 }
 
 const QString& ActionButton::refresh(const Bench& bench) {
-    const auto lock = lock_of_(bench);
+    const auto lock = bench.replay.is_open() ? replay::lock() : lock_of_(bench);
     const QString reason = lock ? words(*lock) : QString{};
     setEnabled(!lock);
     const QString& tip = lock ? reason : hint_;

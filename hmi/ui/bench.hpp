@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "hmi/replay/replay_desk.hpp"
 #include "hmi/session/job_desk.hpp"
 #include "hmi/session/log_file.hpp"
 #include "hmi/session/machine_session.hpp"
@@ -17,13 +18,33 @@ struct Bench {
     explicit Bench(const session::SessionOptions& options)
         : machine(options, log),
           desk(options.segment_name, options.group, log),
-          keeper(session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME"))) {}
+          keeper(session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME"))),
+          replay(log) {
+        desk.set_recordings(replay::is_recording, [this](const std::string& path) { open_replay(path); });
+        desk.set_opened([this] { replay.leave(); });
+    }
 
     session::MessageLog log;
     session::MachineSession machine;
     session::JobDesk desk;
     session::RunWatch runs;
     session::LogKeeper keeper;
+    replay::ReplayDesk replay;
+
+    // What the window shows: the machine and its job, or a recording of them.
+    const session::MachineSight& shown() const noexcept {
+        return replay.is_open() ? replay.sight() : machine.sight();
+    }
+    replay::JobPointer shown_job() const noexcept {
+        return replay.is_open() ? replay.facts().job : desk.job();
+    }
+    /// The job that is shown is the one that the machine, or the recorded one, is at.
+    bool is_shown_at_job() const noexcept {
+        if (replay.is_open()) return replay.shown().place.has_value();
+        const MachineState state = machine.sight().state();
+        return machine.sight().status && desk.sight().state == session::DeskState::published &&
+               (state == MachineState::carving || state == MachineState::held);
+    }
 
     /// A look at the machine and at what is under way.
     void poll() {
@@ -31,12 +52,18 @@ struct Bench {
         desk.poll(machine.sight());
         runs.note(machine.sight(), session::RunWatch::Clock::now());
         keeper.poll(log);
+        replay.poll(replay::ReplayDesk::Clock::now());
+        machine.watch_only(replay.is_open());
         if (desk.edition() == offered_edition_) return;
         offered_edition_ = desk.edition();
         if (desk.job()) machine.offer_profile(desk.job()->profile);
     }
 
 private:
+    void open_replay(const std::string& path) {
+        replay.open(path, machine.options().profile.value_or(Profile{}));
+    }
+
     std::uint64_t offered_edition_ = 0;
 };
 

@@ -115,40 +115,50 @@ void CarvingPage::keep_record() {
         record_->take_as_planned(is_complete ? status->layer + 1 : status->layer, kCellsPerLook);
 }
 
+session::CarvingRecord* CarvingPage::shown_record() const noexcept {
+    return bench_.replay.is_open() ? bench_.replay.carving() : record_.get();
+}
+
 void CarvingPage::draw() {
-    if (!record_) {
+    session::CarvingRecord* const record = shown_record();
+    if (shown_replay_ != bench_.replay.edition() || drawn_record_ != record) scene_.reset();
+    shown_replay_ = bench_.replay.edition();
+    drawn_record_ = record;
+    if (record == nullptr) {
         if (view_->picture().bodies.empty()) return;
         view_->set_heads({});
         return view_->show_scene(nullptr);
     }
-    const auto& status = bench_.machine.sight().status;
+    const auto& status = bench_.shown().status;
     verify::Positions positions{};
     if (status)
         std::copy(std::begin(status->position_pulses), std::end(status->position_pulses), positions.begin());
-    const bool is_same = scene_ && drawn_edition_ == record_->edition() && drawn_positions_ == positions;
-    view_->set_moving(is_moving(bench_.machine.sight().state()));
+    const bool is_same = scene_ && drawn_edition_ == record->edition() && drawn_positions_ == positions;
+    view_->set_moving(bench_.replay.is_open() ? bench_.replay.clock().is_playing()
+                                              : is_moving(bench_.machine.sight().state()));
     if (is_same || (drawn_.isValid() && drawn_.elapsed() < kLeastPause_ms)) return;
     drawn_.start();
-    drawn_edition_ = record_->edition();
+    drawn_edition_ = record->edition();
     drawn_positions_ = positions;
     if (!scene_ || scene_drawing_ != view_->drawing()) {
         scene_drawing_ = view_->drawing();
-        scene_ = std::make_unique<session::CarvedScene>(*record_, plan_for(view_->drawing()));
+        scene_ = std::make_unique<session::CarvedScene>(*record, plan_for(view_->drawing()));
         view_->show_scene(scene_->scene());
     }
-    view_->vertices_changed(scene_->update(*record_));
-    draw_heads();
+    view_->vertices_changed(scene_->update(*record));
+    draw_heads(*record);
 }
 
-void CarvingPage::draw_heads() {
-    const auto pose = record_->pose(drawn_positions_);
+void CarvingPage::draw_heads(const session::CarvingRecord& record) {
+    const auto pose = record.pose(drawn_positions_);
     const double across_mm = scene_->scene()->size[0];
     const QColor colours[] = {tokens_->r1, tokens_->r2};
     std::vector<MeshView::Head> heads;
     for (std::size_t h = 0; h < verify::kHeadCount; ++h) {
-        // Where it stands is known once its axis is homed.
-        if (!bench_.machine.sight().is_homed(verify::kHeads[h]) || !bench_.machine.sight().is_homed(Axis::y))
-            continue;
+        // Where it stands is known once its axis is homed, and from a recording.
+        const auto& sight = bench_.machine.sight();
+        const bool is_known = sight.is_homed(verify::kHeads[h]) && sight.is_homed(Axis::y);
+        if (!is_known && !bench_.replay.is_open()) continue;
         const auto& at = pose.heads[h];
         if (!rods_[h])
             rods_[h] = std::make_shared<const session::MeshScene>(
@@ -166,22 +176,31 @@ void CarvingPage::draw_heads() {
 }
 
 void CarvingPage::say() {
-    const auto& status = bench_.machine.sight().status;
-    if (!record_ || !status || status->points_total == 0) {
+    const auto& status = bench_.shown().status;
+    const session::CarvingRecord* const record = shown_record();
+    const auto job = bench_.shown_job();
+    if (bench_.replay.carving_ratio() < 1.0) {
+        point_->clear();
+        return done_->setText(
+            tr("Working the piece out: %1 %").arg(qRound(100.0 * bench_.replay.carving_ratio())));
+    }
+    if (record == nullptr || !job || !status || status->points_total == 0) {
         done_->clear();
         point_->clear();
         return;
     }
-    const std::uint32_t layers = job_->view.layer_count();
-    const std::uint32_t planned = record_->planned_layers();
-    done_->setText(planned == 0
+    const std::uint32_t layers = job->view.layer_count();
+    const std::uint32_t planned = record->planned_layers();
+    const bool is_planned = bench_.replay.is_open() && !bench_.replay.facts().knows_every_pulse;
+    done_->setText(is_planned ? tr("Light: carved, as planned. Dark: blank.")
+                   : planned == 0
                        ? tr("Light: carved. Dark: blank.")
                        : tr("Light: carved (%1 layers not seen: as planned). Dark: blank.").arg(planned));
     point_->setText(tr("Layer %1 / %2, point %3 / %4")
                         .arg(std::min(status->layer + 1, layers))
                         .arg(layers)
                         .arg(status->point + 1)
-                        .arg(job_->view.point_count()));
+                        .arg(job->view.point_count()));
 }
 
 }  // namespace psicarve::ui

@@ -38,8 +38,10 @@ public:
 private:
     void make_record();
     void keep_record();
+    /// The machine's, or a recording's.
+    session::CarvingRecord* shown_record() const noexcept;
     void draw();
-    void draw_heads();
+    void draw_heads(const session::CarvingRecord& record);
     void say();
 
     Bench& bench_;
@@ -52,6 +54,8 @@ private:
     std::uint64_t job_start_tick_ = 0;
     std::uint64_t drawn_edition_ = 0;
     verify::Positions drawn_positions_{};
+    std::uint64_t shown_replay_ = 0;
+    const session::CarvingRecord* drawn_record_ = nullptr;  ///< only compared
     QElapsedTimer drawn_;
     MeshView* view_;
     QLabel* done_;

@@ -103,6 +103,16 @@ QPainterPath stroked(Glyph glyph) {
         case Glyph::lock:
             return with(lines({{3.5, 7.5}, {12.5, 7.5}, {12.5, 13.5}, {3.5, 13.5}}, true),
                         lines({{5.5, 7.5}, {5.5, 4}, {8, 2.5}, {10.5, 4}, {10.5, 7.5}}));
+        case Glyph::replay:
+            return with(turn(true), lines({{8, 5.2}, {8, 8.4}, {10.2, 9.6}}));
+        case Glyph::to_begin:
+            return with(lines({{3.5, 3}, {3.5, 13}}), lines({{12.5, 3}, {6.5, 8}, {12.5, 13}}, true));
+        case Glyph::to_end:
+            return with(lines({{12.5, 3}, {12.5, 13}}), lines({{3.5, 3}, {9.5, 8}, {3.5, 13}}, true));
+        case Glyph::entry_before:
+            return with(lines({{13, 8}, {13, 8.1}}), lines({{9.5, 3.5}, {4.5, 8}, {9.5, 12.5}}));
+        case Glyph::next_entry:
+            return with(lines({{3, 8}, {3, 8.1}}), lines({{6.5, 3.5}, {11.5, 8}, {6.5, 12.5}}));
         default:
             return {};
     }

@@ -30,6 +30,11 @@ enum class Glyph : std::uint8_t {
     turn_left,
     turn_right,
     lock,
+    replay,
+    to_begin,
+    to_end,
+    entry_before,
+    next_entry,
 };
 
 /// Draws the glyph into a square of `side` at the painter's origin.

@@ -77,7 +77,8 @@ void JobPanel::make_facts() {
 
 void JobPanel::make_checks() {
     auto* head = new QHBoxLayout;
-    head->addWidget(role_label("head", tr("Pre-flight")));
+    checks_title_ = role_label("head");
+    head->addWidget(checks_title_);
     head->addStretch();
     verdict_ = role_label("head");
     head->addWidget(verdict_);
@@ -222,14 +223,18 @@ void JobPanel::refresh() {
 }
 
 void JobPanel::refresh_facts() {
-    const session::MachineSight& sight = bench_.machine.sight();
+    const bool is_replay = bench_.replay.is_open();
+    const session::MachineSight& sight = bench_.shown();
     time_->setText(words(session::time_text(sight)));
     const bool has_generation = sight.status && sight.status->job_generation != 0;
-    note().setText(has_generation ? tr("no. %1").arg(sight.status->job_generation) : QString{});
-    if (shown_edition_ == bench_.desk.edition()) return;
-    shown_edition_ = bench_.desk.edition();
-    const auto job = bench_.desk.job();
-    const auto mesh = bench_.desk.mesh();
+    note().setText(is_replay        ? tr("recorded")
+                   : has_generation ? tr("no. %1").arg(sight.status->job_generation)
+                                    : QString{});
+    const std::uint64_t edition = bench_.desk.edition() + bench_.replay.edition();
+    if (shown_edition_ == edition) return;
+    shown_edition_ = edition;
+    const auto job = bench_.shown_job();
+    const auto mesh = is_replay ? nullptr : bench_.desk.mesh();
     if (job) {
         name_->setText(QString::fromStdString(std::string{job->view.source_name()}));
         counts_->setText(QString{"%1 × %2"}.arg(job->view.layer_count()).arg(job->view.point_count()));
@@ -237,13 +242,17 @@ void JobPanel::refresh_facts() {
         layer_->setMaximum(static_cast<int>(job->view.layer_count()));
     } else {
         name_->setText(mesh ? QString::fromStdString(mesh->source_name) : tr("No job"));
-        counts_->setText(mesh ? tr("not sliced") : tr("open a model"));
+        counts_->setText(mesh ? tr("not sliced") : is_replay ? tr("not recorded") : tr("open a model"));
         size_->clear();
     }
 }
 
 void JobPanel::refresh_checks() {
-    const std::vector<Check> checks = session::preflight_checks(bench_.machine.sight(), bench_.desk.sight());
+    const bool is_replay = bench_.replay.is_open();
+    checks_title_->setText(is_replay ? tr("In the recording") : tr("Pre-flight"));
+    const std::vector<Check> checks =
+        is_replay ? bench_.replay.facts().contents
+                  : session::preflight_checks(bench_.machine.sight(), bench_.desk.sight());
     std::size_t passed = 0;
     for (std::size_t i = 0; i < checks_.size(); ++i) {
         const bool is_there = i < checks.size();
@@ -268,7 +277,7 @@ void JobPanel::refresh_checks() {
         row.name->setText(words(check.name));
         row.detail->setText(words(check.detail));
     }
-    verdict_->setText(tr("%1 of %2 pass").arg(passed).arg(checks.size()));
+    verdict_->setText(is_replay ? QString{} : tr("%1 of %2 pass").arg(passed).arg(checks.size()));
     const QColor colour = passed == checks.size() ? tokens_->run : tokens_->alarm;
     const QString style = QString{"color: %1"}.arg(colour.name());
     if (verdict_->styleSheet() != style) verdict_->setStyleSheet(style);
@@ -295,7 +304,7 @@ void JobPanel::refresh_override() {
     const bool may = full_->refresh(bench_).isEmpty();
     override_->setEnabled(may);
     override_->setToolTip(full_->reason());
-    const auto& status = bench_.machine.sight().status;
+    const auto& status = bench_.shown().status;
     if (!status || status->override_percent == 0) return;
     const int percent = static_cast<int>(status->override_percent);
     percent_->setText(tr("%1 %").arg(percent));

@@ -51,6 +51,7 @@ private:
     QLabel* counts_;
     QLabel* size_;
     QLabel* time_;
+    QLabel* checks_title_;
     QLabel* verdict_;
     std::vector<CheckRow> checks_;
     ActionButton* start_;

@@ -80,12 +80,12 @@ void LayersPage::set_theme(const Tokens& tokens) {
 void LayersPage::refresh() {
     // Others pay for what nobody looks at.
     if (!isVisible()) return;
-    if (bench_.desk.job() != job_) take_job();
+    if (bench_.shown_job() != job_) take_job();
     if (job_) follow_machine();
 }
 
 void LayersPage::take_job() {
-    job_ = bench_.desk.job();
+    job_ = bench_.shown_job();
     setEnabled(job_ != nullptr);
     if (!job_) return;
     const session::RadiusMap map = session::radius_map(*job_, kMostColumns, kMostRows);
@@ -122,10 +122,8 @@ void LayersPage::show_layer(int number) {
 }
 
 void LayersPage::follow_machine() {
-    const session::MachineSight& sight = bench_.machine.sight();
-    const bool is_at_job = sight.status && bench_.desk.sight().state == session::DeskState::published &&
-                           (sight.state() == MachineState::carving || sight.state() == MachineState::held);
-    if (!is_at_job) return polar_->show_heads({});
+    const session::MachineSight& sight = bench_.shown();
+    if (!bench_.is_shown_at_job()) return polar_->show_heads({});
     const std::int64_t per_rev = job_->profile.psi.pulses_per_rev;
     const std::int64_t psi_pulses = sight.status->position_pulses[index_of(Axis::psi)] % per_rev;
     polar_->show_heads(deg_from_pulses(psi_pulses, per_rev));

@@ -10,6 +10,7 @@
 #include <QMimeData>
 #include <QResizeEvent>
 #include <QScrollArea>
+#include <QStackedWidget>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QUrl>
@@ -20,6 +21,7 @@
 #include "hmi/ui/alarm_banner.hpp"
 #include "hmi/ui/carving_page.hpp"
 #include "hmi/ui/emergency_key.hpp"
+#include "hmi/ui/entries_page.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/job_panel.hpp"
 #include "hmi/ui/jog_panel.hpp"
@@ -30,6 +32,7 @@
 #include "hmi/ui/position_panel.hpp"
 #include "hmi/ui/profile_page.hpp"
 #include "hmi/ui/realtime_page.hpp"
+#include "hmi/ui/replay_bar.hpp"
 #include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/strip.hpp"
 #include "hmi/ui/words.hpp"
@@ -112,8 +115,12 @@ QWidget* MainWindow::make_centre() {
     realtime_ = new RealtimePage{bench_};
     messages_ = new MessagesPage{bench_};
     profile_ = new ProfilePage{bench_};
-    const std::initializer_list<QWidget*> pages{model_,    layers_,   carving_, ports_,
-                                                realtime_, messages_, profile_};
+    entries_ = new EntriesPage{bench_};
+    messages_or_entries_ = new QStackedWidget;
+    messages_or_entries_->addWidget(messages_);
+    messages_or_entries_->addWidget(entries_);
+    const std::initializer_list<QWidget*> pages{
+        model_, layers_, carving_, ports_, realtime_, messages_or_entries_, profile_};
     for (QWidget* page : pages) tabs_->addTab(page, QString{});
     name_tabs();
     // In a small window pages may be larger than their room.
@@ -124,6 +131,8 @@ QWidget* MainWindow::make_centre() {
     room->setWidget(tabs_);
     inside->addWidget(room);
     column->addWidget(frame, 1);
+    replay_ = new ReplayBar{bench_, [this] { choose_job_of_trace(); }};
+    column->addWidget(replay_);
     return centre;
 }
 
@@ -184,10 +193,13 @@ void MainWindow::set_theme(ThemeChoice choice) {
     realtime_->set_theme(tokens);
     messages_->set_theme(tokens);
     profile_->set_theme(tokens);
+    entries_->set_theme(tokens);
+    replay_->set_theme(tokens);
 }
 
 void MainWindow::refresh() {
     bench_.poll();
+    refresh_replay();
     strip_->refresh();
     position_->refresh();
     jog_->refresh();
@@ -206,7 +218,7 @@ void MainWindow::refresh() {
 }
 
 void MainWindow::refresh_status_bar() {
-    const auto& profile = bench_.machine.sight().profile;
+    const auto& profile = bench_.shown().profile;
     profile_label_->setText(profile ? tr("profile %1").arg(QString::fromStdString(profile->name))
                                     : tr("profile unknown"));
     if (shown_messages_ == bench_.log.count()) return;

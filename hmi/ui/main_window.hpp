@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/settings.hpp"
@@ -15,11 +16,14 @@
 
 class QLabel;
 class QMenu;
+class QAction;
+class QStackedWidget;
 class QTabWidget;
 
 namespace psicarve::ui {
 
 class AlarmBanner;
+class EntriesPage;
 class CarvingPage;
 class JobPanel;
 class JogPanel;
@@ -30,6 +34,7 @@ class PortsPage;
 class PositionPanel;
 class ProfilePage;
 class RealtimePage;
+class ReplayBar;
 class SidePanels;
 class Strip;
 
@@ -67,6 +72,9 @@ private:
     void make_menu();
     void make_theme_menu();
     void make_language_menu();
+    void make_replay_keys();
+    void choose_job_of_trace();
+    void refresh_replay();
     QWidget* make_centre();
     void make_status_bar();
     void name_tabs();
@@ -93,6 +101,11 @@ private:
     PortsPage* ports_ = nullptr;
     RealtimePage* realtime_ = nullptr;
     MessagesPage* messages_ = nullptr;
+    EntriesPage* entries_ = nullptr;
+    QStackedWidget* messages_or_entries_ = nullptr;
+    ReplayBar* replay_ = nullptr;
+    std::vector<QAction*> replay_actions_;  ///< only while a recording is shown
+    std::uint64_t shown_replay_ = 0;
     ProfilePage* profile_ = nullptr;
     QWidget* status_row_ = nullptr;
     QLabel* last_message_ = nullptr;

@@ -12,7 +12,7 @@
 namespace psicarve::ui {
 
 void MainWindow::make_menu() {
-    QAction* open_action = menu_->addAction(tr("Open model or job…"));
+    QAction* open_action = menu_->addAction(tr("Open model, job or recording…"));
     open_action->setShortcut(QKeySequence::Open);
     connect(open_action, &QAction::triggered, this, [this] { choose_file(); });
     recent_ = menu_->addMenu(tr("Open recent"));
@@ -23,10 +23,14 @@ void MainWindow::make_menu() {
     QAction* keys = menu_->addAction(tr("Keys…"));
     keys->setShortcut(Qt::Key_F12);
     connect(keys, &QAction::triggered, this, [this] {
-        QMessageBox::information(this, tr("Keys"),
-                                 tr("F1  emergency stop, everywhere\nCtrl+Enter  start\nPause  hold, resume\n"
-                                    "Ctrl+Home  home all\nCtrl+O  open\nF5  slice\nF9  arm keyboard "
-                                    "jog\nCtrl+1 … 4  tabs\nF10  menu\nF12  this list"));
+        QMessageBox::information(
+            this, tr("Keys"),
+            tr("F1  emergency stop, everywhere\nCtrl+Enter  start\nPause  hold, resume\n"
+               "Ctrl+Home  home all\nCtrl+O  open\nF5  slice\nF9  arm keyboard jog\nCtrl+1 … 4  tabs\nF10  "
+               "menu\nF12  this list\n\n"
+               "Replay: K  play, pause\nJ, L  slower, faster\nN, Shift+N  next entry, entry before\n,  .  "
+               "one layer\n"
+               "On the timeline: arrows, Page Up, Page Down, Home, End"));
     });
     menu_->addSeparator();
     QAction* quit = menu_->addAction(tr("Close the window"));
@@ -48,6 +52,7 @@ void MainWindow::make_menu() {
         bench_.machine.order(kind, is_held ? session::phrase("Resume") : session::phrase("Hold"));
     });
     addAction(pause);
+    make_replay_keys();
 }
 
 void MainWindow::make_theme_menu() {
@@ -87,9 +92,10 @@ void MainWindow::make_language_menu() {
 void MainWindow::choose_file() {
     // Qt's own dialog: in the desktop's, F1 would not reach us.
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open model or job"), settings_.last_folder(),
-        tr("Models and jobs (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;All files (*)"), nullptr,
-        QFileDialog::DontUseNativeDialog);
+        this, tr("Open model, job or recording"), settings_.last_folder(),
+        tr("Models and jobs (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;Recordings (*.snap *.trace);;"
+           "All files (*)"),
+        nullptr, QFileDialog::DontUseNativeDialog);
     if (!path.isEmpty()) open(path);
 }
 

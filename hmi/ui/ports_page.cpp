@@ -139,19 +139,44 @@ void PortsPage::let_go() {
     wiring_->let_go();
 }
 
-void PortsPage::refresh() {
-    wiring_->refresh();
+void PortsPage::note_live_levels() {
     const auto& sight = bench_.machine.sight();
     if (sight.core_pid != core_pid_) history_.forget();
     core_pid_ = sight.core_pid;
-    const auto now = session::LevelHistory::Clock::now();
-    if (sight.status && sight.is_heard()) history_.note(*sight.status, now);
+    if (sight.status && sight.is_heard()) history_.note(*sight.status, session::LevelHistory::Clock::now());
+}
+
+void PortsPage::show_recording() {
+    const auto& sight = bench_.replay.sight();
+    if (sight.profile) take_profile(*sight.profile);
+    fit_rows();
+    note_->setVisible(true);
+    show_levels(sight.status ? sight.status->signals : 0);
+    timing_->show_history(bench_.replay.history(),
+                          replay::PinLooks::time_point(bench_.replay.shown().time_ns));
+    const QString note = bench_.replay.facts().knows_every_pulse
+                             ? tr("Recorded levels of the 20 seconds before this moment.")
+                             : tr("Recorded levels at the entries of the flight recorder. Steps are not in a "
+                                  "snapshot.");
+    if (note_->text() != note) note_->setText(note);
+}
+
+void PortsPage::refresh() {
+    wiring_->refresh();
+    bench_.replay.want_looks(isVisible());
+    note_live_levels();
     if (!isVisible()) return;
+    // A recording's timeline takes the room of the connector.
+    const bool is_replay = bench_.replay.is_open();
+    connector_->setVisible(!is_replay);
+    wiring_->setVisible(!is_replay);
+    if (is_replay) return show_recording();
+    const auto& sight = bench_.machine.sight();
     if (sight.profile) take_profile(*sight.profile);
     fit_rows();
     note_->setVisible(!wiring_->is_armed());
     show_levels(sight.status ? sight.status->signals : 0);
-    timing_->show_history(history_, now);
+    timing_->show_history(history_, session::LevelHistory::Clock::now());
     const QString note =
         !sight.is_heard() ? tr("No core: these are the last levels known.")
         : sight.profile

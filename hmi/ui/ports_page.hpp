@@ -37,6 +37,8 @@ private:
     void fill_table();
     void fit_rows();
     void show_levels(SignalWord levels);
+    void note_live_levels();
+    void show_recording();
 
     Bench& bench_;
     const Tokens* tokens_ = nullptr;

@@ -130,8 +130,10 @@ void PositionPanel::refresh() {
         refresh_row(axis);
         refresh_lamps(axis);
     }
-    const session::MachineSight& sight = bench_.machine.sight();
-    note().setText(sight.is_heard() || !sight.status ? QString{} : tr("last known"));
+    const session::MachineSight& sight = bench_.shown();
+    note().setText(bench_.replay.is_open()             ? tr("recorded")
+                   : sight.is_heard() || !sight.status ? QString{}
+                                                       : tr("last known"));
     refresh_buttons();
 }
 
@@ -175,7 +177,7 @@ void PositionPanel::home_selected() {
 }
 
 void PositionPanel::refresh_row(Axis axis) {
-    const session::MachineSight& sight = bench_.machine.sight();
+    const session::MachineSight& sight = bench_.shown();
     Row& row = rows_[index_of(axis)];
     const session::AxisReadout readout = session::axis_readout(sight, axis);
     row.value->setText(QString::fromStdString(readout.value));
@@ -188,7 +190,9 @@ void PositionPanel::refresh_row(Axis axis) {
         row.value->setFont(font);
     }
     const QString usual[] = {tr("left"), tr("right"), words(readout.second), tr("height")};
-    const auto distance = session::from_zero(sight, axis, zero_.of(axis));
+    // A zero is the operator's, for the machine that is there.
+    const auto distance =
+        bench_.replay.is_open() ? std::nullopt : session::from_zero(sight, axis, zero_.of(axis));
     row.second->setText(distance
                             ? QString{"Δ %1"}.arg(QString::fromStdString(session::number_text(*distance, 2)))
                             : usual[index_of(axis)]);
@@ -198,14 +202,25 @@ void PositionPanel::refresh_row(Axis axis) {
                                : QString{});
 }
 
-void PositionPanel::refresh_lamps(Axis axis) {
-    const session::MachineSight& sight = bench_.machine.sight();
+void PositionPanel::refresh_homed(Axis axis, bool is_homed) {
     Row& row = rows_[index_of(axis)];
     const QString letter = session::axis_letter(axis);
-    const bool is_homed = sight.is_homed(axis);
     row.homed->setText(is_homed ? tr("homed") : tr("home ?"));
     row.homed->setAccessibleName(is_homed ? tr("%1: homed").arg(letter) : tr("%1: not homed").arg(letter));
     set_styled(row.homed, "lamp", is_homed ? "good" : "unsure");
+}
+
+void PositionPanel::refresh_lamps(Axis axis) {
+    const session::MachineSight& sight = bench_.shown();
+    Row& row = rows_[index_of(axis)];
+    const QString letter = session::axis_letter(axis);
+    if (bench_.replay.is_open() && !bench_.replay.facts().knows_states) {
+        row.homed->setText(QStringLiteral("\u2013"));
+        row.homed->setAccessibleName(tr("%1: whether it was homed is not recorded").arg(letter));
+        set_styled(row.homed, "lamp", "off");
+    } else {
+        refresh_homed(axis, sight.is_homed(axis));
+    }
     const bool is_active = sight.is_active(sensor_of(axis));
     if (axis == Axis::psi) {
         row.sensor->setText(is_active ? tr("● index") : tr("○ index"));

@@ -44,6 +44,7 @@ private:
     bool is_zero_shown() const;
     void change_zero();
     void home_selected();
+    void refresh_homed(Axis axis, bool is_homed);
 
     Bench& bench_;
     std::array<Row, kAxisCount> rows_{};

@@ -74,7 +74,9 @@ void RealtimePage::refresh() {
     rates_.note(status, session::RateMeter::Clock::now());
     if (!isVisible()) return;
     const session::TickHealth health = session::tick_health(status);
-    if (!sight.is_heard()) {
+    if (bench_.replay.is_open()) {
+        say(verdict_, tr("The live machine, not the recording"));
+    } else if (!sight.is_heard()) {
         say(verdict_, tr("No core: these are the last figures known"));
     } else if (status.is_virtual_clock != 0) {
         say(verdict_, tr("The core runs on a virtual clock: no tick is ever late"));

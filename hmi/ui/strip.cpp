@@ -35,9 +35,8 @@ QVBoxLayout* column(std::initializer_list<QWidget*> widgets) {
 }
 
 /// Words inside a button, in two sizes; the mouse does not see them.
-void add_words(QPushButton& button, QLabel* icon, const QString& title, const QString& second) {
+void add_words(QPushButton& button, QLabel* icon, const QString& title, QLabel* lower) {
     QLabel* const upper = role_label("estop", title);
-    QLabel* const lower = role_label("estop_second", second);
     for (QLabel* label : {icon, upper, lower}) label->setAttribute(Qt::WA_TransparentForMouseEvents);
     auto* row = new QHBoxLayout{&button};
     row->setContentsMargins(kGap, 0, kGap, 0);
@@ -62,11 +61,13 @@ Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
       time_(new QLabel),
       progress_(new QProgressBar),
       emergency_(new QPushButton),
-      emergency_icon_(new QLabel) {
+      emergency_icon_(new QLabel),
+      emergency_second_(role_label("estop_second")) {
     setObjectName("strip");
     pill_->setObjectName("state_pill");
     setAttribute(Qt::WA_StyledBackground);
     setFixedHeight(kStripHeight);
+    pill_->setObjectName("state_pill");
     menu_button_->setMenu(menu);
     menu_button_->setPopupMode(QToolButton::InstantPopup);
     menu_button_->setFixedSize(40, 32);
@@ -83,7 +84,7 @@ Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
     emergency_->setFixedSize(kEmergency);
     emergency_->setFocusPolicy(Qt::TabFocus);
     emergency_->setAccessibleName(tr("Emergency stop"));
-    add_words(*emergency_, emergency_icon_, tr("EMERGENCY STOP"), tr("F1 · works everywhere"));
+    add_words(*emergency_, emergency_icon_, tr("EMERGENCY STOP"), emergency_second_);
     // On press, not on release.
     connect(emergency_, &QPushButton::pressed, this, [this] { emergency_stop(); });
 
@@ -133,13 +134,41 @@ void Strip::emergency_stop() {
 
 void Strip::refresh() {
     if (tokens_ == nullptr) return;
-    const session::MachineSight& sight = bench_.machine.sight();
-    pill_->show_state(session::state_text(sight, bench_.desk.sight().layer_count),
-                      glyph_of(sight.state(), sight.is_heard()), *tokens_);
+    const bool is_replay = bench_.replay.is_open();
+    refresh_pill();
     refresh_heartbeat();
-    refresh_progress();
-    badge_->setVisible(sight.is_simulator());
-    badge_->setText(tr("SIMULATOR"));
+    if (is_replay) {
+        refresh_replay();
+    } else {
+        refresh_progress();
+    }
+    badge_->setVisible(is_replay || bench_.machine.sight().is_simulator());
+    badge_->setText(is_replay ? tr("REPLAY") : tr("SIMULATOR"));
+    emergency_second_->setText(is_replay ? tr("F1 · the live machine") : tr("F1 · works everywhere"));
+}
+
+void Strip::refresh_pill() {
+    const session::MachineSight& sight = bench_.machine.sight();
+    const session::StateText live = session::state_text(sight, bench_.desk.sight().layer_count);
+    // An alarm of the machine is never hidden by what a recording shows.
+    if (!bench_.replay.is_open() || live.tone == session::Tone::alarm) {
+        pill_->show_state(live, glyph_of(sight.state(), sight.is_heard()), *tokens_);
+        return;
+    }
+    const session::StateText text{session::phrase("REPLAY"),
+                                  session::phrase("Live machine: %1", words(live.word).toStdString()),
+                                  session::Tone::replay};
+    pill_->show_state(text, Glyph::replay, *tokens_);
+}
+
+void Strip::refresh_replay() {
+    const replay::ReplayClock& clock = bench_.replay.clock();
+    percent_->setText(QString::fromStdString(session::time_text_ms(clock.now_ns())));
+    time_->setText(tr("of %1").arg(QString::fromStdString(session::time_text_ms(clock.end_ns()))));
+    const double ratio =
+        clock.end_ns() > 0 ? static_cast<double>(clock.now_ns()) / static_cast<double>(clock.end_ns()) : 1.0;
+    progress_->setValue(static_cast<int>(kProgressSteps * ratio));
+    set_styled(progress_, "tone", "replay");
 }
 
 void Strip::refresh_heartbeat() {

@@ -32,7 +32,9 @@ public:
     QPushButton& emergency_button() noexcept { return *emergency_; }
 
 private:
+    void refresh_pill();
     void refresh_heartbeat();
+    void refresh_replay();
     void refresh_progress();
 
     Bench& bench_;
@@ -48,6 +50,7 @@ private:
     QProgressBar* progress_;
     QPushButton* emergency_;
     QLabel* emergency_icon_;
+    QLabel* emergency_second_;
 };
 
 }  // namespace psicarve::ui

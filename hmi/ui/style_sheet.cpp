@@ -84,6 +84,7 @@ QProgressBar { background: @field; border: 1px solid @edge; border-radius: 3px; 
 QProgressBar::chunk { background: @run_fill; }
 QProgressBar[tone="warn"]::chunk { background: @warn_fill; }
 QProgressBar[tone="alarm"]::chunk { background: @alarm_fill; }
+QProgressBar[tone="replay"]::chunk { background: @sim_fill; }
 QSlider::groove:horizontal { height: 4px; background: @line; border-radius: 2px; }
 QSlider::sub-page:horizontal { height: 4px; background: @text2; border-radius: 2px; }
 QSlider::handle:horizontal { background: @text; width: 10px; margin: -6px 0; border-radius: 2px; }
@@ -124,6 +125,7 @@ QString style_sheet(const Tokens& tokens, bool is_wide) {
                                                       {"@run", tokens.run},
                                                       {"@raised", tokens.raised},
                                                       {"@sel", tokens.sel},
+                                                      {"@sim_fill", tokens.sim_fill},
                                                       {"@sim", tokens.sim},
                                                       {"@text2", tokens.text2},
                                                       {"@text", tokens.text},

@@ -69,6 +69,8 @@ QColor fill_of(const Tokens& tokens, session::Tone tone) {
             return tokens.warn_fill;
         case session::Tone::alarm:
             return tokens.alarm_fill;
+        case session::Tone::replay:
+            return tokens.sim_fill;
     }
     return tokens.idle_fill;
 }

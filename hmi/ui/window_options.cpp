@@ -10,10 +10,10 @@ constexpr int kExitDone = 0;
 constexpr int kExitUsage = 2;
 
 constexpr const char* kHelp =
-    "usage: psicarve-hmi [MODEL|JOB] [--segment NAME] [--profile FILE] [--group NAME]\n"
+    "usage: psicarve-hmi [FILE] [--segment NAME] [--profile FILE] [--group NAME]\n"
     "                    [--language en|zh_CN|ru] [--opengl | --no-opengl]\n\n"
     "The operator's window. Shows the machine whose core serves the segment, opens models and jobs, slices,\n"
-    "publishes, starts, holds and stops.\n\n"
+    "publishes, starts, holds and stops. A saved snapshot or a binary trace is shown as a replay.\n\n"
     "  --segment NAME   the core's shared-memory segment (default /psicarve)\n"
     "  --profile FILE   the machine's profile, as the core has it (default: the built-in one)\n"
     "  --group NAME     the segment belongs to this group\n"

@@ -19,7 +19,7 @@ enum class OpenGl : std::uint8_t {
 
 /// What stands on the command line of psicarve-hmi.
 struct WindowOptions {
-    std::string path;  ///< model, job or snapshot to open; empty: none
+    std::string path;  ///< model, job or recording to open; empty: none
     std::string segment_name;
     std::string group;
     std::string profile_path;

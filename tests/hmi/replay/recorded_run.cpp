@@ -3,30 +3,7 @@
 
 #include <algorithm>
 
-#include "hmi/machine/snapshot_taker.hpp"
-
 namespace psicarve::replay::test {
-
-void RecordedRun::record() {
-    const JobTable table = two_process::lobed_job(kLayers, kPoints);
-    Snapshot job_file;
-    job_file.job_blob = job_blob_from_table(table);
-    ASSERT_TRUE(save_snapshot(job_file, job()));
-    start_core({"--trace", trace()});
-    ASSERT_EQ(publish(table), "");
-    home();
-    ASSERT_EQ(refusal_of(CommandKind::override, 80.0), "");
-    start_carving();
-    ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
-    end_ = status();
-    auto link = machine::MachineLink::attach(segment_name_);
-    ASSERT_TRUE(link);
-    const auto taken = machine::take_snapshot(*link, two_process::kLimit);
-    ASSERT_TRUE(taken);
-    ASSERT_TRUE(save_snapshot(*taken, snapshot()));
-    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
-    ASSERT_EQ(core_->wait_for_exit(), 0);
-}
 
 PlainTrace::PlainTrace(const std::string& path) {
     const auto reader = verify::open_trace(path);

@@ -106,7 +106,7 @@ TEST_F(TraceReplay, KnowsWithoutASnapshotWhatThePinsSay) {
     std::string texts;
     for (const Entry& entry : sut->facts().entries) texts += in_english(entry.what) + "\n";
     for (const char* text :
-         {"Drives on", "Limit switch R1 closed", "Homing: positions defined", "Spindle on", "Spindle off"})
+         {"Drives switched on", "Limit switch R1 closed", "Homing: positions defined", "Spindle on", "Spindle off"})
         EXPECT_THAT(texts, HasSubstr(text));
     EXPECT_EQ(sut->at(0, false)->status.state, MachineState::off);
 }

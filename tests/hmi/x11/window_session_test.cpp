@@ -29,7 +29,7 @@ TEST_F(WindowOnAScreen, TakesAnOperatorFromAModelToTheLastLayer) {
     open_window({"--opengl"});
     EXPECT_EQ(ask("kind model_view"), "opengl") << text_of(file("window.log"));
     press({"ctrl+o"});
-    ASSERT_TRUE(says("modal", "Open model or job"));
+    ASSERT_TRUE(says("modal", "Open model, job or recording"));
     type(std::string{PSICARVE_EXAMPLES} + "/figurine.stl");
     press({"Return"});
     ASSERT_TRUE(says("where slice", " 1"));

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QTabWidget>
+
+#include <functional>
+
+#include "hmi/ui/carving_page.hpp"
+#include "hmi/ui/entries_page.hpp"
+#include "hmi/ui/main_window.hpp"
+#include "hmi/ui/model_page.hpp"
+#include "hmi/ui/replay_bar.hpp"
+
+namespace psicarve::ui {
+
+void MainWindow::make_replay_keys() {
+    replay::ReplayDesk& desk = bench_.replay;
+    const std::pair<QKeySequence, std::function<void()>> keys[] = {
+        {Qt::Key_K, [this] { replay_->play_or_pause(); }},
+        {Qt::Key_J, [&desk] { desk.clock().slower(); }},
+        {Qt::Key_L, [&desk] { desk.clock().faster(); }},
+        {Qt::Key_N, [this] { replay_->go_to_next_entry(); }},
+        {Qt::SHIFT | Qt::Key_N, [this] { replay_->go_to_entry_before(); }},
+        {Qt::Key_Comma, [&desk] { desk.step_layer(-1); }},
+        {Qt::Key_Period, [&desk] { desk.step_layer(1); }}};
+    for (const auto& [key, act] : keys) {
+        auto* action = new QAction{this};
+        action->setShortcut(key);
+        action->setEnabled(false);
+        connect(action, &QAction::triggered, this, [wanted = act] { wanted(); });
+        addAction(action);
+        replay_actions_.push_back(action);
+    }
+    QAction* leave = menu_->addAction(tr("Leave replay"));
+    leave->setEnabled(false);
+    connect(leave, &QAction::triggered, this, [&desk] { desk.leave(); });
+    replay_actions_.push_back(leave);
+}
+
+void MainWindow::choose_job_of_trace() {
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Job or snapshot of this trace"), settings_.last_folder(),
+                                     tr("Jobs and snapshots (*.job *.psi *.snap);;All files (*)"), nullptr,
+                                     QFileDialog::DontUseNativeDialog);
+    if (!path.isEmpty()) bench_.replay.add_job(path.toStdString());
+}
+
+void MainWindow::refresh_replay() {
+    replay_->refresh();
+    entries_->refresh();
+    if (shown_replay_ == bench_.replay.edition()) return;
+    shown_replay_ = bench_.replay.edition();
+    const bool is_open = bench_.replay.is_open();
+    // Whatever a hand holds is let go: from here on it would be on something that is not the machine.
+    let_go();
+    for (QAction* action : replay_actions_) action->setEnabled(is_open);
+    messages_or_entries_->setCurrentIndex(is_open ? 1 : 0);
+    // The model is not in a recording.
+    if (is_open && tabs_->currentWidget() == model_) tabs_->setCurrentWidget(carving_);
+    const QString name = QFileInfo{QString::fromStdString(bench_.replay.facts().path)}.fileName();
+    setWindowTitle(is_open ? tr("REPLAY: %1").arg(name) + " \u2013 Psicarve" : QStringLiteral("Psicarve"));
+}
+
+}  // namespace psicarve::ui

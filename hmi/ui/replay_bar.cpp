@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/replay_bar.hpp"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <utility>
+
+#include "hmi/session/display_text.hpp"
+#include "hmi/ui/frames.hpp"
+#include "hmi/ui/timeline_view.hpp"
+#include "hmi/ui/words.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+constexpr int kProgressSteps = 1000;
+constexpr int kTimeWidth = 116;
+constexpr int kPlayWidth = 84;
+
+QString text_of(std::int64_t time_ns) {
+    return QString::fromStdString(session::time_text_ms(time_ns));
+}
+
+}  // namespace
+
+ReplayBar::ReplayBar(Bench& bench, std::function<void()> choose_job, QWidget* parent)
+    : QFrame(parent), bench_(bench), choose_job_(std::move(choose_job)) {
+    setObjectName("replay_bar");
+    setProperty("dock", true);
+    opening_ = make_opening();
+    controls_ = make_controls();
+    auto* all = new QVBoxLayout{this};
+    all->setContentsMargins(kGap, kSmallGap, kGap, kSmallGap);
+    all->setSpacing(kSmallGap);
+    all->addWidget(opening_);
+    all->addWidget(controls_);
+    setVisible(false);
+}
+
+QPushButton* ReplayBar::add_button(QHBoxLayout& row, const char* name, const QString& hint,
+                                   std::function<void()> act) {
+    auto* button = new QPushButton;
+    button->setObjectName(name);
+    button->setToolTip(hint);
+    button->setAccessibleName(hint);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAutoDefault(false);
+    connect(button, &QPushButton::clicked, this, [act = std::move(act)] { act(); });
+    row.addWidget(button);
+    return button;
+}
+
+QWidget* ReplayBar::make_opening() {
+    auto* widget = new QWidget;
+    auto* row = new QHBoxLayout{widget};
+    row->setContentsMargins(0, 0, 0, 0);
+    progress_ = new QProgressBar;
+    progress_->setObjectName("replay_progress");
+    progress_->setRange(0, kProgressSteps);
+    progress_->setTextVisible(false);
+    progress_->setProperty("tone", "replay");
+    progress_->setAccessibleName(tr("Reading the recording"));
+    row->addWidget(role_label("label", tr("Reading the recording")));
+    row->addWidget(progress_, 1);
+    add_button(*row, "replay_cancel", tr("Cancel reading"), [this] {
+        bench_.replay.cancel();
+    })->setText(tr("Cancel"));
+    return widget;
+}
+
+QWidget* ReplayBar::make_controls() {
+    replay::ReplayDesk& desk = bench_.replay;
+    auto* widget = new QWidget;
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSmallGap);
+    begin_ = add_button(*row, "replay_begin", tr("To the begin"), [&desk] { desk.clock().seek(0); });
+    before_ = add_button(*row, "replay_before", tr("To the entry before (Shift+N)"),
+                         [this] { go_to_entry_before(); });
+    play_ = add_button(*row, "replay_play", tr("Play or pause (K)"), [this] { play_or_pause(); });
+    play_->setFixedWidth(kPlayWidth);
+    next_ = add_button(*row, "replay_next", tr("To the next entry (N)"), [this] { go_to_next_entry(); });
+    end_ = add_button(*row, "replay_end", tr("To the end"),
+                      [&desk] { desk.clock().seek(desk.clock().end_ns()); });
+    row->addSpacing(kGap);
+    for (const double speed : replay::kReplaySpeeds) {
+        const QString text = QStringLiteral("%1\u00D7").arg(speed);
+        QPushButton* button = add_button(*row, "", tr("Speed %1 (J slower, L faster)").arg(text),
+                                         [&desk, speed] { desk.clock().set_speed(speed); });
+        button->setObjectName(QStringLiteral("replay_speed_%1").arg(speed));
+        button->setText(text);
+        button->setCheckable(true);
+        speeds_.push_back(button);
+    }
+    row->addStretch();
+    time_ = role_label("percent");
+    time_->setObjectName("replay_time");
+    time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    time_->setMinimumWidth(kTimeWidth);
+    of_ = role_label("label");
+    row->addWidget(time_);
+    row->addWidget(of_);
+    auto* foot = new QHBoxLayout;
+    foot->setSpacing(kGap);
+    moment_ = role_label("label");
+    moment_->setObjectName("replay_moment");
+    place_ = role_label("");
+    place_->setObjectName("replay_place");
+    foot->addWidget(moment_, 1);
+    foot->addWidget(place_);
+    job_ = add_button(*foot, "replay_job", {}, [this] { use_job(); });
+    leave_ = add_button(*foot, "replay_leave", tr("Back to the machine"), [&desk] { desk.leave(); });
+    leave_->setText(tr("Leave replay"));
+    timeline_ = new TimelineView{desk};
+    auto* all = new QVBoxLayout{widget};
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(kSmallGap);
+    all->addLayout(row);
+    all->addWidget(timeline_);
+    all->addLayout(foot);
+    return widget;
+}
+
+void ReplayBar::use_job() {
+    if (bench_.replay.facts().knows_every_pulse) return choose_job_();
+    const std::string path = bench_.replay.facts().path;
+    bench_.desk.open_job(path);
+}
+
+void ReplayBar::play_or_pause() {
+    replay::ReplayClock& clock = bench_.replay.clock();
+    if (clock.is_playing()) {
+        clock.pause();
+    } else {
+        clock.play();
+    }
+}
+
+void ReplayBar::go_to_next_entry() {
+    const auto& entries = bench_.replay.facts().entries;
+    const int next = replay::next_entry(entries, bench_.replay.clock().now_ns());
+    if (next >= 0) bench_.replay.clock().seek(entries[static_cast<std::size_t>(next)].time_ns);
+}
+
+void ReplayBar::go_to_entry_before() {
+    const auto& entries = bench_.replay.facts().entries;
+    const int before = replay::entry_before(entries, bench_.replay.clock().now_ns());
+    if (before >= 0) bench_.replay.clock().seek(entries[static_cast<std::size_t>(before)].time_ns);
+}
+
+void ReplayBar::set_theme(const Tokens& tokens) {
+    tokens_ = &tokens;
+    begin_->setIcon(glyph_icon(Glyph::to_begin, tokens.text, tokens.dis));
+    before_->setIcon(glyph_icon(Glyph::entry_before, tokens.text, tokens.dis));
+    next_->setIcon(glyph_icon(Glyph::next_entry, tokens.text, tokens.dis));
+    end_->setIcon(glyph_icon(Glyph::to_end, tokens.text, tokens.dis));
+    shown_playing_ = !bench_.replay.clock().is_playing();
+    timeline_->set_theme(tokens);
+    refresh();
+}
+
+void ReplayBar::refresh() {
+    const bool is_opening = bench_.replay.is_opening();
+    const bool is_open = bench_.replay.is_open();
+    if (isHidden() == (is_opening || is_open)) setVisible(is_opening || is_open);
+    if (opening_->isHidden() == is_opening) opening_->setVisible(is_opening);
+    if (controls_->isHidden() == is_open) controls_->setVisible(is_open);
+    if (is_opening) progress_->setValue(static_cast<int>(kProgressSteps * bench_.replay.progress_ratio()));
+    if (!is_open || tokens_ == nullptr) return;
+    const replay::ReplayClock& clock = bench_.replay.clock();
+    if (shown_playing_ != clock.is_playing()) {
+        shown_playing_ = clock.is_playing();
+        play_->setText(shown_playing_ ? tr("Pause") : tr("Play"));
+        play_->setIcon(glyph_icon(shown_playing_ ? Glyph::pause : Glyph::play, tokens_->text, tokens_->dis));
+    }
+    for (std::size_t i = 0; i < speeds_.size(); ++i)
+        speeds_[i]->setChecked(clock.speed() == replay::kReplaySpeeds[i]);
+    time_->setText(text_of(clock.now_ns()));
+    of_->setText(tr("of %1").arg(text_of(clock.end_ns())));
+    const bool is_trace = bench_.replay.facts().knows_every_pulse;
+    job_->setText(is_trace ? tr("Add its job\u2026") : tr("Open its job"));
+    job_->setToolTip(is_trace ? tr("The job or snapshot that this trace belongs to")
+                              : tr("Leaves replay and opens the job in this snapshot"));
+    job_->setEnabled(is_trace || bench_.replay.facts().job != nullptr);
+    refresh_words();
+    timeline_->refresh();
+}
+
+QString ReplayBar::state_words() const {
+    const session::MachineSight& sight = bench_.replay.sight();
+    if (!sight.status) return {};
+    if (bench_.replay.facts().knows_states) return words(session::state_text(sight, 0).word);
+    const bool has_drives = (sight.status->signals & kEnableMask) != 0;
+    const bool has_spindle = sight.is_active(Signal::spindle);
+    if (!has_drives) return tr("Drives are off");
+    return has_spindle ? tr("Drives and spindle on") : tr("Drives on, spindle off");
+}
+
+void ReplayBar::refresh_words() {
+    const auto& entries = bench_.replay.facts().entries;
+    const int last = replay::entry_at(entries, bench_.replay.clock().now_ns());
+    QString text = state_words();
+    if (last >= 0) {
+        const replay::Entry& entry = entries[static_cast<std::size_t>(last)];
+        text += QStringLiteral("  \u00B7  %1  %2").arg(text_of(entry.time_ns), words(entry.what));
+    }
+    moment_->setText(moment_->fontMetrics().elidedText(text, Qt::ElideRight, moment_->width()));
+    moment_->setToolTip(text);
+    const auto& place = bench_.replay.shown().place;
+    const auto& job = bench_.replay.facts().job;
+    place_->setText(place && job ? tr("Layer %1 / %2, point %3 / %4")
+                                       .arg(place->layer + 1)
+                                       .arg(job->view.layer_count())
+                                       .arg(place->point + 1)
+                                       .arg(job->view.point_count())
+                                 : QString{});
+}
+
+}  // namespace psicarve::ui

@@ -117,11 +117,7 @@ Result<int> pins(const CommonOptions& common, const Options& options) {
         if (common.json) return levels_json(rows, *status);
         return as_line ? levels_line(status->signals) : levels_text(rows, status->signals);
     };
-    if (options.watch) return watch_loop(show, common.json);
-    const auto text = show(false);
-    if (!text) return text.error();
-    std::printf("%s", text->c_str());
-    return kExitDone;
+    return show_or_watch(show, options.watch, common.json);
 }
 
 }  // namespace

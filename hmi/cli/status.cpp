@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <unistd.h>
 
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "hmi/cli/commands.hpp"
-#include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/status_text.hpp"
@@ -68,11 +66,7 @@ Result<int> show_status(const CommonOptions& common, const Options& options) {
         const auto profile = known_profile(*link, *chosen);
         return head_line(*link) + status_text(*status, profile ? &*profile : nullptr);
     };
-    if (options.watch) return watch_loop(show, common.json);
-    const auto text = show(false);
-    if (!text) return text.error();
-    std::printf("%s", text->c_str());
-    return kExitDone;
+    return show_or_watch(show, options.watch, common.json);
 }
 
 }  // namespace

@@ -70,4 +70,13 @@ Result<int> watch_loop(const std::function<Result<std::string>(bool as_line)>& s
     return kExitDone;
 }
 
+Result<int> show_or_watch(const std::function<Result<std::string>(bool as_line)>& show, bool is_watched,
+                          bool as_json) {
+    if (is_watched) return watch_loop(show, as_json);
+    const auto text = show(false);
+    if (!text) return text.error();
+    std::fputs(text->c_str(), stdout);
+    return kExitDone;
+}
+
 }  // namespace psicarve::cli

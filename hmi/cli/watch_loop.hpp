@@ -12,4 +12,8 @@ namespace psicarve::cli {
 /// terminal, else only when it changed. `show` is told whether one line is wanted.
 Result<int> watch_loop(const std::function<Result<std::string>(bool as_line)>& show, bool as_json);
 
+/// So when `is_watched`, else the text once.
+Result<int> show_or_watch(const std::function<Result<std::string>(bool as_line)>& show, bool is_watched,
+                          bool as_json);
+
 }  // namespace psicarve::cli

@@ -10,7 +10,7 @@ set -euo pipefail
 
 build_packages=(cmake ninja-build g++ libboost-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
     libxxhash-dev libzip-dev libexpat1-dev pkg-config libcairo2-dev fonts-dejavu-core)
-window_packages=(qt6-base-dev libqt6opengl6-dev qt6-l10n-tools qt6-translations-l10n)
+window_packages=(qt6-base-dev libqt6opengl6-dev libqcustomplot-dev qt6-l10n-tools qt6-translations-l10n)
 test_packages=(git ccache python3 python3-numpy python3-scipy libgtest-dev libgmock-dev sigrok-cli clang-14 clang-format-14 clang-tidy-14
     libclang-rt-14-dev fonts-wqy-microhei fonts-noto-core xvfb openbox xdotool libgl1-mesa-dri)
 bench_packages=(libembree-dev admesh linuxcnc-uspace)

@@ -480,7 +480,7 @@ Ctrl+Home  home all
 Ctrl+O  open
 F5  slice
 F9  arm keyboard jog
-Ctrl+1 … 4  tabs
+Ctrl+1 … 7  tabs
 F10  menu
 F12  this list
 
@@ -496,7 +496,7 @@ Ctrl+Home  все нули
 Ctrl+O  открыть
 F5  нарезать
 F9  включить клавиши перемещения
-Ctrl+1 … 4  вкладки
+Ctrl+1 … 7  вкладки
 F10  меню
 F12  этот список
 

@@ -479,7 +479,7 @@ Ctrl+Home  home all
 Ctrl+O  open
 F5  slice
 F9  arm keyboard jog
-Ctrl+1 … 4  tabs
+Ctrl+1 … 7  tabs
 F10  menu
 F12  this list
 
@@ -495,7 +495,7 @@ Ctrl+Home  全部回零
 Ctrl+O  打开
 F5  切片
 F9  启用键盘点动
-Ctrl+1 … 4  选项卡
+Ctrl+1 … 7  选项卡
 F10  菜单
 F12  此列表
 

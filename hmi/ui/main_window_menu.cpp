@@ -26,7 +26,7 @@ void MainWindow::make_menu() {
         QMessageBox::information(
             this, tr("Keys"),
             tr("F1  emergency stop, everywhere\nCtrl+Enter  start\nPause  hold, resume\n"
-               "Ctrl+Home  home all\nCtrl+O  open\nF5  slice\nF9  arm keyboard jog\nCtrl+1 … 4  tabs\nF10  "
+               "Ctrl+Home  home all\nCtrl+O  open\nF5  slice\nF9  arm keyboard jog\nCtrl+1 … 7  tabs\nF10  "
                "menu\nF12  this list\n\n"
                "Replay: K  play, pause\nJ, L  slower, faster\nN, Shift+N  next entry, entry before\n,  .  "
                "one layer\n"
@@ -37,7 +37,7 @@ void MainWindow::make_menu() {
     quit->setShortcut(QKeySequence::Quit);
     connect(quit, &QAction::triggered, this, [this] { close(); });
     addActions({open_action, keys, quit});
-    constexpr int kTabs = 4;
+    constexpr int kTabs = 7;
     for (int i = 0; i < kTabs; ++i) {
         auto* show = new QAction{this};
         show->setShortcut(QKeySequence{Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)});

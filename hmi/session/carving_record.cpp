@@ -73,13 +73,6 @@ void CarvingRecord::take_as_planned(std::uint32_t layers_done, std::uint64_t mos
     }
 }
 
-void CarvingRecord::start_anew() {
-    surface_.clear();
-    planned_layers_ = 0;
-    layers_done_ = 0;
-    for (std::uint32_t layer = 0; layer < surface_.layer_count(); ++layer) note_change(layer);
-}
-
 void CarvingRecord::put(std::uint32_t layer, std::uint32_t cell, float radius_mm) {
     surface_.put(layer, cell, radius_mm);
     note_change(layer);

@@ -35,7 +35,6 @@ public:
     /// All layers below this one are done, seen or not. Looks at no more than `most_cells`, and goes on with
     /// the next call.
     void take_as_planned(std::uint32_t layers_done, std::uint64_t most_cells = ~std::uint64_t{0});
-    void start_anew();
     /// Of a recording: a cell as it was, deeper or not.
     void put(std::uint32_t layer, std::uint32_t cell, float radius_mm);
 

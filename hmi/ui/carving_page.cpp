@@ -72,19 +72,23 @@ void CarvingPage::refresh() {
     say();
 }
 
-/// Of a large job it takes longer than a window may stand still.
+/// A fresh blank. Of a large job it takes longer than a window may stand still, and so does the end of the
+/// one before; what is carved meanwhile waits in the core's ring.
 void CarvingPage::make_record() {
-    record_.reset();
-    scene_.reset();
-    rods_ = {};
+    std::shared_ptr<const session::CarvingRecord> before{std::move(record_)};
     lane_.drop_waiting();
-    if (!job_) return;
-    lane_.post([this, job = job_]() -> session::WorkLane::Finish {
+    lane_.post([this, before = std::move(before), job = job_,
+                number = ++record_number_]() mutable -> session::WorkLane::Finish {
+        before.reset();
+        if (!job) return {};
         auto made = session::CarvingRecord::make(job);
         if (!made) return {};
         auto record = std::make_shared<std::unique_ptr<session::CarvingRecord>>(std::move(*made));
-        return [this, job, record] {
-            if (job == job_) record_ = std::move(*record);
+        return [this, number, record] {
+            if (number != record_number_) return;
+            record_ = std::move(*record);
+            scene_.reset();
+            rods_ = {};
         };
     });
 }
@@ -98,14 +102,12 @@ void CarvingPage::keep_record() {
         make_record();
     }
     const auto& status = bench_.machine.sight().status;
-    if (!record_ || !status) {
-        bench_.machine.skip_increments();
-        return;
-    }
+    if (!job_ || !status) return bench_.machine.skip_increments();
     if (status->job_start_tick != job_start_tick_) {
-        if (job_start_tick_ != 0) record_->start_anew();
+        if (job_start_tick_ != 0) make_record();
         job_start_tick_ = status->job_start_tick;
     }
+    if (!record_) return;
     // What was carved before this start was another piece.
     bench_.machine.read_increments([this](const IncrementEntry& entry) {
         if (entry.tick >= job_start_tick_ && job_start_tick_ != 0) record_->take(entry);
@@ -121,6 +123,8 @@ session::CarvingRecord* CarvingPage::shown_record() const noexcept {
 
 void CarvingPage::draw() {
     session::CarvingRecord* const record = shown_record();
+    // A fresh blank is on its way: what stands there stays until then.
+    if (record == nullptr && job_ && !bench_.replay.is_open()) return;
     if (shown_replay_ != bench_.replay.edition() || drawn_record_ != record) scene_.reset();
     shown_replay_ = bench_.replay.edition();
     drawn_record_ = record;

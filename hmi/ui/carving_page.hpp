@@ -51,6 +51,7 @@ private:
     std::unique_ptr<session::CarvedScene> scene_;
     std::array<std::shared_ptr<const session::MeshScene>, verify::kHeadCount> rods_;
     Drawing scene_drawing_ = Drawing::painter;  ///< that scene_ was made for
+    std::uint64_t record_number_ = 0;           ///< of the record that is wanted
     std::uint64_t job_start_tick_ = 0;
     std::uint64_t drawn_edition_ = 0;
     verify::Positions drawn_positions_{};
@@ -60,7 +61,7 @@ private:
     MeshView* view_;
     QLabel* done_;
     QLabel* point_;
-    session::WorkLane lane_{session::WorkLane::Haste::background};
+    session::WorkLane lane_;
 };
 
 }  // namespace psicarve::ui

@@ -41,8 +41,9 @@ void WarningList::show_warnings(std::vector<std::string> warnings) {
 void WarningList::fill() {
     clear();
     for (const std::string& warning : warnings_) {
-        auto* item = new QListWidgetItem{words(session::warning_phrase(warning)), this};
-        if (tokens_ != nullptr) item->setIcon(glyph_icon(Glyph::triangle, tokens_->warn, tokens_->warn));
+        addItem(words(session::warning_phrase(warning)));
+        if (tokens_ != nullptr)
+            item(count() - 1)->setIcon(glyph_icon(Glyph::triangle, tokens_->warn, tokens_->warn));
     }
     setVisible(!warnings_.empty());
 }

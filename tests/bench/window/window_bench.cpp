@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The operator's window: start to usable; the longest turn of its thread while two million triangles are
-// loaded and sliced; frames of the carving view at 500 x 500 points beside a core; click to command; memory.
-//   bench_window [--opengl]      on the screen of DISPLAY, or QT_QPA_PLATFORM=offscreen
+// loaded and sliced; frames of the carving view (500 x 500 points) beside a core; click to command; memory.
+//   bench_window [--opengl] [LAYERS POINTS]      on the screen of DISPLAY, or QT_QPA_PLATFORM=offscreen
 #include <time.h>
 #include <unistd.h>
 
 #include <QSettings>
+#include <QSpinBox>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -21,6 +23,8 @@
 namespace {
 
 using namespace psicarve;
+
+constexpr int kUsual = 500;
 
 /// Since the kernel began with this process; it counts in hundredths of a second.
 double age_ms() {
@@ -40,6 +44,9 @@ double age_ms() {
 
 int main(int argc, char** argv) {
     const bool wants_opengl = argc > 1 && std::string{argv[1]} == "--opengl";
+    const int sizes = wants_opengl ? 2 : 1;
+    const int layers = argc > sizes + 1 ? std::atoi(argv[sizes]) : kUsual;
+    const int points = argc > sizes + 1 ? std::atoi(argv[sizes + 1]) : kUsual;
     const char* path = std::getenv("PATH");
     setenv("PATH", (std::string{PSICARVE_BIN} + ":" + (path != nullptr ? path : "")).c_str(), 1);
     bench::WatchedApplication application{argc, argv};
@@ -61,11 +68,15 @@ int main(int argc, char** argv) {
     machine::CoreLaunch launch;
     launch.segment_name = segment;
     launch.is_private = true;
+    launch.capacity_layers = static_cast<std::uint32_t>(std::max(layers, kUsual));
+    launch.capacity_points = static_cast<std::uint32_t>(std::max(points, kUsual));
     auto core = machine::CoreProcess::start(launch);
     if (!core) {
         std::fprintf(stderr, "bench_window: %s\n", core.error().message.c_str());
         return 1;
     }
+    window.findChild<QSpinBox*>("layers")->setValue(layers);
+    window.findChild<QSpinBox*>("points")->setValue(points);
     const bool is_done = bench::load_and_slice(application, window, folder.path().toStdString()) &&
                          bench::carve(application, window) && bench::press_buttons(application, window);
     return is_done ? 0 : 1;

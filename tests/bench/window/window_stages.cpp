@@ -28,6 +28,7 @@ using S = MachineState;
 constexpr std::size_t kTriangles = 2'000'000;
 constexpr double kBlockTarget_ms = 50.0;
 constexpr int kPresses = 40;
+constexpr double kSliceLimit_s = 120.0;  // also when the numbers asked for are refused
 /// Less is the picture before, put there once more.
 constexpr double kDrawnAnew_ms = 0.5;
 constexpr double kWatch_ms = 3000.0;
@@ -176,7 +177,8 @@ bool load_and_slice(WatchedApplication& application, ui::MainWindow& window, con
     print_longest(application, "looking for undercut");
     begin = Clock::now();
     if (!click(application, window, "slice")) return false;
-    if (!application.run_until([&] { return desk.sight().state == DeskState::job; })) return false;
+    if (!application.run_until([&] { return desk.sight().state == DeskState::job; }, kSliceLimit_s))
+        return false;
     std::printf("sliced in %.0f ms\n", since_ms(begin));
     application.run_for(0.5);
     print_longest(application, "slicing");

@@ -70,9 +70,6 @@ TEST_F(Carving, TakesFromTheJobWhatNobodySaw) {
     EXPECT_EQ(sut_->planned_layers(), 3U);
     sut_->take_as_planned(1000);
     EXPECT_EQ(sut_->planned_layers(), kLayers - 1);
-    sut_->start_anew();
-    EXPECT_EQ(done_vertices(), 0U);
-    EXPECT_EQ(sut_->planned_layers(), 0U);
 }
 
 TEST_F(Carving, GoesOnWithALongPlanFromCallToCall) {
@@ -124,9 +121,6 @@ TEST_F(Carving, MakesOnlyThoseRowsAnewThatWereCarved) {
     EXPECT_EQ(scene.scene()->vertex_rgb[3 * kCellsOfLayer], kBlank);
     EXPECT_EQ(scene.scene()->vertices, CarvedScene(*sut_, plan()).scene()->vertices);
     EXPECT_TRUE(scene.update(*sut_).empty());
-    sut_->start_anew();
-    EXPECT_EQ(scene.update(*sut_).size(), 1U);
-    EXPECT_EQ(scene.scene()->vertex_rgb[2 * kCellsOfLayer], kBlank);
 }
 
 }  // namespace

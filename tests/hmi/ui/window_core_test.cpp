@@ -12,6 +12,10 @@
 #include <QSpinBox>
 #include <QTabWidget>
 
+#include <algorithm>
+#include <vector>
+
+#include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/messages_page.hpp"
 #include "hmi/ui/report_dialog.hpp"
 #include "hmi/ui/strip.hpp"
@@ -191,6 +195,33 @@ TEST_F(WindowOnCore, TakesAModelFromItsFileToACarvedPiece) {
     tabs->setCurrentIndex(3);
     ASSERT_TRUE(comes_true([&] { return true; }));
     take_picture("messages_dark");
+}
+
+TEST_F(WindowOnCore, ShowsAFreshBlankWhenItStartsAnew) {
+    start_core();
+    open_window();
+    auto* const tabs = window_->findChild<QTabWidget*>();
+    auto& view = *static_cast<MeshView*>(window_->findChild<QWidget*>("carving_view"));
+    const auto colours = [&]() -> std::vector<std::uint32_t> {
+        return view.picture().bodies.empty() ? std::vector<std::uint32_t>{}
+                                             : view.picture().bodies.front().scene->vertex_rgb;
+    };
+    carve_long_job();
+    tabs->setCurrentIndex(2);
+    ASSERT_TRUE(comes_true([&] { return sight().status->layer > 100; }));
+    ASSERT_TRUE(click("stop"));
+    ASSERT_TRUE(comes_to(S::ready));
+    ASSERT_TRUE(comes_true([&] { return !colours().empty() && colours().front() != colours().back(); }));
+    const auto before = colours();
+    const auto carved = std::count(before.begin(), before.end(), before.front());
+    EXPECT_GT(carved, 0);
+    ASSERT_TRUE(click("start"));
+    ASSERT_TRUE(click("hold"));
+    ASSERT_TRUE(comes_to(S::held));
+    ASSERT_TRUE(comes_true([&] {
+        const auto now = colours();
+        return !now.empty() && std::count(now.begin(), now.end(), now.back()) > std::ssize(now) - carved;
+    }));
 }
 
 TEST_F(WindowOnCore, JogsAStepOnAClickAndOnAndOnWhileHeld) {

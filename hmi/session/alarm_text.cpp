@@ -48,18 +48,23 @@ Phrase limit_detail(const MachineSight& machine, Axis axis) {
         letter, position_of(machine, axis), number_text(switch_mm, 2));
 }
 
-/// The one axis whose position is not certain any more, or all.
-Phrase home_step(const MachineSight& machine) {
+/// Those whose position is not certain any more.
+std::vector<Axis> unsure_axes(const MachineSight& machine) {
     std::vector<Axis> unsure;
     for (const Axis axis : kAllAxes) {
         if (!machine.is_homed(axis)) unsure.push_back(axis);
     }
-    return unsure.size() == 1 ? phrase("Home %1", axis_letter(unsure.front())) : phrase("Home all");
+    return unsure;
 }
 
 void add_way_back(const MachineSight& machine, AlarmText& text) {
     text.steps.push_back(phrase("Reset alarm"));
-    text.steps.push_back(home_step(machine));
+    const auto unsure = unsure_axes(machine);
+    if (unsure.size() == 1) {
+        text.steps.push_back(phrase("Home %1", axis_letter(unsure.front())));
+    } else if (!unsure.empty()) {
+        text.steps.push_back(phrase("Home all"));
+    }
     const CoreStatus& status = *machine.status;
     if (status.points_done > 0 && status.points_done < status.points_total)
         text.steps.push_back(phrase("From layer %1", std::to_string(status.layer + 1)));
@@ -74,9 +79,12 @@ AlarmText limit_text(const MachineSight& machine) {
 }
 
 AlarmText estop_text(const MachineSight& machine) {
-    AlarmText text{phrase("Emergency stop"),
-                   phrase("Drives and spindle are off; the position is not certain any more."),
-                   {}};
+    const bool has_moved = !unsure_axes(machine).empty();
+    AlarmText text{
+        phrase("Emergency stop"),
+        has_moved ? phrase("Drives and spindle are off; the position is not certain any more.")
+                  : phrase("Drives and spindle are off. No axis moved: home only if one was turned by hand."),
+        {}};
     if (machine.is_active(Signal::estop)) text.steps.push_back(phrase("Release the emergency stop switch"));
     add_way_back(machine, text);
     return text;

@@ -45,7 +45,7 @@ void MachineSession::poll() {
         Command command{};
         command.kind = CommandKind::override;
         command.value = *std::exchange(wanted_override_percent_, std::nullopt);
-        order(command, phrase("Feed override"));
+        send(command, phrase("Feed override"), {});  // no reason to give up a start that is under way
     }
 }
 

@@ -21,8 +21,14 @@ void tell_core(const MachineSight& before, const MachineSight& after, std::vecto
         told.push_back(
             message(Severity::info, phrase("Core found, process %1", std::to_string(after.core_pid))));
     } else if (was_there && !is_there) {
-        told.push_back(message(Severity::warning, phrase("The core has ended"),
-                               phrase("Start it again; home before carving on")));
+        // Where to go on from is known nowhere else once another core has begun.
+        const bool has_begun = before.status && before.status->points_done > 0 &&
+                               before.status->points_done < before.status->points_total;
+        told.push_back(message(
+            Severity::warning,
+            has_begun ? phrase("The core has ended in layer %1", std::to_string(before.status->layer + 1))
+                      : phrase("The core has ended"),
+            phrase("Start it again; home before carving on")));
     } else if (before.life != CoreLife::silent && after.life == CoreLife::silent) {
         told.push_back(message(Severity::warning, phrase("The core is silent"),
                                phrase("Use the switch on the machine to stop it")));

@@ -59,11 +59,10 @@ void RunWatch::begin(const CoreStatus& status, Clock::time_point now) {
 
 std::vector<ReportRow> run_rows(const machine::JobRun& run, bool is_over, std::uint32_t layer_count) {
     const machine::RunFigures figures = machine::figures_of(run);
-    std::vector<ReportRow> rows{
-        {phrase("Result"), how_it_went(figures, run.after, is_over, layer_count)},
-        {phrase("Carving time"), time_or_none(figures.carve_seconds)},
-        {phrase("Total time"), phrase("%1", clock_text(figures.total_seconds))},
-        {phrase("Reference time (T_ref)"), time_or_none(figures.reference_seconds)}};
+    std::vector<ReportRow> rows{{phrase("Result"), how_it_went(figures, run.after, is_over, layer_count)},
+                                {phrase("Carving time"), time_or_none(figures.carve_seconds)},
+                                {phrase("Total time"), phrase("%1", clock_text(figures.total_seconds))},
+                                {phrase("Reference time (T_ref)"), time_or_none(figures.reference_seconds)}};
     for (const Axis axis : kAllAxes) {
         rows.push_back({phrase("Pulses of %1", axis_letter(axis)),
                         phrase("%1", count_text(static_cast<std::int64_t>(figures.pulses[index_of(axis)])))});

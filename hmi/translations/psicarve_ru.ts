@@ -396,6 +396,10 @@
             <translation>Выключить клавиши</translation>
         </message>
         <message>
+            <source>Drives and spindle are off. No axis moved: home only if one was turned by hand.</source>
+            <translation>Приводы и шпиндель выключены. Ни одна ось не двигалась: нули нужны, только если ось повернули рукой.</translation>
+        </message>
+        <message>
             <source>Drives and spindle are off; the position is not certain any more.</source>
             <translation>Приводы и шпиндель выключены; положение больше не достоверно.</translation>
         </message>
@@ -477,6 +481,7 @@
 Ctrl+Enter  start
 Pause  hold, resume
 Ctrl+Home  home all
+Ctrl+0, Ctrl+−, Ctrl++  feed override
 Ctrl+O  open
 F5  slice
 F9  arm keyboard jog
@@ -493,6 +498,7 @@ On the timeline: arrows, Page Up, Page Down, Home, End</source>
 Ctrl+Enter  пуск
 Pause  пауза, продолжить
 Ctrl+Home  все нули
+Ctrl+0, Ctrl+−, Ctrl++  коррекция подачи
 Ctrl+O  открыть
 F5  нарезать
 F9  включить клавиши перемещения
@@ -1831,12 +1837,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ядро завершилось</translation>
         </message>
         <message>
+            <source>The core has ended in layer %1</source>
+            <translation>Ядро завершилось в слое %1</translation>
+        </message>
+        <message>
             <source>The core has this job.</source>
             <translation>Это задание есть у ядра.</translation>
         </message>
         <message>
             <source>The core is silent</source>
             <translation>Ядро молчит</translation>
+        </message>
+        <message>
+            <source>The core is silent: use the switch on the machine</source>
+            <translation>Ядро молчит: нажмите кнопку на станке</translation>
         </message>
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>

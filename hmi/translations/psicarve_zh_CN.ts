@@ -396,6 +396,10 @@
             <translation>停用键盘点动</translation>
         </message>
         <message>
+            <source>Drives and spindle are off. No axis moved: home only if one was turned by hand.</source>
+            <translation>驱动和主轴已关闭。没有轴移动：只有被手动转动过才需回零。</translation>
+        </message>
+        <message>
             <source>Drives and spindle are off; the position is not certain any more.</source>
             <translation>驱动和主轴已关闭；位置不再可靠。</translation>
         </message>
@@ -476,6 +480,7 @@
 Ctrl+Enter  start
 Pause  hold, resume
 Ctrl+Home  home all
+Ctrl+0, Ctrl+−, Ctrl++  feed override
 Ctrl+O  open
 F5  slice
 F9  arm keyboard jog
@@ -492,6 +497,7 @@ On the timeline: arrows, Page Up, Page Down, Home, End</source>
 Ctrl+Enter  启动
 Pause  暂停、继续
 Ctrl+Home  全部回零
+Ctrl+0、Ctrl+−、Ctrl++  进给倍率
 Ctrl+O  打开
 F5  切片
 F9  启用键盘点动
@@ -1826,12 +1832,20 @@ N、Shift+N  下一条、上一条
             <translation>内核已结束</translation>
         </message>
         <message>
+            <source>The core has ended in layer %1</source>
+            <translation>内核在第 %1 层结束</translation>
+        </message>
+        <message>
             <source>The core has this job.</source>
             <translation>内核已有此作业。</translation>
         </message>
         <message>
             <source>The core is silent</source>
             <translation>内核无响应</translation>
+        </message>
+        <message>
+            <source>The core is silent: use the switch on the machine</source>
+            <translation>内核无响应：请使用机床上的开关</translation>
         </message>
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>

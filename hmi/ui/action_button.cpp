@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/action_button.hpp"
 
+#include <QKeyEvent>
+
 #include <utility>
 
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
+namespace {
+
+bool may_start_motion(session::Action action) {
+    using A = session::Action;
+    return action != A::hold && action != A::stop && action != A::slice && action != A::publish &&
+           action != A::override_feed && action != A::reset_alarm;
+}
+
+}  // namespace
 
 ActionButton::ActionButton(session::Action action, const QString& text, std::function<void()> act,
                            QWidget* parent)
@@ -13,13 +24,23 @@ ActionButton::ActionButton(session::Action action, const QString& text, std::fun
           [action](const Bench& bench) {
               return session::lock_of(action, bench.machine.sight(), bench.desk.sight());
           },
-          text, std::move(act), parent) {}
+          text, std::move(act), parent) {
+    may_move_ = may_start_motion(action);
+}
 
 ActionButton::ActionButton(LockOf lock_of, const QString& text, std::function<void()> act, QWidget* parent)
     : QPushButton(text, parent), lock_of_(std::move(lock_of)) {
     setFocusPolicy(Qt::TabFocus);
     setAutoDefault(false);
     if (act) QObject::connect(this, &QPushButton::clicked, this, [act = std::move(act)] { act(); });
+}
+
+void ActionButton::keyPressEvent(QKeyEvent* event) {
+    const int key = event->key();
+    const bool presses =
+        key == Qt::Key_Space || key == Qt::Key_Select || key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (may_move_ && presses) return event->ignore();
+    QPushButton::keyPressEvent(event);
 }
 
 void ActionButton::set_glyph(Glyph glyph, const Tokens& tokens, bool on_fill) {

@@ -12,8 +12,8 @@
 
 namespace psicarve::ui {
 
-/// A button that asks for something, and says why when it cannot. Never pressed by Space or Enter because the
-/// focus happens to be there: it takes the focus from the Tab key only.
+/// A button that asks for something, and says why when it cannot. What may start motion is never pressed by
+/// Space or Enter: the focus may happen to be there. It takes the focus from the Tab key only, to be read.
 class ActionButton : public QPushButton {
 public:
     /// What stands in the way of it; nothing when it can be asked for.
@@ -32,8 +32,12 @@ public:
     /// What it does, shown while it can.
     void set_hint(const QString& hint) { hint_ = hint; }
 
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
 private:
     LockOf lock_of_;
+    bool may_move_ = true;
     QString reason_;
     QString hint_;
 };

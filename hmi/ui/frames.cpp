@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/frames.hpp"
 
+#include <QEvent>
 #include <QStyle>
 
 namespace psicarve::ui {
@@ -41,6 +42,21 @@ Dock::Dock(const QString& title, QWidget* parent) : QFrame(parent) {
     body_->setContentsMargins(kGap, kSmallGap, kGap, kGap);
     body_->setSpacing(kSmallGap);
     all->addLayout(body_, 1);
+}
+
+void ignore_wheel(QWidget* widget) {
+    class Filter : public QObject {
+    public:
+        using QObject::QObject;
+
+    private:
+        bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+            if (event->type() != QEvent::Wheel) return false;
+            event->ignore();
+            return true;
+        }
+    };
+    widget->installEventFilter(new Filter{widget});
 }
 
 }  // namespace psicarve::ui

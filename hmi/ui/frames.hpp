@@ -16,6 +16,8 @@ QLabel* role_label(const char* role, const QString& text = {});
 /// Sets a property that the style sheet looks at; does nothing when it is set already.
 void set_styled(QWidget* widget, const char* property, const QVariant& value);
 QFrame* rule();
+/// A wheel that passes over it changes nothing: for what a machine follows at once.
+void ignore_wheel(QWidget* widget);
 
 /// A panel with a head line: its title, and something short at the right.
 class Dock : public QFrame {

@@ -10,6 +10,7 @@
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/preflight.hpp"
 #include "hmi/session/start_intent.hpp"
+#include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/report_dialog.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/units.hpp"
@@ -122,6 +123,7 @@ void JobPanel::make_buttons() {
         three->addWidget(buttons[i], 1);
     }
     layer_ = new QSpinBox;
+    ignore_wheel(layer_);
     layer_->setRange(1, 1);
     layer_->setObjectName("layer");
     layer_->setAccessibleName(tr("Layer to start from"));
@@ -156,6 +158,7 @@ void JobPanel::make_override() {
     percent_ = role_label("title");
     head->addWidget(percent_);
     override_ = new QSlider{Qt::Horizontal};
+    ignore_wheel(override_);
     override_->setRange(kLeastOverride_percent, kMostOverride_percent);
     override_->setPageStep(5);
     override_->setValue(kFullPercent);
@@ -194,8 +197,8 @@ bool JobPanel::may_start_from_layer(std::uint32_t layer) {
                         .arg(layer),
                     QMessageBox::NoButton, window()};
     QPushButton* go = box.addButton(tr("Start from layer %1").arg(layer), QMessageBox::AcceptRole);
-    box.addButton(tr("Cancel"), QMessageBox::RejectRole);
-    box.exec();
+    box.setDefaultButton(box.addButton(tr("Cancel"), QMessageBox::RejectRole));
+    run_dialog(box);
     // A minute may have passed: ask again whether it may start.
     return box.clickedButton() == go && from_layer_->refresh(bench_).isEmpty();
 }
@@ -220,6 +223,12 @@ void JobPanel::refresh() {
     refresh_checks();
     refresh_buttons();
     refresh_override();
+}
+
+void JobPanel::change_override(int percent) {
+    if (!override_->isEnabled()) return;
+    constexpr int kPlanned = 100;
+    override_->setValue(percent == 0 ? kPlanned : override_->value() + percent);
 }
 
 void JobPanel::refresh_facts() {

@@ -23,6 +23,8 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
+    /// By so many per cent of the planned feed; 0: back to 100 %. Nothing while the override is locked.
+    void change_override(int percent);
 
 private:
     struct CheckRow {

@@ -108,6 +108,7 @@ QLayout* JogPanel::speed_row(const QString& name, QSlider*& slider, QLabel*& lab
     QLabel* title = role_label("label", name);
     title->setFixedWidth(40);
     slider = new QSlider{Qt::Horizontal};
+    ignore_wheel(slider);
     slider->setFocusPolicy(Qt::TabFocus);
     label = new QLabel;
     label->setFixedWidth(68);

@@ -7,6 +7,7 @@
 #include <QPlainTextEdit>
 #include <QTextEdit>
 
+#include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/jog_panel.hpp"
 
 namespace psicarve::ui {
@@ -106,8 +107,7 @@ bool JogPanel::eventFilter(QObject* watched, QEvent* event) {
         return Dock::eventFilter(watched, event);
     const auto* pressed = static_cast<QKeyEvent*>(event);
     const auto key = jog_key(pressed->key());
-    const bool is_ours = key && QApplication::activeModalWidget() == nullptr &&
-                         QApplication::activePopupWidget() == nullptr &&
+    const bool is_ours = key && open_dialog() == nullptr && QApplication::activePopupWidget() == nullptr &&
                          !is_text_field(static_cast<QWidget*>(watched));
     if (!is_ours) return Dock::eventFilter(watched, event);
     const auto now = KeyboardJog::Clock::now();

@@ -3,12 +3,14 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QMimeData>
 #include <QResizeEvent>
+#include <QScreen>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -20,6 +22,7 @@
 
 #include "hmi/ui/alarm_banner.hpp"
 #include "hmi/ui/carving_page.hpp"
+#include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/emergency_key.hpp"
 #include "hmi/ui/entries_page.hpp"
 #include "hmi/ui/frames.hpp"
@@ -82,7 +85,7 @@ MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing)
     all->addWidget(status_row_);
     setCentralWidget(whole);
     setMinimumSize(kLeastSize);
-    resize(kUsualSize);
+    resize(kUsualSize.boundedTo(screen()->availableSize()));
     restoreGeometry(settings_.geometry());
     set_theme(settings_.theme());
     tabs_->tabBar()->setFocus();  // not on anything that moves the machine
@@ -239,6 +242,10 @@ void MainWindow::open(const QString& path) {
     bench_.desk.open(path.toStdString());
 }
 
+void MainWindow::show_profile(const QString& path) {
+    profile_->open(path);
+}
+
 void MainWindow::emergency_stop() {
     strip_->emergency_stop();
     let_go();
@@ -276,6 +283,11 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (QDialog* const first = open_dialog()) {  // it asks something of this window
+        first->raise();
+        first->activateWindow();
+        return event->ignore();
+    }
     let_go();
     const CloseChoice choice = is_under_way(bench_.machine.sight()) ? ask_() : CloseChoice::leave_running;
     if (choice == CloseChoice::stay_open) return event->ignore();

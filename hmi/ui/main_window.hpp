@@ -50,6 +50,8 @@ public:
 
     Bench& bench() noexcept { return bench_; }
     void open(const QString& path);
+    /// On page Profile.
+    void show_profile(const QString& path);
     /// One look at the machine, and everything redrawn that has changed. The timer calls it.
     void refresh();
     void set_theme(ThemeChoice choice);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QActionGroup>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTabWidget>
 
+#include "hmi/ui/dialogs.hpp"
+#include "hmi/ui/job_panel.hpp"
 #include "hmi/ui/main_window.hpp"
 
 namespace psicarve::ui {
@@ -23,14 +24,17 @@ void MainWindow::make_menu() {
     QAction* keys = menu_->addAction(tr("Keys…"));
     keys->setShortcut(Qt::Key_F12);
     connect(keys, &QAction::triggered, this, [this] {
-        QMessageBox::information(
-            this, tr("Keys"),
+        QMessageBox box{
+            QMessageBox::Information, tr("Keys"),
             tr("F1  emergency stop, everywhere\nCtrl+Enter  start\nPause  hold, resume\n"
-               "Ctrl+Home  home all\nCtrl+O  open\nF5  slice\nF9  arm keyboard jog\nCtrl+1 … 7  tabs\nF10  "
+               "Ctrl+Home  home all\nCtrl+0, Ctrl+−, Ctrl++  feed override\nCtrl+O  open\nF5  slice\nF9  arm "
+               "keyboard jog\nCtrl+1 … 7  tabs\nF10  "
                "menu\nF12  this list\n\n"
                "Replay: K  play, pause\nJ, L  slower, faster\nN, Shift+N  next entry, entry before\n,  .  "
                "one layer\n"
-               "On the timeline: arrows, Page Up, Page Down, Home, End"));
+               "On the timeline: arrows, Page Up, Page Down, Home, End"),
+            QMessageBox::Ok, this};
+        run_dialog(box);
     });
     menu_->addSeparator();
     QAction* quit = menu_->addAction(tr("Close the window"));
@@ -52,6 +56,18 @@ void MainWindow::make_menu() {
         bench_.machine.order(kind, is_held ? session::phrase("Resume") : session::phrase("Hold"));
     });
     addAction(pause);
+    const std::pair<QKeySequence, int> feeds[] = {
+        {QKeySequence{Qt::CTRL | Qt::Key_0}, 0},
+        {QKeySequence{Qt::CTRL | Qt::Key_Minus}, -5},
+        {QKeySequence{Qt::CTRL | Qt::Key_Plus}, 5},
+        {QKeySequence{Qt::CTRL | Qt::Key_Equal}, 5},
+    };
+    for (const auto& [keys_of_feed, percent] : feeds) {
+        auto* change = new QAction{this};
+        change->setShortcut(keys_of_feed);
+        connect(change, &QAction::triggered, this, [this, by = percent] { job_->change_override(by); });
+        addAction(change);
+    }
     make_replay_keys();
 }
 
@@ -90,12 +106,10 @@ void MainWindow::make_language_menu() {
 }
 
 void MainWindow::choose_file() {
-    // Qt's own dialog: in the desktop's, F1 would not reach us.
-    const QString path = QFileDialog::getOpenFileName(
+    const QString path = ask_for_file(
         this, tr("Open model, job or recording"), settings_.last_folder(),
         tr("Models and jobs (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;Recordings (*.snap *.trace);;"
-           "All files (*)"),
-        nullptr, QFileDialog::DontUseNativeDialog);
+           "All files (*)"));
     if (!path.isEmpty()) open(path);
 }
 
@@ -120,7 +134,7 @@ CloseChoice MainWindow::ask_what_to_do() {
     box.addButton(tr("Cancel"), QMessageBox::RejectRole);
     hold->setEnabled(bench_.machine.sight().state() == MachineState::carving);
     box.setDefaultButton(leave);
-    box.exec();
+    run_dialog(box);
     if (box.clickedButton() == leave) return CloseChoice::leave_running;
     if (box.clickedButton() == hold) return CloseChoice::hold;
     return box.clickedButton() == stop ? CloseChoice::stop : CloseChoice::stay_open;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QStackedWidget>
@@ -9,6 +8,7 @@
 #include <functional>
 
 #include "hmi/ui/carving_page.hpp"
+#include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/entries_page.hpp"
 #include "hmi/ui/main_window.hpp"
 #include "hmi/ui/model_page.hpp"
@@ -41,10 +41,8 @@ void MainWindow::make_replay_keys() {
 }
 
 void MainWindow::choose_job_of_trace() {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Job or snapshot of this trace"), settings_.last_folder(),
-                                     tr("Jobs and snapshots (*.job *.psi *.snap);;All files (*)"), nullptr,
-                                     QFileDialog::DontUseNativeDialog);
+    const QString path = ask_for_file(this, tr("Job or snapshot of this trace"), settings_.last_folder(),
+                                      tr("Jobs and snapshots (*.job *.psi *.snap);;All files (*)"));
     if (!path.isEmpty()) bench_.replay.add_job(path.toStdString());
 }
 

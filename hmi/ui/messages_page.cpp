@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QDateTime>
 #include <QDir>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -17,6 +16,7 @@
 
 #include "hmi/session/support_bundle.hpp"
 #include "hmi/ui/choice_box.hpp"
+#include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
 #include "hmi/ui/words.hpp"
@@ -92,15 +92,12 @@ void MessagesPage::set_theme(const Tokens& tokens) {
 
 void MessagesPage::choose_log() {
     const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the log"), "psicarve.log", tr("Text (*.log *.txt)"),
-                                     nullptr, QFileDialog::DontUseNativeDialog);
+        ask_where_to_save(this, tr("Save the log"), "psicarve.log", tr("Text (*.log *.txt)"));
     if (!path.isEmpty()) save_log(path);
 }
 
 void MessagesPage::choose_bundle() {
-    const QString folder =
-        QFileDialog::getExistingDirectory(this, tr("Folder for the support bundle"), QDir::homePath(),
-                                          QFileDialog::ShowDirsOnly | QFileDialog::DontUseNativeDialog);
+    const QString folder = ask_for_folder(this, tr("Folder for the support bundle"), QDir::homePath());
     if (!folder.isEmpty()) save_bundle(folder);
 }
 

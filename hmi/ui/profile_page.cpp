@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/profile_page.hpp"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -14,6 +13,7 @@
 
 #include <utility>
 
+#include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
 #include "hmi/ui/profile_row.hpp"
@@ -282,22 +282,21 @@ bool ProfilePage::save_as(const QString& path) {
 
 bool ProfilePage::may_lose_changes() {
     if (draft_.changed_count() == 0) return true;
-    const auto answer =
-        QMessageBox::question(this, tr("Profile"), tr("%1. Lose them?").arg(unsaved_text()),
-                              QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel);
-    return answer == QMessageBox::Discard;
+    QMessageBox box{QMessageBox::Question, tr("Profile"), tr("%1. Lose them?").arg(unsaved_text()),
+                    QMessageBox::Discard | QMessageBox::Cancel, window()};
+    box.setDefaultButton(QMessageBox::Cancel);
+    return run_dialog(box) == QMessageBox::Discard;
 }
 
 void ProfilePage::ask_open() {
     if (!may_lose_changes()) return;
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open a machine profile"), {}, tr("Profiles (*.toml)"));
+    const QString path = ask_for_file(this, tr("Open a machine profile"), {}, tr("Profiles (*.toml)"));
     if (!path.isEmpty()) open(path);
 }
 
 void ProfilePage::ask_save_as() {
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save the profile as"), QString::fromStdString(draft_.path()), tr("Profiles (*.toml)"));
+    const QString path = ask_where_to_save(this, tr("Save the profile as"),
+                                           QString::fromStdString(draft_.path()), tr("Profiles (*.toml)"));
     if (!path.isEmpty()) save_as(path);
 }
 

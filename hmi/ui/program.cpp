@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
     keep_decimal_points();
     use_language(language_for(options));
     MainWindow window{session, drawing_for(options.opengl)};
+    if (!options.profile_path.empty()) window.show_profile(QString::fromStdString(options.profile_path));
     window.show();
     if (!options.path.empty()) window.open(QString::fromStdString(options.path));
     return QApplication::exec();

@@ -2,7 +2,6 @@
 #include "hmi/ui/report_dialog.hpp"
 
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -13,6 +12,7 @@
 
 #include "hmi/cli/run_report.hpp"
 #include "hmi/session/run_watch.hpp"
+#include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/atomic_file.hpp"
@@ -42,8 +42,7 @@ ReportDialog::ReportDialog(machine::JobRun run, bool is_over, std::shared_ptr<co
     QPushButton* close_button = buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole);
     connect(save_button, &QPushButton::clicked, this, [this] {
         const QString path =
-            QFileDialog::getSaveFileName(this, tr("Save the report"), "report.json", tr("JSON (*.json)"),
-                                         nullptr, QFileDialog::DontUseNativeDialog);
+            ask_where_to_save(this, tr("Save the report"), "report.json", tr("JSON (*.json)"));
         if (!path.isEmpty()) save(path);
     });
     connect(close_button, &QPushButton::clicked, this, [this] { close(); });

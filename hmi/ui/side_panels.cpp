@@ -127,10 +127,10 @@ void SidePanels::spread(Room room) {
         left_column_->removeWidget(widget);
         widget->hide();
     }
-    left_->setFixedWidth(is_wide ? kWideLeftWidth : kLeftWidth);
-    right_->setFixedWidth(is_wide ? kWideRightWidth : kRightWidth);
-    for (QWidget* panel : {panels_[0], panels_[1]}) panel->setFixedWidth(left_->width());
-    panels_[2]->setFixedWidth(right_->width());
+    const int left_width = is_wide ? kWideLeftWidth : kLeftWidth;
+    const int right_width = is_wide ? kWideRightWidth : kRightWidth;
+    for (QWidget* widget : {left_, panels_[0], panels_[1]}) widget->setFixedWidth(left_width);
+    for (QWidget* widget : {right_, panels_[2]}) widget->setFixedWidth(right_width);
     right_->show();
 }
 

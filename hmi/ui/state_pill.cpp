@@ -11,6 +11,7 @@ namespace psicarve::ui {
 namespace {
 
 constexpr int kWidth = 200;
+constexpr int kNarrowWidth = 156;
 constexpr int kHeight = 48;
 constexpr int kGlyphSide = 26;
 constexpr int kTextLeft = 52;
@@ -23,7 +24,11 @@ StatePill::StatePill(QWidget* parent) : QWidget(parent) {
 }
 
 QSize StatePill::sizeHint() const {
-    return {kWidth, kHeight};
+    return size();
+}
+
+void StatePill::set_narrow(bool narrow) {
+    setFixedSize(narrow ? kNarrowWidth : kWidth, kHeight);
 }
 
 void StatePill::show_state(const session::StateText& text, Glyph glyph, const Tokens& tokens) {

@@ -14,6 +14,8 @@ public:
     explicit StatePill(QWidget* parent = nullptr);
 
     void show_state(const session::StateText& text, Glyph glyph, const Tokens& tokens);
+    /// Less wide, for a small screen.
+    void set_narrow(bool narrow);
     const QString& word() const noexcept { return word_; }
     QSize sizeHint() const override;
 

@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kWideStripHeight = 72;
 constexpr QSize kEmergency{200, 56};
+constexpr QSize kSmallEmergency{180, 56};
 constexpr QSize kWideEmergency{232, 60};
 constexpr int kStripHeight = 64;
 constexpr int kEmergencyIcon = 28;
@@ -117,7 +118,9 @@ void Strip::set_theme(const Tokens& tokens) {
 void Strip::set_room(Room room) {
     const bool is_wide = room == Room::wide;
     setFixedHeight(is_wide ? kWideStripHeight : kStripHeight);
-    emergency_->setFixedSize(is_wide ? kWideEmergency : kEmergency);
+    emergency_->setFixedSize(is_wide ? kWideEmergency : room == Room::small ? kSmallEmergency : kEmergency);
+    pill_->set_narrow(room == Room::small);
+    layout()->setSpacing(room == Room::small ? kGap : 2 * kGap);
     // The state's word says as much where room is short.
     for (QWidget* widget :
          {static_cast<QWidget*>(heart_), static_cast<QWidget*>(tick_), static_cast<QWidget*>(missed_)})
@@ -125,7 +128,12 @@ void Strip::set_room(Room room) {
 }
 
 void Strip::emergency_stop() {
-    if (bench_.machine.emergency_stop()) {
+    const bool is_silent = bench_.machine.sight().life == session::CoreLife::silent;
+    const bool is_there = bench_.machine.emergency_stop();
+    if (is_there && is_silent) {
+        bench_.log.add(session::Severity::warning,
+                       session::phrase("The core is silent: use the switch on the machine"));
+    } else if (is_there) {
         bench_.log.add(session::Severity::info, session::phrase("Emergency stop asked for"));
     } else {
         bench_.log.add(session::Severity::warning, session::phrase("No core: use the switch on the machine"));

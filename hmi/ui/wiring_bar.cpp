@@ -24,6 +24,7 @@ constexpr int kUsualRate_hz = 50;
 
 QSpinBox* number_field(int most, int usual, const QString& unit, const char* name) {
     auto* field = new QSpinBox;
+    ignore_wheel(field);
     field->setRange(1, most);
     field->setValue(usual);
     field->setSuffix(QStringLiteral(" ") + unit);

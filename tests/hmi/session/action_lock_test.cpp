@@ -119,7 +119,7 @@ TEST(Preflight, SaysWhatIsMissing) {
     EXPECT_EQ(failing_check(machine_in(S::off, 0x3), DeskState::published), "Axes homed: Ψ Y not homed; ");
     EXPECT_EQ(failing_check(machine_in(S::ready), DeskState::job), "Job published: publish first; ");
     EXPECT_EQ(failing_check(limit_alarm(Axis::r1), DeskState::published),
-              "No alarm: reset first; Limits clear: R1 closed; ");
+              "No alarm: reset first; Limits clear: R1 closed; Axes homed: R1 not homed; ");
     EXPECT_EQ(failing_check(MachineSight{}, DeskState::empty), "Core alive: no core; ");
 }
 

@@ -43,6 +43,16 @@ TEST(AlarmText, SaysWhichAxisToHomeWhenItIsOne) {
     EXPECT_EQ(in_english(alarm_text(machine).steps[2]), "Home all");
 }
 
+TEST(AlarmText, OfAnEmergencyStopAtRestKeepsThePositions) {
+    MachineSight machine = limit_alarm(Axis::r2);
+    machine.status->alarm_cause = AlarmCause::emergency_stop;
+    machine.status->homed_mask = 0b1111;
+    for (const Phrase& step : alarm_text(machine).steps) EXPECT_NE(in_english(step), "Home all");
+    EXPECT_NE(in_english(alarm_text(machine).detail).find("No axis moved"), std::string::npos);
+    machine.status->homed_mask = 0b1000;
+    EXPECT_EQ(in_english(alarm_text(machine).steps[1]), "Home all");
+}
+
 TEST(AlarmText, GivesEveryCauseATitleAndAWayOut) {
     for (std::uint8_t i = 1; i < kAlarmCauseCount; ++i) {
         MachineSight machine = limit_alarm(Axis::psi);
@@ -77,6 +87,9 @@ TEST(MessageLog, TellsThatTheCoreIsGoneOrSilent) {
     MachineSight gone = machine_in(S::carving);
     gone.life = CoreLife::none;
     EXPECT_EQ(told(machine_in(S::carving), gone), "The core has ended; ");
+    MachineSight half_done = limit_alarm(Axis::r2);
+    half_done.status->layer = 13;
+    EXPECT_EQ(told(half_done, gone), "The core has ended in layer 14; ");
     gone.life = CoreLife::silent;
     EXPECT_EQ(told(machine_in(S::carving), gone), "The core is silent; ");
 }

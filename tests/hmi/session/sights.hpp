@@ -27,7 +27,8 @@ inline MachineSight machine_in(MachineState state, std::uint8_t homed_mask = kAl
 }
 
 inline MachineSight limit_alarm(Axis axis) {
-    MachineSight sight = machine_in(MachineState::alarm);
+    const auto unhomed = static_cast<std::uint8_t>(1U << index_of(axis));  // by the alarm itself
+    MachineSight sight = machine_in(MachineState::alarm, kAllHomed & static_cast<std::uint8_t>(~unhomed));
     sight.status->alarm_cause = AlarmCause::limit;
     sight.status->alarm_axis = static_cast<std::uint8_t>(index_of(axis));
     sight.status->alarm_count = 1;

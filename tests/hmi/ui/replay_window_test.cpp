@@ -103,8 +103,8 @@ TEST_F(ReplayWindow, MovesNothingWhileTheMachineIsReady) {
     open_recording(snapshot());
     window_->refresh();
     for (const char* name :
-         {"home", "home_one", "zero_one", "start", "hold", "resume", "stop", "from_layer", "full", "publish", "slice",
-          "jog_r1_out", "jog_psi_plus", "jog_y_down", "back_off", "reset_alarm"}) {
+         {"home", "home_one", "zero_one", "start", "hold", "resume", "stop", "from_layer", "full", "publish",
+          "slice", "jog_r1_out", "jog_psi_plus", "jog_y_down", "back_off", "reset_alarm"}) {
         EXPECT_FALSE(button(name).isEnabled()) << name;
         EXPECT_EQ(button(name).toolTip(), "Replay moves nothing: leave replay first") << name;
     }
@@ -214,6 +214,7 @@ TEST_F(ReplayWindow, FitsTheSmallestScreenInEveryLanguage) {
         EXPECT_LE(window_->minimumSizeHint().height(), 720);
         show_page(5);
         ASSERT_TRUE(comes_true([&] { return true; }));
+        QApplication::processEvents();  // the layout follows the figures
         for (const QAbstractButton* found : window_->findChildren<QAbstractButton*>()) {
             if (!found->isVisible() || found->text().isEmpty()) continue;
             EXPECT_GE(found->width(), found->minimumSizeHint().width()) << found->text().toStdString();

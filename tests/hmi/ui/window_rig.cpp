@@ -42,6 +42,7 @@ void WindowRig::open_window() {
     window_.reset();
     window_ = std::make_unique<MainWindow>(session::SessionOptions{segment_name_, {}, {}});
     window_->set_theme(ThemeChoice::light);
+    window_->resize(1280, 720);  // the platform's screen is smaller
     window_->show();
 }
 

@@ -7,11 +7,15 @@
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QSlider>
 #include <QStackedWidget>
 #include <QTabBar>
+#include <QTimer>
+#include <QWheelEvent>
 
 #include <algorithm>
 
+#include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/strip.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
@@ -75,9 +79,61 @@ TEST_F(Window, FitsItsSmallestScreenInBothThemes) {
     take_picture("no_core_dark");
 }
 
+// The focus may stand on any of them.
+TEST_F(Window, StartsNoMotionBySpaceOrEnter) {
+    start_core();
+    open_window();
+    ASSERT_TRUE(comes_true([&] { return button("home").isEnabled(); }));
+    for (const int key : {Qt::Key_Space, Qt::Key_Return, Qt::Key_Enter, Qt::Key_Select}) {
+        for (const QEvent::Type type : {QEvent::KeyPress, QEvent::KeyRelease}) {
+            QKeyEvent event{type, key, Qt::NoModifier};
+            QApplication::sendEvent(&button("home"), &event);
+        }
+    }
+    for (int i = 0; i < 50; ++i) {
+        ASSERT_TRUE(comes_true([&] { return window_->bench().machine.sight().is_heard(); }));
+        ASSERT_EQ(window_->bench().machine.sight().state(), MachineState::off);
+    }
+}
+
+TEST_F(Window, LetsTheEmergencyStopBePressedBesideADialog) {
+    open_window();
+    QMessageBox box{QMessageBox::Question, "A question", "?", QMessageBox::Ok, window_.get()};
+    QTimer::singleShot(0, [&] {
+        EXPECT_EQ(open_dialog(), &box);
+        EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+        EXPECT_FALSE(window_->close()) << "the dialog comes first";
+        QMessageBox second{window_.get()};
+        EXPECT_EQ(run_dialog(second), QDialog::Rejected);
+        box.accept();
+    });
+    EXPECT_EQ(run_dialog(box), QDialog::Accepted);
+    EXPECT_EQ(open_dialog(), nullptr);
+}
+
+TEST_F(Window, ChangesNoFeedByTheWheel) {
+    open_window();
+    for (QSlider* slider :
+         window_->findChild<QWidget*>("override")->parentWidget()->findChildren<QSlider*>()) {
+        const int before = slider->value();
+        QWheelEvent turn{QPointF{5, 5},
+                         slider->mapToGlobal(QPointF{5, 5}),
+                         {},
+                         {0, 120},
+                         Qt::NoButton,
+                         Qt::NoModifier,
+                         Qt::NoScrollPhase,
+                         false};
+        QApplication::sendEvent(slider, &turn);
+        EXPECT_EQ(slider->value(), before);
+    }
+}
+
 // 1280 x 720 at 200 %: what must be seen is seen, everything else is a page or can be scrolled to.
 TEST_F(Window, KeepsItsSafetyOnAVerySmallScreen) {
+    start_core();
     open_window();
+    ASSERT_TRUE(comes_true([&] { return window_->bench().machine.sight().is_heard(); }));
     window_->resize(640, 360);
     QApplication::processEvents();
     EXPECT_EQ(window_->size(), QSize(640, 360));

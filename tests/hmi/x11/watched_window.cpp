@@ -5,6 +5,7 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPixmap>
@@ -17,6 +18,8 @@
 #include <array>
 #include <cstdio>
 #include <optional>
+
+#include "hmi/ui/dialogs.hpp"
 
 namespace {
 
@@ -49,7 +52,7 @@ QString where(const QStringList& words) {
         return place_of(*tabs->tabBar(), tabs->tabBar()->tabRect(words.value(2).toInt()));
     }
     if (words.value(1) == "dialog") {
-        auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        auto* const box = qobject_cast<QMessageBox*>(psicarve::ui::open_dialog());
         const auto index = words.value(2).toInt();
         if (box == nullptr || index >= box->buttons().size()) return "none";
         return place_of(*box->buttons()[index], box->buttons()[index]->rect());
@@ -62,7 +65,7 @@ QString answer(const QString& question) {
     const QStringList words = question.split(' ');
     if (words[0] == "where") return where(words);
     if (words[0] == "modal") {
-        const QWidget* const modal = QApplication::activeModalWidget();
+        const QDialog* const modal = psicarve::ui::open_dialog();
         return modal != nullptr && modal->isActiveWindow() ? modal->windowTitle() : "none";
     }
     if (words[0] == "picture") {

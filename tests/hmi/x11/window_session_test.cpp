@@ -52,8 +52,9 @@ TEST_F(WindowOnAScreen, TakesAnOperatorFromAModelToTheLastLayer) {
     ASSERT_TRUE(reaches(S::held));
     ASSERT_TRUE(says("text state_pill", "HELD"));
     take_picture("3_held");
-    ASSERT_TRUE(turn_wheel_down("override"));
-    ASSERT_TRUE(eventually([&] { return status().override_percent < 100; }));
+    ASSERT_TRUE(turn_wheel_down("override"));  // to be ignored
+    press({"ctrl+minus"});
+    ASSERT_TRUE(eventually([&] { return status().override_percent == 95; }));
     ASSERT_TRUE(click("full"));
     ASSERT_TRUE(eventually([&] { return status().override_percent == 100; }));
     ASSERT_TRUE(click("resume"));

@@ -147,6 +147,23 @@ TEST_F(ReplayWindow, KeepsTheLiveMachineInSightAndTheEmergencyStopOnIt) {
     take_picture("replay_live_alarm_light");
 }
 
+TEST_F(ReplayWindow, LetsAHandHoldTheMachineThatCarvesButNotGoOn) {
+    record();
+    start_core();
+    ASSERT_EQ(publish(two_process::long_job()), "");
+    home();
+    start_carving();
+    ASSERT_TRUE(reaches(S::carving));
+    open_window();
+    open_recording(trace());
+    window_->bench().machine.order(CommandKind::hold, session::phrase("Hold"));
+    ASSERT_TRUE(comes_to(S::held));
+    window_->bench().machine.order(CommandKind::resume, session::phrase("Resume"));
+    EXPECT_TRUE(all_messages().contains("Resume: a recording is shown"));
+    for (int i = 0; i < 30; ++i) ASSERT_TRUE(comes_true([&] { return true; }));
+    EXPECT_EQ(window_->bench().machine.sight().state(), S::held);
+}
+
 TEST_F(ReplayWindow, IsScrubbedByMouseAndKeysAndPlayed) {
     record();
     open_window();
@@ -164,6 +181,7 @@ TEST_F(ReplayWindow, IsScrubbedByMouseAndKeysAndPlayed) {
     press_key(Qt::Key_Left, Qt::ShiftModifier);
     EXPECT_EQ(desk().clock().now_ns(), before_ns + 990'000'000);
     press_key(Qt::Key_Home);
+    EXPECT_EQ(desk().clock().now_ns(), 0);
     ASSERT_TRUE(click("replay_next"));
     EXPECT_EQ(desk().clock().now_ns(), desk().facts().entries[0].time_ns);
     EXPECT_FALSE(timeline().words_at(timeline().x_of(desk().clock().now_ns())).isEmpty());

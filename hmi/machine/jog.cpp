@@ -46,18 +46,20 @@ Result<HeldJog> HeldJog::by(MachineLink& link, JogAxis axis, double distance, do
     return begin(link, jog_command(CommandKind::jog, axis, distance, speed), kDistanceLease);
 }
 
-Result<HeldJog> HeldJog::on(MachineLink& link, JogAxis axis, bool up, double speed) {
-    return begin(link, jog_command(CommandKind::jog_on, axis, up ? 1.0 : -1.0, speed), kJogLease);
+Result<HeldJog> HeldJog::on(MachineLink& link, JogAxis axis, bool up, double speed,
+                            std::chrono::milliseconds lease) {
+    return begin(link, jog_command(CommandKind::jog_on, axis, up ? 1.0 : -1.0, speed), lease);
 }
 
-Result<HeldJog> HeldJog::test(MachineLink& link, Signal output, std::uint32_t pulses, double rate_hz) {
+Result<HeldJog> HeldJog::test(MachineLink& link, Signal output, std::uint32_t pulses, double rate_hz,
+                              std::chrono::milliseconds lease) {
     Command command{};
     command.kind = CommandKind::test_pin;
     command.axis = static_cast<std::uint32_t>(index_of(output));
     command.value = 1.0;
     command.value2 = pulses;
     command.speed = rate_hz;
-    return begin(link, command, kJogLease);
+    return begin(link, command, lease);
 }
 
 HeldJog::HeldJog(HeldJog&& other) noexcept

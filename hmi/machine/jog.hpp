@@ -34,11 +34,12 @@ public:
     /// By a distance [mm; psi: deg]; `speed` [mm/s; deg/s], 0: the axis' home speed.
     static Result<HeldJog> by(MachineLink& link, JogAxis axis, double distance, double speed);
     /// Upwards (or down) until it is released or the travel ends.
-    static Result<HeldJog> on(MachineLink& link, JogAxis axis, bool up, double speed);
+    static Result<HeldJog> on(MachineLink& link, JogAxis axis, bool up, double speed,
+                              std::chrono::milliseconds lease = kJogLease);
 
     /// No jog, but held alike: with the drives off one output alone is active, or sends so many pulses.
     static Result<HeldJog> test(MachineLink& link, Signal output, std::uint32_t pulses = 0,
-                                double rate_hz = 0.0);
+                                double rate_hz = 0.0, std::chrono::milliseconds lease = kJogLease);
 
     HeldJog(HeldJog&& other) noexcept;
     HeldJog& operator=(HeldJog&&) = delete;

@@ -14,9 +14,9 @@ enum class Tone : std::uint8_t { idle, run, warn, alarm, replay };
 
 /// One axis in large digits. Without a known profile positions are shown in pulses.
 struct AxisReadout {
-    std::string value;   ///< "21.54"
-    std::string unit;    ///< "mm", "°" or "pulses"
-    Phrase second;  ///< psi: "157 turns"; "8 617 pulses"
+    std::string value;  ///< "21.54"
+    std::string unit;   ///< "mm", "°" or "pulses"
+    Phrase second;      ///< psi: "157 turns"; "8 617 pulses"
 };
 AxisReadout axis_readout(const MachineSight& machine, Axis axis);
 

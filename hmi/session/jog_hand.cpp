@@ -13,17 +13,18 @@ namespace {
 using machine::HeldJog;
 using machine::MachineLink;
 
-/// An owner that is silent for so long hangs.
-constexpr std::chrono::milliseconds kOwnerLimit{200};
-
 std::int64_t now_ns() noexcept {
     return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds{1};
 }
 
 }  // namespace
 
-JogHand::JogHand(std::string segment_name, std::string group, std::function<void(const Error&)> refused)
-    : segment_name_(std::move(segment_name)), group_(std::move(group)), refused_(std::move(refused)) {}
+JogHand::JogHand(std::string segment_name, std::string group, std::function<void(const Error&)> refused,
+                 std::chrono::milliseconds limit)
+    : segment_name_(std::move(segment_name)),
+      group_(std::move(group)),
+      refused_(std::move(refused)),
+      limit_(limit) {}
 
 void JogHand::hold(machine::JogAxis axis, bool up, double speed) {
     begin({axis, 0.0, up, false, speed, 0, {}});
@@ -56,13 +57,13 @@ void JogHand::begin(Wish wish) {
 
 bool JogHand::is_wanted(const Wish& wish) const noexcept {
     const std::chrono::nanoseconds silence{now_ns() - beat_ns_.load()};
-    return wanted_.load() == wish.ticket && silence < kOwnerLimit;
+    return wanted_.load() == wish.ticket && silence < limit_;
 }
 
-Result<HeldJog> JogHand::take(MachineLink& link, const Wish& wish) {
-    if (wish.output) return HeldJog::test(link, *wish.output, wish.pulses, wish.speed);
+Result<HeldJog> JogHand::take(MachineLink& link, const Wish& wish) const {
+    if (wish.output) return HeldJog::test(link, *wish.output, wish.pulses, wish.speed, limit_);
     if (wish.is_step) return HeldJog::by(link, wish.axis, wish.distance, wish.speed);
-    return HeldJog::on(link, wish.axis, wish.up, wish.speed);
+    return HeldJog::on(link, wish.axis, wish.up, wish.speed, limit_);
 }
 
 Result<void> JogHand::jog(const Wish& wish) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "hmi/machine/jog.hpp"
 #include "hmi/session/work_lane.hpp"
+#include "shared/jog_lease.hpp"
 #include "shared/result.hpp"
 #include "shared/signal.hpp"
 
@@ -18,8 +20,9 @@ namespace psicarve::session {
 /// keeps calling poll(): a window that hangs lets go.
 class JogHand {
 public:
-    /// `refused` is called by poll().
-    JogHand(std::string segment_name, std::string group, std::function<void(const Error&)> refused);
+    /// `refused` is called by poll(). An owner, or a whole process, that is silent for `limit` hangs.
+    JogHand(std::string segment_name, std::string group, std::function<void(const Error&)> refused,
+            std::chrono::milliseconds limit = kJogLease);
     ~JogHand() { release(); }
 
     /// Until release(). `speed` [mm/s; deg/s].
@@ -50,12 +53,13 @@ private:
     };
     void begin(Wish wish);
     Result<void> jog(const Wish& wish);
-    static Result<machine::HeldJog> take(machine::MachineLink& link, const Wish& wish);
+    Result<machine::HeldJog> take(machine::MachineLink& link, const Wish& wish) const;
     bool is_wanted(const Wish& wish) const noexcept;
 
     std::string segment_name_;
     std::string group_;
     std::function<void(const Error&)> refused_;
+    std::chrono::milliseconds limit_;
     std::atomic<std::uint64_t> wanted_{0};  ///< the ticket of the jog that goes on; 0: none
     std::atomic<std::int64_t> beat_ns_{0};  ///< when the owner was last heard
     std::uint64_t last_ticket_ = 0;

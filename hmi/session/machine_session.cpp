@@ -17,9 +17,10 @@ constexpr std::chrono::milliseconds kAttachPause{200};
 MachineSession::MachineSession(SessionOptions options, MessageLog& log)
     : options_(std::move(options)),
       log_(log),
-      jog_(options_.segment_name, options_.group, [this](const Error& error) {
-          log_.add(Severity::warning, phrase("By hand: %1", error.message));
-      }) {
+      jog_(
+          options_.segment_name, options_.group,
+          [this](const Error& error) { log_.add(Severity::warning, phrase("By hand: %1", error.message)); },
+          options_.hand_limit) {
     if (options_.profile) offer_profile(*options_.profile);
     offer_profile(Profile{});
 }

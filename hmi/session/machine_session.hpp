@@ -23,6 +23,8 @@ struct SessionOptions {
     std::string segment_name = kDefaultSegmentName;
     std::string group;
     std::optional<Profile> profile;  ///< chosen by the user; else the built-in one and the job's are tried
+    /// So long a hand that is not heard of still holds. More only where a busy computer must not matter.
+    std::chrono::milliseconds hand_limit = kJogLease;
 };
 
 /// The machine as a window has it: attached whenever there is a segment, looked at by poll(), asked by

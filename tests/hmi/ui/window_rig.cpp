@@ -40,7 +40,9 @@ WindowRig::~WindowRig() = default;
 
 void WindowRig::open_window() {
     window_.reset();
-    window_ = std::make_unique<MainWindow>(session::SessionOptions{segment_name_, {}, {}});
+    session::SessionOptions options{segment_name_, {}, {}};
+    options.hand_limit = kLongestJogLease;  // however slow a sanitizer on a busy computer
+    window_ = std::make_unique<MainWindow>(options);
     window_->set_theme(ThemeChoice::light);
     window_->resize(1280, 720);  // the platform's screen is smaller
     window_->show();

@@ -19,6 +19,7 @@ struct PreparedJob {
     Profile profile;
     std::vector<std::string> warnings;  ///< of the slicer
     std::vector<std::string> notes;
+    double least_seconds = 0.0;  ///< that carving it takes; 0: nobody has asked (least_time.hpp)
 
     PreparedJob() = default;
     PreparedJob(PreparedJob&&) = default;

@@ -73,8 +73,10 @@ Lock start_lock(const MachineSight& machine, const JobSight& job) {
         case S::stopping:
             return phrase("Start: stopping");
         case S::positioning:
-        case S::carving:
+            return phrase("Start: the heads are on their way");
         case S::finishing:
+            return phrase("Start: the heads are on their way out");
+        case S::carving:
             return phrase("Start: already carving");
         case S::homing:
         case S::moving:

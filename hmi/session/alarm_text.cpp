@@ -116,6 +116,18 @@ AlarmText home_failed_text(const MachineSight& machine) {
     return text;
 }
 
+AlarmText gap_text(const MachineSight& machine) {
+    const std::string letter = axis_letter(axis_of(*machine.status));
+    AlarmText text{
+        phrase("The computer paused while axis %1 moved", letter),
+        phrase("Axis %1 stood at %2. The pause was longer than its motor coasts: it may have lost steps.",
+               letter, position_of(machine, axis_of(*machine.status))),
+        {}};
+    text.steps.push_back(phrase("Close other programs, or give the core real-time rights"));
+    add_way_back(machine, text);
+    return text;
+}
+
 AlarmText late_text(const MachineSight& machine) {
     AlarmText text{phrase("The computer was too busy for the machine"),
                    phrase("Ticks were missed (%1 since the core started); motors may have lost steps.",
@@ -146,6 +158,7 @@ AlarmText alarm_text(const MachineSight& machine) {
         case AlarmCause::home_failed:
             return home_failed_text(machine);
         case AlarmCause::tick_gap:
+            return gap_text(machine);
         case AlarmCause::missed_ticks:
             return late_text(machine);
         default:

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "hmi/cam/least_time.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/model/load_mesh.hpp"
 #include "hmi/session/warning_phrase.hpp"
@@ -31,6 +32,7 @@ constexpr std::chrono::milliseconds kJudgePoll{100};
 constexpr std::chrono::milliseconds kCopyLimit{2000};
 
 JobPointer shared(cam::PreparedJob&& job) {
+    job.least_seconds = cam::least_carving_seconds(job.view, job.profile);
     return std::make_shared<const cam::PreparedJob>(std::move(job));
 }
 
@@ -201,7 +203,9 @@ void JobDesk::poll(const MachineSight& machine) {
     lane_.deliver();
     if (was_busy && !lane_.is_idle()) return;
     sight_.state = resting_state_;
-    const std::uint64_t accepted = machine.status && machine.is_heard() ? machine.status->job_generation : 0;
+    // A core that is silent for a moment still has its job.
+    const bool is_there = machine.status && machine.life != CoreLife::none;
+    const std::uint64_t accepted = is_there ? machine.status->job_generation : 0;
     if (job_ && generation_ != 0 && accepted == generation_) sight_.state = DeskState::published;
     sight_.has_mesh = mesh_ != nullptr;
     sight_.layer_count = job_ ? job_->view.layer_count() : 0;

@@ -220,6 +220,10 @@
             <translation>Нули осей</translation>
         </message>
         <message>
+            <source>Axis %1 stood at %2. The pause was longer than its motor coasts: it may have lost steps.</source>
+            <translation>Ось %1 стояла на %2. Пауза дольше выбега её двигателя: он мог потерять шаги.</translation>
+        </message>
+        <message>
             <source>Axis %1 stopped at %2. Likely a chip or a broken wire at the switch, or lost steps.</source>
             <translation>Ось %1 остановилась на %2. Вероятно, стружка или обрыв провода у выключателя либо потеря шагов.</translation>
         </message>
@@ -286,6 +290,10 @@
         <message>
             <source>Both heads out</source>
             <translation>Обе головки наружу</translation>
+        </message>
+        <message>
+            <source>By feed and top speeds alone; the planned time comes with the start</source>
+            <translation>Только по подаче и наибольшим скоростям; время по плану появится с пуском</translation>
         </message>
         <message>
             <source>By hand</source>
@@ -1733,6 +1741,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пуск: идёт остановка</translation>
         </message>
         <message>
+            <source>Start: the heads are on their way</source>
+            <translation>Пуск: головки подводятся</translation>
+        </message>
+        <message>
+            <source>Start: the heads are on their way out</source>
+            <translation>Пуск: головки отводятся</translation>
+        </message>
+        <message>
             <source>Start: the job is being published</source>
             <translation>Пуск: задание передаётся</translation>
         </message>
@@ -1819,6 +1835,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The computer paused too long while an axis moved: give the core real-time rights or a quieter machine; reset the alarm, then home.</source>
             <translation>Компьютер замер слишком надолго, пока двигалась ось: дайте ядру права реального времени или более спокойную машину; сбросьте аварию, затем найдите нули.</translation>
+        </message>
+        <message>
+            <source>The computer paused while axis %1 moved</source>
+            <translation>Компьютер замер, пока двигалась ось %1</translation>
         </message>
         <message>
             <source>The computer was too busy for the machine</source>
@@ -2157,6 +2177,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>assumed</source>
             <translation>предположен</translation>
+        </message>
+        <message>
+            <source>at least %1</source>
+            <translation>не меньше %1</translation>
         </message>
         <message>
             <source>being made</source>

@@ -220,6 +220,10 @@
             <translation>各轴已回零</translation>
         </message>
         <message>
+            <source>Axis %1 stood at %2. The pause was longer than its motor coasts: it may have lost steps.</source>
+            <translation>轴 %1 位于 %2。停顿超过电机的惯性滑行时间：可能已丢步。</translation>
+        </message>
+        <message>
             <source>Axis %1 stopped at %2. Likely a chip or a broken wire at the switch, or lost steps.</source>
             <translation>轴 %1 停在 %2。可能是开关处有切屑或断线，或者丢步。</translation>
         </message>
@@ -286,6 +290,10 @@
         <message>
             <source>Both heads out</source>
             <translation>两刀头向外</translation>
+        </message>
+        <message>
+            <source>By feed and top speeds alone; the planned time comes with the start</source>
+            <translation>仅按进给和最高速度估算；启动后显示计划时间</translation>
         </message>
         <message>
             <source>By hand</source>
@@ -1728,6 +1736,14 @@ N、Shift+N  下一条、上一条
             <translation>启动：正在停止</translation>
         </message>
         <message>
+            <source>Start: the heads are on their way</source>
+            <translation>启动：刀头正在移动就位</translation>
+        </message>
+        <message>
+            <source>Start: the heads are on their way out</source>
+            <translation>启动：刀头正在退出</translation>
+        </message>
+        <message>
             <source>Start: the job is being published</source>
             <translation>启动：作业正在发布</translation>
         </message>
@@ -1814,6 +1830,10 @@ N、Shift+N  下一条、上一条
         <message>
             <source>The computer paused too long while an axis moved: give the core real-time rights or a quieter machine; reset the alarm, then home.</source>
             <translation>轴运动时计算机停顿过久：请授予内核实时权限或换更空闲的计算机；复位报警，然后回零。</translation>
+        </message>
+        <message>
+            <source>The computer paused while axis %1 moved</source>
+            <translation>轴 %1 运动时计算机停顿</translation>
         </message>
         <message>
             <source>The computer was too busy for the machine</source>
@@ -2150,6 +2170,10 @@ N、Shift+N  下一条、上一条
         <message>
             <source>assumed</source>
             <translation>假定</translation>
+        </message>
+        <message>
+            <source>at least %1</source>
+            <translation>至少 %1</translation>
         </message>
         <message>
             <source>being made</source>

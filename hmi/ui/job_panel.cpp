@@ -234,7 +234,15 @@ void JobPanel::change_override(int percent) {
 void JobPanel::refresh_facts() {
     const bool is_replay = bench_.replay.is_open();
     const session::MachineSight& sight = bench_.shown();
-    time_->setText(words(session::time_text(sight)));
+    const QString planned = words(session::time_text(sight));
+    const auto open_job = is_replay ? nullptr : bench_.desk.job();
+    const bool is_estimate = planned.isEmpty() && open_job && open_job->least_seconds > 0.0;
+    time_->setText(
+        is_estimate
+            ? tr("at least %1").arg(QString::fromStdString(session::clock_text(open_job->least_seconds)))
+            : planned);
+    time_->setToolTip(is_estimate ? tr("By feed and top speeds alone; the planned time comes with the start")
+                                  : QString{});
     const bool has_generation = sight.status && sight.status->job_generation != 0;
     note().setText(is_replay        ? tr("recorded")
                    : has_generation ? tr("no. %1").arg(sight.status->job_generation)

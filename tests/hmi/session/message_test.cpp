@@ -53,6 +53,13 @@ TEST(AlarmText, OfAnEmergencyStopAtRestKeepsThePositions) {
     EXPECT_EQ(in_english(alarm_text(machine).steps[1]), "Home all");
 }
 
+TEST(AlarmText, NamesTheAxisThatMovedInAPauseOfTheComputer) {
+    MachineSight machine = limit_alarm(Axis::r2);
+    machine.status->alarm_cause = AlarmCause::tick_gap;
+    EXPECT_EQ(in_english(alarm_text(machine).title), "The computer paused while axis R2 moved");
+    EXPECT_NE(in_english(alarm_text(machine).detail).find("21.21 mm"), std::string::npos);
+}
+
 TEST(AlarmText, GivesEveryCauseATitleAndAWayOut) {
     for (std::uint8_t i = 1; i < kAlarmCauseCount; ++i) {
         MachineSight machine = limit_alarm(Axis::psi);

@@ -81,6 +81,8 @@ TEST_F(SessionOnCore, GoesTheWholeWayFromAModelToADoneJob) {
         return status->points_total == 12 * 40 && status->points_done == status->points_total &&
                status->state == S::ready;
     })) << all_messages();
+    EXPECT_GT(desk_->job()->least_seconds, 0.0);
+    EXPECT_LE(desk_->job()->least_seconds, 1.001 * session_->sight().status->reference_seconds);
 }
 
 TEST_F(SessionOnCore, HoldsResumesStopsAtOnceAndResets) {
@@ -147,6 +149,19 @@ TEST_F(SessionOnCore, ShowsTheJobOfARunningCoreAfterItsOwnRestart) {
     ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::published; })) << all_messages();
     EXPECT_EQ(desk_->sight().layer_count, 7U);
     EXPECT_EQ(session_->sight().state(), S::off);
+}
+
+TEST_F(SessionOnCore, KeepsTheJobOfACoreThatIsSilentForAMoment) {
+    start_core();
+    open_session();
+    open_and_publish(two_process::lobed_job(7, 30));
+    MachineSight sight = session_->sight();
+    sight.life = CoreLife::silent;
+    desk_->poll(sight);
+    EXPECT_EQ(desk_->sight().state, DeskState::published);
+    sight.life = CoreLife::none;
+    desk_->poll(sight);
+    EXPECT_EQ(desk_->sight().state, DeskState::job);
 }
 
 TEST_F(SessionOnCore, SlicingCanBeCancelledAndRefusalsAreTold) {

@@ -165,7 +165,8 @@ std::string time_text_ms(std::int64_t time_ns) {
     const std::int64_t ms = time_ns / kNsPerMs;
     char text[8];
     std::snprintf(text, sizeof text, ".%03d", static_cast<int>(ms % kMsPerS));
-    return clock_text(static_cast<double>(ms / kMsPerS)) + text;
+    const std::int64_t whole_s = ms / kMsPerS;
+    return clock_text(static_cast<double>(whole_s)) + text;
 }
 
 }  // namespace psicarve::session

@@ -43,9 +43,10 @@ TEST(ReplayEntry, ReadsDrivesSpindleAndSwitchesOffThePins) {
                                      {40, drives | limit, limit | bit_of(Signal::estop), false}});
     std::vector<std::string> texts;
     for (const Entry& entry : entries) texts.push_back(std::to_string(entry.time_ns) + " " + text_of(entry));
-    EXPECT_EQ(texts, (std::vector<std::string>{"10 Drives switched on", "20 Spindle on", "20 Limit switch Y closed",
-                                               "30 Homing: positions defined", "40 Drives switched off",
-                                               "40 Emergency stop switch pressed"}));
+    EXPECT_EQ(texts,
+              (std::vector<std::string>{"10 Drives switched on", "20 Spindle on", "20 Limit switch Y closed",
+                                        "30 Homing: positions defined", "40 Drives switched off",
+                                        "40 Emergency stop switch pressed"}));
     EXPECT_EQ(entries.back().severity, Severity::alarm);
 }
 

@@ -105,8 +105,8 @@ TEST_F(TraceReplay, KnowsWithoutASnapshotWhatThePinsSay) {
     EXPECT_FALSE(sut->facts().knows_states);
     std::string texts;
     for (const Entry& entry : sut->facts().entries) texts += in_english(entry.what) + "\n";
-    for (const char* text :
-         {"Drives switched on", "Limit switch R1 closed", "Homing: positions defined", "Spindle on", "Spindle off"})
+    for (const char* text : {"Drives switched on", "Limit switch R1 closed", "Homing: positions defined",
+                             "Spindle on", "Spindle off"})
         EXPECT_THAT(texts, HasSubstr(text));
     EXPECT_EQ(sut->at(0, false)->status.state, MachineState::off);
 }

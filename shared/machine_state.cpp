@@ -95,4 +95,9 @@ bool is_at_rest(MachineState state) noexcept {
            state == S::alarm;
 }
 
+bool runs_job(MachineState state) noexcept {
+    return state == S::positioning || state == S::waiting || state == S::carving || state == S::holding ||
+           state == S::held || state == S::finishing || state == S::stopping;
+}
+
 }  // namespace psicarve

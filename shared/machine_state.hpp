@@ -65,6 +65,8 @@ std::optional<MachineState> next_state(MachineState from, MachineEvent event) no
 std::string_view name_of(MachineState state) noexcept;
 /// No axis moves and none will before a command comes: off, ready, waiting, held, alarm.
 bool is_at_rest(MachineState state) noexcept;
+/// A job was started and has not ended: positioning to stopping.
+bool runs_job(MachineState state) noexcept;
 
 /// Why the machine is in alarm. The numbers are part of the segment's layout.
 enum class AlarmCause : std::uint8_t {

@@ -53,11 +53,12 @@ struct CoreStatus {
     std::uint32_t point;
     std::uint64_t points_done;  ///< of layer_count * point_count
     std::uint64_t points_total;
-    std::uint64_t job_generation;    ///< accepted job, 0: none
-    SignalWord signals;              ///< outputs and inputs, logical levels
-    MoveEnd move_end;                ///< of the last jog or move
-    double seconds_left;             ///< of the running job as planned; negative: unknown
-    double reference_seconds;        ///< T_ref of the job last carved; negative: unknown, or planner angle
+    std::uint64_t job_generation;  ///< accepted job, 0: none
+    SignalWord signals;            ///< outputs and inputs, logical levels
+    MoveEnd move_end;              ///< of the last jog or move
+    double seconds_left;       ///< of the running job as planned; none runs: carving all of the accepted one;
+                               ///< negative: unknown, or not planned yet
+    double reference_seconds;  ///< T_ref of the accepted job, whole; negative: unknown, or planner angle
     std::uint64_t job_start_tick;    ///< tick at which start was accepted
     std::uint64_t carve_first_tick;  ///< tick at which the first point was left; 0: not yet
     std::uint64_t carve_last_tick;   ///< tick at which the last point was reached; 0: not yet

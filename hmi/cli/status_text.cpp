@@ -45,8 +45,8 @@ std::string progress_text(const CoreStatus& status) {
                   static_cast<unsigned long long>(status.points_total),
                   100.0 * static_cast<double>(status.points_done) / static_cast<double>(status.points_total),
                   status.layer, status.point);
-    const bool is_running = !is_at_rest(status.state) || status.state == MachineState::held;
-    if (is_running && status.seconds_left >= 0.0) text += ", " + clock_text(status.seconds_left) + " left";
+    if (status.seconds_left >= 0.0)
+        text += ", " + clock_text(status.seconds_left) + (runs_job(status.state) ? " left" : " planned");
     return text;
 }
 
@@ -60,6 +60,10 @@ nlohmann::ordered_json by_axis(const T (&values)[kAxisCount]) {
 nlohmann::ordered_json axis_or_null(std::uint8_t axis) {
     if (axis >= kAxisCount) return nullptr;
     return std::string{name_of(static_cast<Axis>(axis))};
+}
+
+nlohmann::ordered_json seconds_or_null(double seconds) {
+    return seconds < 0.0 ? nlohmann::ordered_json() : nlohmann::ordered_json(seconds);
 }
 
 nlohmann::ordered_json names_json(SignalWord levels, SignalWord mask) {
@@ -168,6 +172,7 @@ nlohmann::ordered_json status_json(const CoreStatus& status) {
     auto alarms = nlohmann::ordered_json::array();
     for (const AlarmRecord& alarm : alarms_of(status)) alarms.push_back(alarm_json(alarm));
     const bool has_alarm = status.alarm_cause != AlarmCause::none;
+    const bool is_running = runs_job(status.state);
     return {{"state", std::string{name_of(status.state)}},
             {"alarm_cause", has_alarm ? nlohmann::ordered_json(std::string{name_of(status.alarm_cause)})
                                       : nlohmann::ordered_json()},
@@ -181,8 +186,9 @@ nlohmann::ordered_json status_json(const CoreStatus& status) {
             {"points_done", status.points_done},
             {"points_total", status.points_total},
             {"job_generation", status.job_generation},
-            {"seconds_left", status.seconds_left < 0.0 ? nlohmann::ordered_json()
-                                                       : nlohmann::ordered_json(status.seconds_left)},
+            {"seconds_left", seconds_or_null(is_running ? status.seconds_left : -1.0)},
+            {"planned_seconds", seconds_or_null(is_running ? -1.0 : status.seconds_left)},
+            {"reference_seconds", seconds_or_null(status.reference_seconds)},
             {"outputs", names_json(status.signals, kOutputMask)},
             {"inputs", names_json(status.signals, kInputMask)},
             {"tick", status.tick},

@@ -125,11 +125,27 @@ Phrase time_text(const MachineSight& machine) {
     if (state == S::alarm || state == S::backing_off) return phrase("stopped");
     const double left_s = machine.status->seconds_left;
     if (left_s < 0.0 || machine.status->points_total == 0) return {};
-    if (state == S::ready || state == S::off) {
+    if (!runs_job(state)) {
         if (machine.status->points_done == machine.status->points_total) return phrase("done");
         return machine.status->points_done == 0 ? phrase("%1 planned", clock_text(left_s)) : Phrase{};
     }
     return phrase("%1 left", clock_text(left_s));
+}
+
+JobTimes job_times(const MachineSight& machine, bool is_cores_job, double least_seconds) {
+    JobTimes times;
+    const bool is_told = machine.status && machine.status->points_total != 0;
+    const bool is_running = is_told && runs_job(machine.state());
+    if (is_told && machine.status->seconds_left >= 0.0 && (is_running || is_cores_job)) {
+        const std::string text = clock_text(machine.status->seconds_left);
+        times.time = is_running ? phrase("%1 left", text) : phrase("%1 planned", text);
+    } else if (!is_running && least_seconds > 0.0) {
+        times.is_least = true;
+        times.time = phrase("at least %1", clock_text(least_seconds));
+    }
+    if (is_told && is_cores_job && machine.status->reference_seconds >= 0.0)
+        times.reference = phrase("%1", clock_text(machine.status->reference_seconds));
+    return times;
 }
 
 std::string number_text(double value, int decimals) {

@@ -32,6 +32,15 @@ double done_ratio(const MachineSight& machine);
 /// "12:38 left", "stopped", "" ...
 Phrase time_text(const MachineSight& machine);
 
+/// How long the job takes that the operator looks at.
+struct JobTimes {
+    Phrase time;            ///< "2:04 planned", "1:20 left"; nothing when it is not known
+    Phrase reference;       ///< T_ref of all of it
+    bool is_least = false;  ///< nobody has planned it yet: what feed and top speeds allow
+};
+/// `is_cores_job`: it is the one that the core accepted. `least_seconds`: 0 when not known.
+JobTimes job_times(const MachineSight& machine, bool is_cores_job, double least_seconds);
+
 /// With so many decimals, a point, and a thin space per thousand. Requires 0 <= decimals <= 6.
 std::string number_text(double value, int decimals);
 std::string count_text(std::int64_t value);

@@ -8,13 +8,6 @@
 namespace psicarve::session {
 namespace {
 
-using S = MachineState;
-
-bool is_running(S state) {
-    return state == S::positioning || state == S::waiting || state == S::carving || state == S::holding ||
-           state == S::held || state == S::finishing || state == S::stopping;
-}
-
 Phrase how_it_went(const machine::RunFigures& figures, const CoreStatus& after, bool is_over,
                    std::uint32_t layer_count) {
     if (!is_over) return phrase("under way");
@@ -42,7 +35,7 @@ void RunWatch::note(const MachineSight& machine, Clock::time_point now) {
     if (run_ && !is_over_) {
         run_->after = status;
         run_->wall_seconds = std::chrono::duration<double>(now - began_).count();
-        is_over_ = !is_running(status.state);
+        is_over_ = !runs_job(status.state);
     }
     last_ = status;
 }

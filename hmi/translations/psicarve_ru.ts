@@ -292,8 +292,8 @@
             <translation>Обе головки наружу</translation>
         </message>
         <message>
-            <source>By feed and top speeds alone; the planned time comes with the start</source>
-            <translation>Только по подаче и наибольшим скоростям; время по плану появится с пуском</translation>
+            <source>By feed and top speeds alone; the core plans it when it is published</source>
+            <translation>Только по подаче и предельным скоростям; ядро спланирует задание, когда оно будет опубликовано</translation>
         </message>
         <message>
             <source>By hand</source>
@@ -1813,6 +1813,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ПРОВЕРКА</translation>
         </message>
         <message>
+            <source>T_ref</source>
+            <translation>T_ref</translation>
+        </message>
+        <message>
             <source>Take backup</source>
             <translation>Взять копию</translation>
         </message>
@@ -1907,6 +1911,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The language changes when the window is opened the next time</source>
             <translation>Язык сменится при следующем открытии окна</translation>
+        </message>
+        <message>
+            <source>The least time that the motors' limits allow for the whole job</source>
+            <translation>Наименьшее время всего задания, которое допускают пределы двигателей</translation>
         </message>
         <message>
             <source>The live machine, not the recording</source>

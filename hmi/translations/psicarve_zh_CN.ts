@@ -292,8 +292,8 @@
             <translation>两刀头向外</translation>
         </message>
         <message>
-            <source>By feed and top speeds alone; the planned time comes with the start</source>
-            <translation>仅按进给和最高速度估算；启动后显示计划时间</translation>
+            <source>By feed and top speeds alone; the core plans it when it is published</source>
+            <translation>仅按进给和最高速度估算；发布后由内核规划</translation>
         </message>
         <message>
             <source>By hand</source>
@@ -1808,6 +1808,10 @@ N、Shift+N  下一条、上一条
             <translation>测试中</translation>
         </message>
         <message>
+            <source>T_ref</source>
+            <translation>T_ref</translation>
+        </message>
+        <message>
             <source>Take backup</source>
             <translation>恢复备份</translation>
         </message>
@@ -1902,6 +1906,10 @@ N、Shift+N  下一条、上一条
         <message>
             <source>The language changes when the window is opened the next time</source>
             <translation>下次打开窗口时更换语言</translation>
+        </message>
+        <message>
+            <source>The least time that the motors' limits allow for the whole job</source>
+            <translation>在电机限值内完成整个任务的最短时间</translation>
         </message>
         <message>
             <source>The live machine, not the recording</source>

@@ -66,14 +66,17 @@ void JobPanel::make_facts() {
     auto* grid = new QGridLayout;
     grid->setVerticalSpacing(1);
     body().addLayout(grid);
-    QLabel** values[] = {&counts_, &size_, &time_};
-    const QString names[] = {tr("Layers × points"), tr("Height, radius"), tr("Time")};
-    for (int i = 0; i < 3; ++i) {
+    QLabel** values[] = {&counts_, &size_, &time_, &reference_};
+    const QString names[] = {tr("Layers × points"), tr("Height, radius"), tr("Time"), tr("T_ref")};
+    for (int i = 0; i < 4; ++i) {
         *values[i] = new QLabel;
         (*values[i])->setAlignment(Qt::AlignRight);
         grid->addWidget(role_label("label", names[i]), i, 0);
         grid->addWidget(*values[i], i, 1);
     }
+    time_->setObjectName("job_time");
+    reference_->setObjectName("reference");
+    reference_->setToolTip(tr("The least time that the motors' limits allow for the whole job"));
 }
 
 void JobPanel::make_checks() {
@@ -234,15 +237,15 @@ void JobPanel::change_override(int percent) {
 void JobPanel::refresh_facts() {
     const bool is_replay = bench_.replay.is_open();
     const session::MachineSight& sight = bench_.shown();
-    const QString planned = words(session::time_text(sight));
     const auto open_job = is_replay ? nullptr : bench_.desk.job();
-    const bool is_estimate = planned.isEmpty() && open_job && open_job->least_seconds > 0.0;
-    time_->setText(
-        is_estimate
-            ? tr("at least %1").arg(QString::fromStdString(session::clock_text(open_job->least_seconds)))
-            : planned);
-    time_->setToolTip(is_estimate ? tr("By feed and top speeds alone; the planned time comes with the start")
-                                  : QString{});
+    const bool is_cores_job = is_replay || bench_.desk.sight().state == session::DeskState::published;
+    const session::JobTimes times =
+        session::job_times(sight, is_cores_job, open_job ? open_job->least_seconds : 0.0);
+    time_->setText(words(times.time));
+    time_->setToolTip(times.is_least
+                          ? tr("By feed and top speeds alone; the core plans it when it is published")
+                          : QString{});
+    reference_->setText(times.reference.is_empty() ? QStringLiteral("–") : words(times.reference));
     const bool has_generation = sight.status && sight.status->job_generation != 0;
     note().setText(is_replay        ? tr("recorded")
                    : has_generation ? tr("no. %1").arg(sight.status->job_generation)

@@ -53,6 +53,7 @@ private:
     QLabel* counts_;
     QLabel* size_;
     QLabel* time_;
+    QLabel* reference_;
     QLabel* checks_title_;
     QLabel* verdict_;
     std::vector<CheckRow> checks_;

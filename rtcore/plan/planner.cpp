@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/plan/planner.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "rtcore/plan/approach.hpp"
-#include "rtcore/plan/carve_program.hpp"
+#include "rtcore/plan/carving.hpp"
 #include "rtcore/plan/homing.hpp"
-#include "rtcore/plan/lookahead_program.hpp"
 #include "rtcore/plan/move.hpp"
 #include "rtcore/plan/stepped_program.hpp"
 
@@ -19,6 +19,7 @@ using cycle::PlanRequest;
 Planner::Planner(const Profile& profile, cycle::CycleIo& io) : limits_(machine_limits(profile)), io_(&io) {}
 
 void Planner::set_job(std::shared_ptr<const JobView> job) {
+    reference_seconds_.store(-1.0, std::memory_order_relaxed);
     const std::lock_guard<std::mutex> lock(job_mutex_);
     next_job_ = std::move(job);
 }
@@ -98,14 +99,14 @@ std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
     reference_seconds_.store(-1.0, std::memory_order_relaxed);
     const LayerSpan layers{first_layer, static_cast<std::uint32_t>(request.end_layer)};
     points_total_.store(std::uint64_t{layers.end} * job_->point_count(), std::memory_order_relaxed);
-    if (limits_.planner == psicarve::Planner::lookahead) {
-        return std::make_unique<LookaheadProgram>(limits_, job_, layers);
-    }
-    return std::make_unique<CarveProgram>(limits_, job_, layers);
+    return carving_of(limits_, job_, layers);
 }
 
-double Planner::seconds_left(std::uint64_t points_done) const noexcept {
+double Planner::seconds_left(std::uint64_t points_done, const JobEstimate* estimate) const noexcept {
     const std::uint64_t total = points_total_.load(std::memory_order_relaxed);
+    if (total != 0 && estimate != nullptr) {
+        return std::max(0.0, estimate->seconds_to(total) - estimate->seconds_to(points_done));
+    }
     const std::uint64_t planned = points_planned_.load(std::memory_order_relaxed);
     if (total == 0 || planned == 0) return -1.0;
     if (points_done >= total) return 0.0;

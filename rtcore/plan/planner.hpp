@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "rtcore/cycle/cycle_io.hpp"
+#include "rtcore/plan/job_estimate.hpp"
 #include "rtcore/plan/machine_limits.hpp"
 #include "rtcore/plan/program.hpp"
 #include "shared/job.hpp"
@@ -33,8 +34,9 @@ public:
     /// work: whoever has other duties is asked after each block whether there is time for more.
     void poll(const std::function<bool()>& has_time = {});
 
-    /// Any thread. An estimate for the running job with so many points reached; negative: unknown.
-    double seconds_left(std::uint64_t points_done) const noexcept;
+    /// Any thread. For the running job with so many points reached; negative: unknown. Without an estimate of
+    /// the whole job from how far it is planned.
+    double seconds_left(std::uint64_t points_done, const JobEstimate* estimate = nullptr) const noexcept;
     /// Any thread. T_ref of the job last planned to its end; negative: there is none.
     double reference_seconds() const noexcept { return reference_seconds_.load(std::memory_order_relaxed); }
 

@@ -66,6 +66,7 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
         std::make_unique<cycle::Cycle>(plan::cycle_config_from_profile(profile), *parts->port, *parts->io);
     if (request.homed_start) parts->cycle->assume_homed(*request.homed_start);
     parts->planner = std::make_unique<plan::Planner>(profile, *parts->io);
+    if (!request.homed_start) parts->estimator = std::make_unique<plan::JobEstimator>(profile);
     return parts;
 }
 

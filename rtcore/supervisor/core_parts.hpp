@@ -10,6 +10,7 @@
 
 #include "rtcore/cycle/cycle.hpp"
 #include "rtcore/cycle/cycle_io.hpp"
+#include "rtcore/plan/job_estimator.hpp"
 #include "rtcore/plan/planner.hpp"
 #include "rtcore/port/port.hpp"
 #include "rtcore/sim/machine.hpp"
@@ -36,6 +37,7 @@ struct CoreParts {
     std::unique_ptr<cycle::CycleIo> io;
     std::unique_ptr<cycle::Cycle> cycle;
     std::unique_ptr<plan::Planner> planner;
+    std::unique_ptr<plan::JobEstimator> estimator;  ///< null in a replay: nobody asks how long it will take
     TraceOutlet traces;
 };
 

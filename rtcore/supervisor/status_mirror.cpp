@@ -16,8 +16,7 @@ void StatusMirror::note_alarm(const FlightRecord& record, std::int64_t expected_
     ++alarm_count_;
 }
 
-CoreStatus StatusMirror::compose(const cycle::Sample& sample, double seconds_left,
-                                 double reference_seconds) noexcept {
+CoreStatus StatusMirror::compose(const cycle::Sample& sample, const PlannedTimes& times) noexcept {
     CoreStatus status{};
     status.tick = sample.tick;
     status.heartbeat = ++heartbeat_;
@@ -39,8 +38,8 @@ CoreStatus StatusMirror::compose(const cycle::Sample& sample, double seconds_lef
     status.job_generation = sample.job_generation;
     status.signals = sample.signals;
     status.move_end = sample.move_end;
-    status.seconds_left = seconds_left;
-    status.reference_seconds = reference_seconds;
+    status.seconds_left = times.left_s;
+    status.reference_seconds = times.reference_s;
     status.job_start_tick = sample.job_start_tick;
     status.carve_first_tick = sample.carve_first_tick;
     status.carve_last_tick = sample.carve_last_tick;

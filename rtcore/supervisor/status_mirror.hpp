@@ -33,6 +33,12 @@ struct SimFacts {
     std::array<std::uint64_t, kAxisCount> stalls{};
 };
 
+/// As planned, at 100 % feed; negative: unknown.
+struct PlannedTimes {
+    double left_s = -1.0;
+    double reference_s = -1.0;  ///< T_ref of the whole job
+};
+
 /// How much longer the planned time takes with this override. Beyond 100 % it depends on the motors' limits
 /// along the path: as planned.
 double stretch_of(std::uint64_t override_percent) noexcept;
@@ -49,7 +55,7 @@ public:
     void set_sim(const SimFacts& sim) noexcept { sim_ = sim; }
 
     /// The whole status of this moment; the heartbeat grows by one each time.
-    CoreStatus compose(const cycle::Sample& sample, double seconds_left, double reference_seconds) noexcept;
+    CoreStatus compose(const cycle::Sample& sample, const PlannedTimes& times) noexcept;
 
 private:
     CoreFacts facts_;

@@ -157,6 +157,8 @@ void Supervisor::finish_job(const cycle::Report& report) {
     const std::uint64_t generation = loading_job_->generation;
     if (accepted) {
         job_ = std::move(loading_job_);
+        if (parts_->estimator != nullptr)
+            parts_->estimator->begin(std::shared_ptr<const JobView>{job_, &job_->view});
     } else if (job_ != nullptr) {
         parts_->planner->set_job(std::shared_ptr<const JobView>{job_, &job_->view});
     }
@@ -204,11 +206,24 @@ void Supervisor::watch_recording() {
     request(cycle::RequestKind::record, static_cast<std::uint64_t>(RecordingForm::none));
 }
 
+PlannedTimes Supervisor::planned_times() {
+    std::shared_ptr<const plan::JobEstimate> estimate;
+    if (parts_->estimator != nullptr) {
+        // On the virtual clock what plans ahead of the pins is all that the wall clock waits for.
+        if (is_virtual_clock_) parts_->estimator->set_paused(!is_at_rest(sample_.state));
+        estimate = parts_->estimator->estimate();
+    }
+    PlannedTimes times{.left_s = parts_->planner->seconds_left(sample_.points_done, estimate.get()),
+                       .reference_s = parts_->planner->reference_seconds()};
+    if (estimate == nullptr) return times;
+    if (!runs_job(sample_.state)) times.left_s = estimate->seconds();
+    if (times.reference_s < 0.0 && estimate->is_reference()) times.reference_s = estimate->seconds();
+    return times;
+}
+
 void Supervisor::publish_status() {
     if (parts_->machine != nullptr && !is_machine_frozen_) mirror_.set_sim(sim_facts(*parts_->machine));
-    write_record(segment_.header().status,
-                 mirror_.compose(sample_, parts_->planner->seconds_left(sample_.points_done),
-                                 parts_->planner->reference_seconds()));
+    write_record(segment_.header().status, mirror_.compose(sample_, planned_times()));
     if (changes_ != changes_told_) {
         changes_told_ = changes_;
         event_signal(segment_.header().status_changed);

@@ -66,6 +66,7 @@ private:
     void drain_reports();
     void drain_increments();
     void watch_recording();
+    PlannedTimes planned_times();
     void publish_status();
     void check_segment();
     void take_new_segment();

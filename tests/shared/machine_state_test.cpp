@@ -105,5 +105,20 @@ TEST(AlarmCause, EachHasItsOwnNameAndRemedy) {
     EXPECT_EQ(name_of(static_cast<AlarmCause>(99)), "unknown");
 }
 
+TEST(MachineState, AJobRunsFromItsStartToItsRetraction) {
+    using S = MachineState;
+    for (std::uint8_t i = 0; i < kMachineStateCount; ++i) {
+        const auto state = static_cast<S>(i);
+        const bool can_stop_job = next_state(state, MachineEvent::stop) == S::stopping;
+        const bool is_ending = state == S::finishing || state == S::stopping;
+        const bool moves_without_job = state == S::homing || state == S::moving;
+        if (moves_without_job) {
+            EXPECT_FALSE(runs_job(state)) << name_of(state);
+        } else {
+            EXPECT_EQ(runs_job(state), can_stop_job || is_ending) << name_of(state);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace psicarve

@@ -31,6 +31,26 @@ TEST_F(CoreCarving, CarvesAPublishedJobToTheLastPoint) {
     EXPECT_EQ(end.alarm_count, 0U);
 }
 
+TEST_F(CoreCarving, TheTimeIsKnownBeforeTheStart) {
+    start_core();
+    home();
+    ASSERT_EQ(publish(lobed_job(6, 33)), "");
+    ASSERT_TRUE(eventually([&] { return status().seconds_left >= 0.0; }));
+    const CoreStatus before = status();
+    EXPECT_GT(before.seconds_left, 0.0);
+    EXPECT_EQ(before.reference_seconds, before.seconds_left);
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
+    const CoreStatus end = status();
+    const double carved_s =
+        static_cast<double>((end.carve_last_tick - end.carve_first_tick) * end.period_ns) * 1e-9;
+    EXPECT_NEAR(carved_s, before.seconds_left, 0.01 * carved_s);
+    EXPECT_EQ(end.reference_seconds, before.reference_seconds);
+    ASSERT_EQ(publish(lobed_job(12, 33)), "");
+    ASSERT_TRUE(eventually([&] { return status().seconds_left > 1.5 * before.seconds_left; }));
+    EXPECT_GT(status().reference_seconds, 1.5 * before.reference_seconds);
+}
+
 TEST_F(CoreCarving, AStoppedJobIsCarvedOnFromALayer) {
     start_core();
     home();
@@ -52,7 +72,10 @@ TEST_F(CoreCarving, AStoppedJobIsCarvedOnFromALayer) {
     EXPECT_EQ(end.points_done, end.points_total);
     EXPECT_EQ(end.layer, 5U);
     EXPECT_LT(end.carve_first_tick, end.carve_last_tick);
-    EXPECT_LT(end.reference_seconds, 0.0) << "T_ref is of whole jobs";
+    ASSERT_TRUE(eventually([&] { return status().reference_seconds >= 0.0; }));
+    const double carved_s =
+        static_cast<double>((end.carve_last_tick - end.carve_first_tick) * end.period_ns) * 1e-9;
+    EXPECT_GT(status().reference_seconds, 1.2 * carved_s) << "T_ref is of whole jobs";
     for (const Axis axis : kAllAxes) {
         // Whole turns were dropped from the count on the way.
         const std::int64_t off =
@@ -81,7 +104,10 @@ TEST_F(CoreCarving, OneLayerIsCarvedAndThenTheRest) {
     EXPECT_EQ(one.points_done, 3U * 33U);
     EXPECT_EQ(one.layer, 2U);
     EXPECT_LT(one.carve_first_tick, one.carve_last_tick);
-    EXPECT_LT(one.reference_seconds, 0.0) << "T_ref is of whole jobs";
+    ASSERT_TRUE(eventually([&] { return status().reference_seconds >= 0.0; }));
+    const double carved_s =
+        static_cast<double>((one.carve_last_tick - one.carve_first_tick) * one.period_ns) * 1e-9;
+    EXPECT_GT(status().reference_seconds, 3.0 * carved_s) << "T_ref is of whole jobs";
     ASSERT_EQ(refusal_of(CommandKind::start, 3.0), "");
     ASSERT_TRUE(reaches(MachineState::waiting));
     ASSERT_EQ(refusal_of(CommandKind::start_interpolation), "");

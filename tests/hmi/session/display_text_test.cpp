@@ -78,6 +78,29 @@ TEST(DisplayText, TellsTheTimeLeft) {
     EXPECT_LT(done_ratio(machine_in(S::ready)), 0.0);
 }
 
+TEST(DisplayText, TellsHowLongTheOpenJobTakes) {
+    MachineSight machine = machine_in(S::ready);
+    EXPECT_TRUE(job_times(machine, true, 0.0).time.is_empty());
+    const JobTimes least = job_times(machine, true, 61.0);
+    EXPECT_EQ(in_english(least.time), "at least 1:01");
+    EXPECT_TRUE(least.is_least);
+    EXPECT_TRUE(least.reference.is_empty());
+    machine.status->points_total = 100;
+    machine.status->points_done = 40;  // stopped once
+    machine.status->seconds_left = 758.0;
+    machine.status->reference_seconds = 750.0;
+    const JobTimes planned = job_times(machine, true, 61.0);
+    EXPECT_EQ(in_english(planned.time), "12:38 planned");
+    EXPECT_EQ(in_english(planned.reference), "12:30");
+    EXPECT_FALSE(planned.is_least);
+    EXPECT_EQ(in_english(job_times(machine, false, 61.0).time), "at least 1:01") << "it is another job's";
+    EXPECT_TRUE(job_times(machine, false, 61.0).reference.is_empty());
+    machine.status->state = S::carving;
+    EXPECT_EQ(in_english(job_times(machine, false, 61.0).time), "12:38 left");
+    machine.status->seconds_left = -1.0;
+    EXPECT_TRUE(job_times(machine, true, 61.0).time.is_empty());
+}
+
 TEST(Phrase, PutsArgumentsInPlace) {
     EXPECT_EQ(in_english(phrase("%2 of %1, 100 %", "a", "b")), "b of a, 100 %");
     EXPECT_EQ(in_english(phrase("%1 and %3", "a")), "a and ");

@@ -137,6 +137,9 @@ TEST_F(WindowOnCore, KeepsALogSavesABundleAndReportsTheRun) {
     ASSERT_TRUE(comes_to(DeskState::published));
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
+    const auto text = [&](const char* name) { return window_->findChild<QLabel*>(name)->text(); };
+    ASSERT_TRUE(comes_true([&] { return text("job_time").endsWith(" planned"); }));
+    EXPECT_EQ(text("job_time"), text("reference") + " planned");
     ASSERT_TRUE(click("start"));
     ASSERT_TRUE(comes_true([&] { return window_->bench().runs.is_over(); })) << all_messages().toStdString();
     ASSERT_TRUE(click("report_button"));

@@ -55,6 +55,8 @@ void Cycle::advance_missed(std::uint64_t ticks) noexcept {
 }
 
 void Cycle::take_inputs(SignalWord raw) noexcept {
+    // A port that failed shows every input tripped: that is no limit and no emergency stop.
+    if (!port_->is_healthy()) return raise_alarm(AlarmCause::port_error, kNoAxis);
     const SignalWord before = inputs_.raw();
     inputs_.take(raw, tick_, pulses_.positions());
     limits_exempt_ &= inputs_.accepted() | inputs_.raw();

@@ -71,6 +71,7 @@ enum class Refusal : std::uint8_t {
     not_an_arc,       ///< begin and end are not as far from the centre, or it is too small
     recording,        ///< another process has the pins recorded, or nobody can
     heads_not_homed,  ///< psi and y are homed after the heads, or with them
+    port_failed,      ///< the port answered with an error, and is used no more
 };
 
 /// tick -> supervisor, in the order in which things happened. Each carries the flight-recorder entry of it.

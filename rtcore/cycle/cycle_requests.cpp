@@ -149,7 +149,8 @@ Refusal Cycle::take_override(std::uint64_t percent) noexcept {
 
 Refusal Cycle::reset_alarm() noexcept {
     if (state_ != MachineState::alarm) return Refusal::not_in_this_state;
-    if (cause_remains() || !port_->is_healthy()) return Refusal::still_tripped;
+    if (!port_->is_healthy()) return Refusal::port_failed;
+    if (cause_remains()) return Refusal::still_tripped;
     alarm_cause_ = AlarmCause::none;
     alarm_axis_ = kNoAxis;
     apply(is_homed() ? MachineEvent::reset_alarm_homed : MachineEvent::reset_alarm_unhomed);
@@ -161,6 +162,7 @@ Refusal Cycle::back_off(std::uint8_t axis) noexcept {
     if (axis >= kAxisCount || axis == index_of(Axis::psi) || !config_.axes[axis].has_sensor) {
         return Refusal::no_sensor;
     }
+    if (!port_->is_healthy()) return Refusal::port_failed;
     if (!inputs_.is_tripped(axis)) return Refusal::sensor_not_tripped;
     if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
     homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~(1U << axis));

@@ -14,8 +14,8 @@ class Port {
 public:
     virtual ~Port() = default;
 
-    /// Inputs as they are now, in the input bits of the word (others 0). `time_ns` is the tick's time since
-    /// the core started; only a simulated machine needs it.
+    /// Inputs as they are now, in the input bits of the word (others 0); all of them when the hardware
+    /// failed. `time_ns` is the tick's time since the core started; only a simulated machine needs it.
     virtual SignalWord read_inputs(std::int64_t time_ns) noexcept = 0;
 
     /// Sets all outputs (input bits of `levels` are ignored). Called only when something changed, with

@@ -2,8 +2,12 @@
 #include "rtcore/supervisor/core_parts.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <utility>
 
 #include "rtcore/plan/cycle_config_from_profile.hpp"
+#include "rtcore/port/open_port.hpp"
+#include "rtcore/port/parallel_port.hpp"
 #include "rtcore/port/sim_port.hpp"
 #include "rtcore/sim/sim_config.hpp"
 #include "shared/pin_map.hpp"
@@ -22,9 +26,24 @@ sim::SimConfig machine_for(const Profile& profile, const HomedStart& homed_start
 trace::TraceStart trace_start_of(const CoreParts& parts) {
     trace::TraceStart start;
     start.period_ns = parts.period_ns;
+    if (parts.machine == nullptr) return start;  // nobody knows where a real machine stands
     for (const Axis axis : kAllAxes)
         start.position_pulses[index_of(axis)] = parts.machine->position_pulses(axis);
     return start;
+}
+
+Result<void> make_port(CoreParts& parts, const CoreOptions& options, const PinMap& pin_map,
+                       const PartsRequest& request) {
+    if (options.port.is_simulated()) {
+        parts.machine = std::make_unique<sim::Machine>(machine_for(request.machine, request.homed_start));
+        parts.port = std::make_unique<port::SimPort>(pin_map, *parts.machine);
+        return {};
+    }
+    auto open = port::open_port(options.port, pin_map);
+    if (!open) return open.error();
+    std::fprintf(stderr, "psicarve-rtcore: %s\n", open->description().c_str());
+    parts.port = std::make_unique<port::ParallelPort>(std::move(*open), pin_map);
+    return {};
 }
 
 }  // namespace
@@ -48,8 +67,7 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
     parts->period_ns = tick_period_ns(profile);
     const auto pin_map = PinMap::from_profile(profile);
     if (!pin_map) return pin_map.error();
-    parts->machine = std::make_unique<sim::Machine>(machine_for(request.machine, request.homed_start));
-    parts->port = std::make_unique<port::SimPort>(*pin_map, *parts->machine);
+    if (const auto made = make_port(*parts, options, *pin_map, request); !made) return made.error();
     if (request.plays_recorded_inputs) {
         auto recorded = std::make_unique<RecordedInputsPort>(std::move(parts->port));
         parts->recorded_inputs = recorded.get();

@@ -30,7 +30,7 @@ using HomedStart = std::optional<std::array<std::int64_t, kAxisCount>>;
 struct CoreParts {
     Profile profile;
     std::int64_t period_ns = 0;
-    std::unique_ptr<sim::Machine> machine;  ///< behind the simulated port
+    std::unique_ptr<sim::Machine> machine;  ///< behind the simulated port; null: a real one
     std::unique_ptr<port::Port> port;
     RecordedInputsPort* recorded_inputs = nullptr;  ///< the port, when a replay plays inputs from a recorder
     std::unique_ptr<trace::TraceRing> trace_ring;

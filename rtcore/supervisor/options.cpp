@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shared/segment.hpp"
@@ -20,11 +22,6 @@ bool parse_count(std::string_view text, std::uint32_t& count) {
            count <= kLargestCapacity;
 }
 
-std::string check_port(const std::string& port) {
-    if (port == "sim") return {};
-    return "this build drives the simulated port only: --port sim";
-}
-
 std::string check_segment_name(const std::string& name) {
     const bool is_plain = name.size() >= 2 && name.size() <= 200 && name.front() == '/' &&
                           name.find('/', 1) == std::string::npos;
@@ -37,6 +34,7 @@ std::string check_not_empty(const std::string& text) {
 
 /// What is read from the command line as words and turned into something else.
 struct Texts {
+    std::string port = "sim";
     std::string clock;
     std::string capacity;
 };
@@ -48,9 +46,13 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
     app.add_option("--segment", options.segment_name, "Shared-memory segment to serve")
         ->capture_default_str()
         ->check(check_segment_name);
-    app.add_option("--port", options.port, "Where the signals go: sim (a simulated machine)")
-        ->capture_default_str()
-        ->check(check_port);
+    app.add_option(
+           "--port", texts.port,
+           "Where the signals go: sim (a simulated machine), ppdev:/dev/parportN, or io:ADDRESS as in "
+           "io:0x378 (needs CAP_SYS_RAWIO)")
+        ->capture_default_str();
+    app.add_flag("--allow-no-realtime", options.allow_no_realtime,
+                 "Drive a real port even without the rights for real-time scheduling");
     app.add_option(
            "--clock", texts.clock,
            "real: ticks by the wall clock; virtual: the same code as fast as it goes, the same every time")
@@ -76,8 +78,30 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
     app.add_option("--replay", options.replay_path,
                    "Run this job or snapshot file from the home positions, then exit")
         ->check(check_not_empty);
+    app.add_flag("--assume-homed", options.assume_homed,
+                 "With --replay on a real port: the machine stands at its home positions");
     app.add_flag("--exit-with-parent", options.exit_with_parent, "End in order when the parent process ends");
     app.set_version_flag("--version", PSICARVE_VERSION);
+}
+
+Result<void> take_port(const std::string& text, CoreOptions& options) {
+    auto port = port::parse_port_address(text);
+    if (!port) return port.error();
+    options.port = std::move(*port);
+    if (options.port.is_simulated()) return {};
+    const auto wrong = [&](const std::string& problem) {
+        return Error{ErrorCode::bad_usage, "--port " + text + ": " + problem};
+    };
+    if (options.clock == ClockKind::virtual_time) {
+        return wrong("a real machine keeps real time; --clock real, or --port sim");
+    }
+    if (!options.machine_path.empty()) return wrong("--machine is for the simulated machine, --port sim");
+    if (!options.replay_path.empty() && !options.assume_homed) {
+        return wrong(
+            "--replay takes the machine to stand at its home positions; home it, carve instead, or say "
+            "--assume-homed");
+    }
+    return {};
 }
 
 }  // namespace
@@ -106,6 +130,10 @@ std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
     }
     if (!texts.clock.empty()) {
         options.clock = texts.clock == "real" ? ClockKind::real : ClockKind::virtual_time;
+    }
+    if (const auto taken = take_port(texts.port, options); !taken) {
+        std::fprintf(stderr, "psicarve-rtcore: %s\n", taken.error().message.c_str());
+        return kExitUsage;
     }
     if (!texts.capacity.empty()) {
         auto parsed = parse_capacity(texts.capacity, options);

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "rtcore/port/port_address.hpp"
 #include "shared/layout.hpp"
 #include "shared/result.hpp"
 #include "shared/segment.hpp"
@@ -17,7 +18,7 @@ enum class ClockKind : std::uint8_t { real, virtual_time };
 /// What the command line of psicarve-rtcore says.
 struct CoreOptions {
     std::string segment_name = kDefaultSegmentName;
-    std::string port = "sim";
+    port::PortAddress port;
     ClockKind clock = ClockKind::real;
     std::string profile_path;  ///< TOML, or a job file whose profile is meant; empty: built-in default
     std::string machine_path;  ///< profile of the simulated machine; empty: the core's own
@@ -27,6 +28,8 @@ struct CoreOptions {
     std::uint32_t capacity_points = kDefaultCapacityPoints;
     std::string group;
     bool exit_with_parent = false;
+    bool allow_no_realtime = false;  ///< a real port may be driven without real-time rights
+    bool assume_homed = false;       ///< a replay on a real port begins where it stands
 };
 
 /// The options, or the exit code of a run that is over (help and version were asked for, or the usage was

@@ -105,6 +105,8 @@ std::string refusal_text(const cycle::Report& answer, CommandKind command, const
             return "record: another process has the pins recorded, or this core cannot; wait, or see status";
         case R::heads_not_homed:
             return "home: psi and y after r1 and r2, or with them; home r1 and r2 first";
+        case R::port_failed:
+            return "the port answered with an error; see to cable and driver, then start the core again";
         case R::bad_override:
             return "override: 10 to 200 per cent of the planned feed, whole";
     }

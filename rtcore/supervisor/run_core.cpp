@@ -10,10 +10,12 @@
 #include <memory>
 #include <optional>
 
+#include "rtcore/port/fatal_signals.hpp"
 #include "rtcore/rt_setup.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/core_profile.hpp"
 #include "rtcore/supervisor/end_request.hpp"
+#include "rtcore/supervisor/realtime_requirement.hpp"
 #include "rtcore/supervisor/replay.hpp"
 #include "rtcore/supervisor/replay_script.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
@@ -123,11 +125,12 @@ int run_loop(const CoreOptions& options, CoreParts& parts, Supervisor& superviso
 int serve_segment(const CoreOptions& options, const Profile& profile, const Profile& machine, Segment segment,
                   std::optional<Replay>& replay) {
     EndRequest end;
+    if (const auto allowed = require_realtime(options); !allowed) return fail(allowed.error());
     if (options.clock == ClockKind::real) rtcore::set_up_process_memory();
     auto parts = build_core(options, profile, parts_request_of(replay, profile, machine));
     if (!parts) return fail(parts.error());
     const CoreFacts facts{.period_ns = (*parts)->period_ns,
-                          .is_simulator = true,
+                          .is_simulator = options.port.is_simulated(),
                           .is_virtual_clock = options.clock == ClockKind::virtual_time,
                           .has_realtime_rights = false,
                           .missing_sensors_mask = missing_sensors(profile)};
@@ -154,6 +157,8 @@ int run_core(const CoreOptions& options) {
     if (!profile) return fail(profile.error());
     const auto machine = options.machine_path.empty() ? profile : load_core_profile(options.machine_path);
     if (!machine) return fail(machine.error());
+    // Before the segment, which has a use for SIGBUS of its own.
+    if (!options.port.is_simulated()) port::handle_fatal_signals();
     auto segment = Segment::create_or_attach(segment_options_of(options));
     if (!segment) return fail(segment.error());
     if (const auto claimed = segment->take_core_lock(); !claimed) return fail(claimed.error());

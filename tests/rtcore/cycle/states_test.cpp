@@ -71,7 +71,7 @@ TEST(States, AnErrorOfThePortIsAnAlarmThatStays) {
     sut.port->healthy = false;
     sut.run(25);
     EXPECT_EQ(sut.cycle->sample().alarm_cause, AlarmCause::port_error);
-    EXPECT_EQ(sut.ask(RequestKind::reset_alarm), Refusal::still_tripped);
+    EXPECT_EQ(sut.ask(RequestKind::reset_alarm), Refusal::port_failed);
 }
 
 TEST(States, AFaultThatTheSupervisorFoundStopsOnThePathAndKeepsThePosition) {

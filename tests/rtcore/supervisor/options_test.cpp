@@ -27,7 +27,7 @@ TEST(CoreOptions, DefaultsServeTheUsualSegmentOnTheSimulator) {
     const auto parsed = parse({});
     const auto& sut = std::get<CoreOptions>(parsed);
     EXPECT_EQ(sut.segment_name, "/psicarve");
-    EXPECT_EQ(sut.port, "sim");
+    EXPECT_TRUE(sut.port.is_simulated());
     EXPECT_EQ(sut.clock, ClockKind::real);
     EXPECT_EQ(sut.capacity_layers, 4000U);
     EXPECT_EQ(sut.capacity_points, 3600U);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rtcore/port/port_access.hpp"
+#include "rtcore/port/port_address.hpp"
+#include "shared/pin_map.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::port {
+
+/// A real port that this process, and no other core, has for itself; in its safe state since it was opened.
+/// Whoever holds it may hand SafeState(access(), pin map) to a process that inherits from this one. At its
+/// end the port is given back as it stands.
+class OpenPort {
+public:
+    /// Takes the descriptors: what keeps others out of the port.
+    OpenPort(std::vector<int> descriptors, const PortAccess& access, std::string description) noexcept
+        : descriptors_(std::move(descriptors)), access_(access), description_(std::move(description)) {}
+    OpenPort(OpenPort&& other) noexcept
+        : descriptors_(std::exchange(other.descriptors_, {})),
+          access_(other.access_),
+          description_(std::move(other.description_)) {}
+    OpenPort& operator=(OpenPort&&) = delete;
+    ~OpenPort();
+
+    const PortAccess& access() const noexcept { return access_; }
+    /// For people: "/dev/parport0: can do SPP, PS/2; plain register access".
+    const std::string& description() const noexcept { return description_; }
+
+    /// This one's way to the registers, and whatever keeps others out of the other, too.
+    void keep(OpenPort&& other);
+    void describe(std::string description) { description_ = std::move(description); }
+
+private:
+    std::vector<int> descriptors_;
+    PortAccess access_;
+    std::string description_;
+};
+
+/// Opens a real port for this process alone and writes its safe state, or says in one line why not.
+Result<OpenPort> open_port(const PortAddress& address, const PinMap& pin_map);
+
+}  // namespace psicarve::port

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "rtcore/port/open_port.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::port {
+
+/// Opens and claims /dev/parportN for this process alone, its data lines driven. Nothing is written to the
+/// lines; what claiming does to them is the kernel's affair (docs/hardware.md).
+Result<OpenPort> open_ppdev(const std::string& device);
+
+/// "SPP, PS/2, EPP": what a port can do, by the kernel's PARPORT_MODE bits.
+std::string port_modes_text(unsigned modes);
+
+}  // namespace psicarve::port

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cerrno>
+
+#include "hmi/verify/trace_reader.hpp"
+#include "tests/two_process/port_rig.hpp"
+
+namespace psicarve::two_process {
+namespace {
+
+using fake_port::Pulse;
+using fake_port::Register;
+using fake_port::Write;
+
+class CorePort : public PortRig {
+protected:
+    /// What the same job makes of the simulated port's pins, on the virtual clock.
+    std::vector<Pulse> pulses_of_the_simulated_run(const JobTable& table) {
+        start_core({"--profile", file("machine.toml"), "--trace", file("virtual.trace")});
+        home();
+        EXPECT_EQ(publish(table), "");
+        start_carving();
+        EXPECT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
+        EXPECT_EQ(refusal_of(CommandKind::shutdown), "");
+        EXPECT_EQ(core_->wait_for_exit(), 0);
+        auto reader = verify::open_trace(file("virtual.trace"));
+        if (!reader) return {};
+        std::vector<std::uint32_t> levels;
+        std::array<verify::TraceEvent, 256> events{};
+        for (;;) {
+            const auto count = (*reader)->read(events);
+            if (!count || *count == 0) break;
+            for (std::size_t i = 0; i < *count; ++i) levels.push_back(events[i].levels & kOutputMask);
+        }
+        return fake_port::pulses_with_spindle(levels);
+    }
+};
+
+TEST_F(CorePort, CarvesAJobWithExactlyThePulsesOfTheSimulatedPort) {
+    const JobTable table = coarse_job(2);
+    const std::vector<Pulse> wanted = pulses_of_the_simulated_run(table);
+    ASSERT_GT(wanted.size(), 100U);
+    start_port_core();
+    home();
+    for (const Axis axis : kAllAxes) {
+        EXPECT_EQ(port_.state().axes[index_of(axis)].position_pulses.load(),
+                  status().position_pulses[index_of(axis)])
+            << name_of(axis);
+    }
+    ASSERT_EQ(publish(table), "");
+    start_carving();
+    ASSERT_TRUE(
+        eventually([&] { return status().job_end_tick != 0 || status().state == MachineState::alarm; }));
+    const CoreStatus end = status();
+    EXPECT_EQ(end.state, MachineState::ready) << name_of(end.alarm_cause);
+    EXPECT_EQ(end.is_simulator, 0);
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    EXPECT_EQ(core_->wait_for_exit(), 0) << text_of(file("core.err"));
+    EXPECT_EQ(fake_port::pulses_with_spindle(fake_port::levels_of(port_.writes(), profile_)), wanted);
+    expect_safe_first_and_last();
+    EXPECT_EQ(port_.state().claimed_by.load(), 0U) << "given back";
+}
+
+TEST_F(CorePort, WritesOnlyRegistersThatChange) {
+    start_port_core();
+    home();
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+    std::array<int, 2> held{-1, -1};
+    const std::vector<Write> writes = port_.writes();
+    ASSERT_GT(writes.size(), 4U);
+    for (std::size_t i = 0; i + 2 < writes.size(); ++i) {
+        int& register_holds = held[static_cast<std::size_t>(writes[i].reg)];
+        EXPECT_NE(register_holds, writes[i].value) << "write " << i;
+        register_holds = writes[i].value;
+    }
+}
+
+TEST_F(CorePort, AnEmergencyStopEndsPulsesWithItsTick) {
+    start_port_core();
+    home();
+    ASSERT_EQ(publish(coarse_job(40)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 3; }));
+    // Well ahead of now, so that it is a write of the tick's own choosing.
+    const std::uint64_t at = port_.state().write_count.load() + 200;
+    port_.state().flip_to.store(kEstopStatusBit);
+    port_.state().flip_at_write.store(at);
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    EXPECT_EQ(status().alarm_cause, AlarmCause::emergency_stop);
+    expect_safe_after(at + 1);
+    EXPECT_NE(refusal_of(CommandKind::reset_alarm).find("estop"), std::string::npos);
+}
+
+TEST_F(CorePort, ALimitPlayedWhileCarvingStopsAndNamesItsAxis) {
+    start_port_core();
+    home();
+    ASSERT_EQ(publish(coarse_job(40)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 3; }));
+    constexpr std::uint32_t kR2LimitBit = 0x80;
+    port_.state().status_flip.store(kR2LimitBit);
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    EXPECT_EQ(status().alarm_cause, AlarmCause::limit);
+    EXPECT_EQ(status().alarm_axis, index_of(Axis::r2));
+}
+
+TEST_F(CorePort, ALimitThatChattersFromTickToTickStopsNothing) {
+    start_port_core();
+    home();
+    ASSERT_EQ(publish(coarse_job(2)), "");
+    constexpr std::uint32_t kR1LimitBit = 0x10;
+    port_.state().status_chatter.store(kR1LimitBit);
+    start_carving();
+    ASSERT_TRUE(
+        eventually([&] { return status().job_end_tick != 0 || status().state == MachineState::alarm; }));
+    EXPECT_EQ(status().state, MachineState::ready) << name_of(status().alarm_cause);
+}
+
+TEST_F(CorePort, OneErrorIsAnAlarmThatStaysAndNothingMovesAfterIt) {
+    start_port_core();
+    home();
+    ASSERT_EQ(publish(coarse_job(40)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 3; }));
+    fail_port(EIO, 1);
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    EXPECT_EQ(status().alarm_cause, AlarmCause::port_error);
+    EXPECT_NE(refusal_of(CommandKind::reset_alarm).find("port"), std::string::npos);
+    EXPECT_NE(refusal_of(CommandKind::home), "");
+    expect_safe_registers();
+    const std::uint64_t pulses = pulses_on_the_cable();
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+    EXPECT_EQ(pulses_on_the_cable(), pulses);
+    expect_safe_first_and_last();
+}
+
+TEST_F(CorePort, APortThatVanishesIsAnAlarmAndTheCoreLivesOn) {
+    start_port_core();
+    home();
+    fail_port(ENODEV, -1);
+    ASSERT_TRUE(reaches(MachineState::alarm)) << "at rest as well: reading is enough";
+    EXPECT_EQ(status().alarm_cause, AlarmCause::port_error);
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+}
+
+TEST_F(CorePort, ASecondCoreIsRefusedWithThePidOfTheFirst) {
+    start_port_core();
+    const fake_port::FakePortFile::Preload preload{port_};
+    const std::string other_segment = segment_name_ + "-other";
+    CoreProcess second{port_arguments(other_segment), file("second.err")};
+    EXPECT_EQ(second.wait_for_exit(), 4);
+    const std::string said = text_of(file("second.err"));
+    EXPECT_NE(said.find("busy"), std::string::npos) << said;
+    EXPECT_NE(said.find("pid " + std::to_string(core_->pid())), std::string::npos) << said;
+    [[maybe_unused]] const auto removed = Segment::remove(other_segment);
+}
+
+TEST_F(CorePort, AFatalSignalLeavesTheSafeStateBehind) {
+    for (const int number : {SIGSEGV, SIGBUS}) {
+        start_port_core();
+        home();
+        ASSERT_EQ(publish(coarse_job(40)), "");
+        start_carving();
+        ASSERT_TRUE(eventually([&] { return status().points_done > 3; }));
+        core_->send_signal(number);
+        EXPECT_EQ(core_->wait_for_exit(), 128 + number);
+        expect_safe_registers();
+    }
+}
+
+}  // namespace
+}  // namespace psicarve::two_process

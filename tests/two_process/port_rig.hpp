@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <sys/resource.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shared/atomic_file.hpp"
+#include "shared/pin_map.hpp"
+#include "tests/fake_port/fake_port_file.hpp"
+#include "tests/two_process/core_rig.hpp"
+#include "tests/two_process/slow_machine.hpp"
+
+namespace psicarve::two_process {
+
+/// Cores that drive /dev/parportN by ioctls, which a preloaded library answers.
+class PortRig : public CoreRig {
+protected:
+    static constexpr std::uint32_t kEstopStatusBit = 0x08;
+
+    PortRig() {
+        const std::string text = profile_to_toml(profile_);
+        EXPECT_TRUE(write_file_atomically(file("machine.toml"), std::as_bytes(std::span{text})));
+    }
+
+    static Profile machine_with_estop() {
+        Profile profile = slow_machine();
+        // They stand near their sensors: slowly there, and no long way back.
+        profile.psi.home_speed_deg_s = 36.0;
+        for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) {
+            axis->home_speed_mm_s = 5.0;
+        }
+        profile.port.pins[index_of(Signal::estop)] = 15;
+        return profile;
+    }
+    /// Layers a pulse apart.
+    JobTable coarse_job(std::uint32_t layers) const {
+        JobTable table = lobed_job(layers, 9, profile_);
+        for (std::uint32_t layer = 0; layer < layers; ++layer) table.layer_height_pulses[layer] = 20 + layer;
+        return table;
+    }
+    std::vector<std::string> port_arguments(const std::string& segment_name) const {
+        return {"--segment",
+                segment_name,
+                "--clock",
+                "real",
+                "--profile",
+                file("machine.toml"),
+                "--port",
+                "ppdev:" + port_.device(),
+                "--capacity",
+                "100x20",
+                "--allow-no-realtime"};
+    }
+    void start_port_core() {
+        core_.reset();
+        segment_.reset();
+        [[maybe_unused]] const auto removed = Segment::remove(segment_name_);
+        {
+            const fake_port::FakePortFile::Preload preload{port_};
+            core_ = std::make_unique<CoreProcess>(port_arguments(segment_name_), file("core.err"));
+        }
+        attach();
+        ASSERT_TRUE(eventually([&] { return segment_->core_pid() == std::uint32_t(core_->pid()); }))
+            << text_of(file("core.err"));
+    }
+
+    /// The next access of the port's fails, and so many altogether (negative: every one from now on).
+    void fail_port(int error, std::int64_t times) {
+        port_.state().fault_errno.store(error);
+        port_.state().faults.store(times);
+        port_.state().accesses_to_fault.store(0);
+    }
+    OutputRegisters safe() const { return PinMap::from_profile(profile_)->encode(0); }
+    void expect_safe_registers() {
+        EXPECT_EQ(port_.state().data.load(), safe().data);
+        EXPECT_EQ(port_.state().control.load(), safe().control);
+    }
+    void expect_safe_first_and_last() {
+        const auto writes = port_.writes();
+        ASSERT_GE(writes.size(), 4U);
+        for (const std::size_t first : {std::size_t{0}, writes.size() - 2}) {
+            EXPECT_EQ(writes[first].reg, fake_port::Register::data);
+            EXPECT_EQ(writes[first].value, safe().data);
+            EXPECT_EQ(writes[first + 1].reg, fake_port::Register::control);
+            EXPECT_EQ(writes[first + 1].value, safe().control);
+        }
+    }
+    /// From write number `count` (counted from 0) on no step edge, and the end is safe.
+    void expect_safe_after(std::uint64_t count) {
+        const auto writes = port_.writes();
+        const auto levels = fake_port::levels_of(writes, profile_);
+        std::vector<fake_port::Pulse> late;
+        for (std::size_t i = count; i < levels.size(); ++i) {
+            fake_port::add_pulses(levels[i - 1], levels[i], late);
+        }
+        EXPECT_EQ(late.size(), 0U);
+        expect_safe_registers_but_directions();
+    }
+    void expect_safe_registers_but_directions() {
+        const auto levels = fake_port::levels_of(port_.writes(), profile_);
+        ASSERT_FALSE(levels.empty());
+        EXPECT_EQ(levels.back() & ~kDirMask, 0U);
+    }
+    std::uint64_t pulses_on_the_cable() {
+        std::uint64_t sum = 0;
+        for (const auto& axis : port_.state().axes) sum += axis.pulses.load();
+        return sum;
+    }
+
+    Profile profile_ = machine_with_estop();
+    fake_port::FakePortFile port_{folder_, profile_};
+};
+
+}  // namespace psicarve::two_process

@@ -8,100 +8,82 @@
 #include <vector>
 
 #include "rtcore/plan/curve_nodes.hpp"
+#include "rtcore/plan/wide.hpp"
 
 namespace psicarve::plan {
+
+/// Control points that are decided already: up to two at either end.
+struct DecidedEnds {
+    std::span<const Lanes> first;
+    std::span<const Lanes> last;
+};
 
 /// The curve of least bending, the integral of q''^2, that stays between low and high at every node:
 /// its control points. O(nodes); primal-dual interior point method with Mehrotra's predictor and corrector,
 /// all axes side by side. Source: Nocedal and Wright, Numerical Optimization, ch. 16.
+///
+/// An iteration goes through the nodes four times, twice forwards and twice backwards. What depends on the
+/// node before is slow, one division or two products after the other; everything else that a pass has to do
+/// is done meanwhile.
 class CurveFit {
 public:
     /// Bending much smaller than these accelerations [pulses/s^2] is not worth another iteration.
     explicit CurveFit(const Lanes& accel) : accel_(accel) {}
 
-    /// The first and the last control point are the middles of their bounds; `fixed` gives the first ones
-    /// (up to two), when they are decided already. Requires at least three nodes.
-    void solve(const CurveNodes& nodes, std::span<const Lanes> fixed = {});
+    /// The first and the last control point, where not decided, are the middles of their bounds. Requires at
+    /// least three nodes, and one control point that is not decided.
+    void solve(const CurveNodes& nodes, const DecidedEnds& decided = {});
 
     /// One a node, until the next solve().
     const std::vector<Lanes>& control() const noexcept { return control_; }
     int iterations() const noexcept { return iterations_; }
+    /// Whether the last solve() came to an end before its last iteration.
+    bool has_converged() const noexcept { return has_converged_; }
 
 private:
-    /// One number an axis, in the processor's own vectors. Never passed or returned by value.
-    /// Aligned alike in code for wide registers and in other code.
-    using Vec = double __attribute__((vector_size(kAxisCount * sizeof(double)), aligned(16)));
-
-    using Mask = std::int64_t __attribute__((vector_size(kAxisCount * sizeof(std::int64_t)), aligned(16)));
-
-    /// Containers would forget a Vec's alignment.
-    struct Four {
-        Vec axes;
-    };
     /// A linear form of the control points before, at and after a node; the same for all axes.
     struct Row {
         double before, at, after;
     };
     /// One bound at one node: the distance to it, how hard it presses, and what an iteration changes.
     struct Bound {
-        Vec distance, press, inverse_distance, distance_change, press_change;
+        Vec distance, press, inverse_distance, press_change;
     };
-    /// A node's curve value and bounds.
+    /// A node's bounds. Both distances add up to the tube's width at all times, so what the curve's value is
+    /// off the lower one's is off the upper one's with the other sign, and all that an iteration changes of
+    /// one it changes of the other.
     struct State {
-        Vec low, high, value, shift;
+        Vec residual;  ///< at the start: value - low - lower.distance
+        Vec rise;      ///< what an iteration adds to lower.distance and takes from upper.distance
         Bound lower, upper;
     };
     struct Band {
         Vec at, next, second;  ///< a row of the matrix from its diagonal on; later of its factors
     };
-    /// Rows of a band matrix, one after the other: what those before take off the present one.
-    class Elimination {
-    public:
-        /// at becomes 1 / pivot, next and second the factors.
-        void eliminate(Band& row) {
-            row.at -= at_;
-            row.next -= next_;
-            const Vec inverse = 1.0 / row.at;
-            const Vec next = row.next * inverse;
-            const Vec second = row.second * inverse;
-            at_ = at_after_ + next * row.next;
-            next_ = next * row.second;
-            at_after_ = second * row.second;
-            row.at = inverse;
-            row.next = next;
-            row.second = second;
-        }
-        void substitute(const Band& row, Vec& side) {
-            side -= side_;
-            side_ = side_after_ + row.next * side;
-            side_after_ = row.second * side;
-        }
-
-    private:
-        Vec at_{}, at_after_{}, next_{}, side_{}, side_after_{};
-    };
+    class Elimination;
     /// For all axes: how far an iteration can go, and the sum of distance * press along it.
     struct Reach {
-        Vec shrink;  ///< the greatest relative shrinking of a distance or a press
-        Vec linear, square;
+        Vec distance_shrink;  ///< the greatest relative shrinking of a distance
+        Vec press_shrink;     ///< and of a press
+        Vec by_distance, by_press, by_both;
     };
 
     void prepare(const CurveNodes& nodes);
-    void start(const CurveNodes& nodes, std::span<const Lanes> fixed);
-    bool has_converged();
-    static void weigh(State& state, Vec& weight, Vec& push);
-    void build_and_eliminate();
-    void substitute_back(std::vector<Four>& side) const;
-    Reach predict();
+    void start(const CurveNodes& nodes, const DecidedEnds& decided);
+    void start_pressing();
+    void advance_and_eliminate();
+    bool note_converged();
+    void predict(Reach& reach);
+    void target_after(const Reach& predicted, Vec& target) const;
     void correct(const Vec& target);
-    Reach reach_corrected(const Vec& target);
-    void advance(const Vec& length);
+    void reach_corrected(const Vec& target, Reach& reach);
+    void set_steps(const Reach& reach);
     void mend(const CurveNodes& nodes);
 
     Lanes accel_;
     std::size_t count_ = 0;
-    std::size_t fixed_ = 1;
-    double bound_count_ = 0.0;
+    std::size_t begin_ = 1;  ///< of the control points that are not decided
+    std::size_t end_ = 0;
     double length_ = 0.0;
     std::vector<Row> bend_;                         ///< sqrt(H_j) * q''_j
     std::vector<Row> value_;                        ///< q(u_j)
@@ -112,8 +94,14 @@ private:
     std::vector<State> states_;
     std::vector<Band> band_;
     std::vector<Lanes> control_;
-    Vec gap_{};
+    Vec distance_step_{};  ///< shares of the changes that are gone
+    Vec press_step_{};
+    Vec left_{};  ///< of the residuals
+    Vec gap_{};   ///< sum of distance * press
+    Vec bending_{};
+    Vec outside_{};   ///< the furthest that a value is outside its bounds
     Mask is_done_{};  ///< by axis: -1 once it has converged
+    bool has_converged_ = false;
     int iterations_ = 0;
 };
 

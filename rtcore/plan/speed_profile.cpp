@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace psicarve::plan {
 namespace {
@@ -23,161 +22,192 @@ constexpr double kMostExcess = 0.25;
 constexpr double kExcessPulses = 0.02;
 constexpr double kSwing = 62.4;
 
-using SpeedRow = SpeedProfile::SpeedRow;
-using AccelRows = SpeedProfile::AccelRows;
+// In three places between a cell's ends, and at its begin: x + kInnerTilt * z <= kInnerMost * limit.
+constexpr Vec kInnerMost{1.0 / 0.75, 1.0 / 0.5, 1.0 / 0.25, 1.0};
+constexpr Vec kInnerTilt{1.0 / 3.0, 1.0, 3.0, 0.0};
+constexpr Vec kInnerInverseTilt{3.0, 1.0, 1.0 / 3.0, 0.0};
+constexpr double kNone = std::numeric_limits<double>::max();
+// By axis: in the middle of a cell and at both its ends.
+constexpr std::size_t kRows = 3;
+// More corners than a cell can have.
+constexpr int kMostCorners = 16;
+
+}  // namespace
 
 /// Everything that a cell asks of the squared speeds x and z at its begin and end, for one timing.
-class CellRows {
+class SpeedProfile::CellRows {
 public:
-    CellRows(const AccelRows& accel, const InnerSpeeds2& inner_speed2)
-        : accel_(accel),
-          inner_{{{inner_speed2[0] / 0.75, 1.0 / 3.0},
-                  {inner_speed2[1] / 0.5, 1.0},
-                  {inner_speed2[2] / 0.25, 3.0}}} {}
-
-    /// The greatest end speed from this begin speed, at most `limit`.
-    double greatest_end(double begin, double limit) const {
-        double end = limit;
-        // Of the two sides of an acceleration the one that limits the end from above.
-        for (std::size_t i = 0; i < accel_.count; ++i) {
-            const SpeedRow& row = accel_.rows[i];
-            const double tilt = std::fabs(row.tilt);
-            const double left = row.tilt < 0.0 ? row.most + begin : row.most - begin;
-            if (tilt * end > left) end = left / tilt;
-        }
-        for (const SpeedRow& row : inner_) end = std::min(end, (row.most - begin) / row.tilt);
-        return std::max(end, 0.0);
+    PSICARVE_INLINE CellRows(const AccelRows& accel, double begin_limit, const InnerSpeeds2& inner_speed2)
+        : accel_(accel), inner_{inner_speed2[0], inner_speed2[1], inner_speed2[2], begin_limit} {
+        inner_ *= kInnerMost;
     }
 
-    /// The greatest begin speed, at most `limit`, from which an end speed of at most `end_limit` is possible.
-    double greatest_begin(double limit, double end_limit) const {
-        double end = end_limit;
-        if (allows(limit, end_limit)) return limit;
-        // The set of possible pairs is convex and holds (0, 0): walk down from end_limit along its upper edge
-        // as long as the begin speed rises.
-        for (std::size_t walked = 0; walked <= accel_.count + inner_.size(); ++walked) {
-            const Edge edge = upper_edge(end, limit);
-            if (edge.lower <= edge.upper && edge.tilt <= 0.0) return edge.upper;
-            const double next = next_corner(end, limit, edge);
-            if (next >= end) return std::max(0.0, edge.upper);
-            end = next;
+    /// The greatest end speed from this begin speed, at most `limit`.
+    PSICARVE_INLINE double greatest_end(double begin, double limit) const {
+        const Vec most = Vec{} + limit;
+        Vec end = kInnerTilt > 0.0 ? (inner_ - begin) * kInnerInverseTilt : most;
+        lower_to(end, most);
+        // Of the two sides of an acceleration the one that limits the end from above.
+        for (const AxisRows& rows : accel_.at) {
+            const Vec left = rows.tilt < 0.0 ? rows.most + begin : rows.most - begin;
+            lower_to(end, Vec(left * rows.inverse_tilt));
         }
-        return std::max(0.0, upper_edge(end, limit).upper);
+        return std::max(least_of(end), 0.0);
+    }
+
+    /// The greatest begin speed from which an end speed of at most `end_limit` is possible.
+    PSICARVE_INLINE double greatest_begin(double end_limit) const {
+        // As a rule what limits the begin from above does so less, the faster the end, or not at all.
+        Vec upper = inner_ - kInnerTilt * end_limit;
+        Vec upper_rising = kInnerTilt > 0.0 ? Vec{} + kNone : upper;
+        Vec lower{};
+        for (const AxisRows& rows : accel_.at) {
+            const Vec way = rows.tilt * end_limit;
+            const Vec from_above = rows.most - way;
+            lower_to(upper, from_above);
+            lower_to(upper_rising, Vec(rows.tilt > 0.0 ? Vec{} + kNone : from_above));
+            raise_to(lower, Vec(-rows.most - way));
+        }
+        const double greatest = least_of(upper);
+        if (least_of(upper_rising) <= greatest && greatest_of(lower) <= greatest)
+            return std::max(greatest, 0.0);
+        return walk_down(end_limit);
     }
 
 private:
+    /// What the rows make of the begin speed at one end speed.
     struct Edge {
-        double upper;  ///< greatest begin speed at this end speed
-        double tilt;   ///< and by how much it falls as the end speed rises, downwards from here
-        double lower;  ///< least begin speed
-        double lower_tilt;
+        std::array<Four, kRows + 1> upper;  ///< row by row
+        std::array<Four, kRows> lower;
+        double greatest;  ///< begin speed
+        double tilt;      ///< and by how much it falls as the end speed rises, downwards from here
+        double least;     ///< begin speed
     };
 
-    bool allows(double begin, double end) const {
-        bool is_within = true;
-        for (std::size_t i = 0; i < accel_.count; ++i) {
-            is_within = is_within && std::fabs(begin + accel_.rows[i].tilt * end) <= accel_.rows[i].most;
+    const Vec& tilt_of(std::size_t row) const { return row < kRows ? accel_.at[row].tilt : kInnerTilt; }
+
+    // The set of possible pairs is convex and holds (0, 0): walk down from end_limit along its upper edge
+    // as long as the begin speed rises.
+    double walk_down(double end) const {
+        Edge edge;
+        for (int walked = 0;; ++walked) {
+            edge_at(end, edge);
+            if (walked == kMostCorners || (edge.least <= edge.greatest && edge.tilt <= 0.0)) break;
+            const double next = next_corner(end, edge);
+            if (next >= end) break;
+            end = next;
         }
-        for (const SpeedRow& row : inner_) is_within = is_within && begin + row.tilt * end <= row.most;
-        return is_within;
+        return std::max(0.0, edge.greatest);
     }
 
-    Edge upper_edge(double end, double limit) const {
-        Edge edge{limit, 0.0, 0.0, 0.0};
-        const auto from_above = [&](const SpeedRow& row) {
-            const double upper = row.most - row.tilt * end;
-            const double same = kSame * std::fabs(edge.upper);
-            // Of two that meet here the one that matters further down.
-            if (upper < edge.upper - same || (upper <= edge.upper + same && row.tilt < edge.tilt)) {
-                edge.upper = upper;
-                edge.tilt = row.tilt;
-            }
-        };
-        for (std::size_t i = 0; i < accel_.count; ++i) {
-            const SpeedRow& row = accel_.rows[i];
-            from_above(row);
-            const double lower = -row.most - row.tilt * end;
-            if (lower > edge.lower) {
-                edge.lower = lower;
-                edge.lower_tilt = row.tilt;
-            }
+    void edge_at(double end, Edge& edge) const {
+        edge.upper[kRows].axes = inner_ - kInnerTilt * end;
+        Vec upper = edge.upper[kRows].axes;
+        Vec lower{};
+        for (std::size_t i = 0; i < kRows; ++i) {
+            const AxisRows& rows = accel_.at[i];
+            edge.upper[i].axes = rows.most - rows.tilt * end;
+            edge.lower[i].axes = -rows.most - rows.tilt * end;
+            lower_to(upper, edge.upper[i].axes);
+            raise_to(lower, edge.lower[i].axes);
         }
-        for (const SpeedRow& row : inner_) from_above(row);
-        return edge;
+        edge.greatest = least_of(upper);
+        edge.least = greatest_of(lower);
+        // Of rows that meet here the one that matters further down.
+        edge.tilt = kNone;
+        for (std::size_t i = 0; i < kRows + 1; ++i) {
+            const Vec& tilt = tilt_of(i);
+            const Vec size = tilt < 0.0 ? -tilt : tilt;
+            const Vec same = edge.greatest + kSame * (std::fabs(edge.greatest) + size * end);
+            const Vec meets = edge.upper[i].axes <= same ? tilt : Vec{} + kNone;
+            edge.tilt = std::min(edge.tilt, least_of(meets));
+        }
+        // Where a gap has just closed up, rounding may leave a little of it.
+        const double rounding = kSame * (std::fabs(edge.greatest) + std::fabs(edge.tilt) * end);
+        if (edge.least <= edge.greatest + rounding) edge.least = std::min(edge.least, edge.greatest);
     }
 
     // Where, going down, another row takes over: from above, or the gap between lower and upper closes up.
-    double next_corner(double end, double limit, const Edge& edge) const {
-        if (edge.lower > edge.upper) {
-            const double closing = edge.tilt - edge.lower_tilt;
-            return closing > 0.0 ? std::max(0.0, end - (edge.lower - edge.upper) / closing) : 0.0;
+    double next_corner(double end, const Edge& edge) const {
+        if (edge.least > edge.greatest) {
+            // Of rows that meet here the one that matters further down; 0 is the least of all speeds.
+            const double none = edge.least > 0.0 ? -kNone : 0.0;
+            Vec lower_tilt = Vec{} + none;
+            for (std::size_t i = 0; i < kRows; ++i) {
+                raise_to(lower_tilt, Vec(edge.lower[i].axes >= edge.least ? tilt_of(i) : Vec{} + none));
+            }
+            const double closing = edge.tilt - greatest_of(lower_tilt);
+            return closing > 0.0 ? std::max(0.0, end - (edge.least - edge.greatest) / closing) : 0.0;
         }
-        double next = 0.0;
-        const auto consider = [&](double upper, double tilt) {
-            if (tilt >= edge.tilt) return;
-            const double at = end - (upper - edge.upper) / (edge.tilt - tilt);
-            if (at < end) next = std::max(next, at);
-        };
-        consider(limit, 0.0);
-        const auto consider_row = [&](const SpeedRow& row) { consider(row.most - row.tilt * end, row.tilt); };
-        for (std::size_t i = 0; i < accel_.count; ++i) consider_row(accel_.rows[i]);
-        for (const SpeedRow& row : inner_) consider_row(row);
-        return next;
+        Vec next{};
+        for (std::size_t i = 0; i < kRows + 1; ++i) {
+            const Vec& tilt = tilt_of(i);
+            const Vec at = end - (edge.upper[i].axes - edge.greatest) / (edge.tilt - tilt);
+            raise_to(next, Vec(tilt < edge.tilt && at < end ? at : Vec{}));
+        }
+        return greatest_of(next);
     }
 
     const AccelRows& accel_;
-    std::array<SpeedRow, std::tuple_size_v<InnerSpeeds2>> inner_;
+    Vec inner_;
 };
-
-}  // namespace
 
 SpeedProfile::SpeedProfile(const Lanes& accel) {
     for (std::size_t k = 0; k < kAxisCount; ++k) inverse_accel_[k] = 1.0 / accel[k];
 }
 
+PSICARVE_FOR_WIDE_REGISTERS
 void SpeedProfile::set_path(std::span<const PathCell> cells) {
     rows_.resize(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i) rows_[i] = accel_rows(cells[i]);
-}
-
-SpeedProfile::AccelRows SpeedProfile::accel_rows(const PathCell& cell) const {
-    AccelRows rows;
-    rows.count = 0;
-    // |begin * x + end * z| <= 1
-    const auto add = [&rows](double begin, double end) {
-        const double least = kLeastShare * std::fabs(end) + std::numeric_limits<double>::min();
-        const double most = 1.0 / std::max(std::fabs(begin), least);
-        rows.rows[rows.count++] = {most, (begin < 0.0 ? -end : end) * most};
-    };
-    const double half_inverse = 0.5 / cell.length;
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        const double inverse = inverse_accel_[k];
-        const double bend = cell.bend[k] * inverse;
-        const double first = cell.slope_begin[k] * half_inverse * inverse;
-        const double last = cell.slope_end[k] * half_inverse * inverse;
-        if (first == 0.0 && last == 0.0) continue;
-        const double middle = 0.5 * (first + last);
-        add(0.5 * bend - middle, 0.5 * bend + middle);
-        const double weight = 1.0 / greatest_end_share(cell.length, inverse);
-        add((bend - first) * weight, first * weight);
-        add(-last * weight, (bend + last) * weight);
+    Vec inverse;
+    load(inverse_accel_, inverse);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const PathCell& cell = cells[i];
+        // |begin * x + end * z| <= 1
+        const auto set = [](const Vec& begin, const Vec& end, AxisRows& rows) __attribute__((always_inline)) {
+            const Vec least_begin =
+                kLeastShare * (end < 0.0 ? -end : end) + std::numeric_limits<double>::min();
+            Vec size = begin < 0.0 ? -begin : begin;
+            raise_to(size, least_begin);
+            rows.most = 1.0 / size;
+            rows.tilt = (begin < 0.0 ? -end : end) * rows.most;
+            Vec tilt_size = rows.tilt < 0.0 ? -rows.tilt : rows.tilt;
+            raise_to(tilt_size, Vec(Vec{} + std::numeric_limits<double>::min()));
+            rows.inverse_tilt = 1.0 / tilt_size;
+        };
+        Vec bend, first, last;
+        load(cell.bend, bend);
+        load(cell.slope_begin, first);
+        load(cell.slope_end, last);
+        const double half_inverse = 0.5 / cell.length;
+        bend *= inverse;
+        first *= half_inverse * inverse;
+        last *= half_inverse * inverse;
+        const Vec middle = 0.5 * (first + last);
+        Vec excess = kSwing * kExcessPulses * inverse / (cell.length * cell.length);
+        lower_to(excess, Vec(Vec{} + kMostExcess));
+        const Vec weight = 1.0 / (1.0 + excess);
+        AccelRows& rows = rows_[i];
+        set(0.5 * bend - middle, 0.5 * bend + middle, rows.at[0]);
+        set((bend - first) * weight, first * weight, rows.at[1]);
+        set(-last * weight, (bend + last) * weight, rows.at[2]);
     }
-    return rows;
 }
 
+PSICARVE_FOR_WIDE_REGISTERS
 void SpeedProfile::solve(std::span<const double> bound_speed2, std::span<const InnerSpeeds2> inner_speed2,
                          std::vector<double>& speed2) {
     const std::size_t count = rows_.size();
     reachable2_.resize(count + 1);
     reachable2_[count] = bound_speed2[count];
     for (std::size_t i = count; i-- > 0;) {
-        const CellRows rows(rows_[i], inner_speed2[i]);
-        reachable2_[i] = std::max(kLeastSpeed2, rows.greatest_begin(bound_speed2[i], reachable2_[i + 1]));
+        const CellRows rows(rows_[i], bound_speed2[i], inner_speed2[i]);
+        reachable2_[i] = std::max(kLeastSpeed2, rows.greatest_begin(reachable2_[i + 1]));
     }
     speed2.resize(count + 1);
     speed2[0] = reachable2_[0];
     for (std::size_t i = 0; i < count; ++i) {
-        const CellRows rows(rows_[i], inner_speed2[i]);
+        const CellRows rows(rows_[i], bound_speed2[i], inner_speed2[i]);
         speed2[i + 1] = std::max(kLeastSpeed2, rows.greatest_end(speed2[i], reachable2_[i + 1]));
     }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rtcore/plan/path.hpp"
+#include "rtcore/plan/wide.hpp"
 
 namespace psicarve::plan {
 
@@ -43,19 +44,17 @@ public:
     void solve(std::span<const double> bound_speed2, std::span<const InnerSpeeds2> inner_speed2,
                std::vector<double>& speed2);
 
-    /// x + tilt * z <= most, for the squared speeds x and z at a cell's begin and end.
-    struct SpeedRow {
-        double most;
-        double tilt;
-    };
-    /// What the axes' accelerations ask of one cell: |x + tilt * z| <= most.
-    struct AccelRows {
-        std::array<SpeedRow, 3 * kAxisCount> rows;
-        std::size_t count;
-    };
-
 private:
-    AccelRows accel_rows(const PathCell& cell) const;
+    /// |x + tilt * z| <= most, by axis, for the squared speeds x and z at a cell's begin and end.
+    struct AxisRows {
+        Vec most, tilt, inverse_tilt;
+    };
+    /// What the axes' accelerations ask of a cell in its middle and at both its ends.
+    struct AccelRows {
+        std::array<AxisRows, 3> at;
+    };
+    /// Three inner places of a cell, and the limit at its begin: x + kInnerTilt * z <= most.
+    class CellRows;
 
     Lanes inverse_accel_;
     std::vector<AccelRows> rows_;

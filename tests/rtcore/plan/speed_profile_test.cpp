@@ -169,5 +169,26 @@ TEST(SpeedProfile, NoSingleSpeedCanBeRaised) {
     }
 }
 
+TEST(SpeedProfile, ACellBeginsAtTheGreatestSpeedThatLetsItEndWithinItsLimit) {
+    std::mt19937_64 random{29};
+    constexpr int kParts = 80;
+    for (int round = 0; round < 300; ++round) {
+        const Chain chain = random_chain(random, 1);
+        const PathCell& cell = chain.cells[0];
+        const double found2 = solved(chain)[0];
+        for (int i = 1; i <= kParts; ++i) {
+            const double begin2 = chain.bound2[0] * i / kParts;
+            if (begin2 <= 1.001 * found2) continue;
+            for (int j = 0; j <= kParts; ++j) {
+                const double end2 = chain.bound2[1] * j / kParts;
+                const double asked = std::max(
+                    {accel_share(cell, begin2, end2, 0.0), accel_share(cell, begin2, end2, 0.5),
+                     accel_share(cell, begin2, end2, 1.0), inner_share(chain.inner2[0], begin2, end2)});
+                ASSERT_GT(asked, 1.0) << round << ": " << begin2 << " is possible, not " << found2;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace psicarve::plan

@@ -18,6 +18,8 @@ enum class Schedule : std::uint8_t { single, two_timer };
 enum class HomeSensor : std::uint8_t { none, min, max, index };
 enum class Planner : std::uint8_t { lookahead, angle };
 enum class Joining : std::uint8_t { continuous, zigzag, spiral };
+/// When a step pulse ends: at a later tick, or after a wait inside its own.
+enum class PulseForm : std::uint8_t { over_ticks, within_tick };
 std::string_view name_of(Joining joining) noexcept;  ///< as in a profile: "continuous"
 std::optional<Joining> joining_from_name(std::string_view name) noexcept;
 
@@ -85,6 +87,7 @@ struct PortProfile {
     std::int64_t dir_hold_ns = 5000;
     std::int64_t step_high_ns = 10000;
     std::int64_t step_low_ns = 10000;
+    PulseForm pulses = PulseForm::over_ticks;
     double input_filter_us = 100.0;
     /// Pin of every signal as in [port.pins]: 1..17, negative: active low, 0: not wired. By Signal.
     std::array<int, kSignalCount> pins{5, 2, 3, 14, 9, 17, 8, 4, 6, 7, 6, 1, 16, 13, 11, 12, 10, 0};
@@ -179,6 +182,12 @@ AxisMotion axis_motion(const Profile& profile, Axis axis);
 
 /// The tick's period in whole nanoseconds.
 std::int64_t tick_period_ns(const Profile& profile) noexcept;
+/// Shortest time from one step pulse of an axis to the next that the ticks can make.
+std::int64_t pulse_period_ns(const Profile& profile) noexcept;
+/// Between the begins of two ticks, however late the first one came: less would break a pulse.
+std::int64_t least_tick_gap_ns(const Profile& profile) noexcept;
+/// What a pulse within a tick takes of it, with room for the writes themselves.
+std::int64_t pulse_within_tick_ns(const Profile& profile) noexcept;
 /// Least counted position of a head: the core radius with the tip offset taken off, rounded as tables are.
 std::int64_t core_radius_pulses(const Profile& profile, Axis head) noexcept;
 

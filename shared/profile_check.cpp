@@ -136,16 +136,6 @@ std::optional<Problem> check_schedule(const Profile& profile) {
     return check("tick.io_us", profile.tick.io_us, "tick.period_us");
 }
 
-/// Shortest time from one step pulse of an axis to the next that the ticks can make.
-std::int64_t pulse_period_ns(const Profile& profile) {
-    const std::int64_t period_ns = tick_period_ns(profile);
-    if (profile.tick.schedule == Schedule::two_timer) {
-        return round_to_pulse(profile.tick.io_us * static_cast<double>(kNsPerUs));
-    }
-    return period_ns * (ticks_covering_ns(profile.port.step_high_ns, period_ns) +
-                        ticks_covering_ns(profile.port.step_low_ns, period_ns));
-}
-
 std::string rate_text(double rate_pps) {
     return number_text(std::floor(rate_pps * 10.0 + 0.5) / 10.0) + " pulses/s";
 }
@@ -169,12 +159,27 @@ std::optional<Problem> check_rate(const Profile& profile, Axis axis, const char*
                        (two_timer ? "tick.io_us" : "tick.period_us, port.step_high_ns or port.step_low_ns")};
 }
 
+std::optional<Problem> check_pulse_within_tick(const Profile& profile) {
+    const std::int64_t needed_ns = pulse_within_tick_ns(profile);
+    if (profile.port.pulses == PulseForm::over_ticks || needed_ns <= tick_period_ns(profile)) {
+        return std::nullopt;
+    }
+    return Problem{"port.pulses",
+                   {"tick.period_us", "port.step_high_ns", "port.step_low_ns"},
+                   "a pulse, its gap and the writes take " +
+                       number_text(static_cast<double>(needed_ns) / static_cast<double>(kNsPerUs)) +
+                       " us, more than a tick of " + number_text(profile.tick.period_us) +
+                       " us; lengthen tick.period_us, shorten port.step_high_ns or port.step_low_ns, or set "
+                       "port.pulses = \"over-ticks\""};
+}
+
 }  // namespace
 
 std::optional<Problem> check_pulse_rates(const Profile& profile) {
-    const std::int64_t period_ns = tick_period_ns(profile);
-    const std::int64_t pulse_ns = period_ns * (ticks_covering_ns(profile.port.step_high_ns, period_ns) +
-                                               ticks_covering_ns(profile.port.step_low_ns, period_ns));
+    if (auto problem = check_pulse_within_tick(profile)) return problem;
+    Profile single = profile;
+    single.tick.schedule = Schedule::single;
+    const std::int64_t pulse_ns = pulse_period_ns(single);
     if (pulse_period_ns(profile) < pulse_ns) {
         return Problem{"tick.io_us",
                        {"port.step_high_ns", "port.step_low_ns", "tick.period_us", "tick.schedule"},

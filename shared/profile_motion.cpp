@@ -66,6 +66,31 @@ std::int64_t tick_period_ns(const Profile& profile) noexcept {
     return round_to_pulse(profile.tick.period_us * static_cast<double>(kNsPerUs));
 }
 
+std::int64_t pulse_within_tick_ns(const Profile& profile) noexcept {
+    constexpr std::int64_t kWrites_ns = 5'000;  // two registers, twice, and some lateness
+    return profile.port.step_high_ns + profile.port.step_low_ns + kWrites_ns;
+}
+
+std::int64_t pulse_period_ns(const Profile& profile) noexcept {
+    const std::int64_t period_ns = tick_period_ns(profile);
+    if (profile.tick.schedule == Schedule::two_timer) {
+        return round_to_pulse(profile.tick.io_us * static_cast<double>(kNsPerUs));
+    }
+    if (profile.port.pulses == PulseForm::within_tick) return period_ns;
+    return period_ns * (ticks_covering_ns(profile.port.step_high_ns, period_ns) +
+                        ticks_covering_ns(profile.port.step_low_ns, period_ns));
+}
+
+std::int64_t least_tick_gap_ns(const Profile& profile) noexcept {
+    const PortProfile& port = profile.port;
+    std::int64_t longest_ns =
+        std::max({port.step_high_ns, port.step_low_ns, port.dir_setup_ns, port.dir_hold_ns});
+    if (port.pulses == PulseForm::within_tick) {
+        longest_ns = std::max(longest_ns, pulse_within_tick_ns(profile));
+    }
+    return std::min(tick_period_ns(profile), longest_ns);
+}
+
 std::int64_t core_radius_pulses(const Profile& profile, Axis head) noexcept {
     const LinearAxisProfile& axis = head == Axis::r2 ? profile.r2 : profile.r1;
     return pulses_from_mm(profile.core_radius_mm - axis.tip_offset_mm, axis.pulses_per_mm);

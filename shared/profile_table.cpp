@@ -24,6 +24,8 @@ constexpr Word kPlannerWords[]{{"lookahead", number_of(Planner::lookahead)},
 constexpr Word kJoiningWords[]{{"continuous", number_of(Joining::continuous)},
                                {"zigzag", number_of(Joining::zigzag)},
                                {"spiral", number_of(Joining::spiral)}};
+constexpr Word kPulseFormWords[]{{"over-ticks", number_of(PulseForm::over_ticks)},
+                                 {"within-tick", number_of(PulseForm::within_tick)}};
 constexpr Word kLinearHomeWords[]{{"min", number_of(HomeSensor::min)},
                                   {"max", number_of(HomeSensor::max)},
                                   {"none", number_of(HomeSensor::none)}};
@@ -182,6 +184,8 @@ void add_port(std::vector<KeySpec>& keys) {
                 "A step pulse lasts at least this long.");
     port.number(&P::step_low_ns, "step_low_ns", "ns", {1, kTime.greatest}, kMotion,
                 "The gap between two step pulses lasts at least this long.");
+    port.word(&P::pulses, "pulses", kPulseFormWords, kMotion,
+              "A step pulse ends at a later tick, or after a wait inside its own: one pulse a tick.");
     port.number(&P::input_filter_us, "input_filter_us", "us", {0, 100'000}, kNoMotion,
                 "A sensor counts once it has stood this long; the emergency stop is never filtered.");
 }

@@ -33,7 +33,7 @@ void Cycle::tick() noexcept {
         if (progress != Executor::kNothing) after_step(progress);
     }
     if (pulses_.levels() != written_) write_port();
-    if ((written_ | inputs_.raw()) != traced_ && is_tracing()) trace_pins();
+    if ((written_ | inputs_.raw()) != traced_ && is_tracing()) trace_pins(0);
     if (has_new_position_) trace_position();
     if (tick_ >= next_publish_tick_) publish();
     ++tick_;
@@ -147,13 +147,24 @@ void Cycle::note_new_position(bool by_sensor) noexcept {
 void Cycle::write_port() noexcept {
     written_ = pulses_.levels();
     port_->write_outputs(written_, time_ns_);
+    if (pulses_.begun_pulses() != 0) end_begun_pulses();
     if (!port_->is_healthy()) raise_alarm(AlarmCause::port_error, kNoAxis);
 }
 
-void Cycle::trace_pins() noexcept {
+void Cycle::end_begun_pulses() noexcept {
+    if (is_tracing()) trace_pins(0);
+    port_->wait(config_.pulse_ns);
+    pulses_.end_begun_pulses();
+    written_ = pulses_.levels();
+    port_->write_outputs(written_, time_ns_ + config_.pulse_ns);
+    if (is_tracing()) trace_pins(config_.pulse_ns);
+}
+
+void Cycle::trace_pins(std::int64_t offset_ns) noexcept {
     const SignalWord levels = written_ | inputs_.raw();
     trace::TraceEntry entry{};
     entry.tick = tick_;
+    entry.offset_ns = static_cast<std::uint32_t>(offset_ns);
     entry.levels = levels;
     entry.kind = trace::TraceEntry::Kind::pins;
     if (io_->trace->push(entry)) {

@@ -62,7 +62,8 @@ private:
     void after_step(Executor::Progress progress) noexcept;
     void note_new_position(bool by_sensor) noexcept;
     void write_port() noexcept;
-    void trace_pins() noexcept;
+    void end_begun_pulses() noexcept;
+    void trace_pins(std::int64_t offset_ns) noexcept;
     void publish() noexcept;
     // cycle_states.cpp: states and alarms
     bool apply(MachineEvent event) noexcept;

@@ -29,7 +29,9 @@ struct CycleConfig {
     std::int64_t period_ns = 50'000;
     std::array<AxisConfig, kAxisCount> axes;
     SoftLimits soft_limits;
-    std::int64_t step_high_ticks = 1;  ///< all at least 1: one register write a tick
+    /// Not 0: a pulse ends so long after its begin, in the same tick, and step_high_ticks is 0.
+    std::int64_t pulse_ns = 0;
+    std::int64_t step_high_ticks = 1;  ///< this and the next three otherwise at least 1
     std::int64_t step_low_ticks = 1;
     std::int64_t dir_setup_ticks = 1;
     std::int64_t dir_hold_ticks = 1;

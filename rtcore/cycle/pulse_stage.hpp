@@ -10,7 +10,8 @@
 
 namespace psicarve::cycle {
 
-/// The pins' levels and the positions they stand for. Step pulses over whole ticks:
+/// The pins' levels and the positions they stand for. Step pulses over whole ticks, or (step_high_ticks 0)
+/// begun and ended in one by the tick itself, who asks for begun_pulses() and says end_begun_pulses():
 ///
 ///     dir   ____/~~~~~~~~~~~~~~~~~~~~\____
 ///     step  _________/~~~~\_________/~~~~\     the rising edge is the pulse
@@ -65,17 +66,26 @@ public:
             step_from_[k] = tick + high_ticks_ + low_ticks_;
         }
         levels_ |= axes;
+        if (high_ticks_ == 0) begun_ |= axes;
+    }
+    /// Pulses that end in the tick in which they began.
+    std::uint32_t begun_pulses() const noexcept { return begun_; }
+    void end_begun_pulses() noexcept {
+        levels_ &= ~SignalWord{begun_};
+        begun_ = 0;
     }
 
     /// Steps low, drives and spindle off, at once.
     void make_safe() noexcept {
         levels_ &= kDirMask;
         dir_waiting_ = 0;
+        begun_ = 0;
     }
     /// By hand: these levels and no others, until the next. Nothing is counted.
     void force(SignalWord levels) noexcept {
         levels_ = levels & kOutputMask;
         dir_waiting_ = 0;
+        begun_ = 0;
     }
     void set_enables(std::uint32_t axes, std::uint64_t tick) noexcept;
     void set_spindle(bool on) noexcept {
@@ -135,6 +145,7 @@ private:
     std::uint64_t setup_ticks_;
     std::uint64_t hold_ticks_;
     SignalWord levels_ = 0;
+    std::uint32_t begun_ = 0;
     std::uint32_t dir_waiting_ = 0;  ///< axes whose direction pin must turn before they step
     std::array<std::uint64_t, kAxisCount> step_from_{};
     std::array<std::uint64_t, kAxisCount> last_step_{kNever, kNever, kNever, kNever};

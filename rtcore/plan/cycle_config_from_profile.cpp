@@ -9,7 +9,7 @@
 namespace psicarve::plan {
 namespace {
 
-// Pins change once a tick, so that every part of a pulse lasts at least one.
+// What does not fit into a tick is of whole ones.
 std::int64_t ticks_for(std::int64_t time_ns, std::int64_t period_ns) {
     return std::max<std::int64_t>(1, ticks_covering_ns(time_ns, period_ns));
 }
@@ -79,8 +79,14 @@ cycle::CycleConfig cycle_config_from_profile(const Profile& profile) {
         to.backlash_pulses = motion.backlash_pulses;
     }
     config.soft_limits = soft_limits(profile);
-    config.step_high_ticks = ticks_for(profile.port.step_high_ns, period_ns);
-    config.step_low_ticks = ticks_for(profile.port.step_low_ns, period_ns);
+    if (profile.port.pulses == PulseForm::within_tick) {
+        config.pulse_ns = profile.port.step_high_ns;
+        config.step_high_ticks = 0;
+        config.step_low_ticks = 1;
+    } else {
+        config.step_high_ticks = ticks_for(profile.port.step_high_ns, period_ns);
+        config.step_low_ticks = ticks_for(profile.port.step_low_ns, period_ns);
+    }
     config.dir_setup_ticks = ticks_for(profile.port.dir_setup_ns, period_ns);
     config.dir_hold_ticks = ticks_for(profile.port.dir_hold_ns, period_ns);
     set_speeds(config, profile);

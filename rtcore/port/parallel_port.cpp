@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "rtcore/clock.hpp"
 #include "rtcore/port/fatal_signals.hpp"
 
 namespace psicarve::port {
@@ -36,6 +37,13 @@ void ParallelPort::write_outputs(SignalWord levels, std::int64_t /*time_ns*/) no
         is_healthy_ = false;
     }
     safe_.write();
+}
+
+void ParallelPort::wait(std::int64_t width_ns) noexcept {
+    rtcore::RealClock clock;
+    const std::int64_t end_ns = clock.now_ns() + width_ns;
+    while (clock.now_ns() < end_ns && !fatal_signal_came()) {
+    }
 }
 
 bool ParallelPort::write(PortRegister reg, std::uint8_t byte, std::uint8_t& written) noexcept {

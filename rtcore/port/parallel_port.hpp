@@ -24,6 +24,8 @@ public:
 
     SignalWord read_inputs(std::int64_t time_ns) noexcept override;
     void write_outputs(SignalWord levels, std::int64_t time_ns) noexcept override;
+    /// Spins: a sleep would take longer than a pulse.
+    void wait(std::int64_t width_ns) noexcept override;
     bool is_healthy() const noexcept override { return is_healthy_; }
 
 private:

@@ -22,6 +22,10 @@ public:
     /// the time of the change: the tick's, plus the offset inside the tick.
     virtual void write_outputs(SignalWord levels, std::int64_t time_ns) noexcept = 0;
 
+    /// Lets `width_ns` pass since the last write_outputs() was done: what ends a pulse follows. Simulated
+    /// time stands still meanwhile.
+    virtual void wait(std::int64_t width_ns) noexcept = 0;
+
     /// False once the hardware answered with an error; stays false.
     virtual bool is_healthy() const noexcept = 0;
 };

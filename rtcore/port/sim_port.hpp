@@ -23,6 +23,7 @@ public:
         const OutputRegisters registers = pin_map_.encode(levels);
         machine_->write_registers(registers.data, registers.control, time_ns);
     }
+    void wait(std::int64_t /*width_ns*/) noexcept override {}
     bool is_healthy() const noexcept override { return true; }
 
 private:

@@ -36,19 +36,11 @@ void run_planner(plan::Planner& planner, const Threads& threads) {
     }
 }
 
-/// What the drivers need between two writes, so that a tick after a late one breaks no pulse.
-std::int64_t least_gap_ns(const CoreParts& parts) {
-    const PortProfile& timing = parts.profile.port;
-    const std::int64_t longest_ns =
-        std::max({timing.step_high_ns, timing.step_low_ns, timing.dir_setup_ns, timing.dir_hold_ns});
-    return std::min(parts.period_ns, longest_ns);
-}
-
 void run_ticks(CoreParts& parts, RecordDirector* record, Threads& threads) {
     rtcore::RealClock clock;
     const rtcore::PeriodicOptions options{
         .period_ns = parts.period_ns,
-        .least_gap_ns = least_gap_ns(parts),
+        .least_gap_ns = least_tick_gap_ns(parts.profile),
     };
     rtcore::run_periodic(clock, options, threads.stats, [&](const rtcore::PeriodicTick& tick) noexcept {
         if (tick.missed_before > 0) parts.cycle->advance_missed(tick.missed_before);

@@ -21,6 +21,7 @@ public:
     void write_outputs(SignalWord levels, std::int64_t time_ns) noexcept override {
         behind_->write_outputs(levels, time_ns);
     }
+    void wait(std::int64_t width_ns) noexcept override { behind_->wait(width_ns); }
     bool is_healthy() const noexcept override { return behind_->is_healthy(); }
 
 private:

@@ -252,8 +252,8 @@ TEST(ProfileKeys, EveryFieldIsReachedByExactlyOneKey) {
     }
     std::sort(places.begin(), places.end());
     EXPECT_EQ(std::adjacent_find(places.begin(), places.end()), places.end());
-    // 3 of its own, 5 tick, 3 x 12 linear, 10 psi, 2 head, 10 job, 5 port, 18 pins.
-    EXPECT_EQ(places.size(), 89U);
+    // 3 of its own, 5 tick, 3 x 12 linear, 10 psi, 2 head, 10 job, 6 port, 18 pins.
+    EXPECT_EQ(places.size(), 90U);
 }
 
 }  // namespace

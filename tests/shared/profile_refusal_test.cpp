@@ -109,6 +109,11 @@ INSTANTIATE_TEST_SUITE_P(
         // Two ticks low: 150 us.
         Refusal{"[port]\nstep_low_ns = 50001\n[axis.y]\nspeed_mm_s = 17\n",
                 "m.toml:4: axis.y.speed_mm_s: axis y would need 6800 pulses/s", "allow 6666.7 pulses/s"},
+        Refusal{"[tick]\nperiod_us = 24\n[port]\npulses = \"within-tick\"\n",
+                "m.toml:4: port.pulses: a pulse, its gap and the writes take 25 us",
+                "lengthen tick.period_us"},
+        Refusal{"[port]\npulses = \"within-tick\"\n[axis.r1]\nspeed_mm_s = 50.1\n",
+                "m.toml:4: axis.r1.speed_mm_s: axis r1 would need 20040 pulses/s", "allow 20000 pulses/s"},
         Refusal{"[tick]\nschedule = \"two-timer\"\n", "m.toml:2: axis.r1.speed_mm_s: axis r1 would need 4000",
                 "allow 2000 pulses/s; lower it to 5 mm/s, or shorten tick.io_us"},
         Refusal{"[tick]\nschedule = \"two-timer\"\nio_us = 60\nperiod_us = 50\ninterpolation_us = 50\n",

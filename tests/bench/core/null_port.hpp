@@ -12,6 +12,7 @@ class NullPort final : public port::Port {
 public:
     SignalWord read_inputs(std::int64_t) noexcept override { return 0; }
     void write_outputs(SignalWord levels, std::int64_t) noexcept override { last_ = levels; }
+    void wait(std::int64_t) noexcept override {}
     bool is_healthy() const noexcept override { return true; }
 
 private:

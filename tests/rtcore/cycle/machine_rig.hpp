@@ -26,6 +26,7 @@ using Positions = std::array<std::int64_t, kAxisCount>;
 struct PortWrite {
     std::uint64_t tick;
     SignalWord levels;
+    std::int64_t time_ns;
 };
 
 /// A simulated machine's port that remembers what was written.
@@ -35,13 +36,15 @@ public:
         : inner_(pins, machine), period_ns_(period_ns) {}
     SignalWord read_inputs(std::int64_t time_ns) noexcept override { return inner_.read_inputs(time_ns); }
     void write_outputs(SignalWord levels, std::int64_t time_ns) noexcept override {
-        if (records) writes.push_back({static_cast<std::uint64_t>(time_ns / period_ns_), levels});
+        if (records) writes.push_back({static_cast<std::uint64_t>(time_ns / period_ns_), levels, time_ns});
         inner_.write_outputs(levels, time_ns);
     }
+    void wait(std::int64_t width_ns) noexcept override { waited_ns = width_ns; }
     bool is_healthy() const noexcept override { return healthy; }
 
     bool records = true;
     bool healthy = true;
+    std::int64_t waited_ns = 0;  ///< the last wait asked for
     std::vector<PortWrite> writes;
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 
 #include "shared/units.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
+#include "tests/rtcore/cycle/move_requests.hpp"
 
 namespace {
 std::atomic<std::uint64_t> allocations{0};
@@ -35,10 +37,10 @@ namespace {
 /// Judges every edge of a run by the driver's times [ns].
 class TimingJudge {
 public:
-    TimingJudge(const PortProfile& port, std::int64_t period_ns) : port_(port), period_ns_(period_ns) {}
+    explicit TimingJudge(const PortProfile& port) : port_(port) {}
 
     void take(const PortWrite& write) {
-        const std::int64_t now_ns = static_cast<std::int64_t>(write.tick) * period_ns_;
+        const std::int64_t now_ns = write.time_ns;
         const SignalWord changed = write.levels ^ levels_;
         for (std::size_t k = 0; k < kAxisCount; ++k) {
             const bool is_high = (write.levels >> k & 1U) != 0;
@@ -65,7 +67,6 @@ public:
 
 private:
     PortProfile port_;
-    std::int64_t period_ns_;
     SignalWord levels_ = 0;
     std::array<bool, kAxisCount> ever_rose_{};
     std::array<std::int64_t, kAxisCount> rose_ns_{};
@@ -96,13 +97,82 @@ TEST(PulseTiming, ObeysTheDriversTimesOverWholeTicks) {
         ASSERT_TRUE(sut.prepare(random_job(2, 80, 41)));
         ASSERT_EQ(sut.ask(RequestKind::start_interpolation), Refusal::none);
         ASSERT_TRUE(sut.run_until(MachineState::ready));
-        TimingJudge judge(profile.port, tick_period_ns(profile));
+        TimingJudge judge(profile.port);
         for (const PortWrite& write : sut.port->writes) judge.take(write);
         EXPECT_GT(judge.pulses, 10000);
         for (const Axis axis : kAllAxes) {
             EXPECT_EQ(sut.machine->position_pulses(axis), sut.positions()[index_of(axis)]);
         }
     }
+}
+
+Profile quick_within_tick(const Timing& timing) {
+    Profile profile = quick_profile();
+    profile.tick.period_us = timing.period_us;
+    profile.port.pulses = PulseForm::within_tick;
+    profile.port.dir_setup_ns = timing.setup_ns;
+    profile.port.dir_hold_ns = timing.hold_ns;
+    profile.port.step_high_ns = timing.high_ns;
+    profile.port.step_low_ns = timing.low_ns;
+    return profile;
+}
+
+TEST(PulseWithinATick, ObeysTheDriversTimesAndLosesNothing) {
+    for (const Timing timing : {Timing{50.0, 5000, 5000, 10000, 10000}, Timing{25.0, 0, 0, 10000, 10000},
+                                Timing{20.0, 50000, 70000, 2500, 2500}, Timing{12.0, 200, 200, 2500, 2500}}) {
+        const Profile profile = quick_within_tick(timing);
+        MachineRig sut(profile);
+        ASSERT_TRUE(sut.prepare(random_job(2, 80, 41)));
+        ASSERT_EQ(sut.ask(RequestKind::start_interpolation), Refusal::none);
+        ASSERT_TRUE(sut.run_until(MachineState::ready));
+        TimingJudge judge(profile.port);
+        for (const PortWrite& write : sut.port->writes) judge.take(write);
+        EXPECT_GT(judge.pulses, 10000);
+        EXPECT_EQ(sut.port->waited_ns, timing.high_ns);
+        for (const Axis axis : kAllAxes) {
+            EXPECT_EQ(sut.machine->position_pulses(axis), sut.positions()[index_of(axis)]);
+        }
+    }
+}
+
+TEST(PulseWithinATick, KeepsTheOrderOfPulses) {
+    const auto order = [](PulseForm form) {
+        Profile profile = quick_profile();
+        profile.port.pulses = form;
+        MachineRig sut(profile);
+        EXPECT_TRUE(sut.prepare(random_job(2, 80, 7)));
+        sut.port->writes.clear();
+        EXPECT_EQ(sut.ask(RequestKind::start_interpolation), Refusal::none);
+        EXPECT_TRUE(sut.run_until(MachineState::finishing));
+        return order_of(sut.port->writes);
+    };
+    EXPECT_EQ(order(PulseForm::within_tick), order(PulseForm::over_ticks));
+}
+
+TEST(PulseWithinATick, AllowsOneATick) {
+    Profile profile = quick_within_tick({50.0, 5000, 5000, 10000, 10000});
+    // A speed that two ticks a pulse could not make: 15000 pulses/s of 20000 ticks/s.
+    profile.r1.speed_mm_s = 15000.0 / profile.r1.pulses_per_mm;
+    profile.r1.accel_mm_s2 = 2000.0;
+    const auto checked = parse_profile(profile_to_toml(profile), "quick.toml");
+    ASSERT_TRUE(checked) << checked.error().message;
+    MachineRig sut(profile);
+    ASSERT_TRUE(sut.home());
+    sut.port->writes.clear();
+    ASSERT_EQ(sut.ask(jog_request(Axis::r1, -6000, 15000.0)), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    std::int64_t shortest_ns = kNsPerS;
+    std::int64_t last_ns = -kNsPerS;
+    SignalWord before = 0;
+    for (const PortWrite& write : sut.port->writes) {
+        if ((write.levels & ~before & bit_of(Signal::r1_step)) != 0) {
+            shortest_ns = std::min(shortest_ns, write.time_ns - last_ns);
+            last_ns = write.time_ns;
+        }
+        before = write.levels;
+    }
+    EXPECT_EQ(shortest_ns, tick_period_ns(profile));
+    EXPECT_EQ(sut.machine->position_pulses(Axis::r1), sut.positions()[0]);
 }
 
 TEST(Tick, AllocatesNothing) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "rtcore/plan/path_pieces.hpp"
+#include "rtcore/plan/wide.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::plan {
@@ -17,7 +18,8 @@ constexpr std::size_t kHeads = 2;
 // Narrowed a little further than needed, so that one more fit is enough as a rule.
 constexpr double kMargin = 0.96;
 constexpr double kTurnShare = 0.25;
-constexpr double kLeastShareOfTolerance = 0.5;
+// Numbers this large have no fractions: adding it and taking it off again rounds.
+constexpr double kRounder = 6755399441055744.0;
 
 /// One head's plane around a chord: along and across it [mm], from pulses past the chord's begin.
 class ChordPlane {
@@ -38,17 +40,19 @@ public:
         // Rule 1 grants the greater of the two axes' pulses; half of both is the DDA's.
         const double psi_share_mm = std::abs(across_psi_);
         const double radius_share_mm = std::abs(across_radius_);
-        allowed_mm_ = limits.path_tolerance_mm + std::max(psi_share_mm, radius_share_mm) -
-                      0.5 * (psi_share_mm + radius_share_mm);
+        const double allowed_mm = limits.path_tolerance_mm + std::max(psi_share_mm, radius_share_mm) -
+                                  0.5 * (psi_share_mm + radius_share_mm);
+        inverse_allowed_ = 1.0 / allowed_mm;
     }
 
-    double allowed_mm() const { return allowed_mm_; }
-    /// How far from the chord, its ends included.
-    double distance_mm(const Lanes& passed) const {
+    /// How far from the chord, its ends included, as a share of what is allowed.
+    PSICARVE_INLINE double share_of_allowed(const Vec& passed) const {
         const double across = across_psi_ * passed[kPsi] + across_radius_ * passed[head_];
         const double along = along_psi_ * passed[kPsi] + along_radius_ * passed[head_];
-        const double outside = std::max({0.0, -along, along - length_mm_});
-        return outside <= pulse_along_mm_ ? std::abs(across) : std::hypot(across, outside);
+        const double outside = std::max(-along, along - length_mm_);
+        const double distance_mm =
+            outside <= pulse_along_mm_ ? std::abs(across) : std::sqrt(across * across + outside * outside);
+        return distance_mm * inverse_allowed_;
     }
 
 private:
@@ -59,26 +63,33 @@ private:
     double along_psi_;
     double along_radius_;
     double pulse_along_mm_;
-    double allowed_mm_;
+    double inverse_allowed_;
 };
 
 /// What one span's way has shown so far.
 class SpanWatch {
 public:
     SpanWatch(const MachineLimits& limits, const PathPoint& from, const PathPoint& to, PathSpan& span)
-        : from_(from), span_(span), planes_{{{limits, span, 0}, {limits, span, 1}}} {
+        : span_(span), planes_{{{limits, span, 0}, {limits, span, 1}}} {
         follows_table_ = cuts_follow_table(limits, span.radius_mm);
         way_ = to.pulses[kPsi] < from.pulses[kPsi] ? -1.0 : 1.0;
+        for (std::size_t k = 0; k < kAxisCount; ++k) begin_[k] = static_cast<double>(from.pulses[k]);
         turn_pulses_ = std::abs(static_cast<double>(to.pulses[kPsi] - from.pulses[kPsi]));
     }
 
     /// A part of a cell: where it may be cut.
-    void watch(const PathCell& cell, const Lanes& at, double from, double to) {
+    PSICARVE_INLINE void watch(const PathCell& cell, const Lanes& cell_at, double from, double to) {
         const std::size_t count = bits_in(cell, to - from);
         const double step = (to - from) / static_cast<double>(count);
+        Vec at, slope, bend;
+        load(cell_at, at);
+        load(cell.slope_begin, slope);
+        load(cell.bend, bend);
+        at -= begin_;
         for (std::size_t i = 1; i <= count; ++i) {
             along_span_ += step;
-            see(cell, at, from + static_cast<double>(i) * step);
+            const double along = from + static_cast<double>(i) * step;
+            see(Vec(at + along * (slope + 0.5 * along * bend)));
         }
     }
 
@@ -93,12 +104,8 @@ public:
     }
 
 private:
-    void see(const PathCell& cell, const Lanes& at, double along) {
-        Lanes passed;
-        for (std::size_t k = 0; k < kAxisCount; ++k) {
-            passed[k] = at[k] + along * (cell.slope_begin[k] + 0.5 * along * cell.bend[k]) -
-                        static_cast<double>(from_.pulses[k]);
-        }
+    PSICARVE_INLINE void see(const Vec& at) {
+        Vec passed = at;
         if (follows_table_) {
             const double psi = way_ * passed[kPsi];
             turn_back_ = std::max({turn_back_, furthest_ - psi, psi - turn_pulses_});
@@ -106,10 +113,10 @@ private:
         } else {
             passed[kPsi] = span_.slope[kPsi] * along_span_;
         }
-        for (double& pulses : passed) pulses = std::round(pulses);
+        // To whole pulses.
+        passed = (passed + kRounder) - kRounder;
         for (std::size_t head = 0; head < kHeads; ++head) {
-            const ChordPlane& plane = planes_[head];
-            excess_[head] = std::max(excess_[head], plane.distance_mm(passed) / plane.allowed_mm());
+            excess_[head] = std::max(excess_[head], planes_[head].share_of_allowed(passed));
         }
     }
     bool narrow_band(std::size_t axis, double share) {
@@ -118,8 +125,8 @@ private:
         return true;
     }
 
-    const PathPoint& from_;
     PathSpan& span_;
+    Vec begin_{};
     std::array<ChordPlane, kHeads> planes_;
     std::array<double, kHeads> excess_{};
     bool follows_table_ = false;
@@ -132,29 +139,27 @@ private:
 
 }  // namespace
 
-bool narrow_where_outside(const MachineLimits& limits, std::span<const PathPoint> points,
-                          const FittedCurve& curve, std::span<PathSpan> spans) {
+PSICARVE_FOR_WIDE_REGISTERS
+void narrow_where_outside(const MachineLimits& limits, std::span<const PathPoint> points,
+                          const FittedCurve& curve, const NodeRange& range, std::span<PathSpan> spans,
+                          std::vector<std::uint32_t>& narrowed) {
     const CurveNodes& nodes = curve.nodes;
-    const std::size_t last = curve.cells.size() - 1;
-    const auto watch_of = [&](std::size_t span) {
-        return SpanWatch(limits, points[span], points[span + 1], spans[span]);
-    };
-    bool narrowed = false;
-    std::optional<SpanWatch> watch(watch_of(nodes.span_at[0]));
-    for (std::size_t j = 0; j <= last; ++j) {
+    std::optional<SpanWatch> watch;
+    for (std::size_t j = range.first; j <= range.last; ++j) {
         const PathCell& cell = curve.cells[j];
-        if (nodes.point_at[j] == CurveNodes::kNoPoint || j == 0) {
-            watch->watch(cell, curve.cell_at[j], 0.0, cell.length);
-            continue;
+        double begin = 0.0;
+        if (nodes.point_at[j] != CurveNodes::kNoPoint) {
+            begin = j > 0 ? 0.5 * nodes.step[j - 1] : 0.0;
+            if (j > range.first) {
+                watch->watch(cell, curve.cell_at[j], 0.0, begin);
+                if (watch->narrow()) narrowed.push_back(nodes.span_at[j - 1]);
+            }
+            if (j == range.last) break;
+            const std::uint32_t span = nodes.span_at[j];
+            watch.emplace(limits, points[span], points[span + 1], spans[span]);
         }
-        const double before = 0.5 * nodes.step[j - 1];
-        watch->watch(cell, curve.cell_at[j], 0.0, before);
-        narrowed = watch->narrow() || narrowed;
-        if (j == last) break;
-        watch.emplace(watch_of(nodes.span_at[j]));
-        watch->watch(cell, curve.cell_at[j], before, cell.length);
+        watch->watch(cell, curve.cell_at[j], begin, cell.length);
     }
-    return narrowed;
 }
 
 }  // namespace psicarve::plan

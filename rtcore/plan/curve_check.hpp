@@ -17,13 +17,21 @@ struct FittedCurve {
     std::span<const Lanes> cell_at;
 };
 
-/// Looks at a fitted curve everywhere, not only in its nodes, and narrows the bands of those spans in which
+/// Nodes [first, last], both on points.
+struct NodeRange {
+    std::size_t first;
+    std::size_t last;
+};
+
+/// Looks at a part of a fitted curve everywhere, not only in its nodes, and narrows the bands of those spans
+/// in which
 ///   - it leaves the chord in a head's plane by more than the tolerance grants once its cuts and the DDA are
 ///     rounded to whole pulses, or
 ///   - the table turns back by more than a rounding.
-/// Whether any was narrowed: then the curve has to be fitted again. A band that is as narrow as it may be
-/// stays as it is.
-bool narrow_where_outside(const MachineLimits& limits, std::span<const PathPoint> points,
-                          const FittedCurve& curve, std::span<PathSpan> spans);
+/// Appends those that were narrowed to `narrowed`, upwards: there the curve has to be fitted again. A band
+/// that is as narrow as it may be stays as it is.
+void narrow_where_outside(const MachineLimits& limits, std::span<const PathPoint> points,
+                          const FittedCurve& curve, const NodeRange& range, std::span<PathSpan> spans,
+                          std::vector<std::uint32_t>& narrowed);
 
 }  // namespace psicarve::plan

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace psicarve::plan {
 namespace {
@@ -39,113 +40,148 @@ Grading graded(double radius, double half) {
     return grading;
 }
 
-class NodeMaker {
+/// Where a curve may be between the ends of one span after the other.
+class SpanBounds {
 public:
-    NodeMaker(const MachineLimits& limits, std::span<const PathPoint> points, std::span<const PathSpan> spans)
-        : limits_(limits), points_(points), spans_(spans) {}
+    SpanBounds(const MachineLimits& limits, std::span<const PathPoint> points,
+               std::span<const PathSpan> spans)
+        : points_(points), spans_(spans) {
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            // A head never goes further in than the core, nor deeper than the chord where the tips are close.
+            least_[k] = k < kHeads ? limits.least_radius_pulses[k] : -kNone;
+            tolerance_[k] = tolerance_pulses(limits, k);
+        }
+    }
 
-    void add_point(std::size_t point, bool is_end) {
-        Lanes low;
-        Lanes high;
+    void begin_span(std::size_t span) {
+        way_ = &spans_[span];
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            const auto from = static_cast<double>(points_[span].pulses[k]);
+            const auto to = static_cast<double>(points_[span + 1].pulses[k]);
+            from_[k] = from;
+            lowest_[k] = std::min(from, to) - tolerance_[k];
+            highest_[k] = std::max(from, to) + tolerance_[k];
+            if (!way_->is_link || k == index_of(Axis::psi)) continue;
+            // Between layers a head, or Y, that dips past an end stands deeper than the layer it is in asks.
+            lowest_[k] = std::max(lowest_[k], std::min(from, to) - kLeastBeyondPulses);
+            if (k >= kHeads) highest_[k] = std::min(highest_[k], std::max(from, to) + kLeastBeyondPulses);
+        }
+    }
+    void at_point(std::size_t point, bool is_end, Lanes& low, Lanes& high) const {
         for (std::size_t k = 0; k < kAxisCount; ++k) {
             const auto at = static_cast<double>(points_[point].pulses[k]);
             const double band =
                 is_end ? 0.0 : std::min(spans_[point - 1].end_band[k], spans_[point].end_band[k]);
-            low[k] = std::max(at - band, least(k, at));
+            low[k] = std::max(at - band, std::min(at, least_[k]));
             high[k] = at + band;
         }
-        add(low, high, point, static_cast<std::uint32_t>(point));
+    }
+    void on_the_way(double along, Lanes& low, Lanes& high) const {
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            const double chord = from_[k] + way_->slope[k] * along;
+            low[k] = std::max({chord - way_->band[k], lowest_[k], std::min(chord, least_[k])});
+            high[k] = std::min(chord + way_->band[k], highest_[k]);
+        }
     }
 
+private:
+    static constexpr double kNone = 1e300;
+
+    // With backlash there is no run-up against the way: every turn would have to cross the gap.
+    static double tolerance_pulses(const MachineLimits& limits, std::size_t axis) {
+        if (limits.tick.axes[axis].backlash_pulses > 0) return kLeastBeyondPulses;
+        if (axis == index_of(Axis::psi)) return kMostTurnPulses;
+        return std::max(1.0, kBeyondShare * limits.path_tolerance_mm * limits.axes[axis].pulses_per_unit);
+    }
+
+    std::span<const PathPoint> points_;
+    std::span<const PathSpan> spans_;
+    Lanes least_{};
+    Lanes tolerance_{};
+    const PathSpan* way_ = nullptr;
+    Lanes from_{}, lowest_{}, highest_{};
+};
+
+class NodeMaker {
+public:
+    NodeMaker(const MachineLimits& limits, std::span<const PathPoint> points, std::span<const PathSpan> spans,
+              CurveNodes&& memory)
+        : spans_(spans), bounds_(limits, points, spans), nodes_(std::move(memory)) {
+        for (auto* lanes : {&nodes_.low, &nodes_.high}) lanes->clear();
+        for (auto* places : {&nodes_.span_at, &nodes_.point_at}) places->clear();
+        nodes_.step.clear();
+    }
+
+    void add_point(std::size_t point, bool is_end) {
+        bounds_.at_point(point, is_end, nodes_.low.emplace_back(), nodes_.high.emplace_back());
+        nodes_.step.push_back(0.0);
+        nodes_.span_at.push_back(static_cast<std::uint32_t>(point));
+        nodes_.point_at.push_back(static_cast<std::uint32_t>(point));
+    }
+    void begin_span(std::size_t span) {
+        span_ = static_cast<std::uint32_t>(span);
+        last_at_ = 0.0;
+        bounds_.begin_span(span);
+    }
     /// The nodes between a span's ends: graded towards both, nowhere further apart than `most`.
-    void add_way(std::size_t span, const Grading& from, const Grading& to, double most) {
-        const double length = spans_[span].length;
+    void add_way(const Grading& from, const Grading& to, double most) {
+        const double length = spans_[span_].length;
         const double half = 0.5 * length;
-        for (std::size_t i = 0; i < from.count; ++i) add_up_to(span, from.at[i], most);
-        add_up_to(span, half, most);
-        for (std::size_t i = to.count; i-- > 0;) add_up_to(span, length - to.at[i], most);
+        for (std::size_t i = 0; i < from.count; ++i) add_up_to(from.at[i], most);
+        add_up_to(half, most);
+        for (std::size_t i = to.count; i-- > 0;) add_up_to(length - to.at[i], most);
         const double last = to.count > 0 ? length - to.at[0] : half;
         const auto rest = static_cast<std::size_t>(std::max(1.0, std::ceil((length - last) / most * 0.999)));
         for (std::size_t i = 1; i < rest; ++i) {
-            add_between(span, last + (length - last) * (static_cast<double>(i) / static_cast<double>(rest)));
+            add_between(last + (length - last) * (static_cast<double>(i) / static_cast<double>(rest)));
         }
     }
-    void add_up_to(std::size_t span, double at, double most) {
-        const double begin = last_at_;
-        const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil((at - begin) / most * 0.999)));
-        for (std::size_t i = 1; i <= count; ++i) {
-            add_between(span, begin + (at - begin) * (static_cast<double>(i) / static_cast<double>(count)));
-        }
-    }
+    void end_span() { nodes_.step.back() = spans_[span_].length - last_at_; }
 
-    void add_between(std::size_t span, double at) {
-        const PathSpan& way = spans_[span];
-        Lanes low;
-        Lanes high;
-        for (std::size_t k = 0; k < kAxisCount; ++k) {
-            const auto from = static_cast<double>(points_[span].pulses[k]);
-            const auto to = static_cast<double>(points_[span + 1].pulses[k]);
-            const double chord = from + way.slope[k] * at;
-            const double beyond = tolerance_pulses(k);
-            low[k] = std::max({chord - way.band[k], std::min(from, to) - beyond, least(k, chord)});
-            high[k] = std::min(chord + way.band[k], std::max(from, to) + beyond);
-            if (!way.is_link || k == index_of(Axis::psi)) continue;
-            // Between layers a head, or Y, that dips past an end stands deeper than the layer it is in asks.
-            low[k] = std::max(low[k], std::min(from, to) - kLeastBeyondPulses);
-            if (k >= kHeads) high[k] = std::min(high[k], std::max(from, to) + kLeastBeyondPulses);
-        }
-        add(low, high, span, CurveNodes::kNoPoint);
-        nodes_.step[nodes_.step.size() - 2] = at - last_at_;
-        last_at_ = at;
-    }
-    void end_span(double length) {
-        nodes_.step[nodes_.step.size() - 2] = length - last_at_;
-        last_at_ = 0.0;
-    }
     CurveNodes&& take() {
         lay_out_cells();
         return std::move(nodes_);
     }
 
 private:
-    // A head never goes further in than the core, nor deeper than the chord where the tips are close.
-    double least(std::size_t axis, double chord) const {
-        if (axis >= kHeads) return chord - 1e9;
-        return std::min(chord, limits_.least_radius_pulses[axis]);
+    void add_up_to(double at, double most) {
+        const double begin = last_at_;
+        const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil((at - begin) / most * 0.999)));
+        for (std::size_t i = 1; i <= count; ++i) {
+            add_between(begin + (at - begin) * (static_cast<double>(i) / static_cast<double>(count)));
+        }
     }
-    // With backlash there is no run-up against the way: every turn would have to cross the gap.
-    double tolerance_pulses(std::size_t axis) const {
-        if (limits_.tick.axes[axis].backlash_pulses > 0) return kLeastBeyondPulses;
-        if (axis == index_of(Axis::psi)) return kMostTurnPulses;
-        return std::max(1.0, kBeyondShare * limits_.path_tolerance_mm * limits_.axes[axis].pulses_per_unit);
-    }
-    void add(const Lanes& low, const Lanes& high, std::size_t span, std::uint32_t point) {
-        nodes_.low.push_back(low);
-        nodes_.high.push_back(high);
+    void add_between(double at) {
+        nodes_.step.back() = at - last_at_;
+        last_at_ = at;
+        bounds_.on_the_way(at, nodes_.low.emplace_back(), nodes_.high.emplace_back());
         nodes_.step.push_back(0.0);
-        nodes_.span_at.push_back(static_cast<std::uint32_t>(span));
-        nodes_.point_at.push_back(point);
+        nodes_.span_at.push_back(span_);
+        nodes_.point_at.push_back(CurveNodes::kNoPoint);
     }
 
     void lay_out_cells() {
         const std::size_t last = nodes_.step.size() - 1;
+        nodes_.cell.resize(last + 1);
+        nodes_.offset.resize(last + 1);
+        nodes_.control_step.resize(last + 1);
         double before = 0.0;
         for (std::size_t j = 0; j <= last; ++j) {
             const double after = j < last ? 0.5 * nodes_.step[j] : 0.0;
-            nodes_.cell.push_back(before + after);
-            nodes_.offset.push_back(j > 0 && j < last ? 0.5 * (before - after) : 0.0);
+            nodes_.cell[j] = before + after;
+            nodes_.offset[j] = j > 0 && j < last ? 0.5 * (before - after) : 0.0;
             before = after;
         }
         for (std::size_t j = 0; j < last; ++j) {
-            nodes_.control_step.push_back(nodes_.step[j] + nodes_.offset[j] - nodes_.offset[j + 1]);
+            nodes_.control_step[j] = nodes_.step[j] + nodes_.offset[j] - nodes_.offset[j + 1];
         }
-        nodes_.control_step.push_back(0.0);
+        nodes_.control_step[last] = 0.0;
     }
 
-    const MachineLimits& limits_;
-    std::span<const PathPoint> points_;
     std::span<const PathSpan> spans_;
+    SpanBounds bounds_;
     CurveNodes nodes_;
+    std::uint32_t span_ = 0;
     double last_at_ = 0.0;
 };
 
@@ -153,8 +189,8 @@ private:
 
 CurveNodes curve_nodes(const MachineLimits& limits, std::span<const PathPoint> points,
                        std::span<const PathSpan> spans, std::span<const PathCorner> corners,
-                       std::size_t first, std::size_t last) {
-    NodeMaker maker(limits, points, spans);
+                       std::size_t first, std::size_t last, CurveNodes memory) {
+    NodeMaker maker(limits, points, spans, std::move(memory));
     maker.add_point(first, true);
     for (std::size_t span = first; span < last; ++span) {
         const double length = spans[span].length;
@@ -164,11 +200,23 @@ CurveNodes curve_nodes(const MachineLimits& limits, std::span<const PathPoint> p
         const Grading to =
             span + 1 == last || !corners[span].is_tight ? Grading{} : graded(corners[span].radius, half);
         const std::size_t parts = length > kLongSpan_s || spans[span].is_link ? kPartsOfALongSpan : 2;
-        maker.add_way(span, from, to, length / static_cast<double>(parts));
+        maker.begin_span(span);
+        maker.add_way(from, to, length / static_cast<double>(parts));
+        maker.end_span();
         maker.add_point(span + 1, span + 1 == last);
-        maker.end_span(length);
     }
     return maker.take();
+}
+
+void bind_again(const MachineLimits& limits, std::span<const PathPoint> points,
+                std::span<const PathSpan> spans, std::size_t node, CurveNodes& nodes) {
+    SpanBounds bounds(limits, points, spans);
+    bounds.begin_span(nodes.span_at[node]);
+    double along = 0.0;
+    for (std::size_t j = node + 1; nodes.point_at[j] == CurveNodes::kNoPoint; ++j) {
+        along += nodes.step[j - 1];
+        bounds.on_the_way(along, nodes.low[j], nodes.high[j]);
+    }
 }
 
 }  // namespace psicarve::plan

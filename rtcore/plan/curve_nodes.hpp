@@ -31,9 +31,14 @@ struct CurveNodes {
     static constexpr std::uint32_t kNoPoint = ~std::uint32_t{0};
 };
 
-/// Nodes for points [first, last] of a path: two a span, more where the tube is tight.
+/// Nodes for points [first, last] of a path: two a span, more where the tube is tight. `memory` is used
+/// again.
 CurveNodes curve_nodes(const MachineLimits& limits, std::span<const PathPoint> points,
                        std::span<const PathSpan> spans, std::span<const PathCorner> corners,
-                       std::size_t first, std::size_t last);
+                       std::size_t first, std::size_t last, CurveNodes memory = {});
+
+/// Sets the bounds of one span's nodes anew: the one after `node`, which stands on its begin, and so on.
+void bind_again(const MachineLimits& limits, std::span<const PathPoint> points,
+                std::span<const PathSpan> spans, std::size_t node, CurveNodes& nodes);
 
 }  // namespace psicarve::plan

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rtcore/plan/speed_up.hpp"
+#include "rtcore/plan/wide.hpp"
 
 namespace psicarve::plan {
 namespace {
@@ -13,23 +14,30 @@ using cycle::BlockKind;
 using cycle::MotionBlock;
 
 // Stands for "no limit" where an axis does not move.
-constexpr float kNoLimit = 1e30F;
+constexpr double kNoLimit = 1e30F;
 
-cycle::PathTiming timing_of(const MachineLimits& limits, const PathPiece& piece) {
-    cycle::PathTiming timing{};
+PSICARVE_FOR_WIDE_REGISTERS
+void set_timing(const MachineLimits& limits, const PathPiece& piece, cycle::PathTiming& timing) {
     timing.length = piece.length;
     timing.start_speed2 = piece.begin_speed2;
     timing.end_speed2 = piece.end_speed2;
-    double jump = 1.0;
+    Vec slope, bend;
+    load(piece.slope, slope);
+    load(piece.bend, bend);
+    Vec accel, jump;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
-        timing.accel_free[k] = kNoLimit;
-        if (piece.slope[k] <= 0.0) continue;
-        timing.accel_free[k] = static_cast<float>(limits.axes[k].accel_pps2 / piece.slope[k]);
-        timing.accel_bend[k] = static_cast<float>(piece.bend[k] / piece.slope[k]);
-        jump = std::min(jump, limits.axes[k].start_stop_pps / piece.slope[k]);
+        accel[k] = limits.axes[k].accel_pps2;
+        jump[k] = limits.axes[k].start_stop_pps;
     }
-    timing.start_stop_speed = static_cast<float>(jump);
-    return timing;
+    const Vec accel_free = slope > 0.0 ? accel / slope : Vec{} + kNoLimit;
+    const Vec accel_bend = slope > 0.0 ? bend / slope : Vec{};
+    Vec start_stop = slope > 0.0 ? jump / slope : Vec{} + 1.0;
+    lower_to(start_stop, Vec(Vec{} + 1.0));
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        timing.accel_free[k] = static_cast<float>(accel_free[k]);
+        timing.accel_bend[k] = static_cast<float>(accel_bend[k]);
+    }
+    timing.start_stop_speed = static_cast<float>(least_of(start_stop));
 }
 
 }  // namespace
@@ -145,13 +153,13 @@ void LookaheadProgram::note_gaps(std::span<MotionBlock> run) const {
 }
 
 void LookaheadProgram::add_block(const PathPiece& piece) {
-    MotionBlock block{};
+    MotionBlock& block = blocks_.emplace_back();
     block.kind = BlockKind::path;
     block.delta_pulses = piece.delta_pulses;
     for (std::size_t k = 0; k < kAxisCount; ++k)
         block.line_pulses[k] = static_cast<std::int32_t>(piece.line_pulses[k]);
     block.line_done = piece.line_done;
-    block.path = timing_of(limits_, piece);
+    set_timing(limits_, piece, block.path);
     const bool reaches_point = piece.point != PathPiece::kNoPoint && !points_[piece.point].is_on_the_way;
     if (reaches_point && is_spiral()) {
         const std::uint32_t steps = job_->point_count() - 1;
@@ -160,7 +168,6 @@ void LookaheadProgram::add_block(const PathPiece& piece) {
     } else if (reaches_point) {
         reach(block, points_[piece.point].layer, points_[piece.point].point);
     }
-    blocks_.push_back(block);
 }
 
 // The rows made at once begin further down than the carving does: what leads up to there is left out.

@@ -14,8 +14,8 @@ constexpr double kLineErrorPulses = 0.25;
 constexpr double kBitErrorPulses = 0.25;
 // A segment's u is stretched so that its time and its end speeds are the curve's; by so much at most.
 constexpr double kMostStretch = 0.05;
-// So many segments of unequal length are tried before a point's way is cut bit by bit.
-constexpr std::size_t kMostBitsInALine = 16;
+// So much less time than the curve a segment may take at twice the feed, where axes are at their limits.
+constexpr double kMostHaste = 0.0005;
 
 std::size_t longest_axis(const Pulses4& line_pulses) {
     std::size_t longest = 0;
@@ -43,7 +43,8 @@ std::size_t bits_in(const PathCell& cell, double length) {
     double bend = 0.0;
     for (const double of_axis : cell.bend) bend = std::max(bend, std::abs(of_axis));
     const double error_pulses = bend * length * length / 8.0;
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(std::sqrt(error_pulses / kBitErrorPulses))));
+    if (error_pulses <= kBitErrorPulses) return 1;
+    return static_cast<std::size_t>(std::ceil(std::sqrt(error_pulses / kBitErrorPulses)));
 }
 
 PieceMaker::PieceMaker(const MachineLimits& limits, std::span<const PathPoint> points,
@@ -53,7 +54,9 @@ PieceMaker::PieceMaker(const MachineLimits& limits, std::span<const PathPoint> p
       pieces_(pieces),
       at_pulses_(points[first_point].pulses),
       last_point_(first_point),
-      bits_begin_(start) {}
+      heads_are_coarse_(heads_are_coarse(limits)) {
+    load(start, bits_begin_);
+}
 
 void PieceMaker::begin_cell(const PathCell& cell, const Lanes& at, const Timings& begin2,
                             const Timings& end2) {
@@ -76,24 +79,37 @@ void PieceMaker::add(double from, double to, std::uint32_t point) {
     if (point != PathPiece::kNoPoint) flush(point);
 }
 
+PSICARVE_FOR_WIDE_REGISTERS
 void PieceMaker::add_bit(double from, double to) {
-    Bit bit{};
+    const bool is_first = bits_.empty();
+    const Vec begin = is_first ? bits_begin_ : bits_.back().end;
+    const double begin_along = is_first ? 0.0 : bits_.back().along;
+    Bit& bit = bits_.emplace_back();
     bit.length = to - from;
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        const double bend = cell_->bend[k];
-        bit.end[k] = cell_at_[k] + to * (cell_->slope_begin[k] + 0.5 * to * bend);
-        bit.slope[k] = std::max(std::abs(cell_->slope_begin[k] + from * bend),
-                                std::abs(cell_->slope_begin[k] + to * bend));
-        bit.bend[k] = std::abs(bend);
-    }
+    bit.along = begin_along + bit.length;
     for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
         bit.begin_speed2[timing] = begin2_[timing] + from * rise2_[timing];
         bit.end_speed2[timing] = begin2_[timing] + to * rise2_[timing];
     }
-    bit.begin_speed = std::sqrt(bit.begin_speed2[0]);
-    bit.end_speed = std::sqrt(bit.end_speed2[0]);
-    bit.seconds = 2.0 * bit.length / (bit.begin_speed + bit.end_speed);
-    bits_.push_back(bit);
+    for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
+        bit.begin_speed[timing] = std::sqrt(bit.begin_speed2[timing]);
+        bit.end_speed[timing] = std::sqrt(bit.end_speed2[timing]);
+        bit.seconds[timing] = 2.0 * bit.length / (bit.begin_speed[timing] + bit.end_speed[timing]);
+    }
+    Vec at, slope, bend;
+    load(cell_at_, at);
+    load(cell_->slope_begin, slope);
+    load(cell_->bend, bend);
+    bit.end = at + to * (slope + 0.5 * to * bend);
+    // Half its time takes it so far.
+    const double share =
+        0.25 * (3.0 * bit.begin_speed[0] + bit.end_speed[0]) / (bit.begin_speed[0] + bit.end_speed[0]);
+    bit.middle = begin + share * (bit.end - begin);
+    const Vec begin_slope = slope + from * bend;
+    const Vec end_slope = slope + to * bend;
+    bit.slope = begin_slope < 0.0 ? -begin_slope : begin_slope;
+    raise_to(bit.slope, Vec(end_slope < 0.0 ? -end_slope : end_slope));
+    bit.bend = bend < 0.0 ? -bend : bend;
 }
 
 void PieceMaker::flush(std::uint32_t point) {
@@ -140,7 +156,7 @@ void PieceMaker::keep_way(std::uint32_t point, Pulses4& pulses) const {
 }
 
 bool PieceMaker::is_cut_on_line(std::uint32_t point) const {
-    return heads_are_coarse(limits_) && !is_between_layers(points_[last_point_], points_[point]);
+    return heads_are_coarse_ && !is_between_layers(points_[last_point_], points_[point]);
 }
 
 Pulses4 PieceMaker::line_to(std::uint32_t point) const {
@@ -171,90 +187,99 @@ Pulses4 PieceMaker::cut_at(std::size_t end, std::uint32_t point) const {
     }
     keep_way(point, pulses);
     if (cuts_follow_table(limits_, greatest_radii_mm(limits_, from, to))) return pulses;
-    double length = 0.0;
-    double part = 0.0;
-    for (std::size_t i = 0; i < bits_.size(); ++i) {
-        length += bits_[i].length;
-        if (i < end) part = length;
-    }
     const auto way = static_cast<double>(to[kPsi] - from[kPsi]);
-    pulses[kPsi] = from[kPsi] + round_to_pulse(way * part / length);
+    pulses[kPsi] = from[kPsi] + round_to_pulse(way * bits_[end - 1].along / bits_.back().along);
     keep_way(point, pulses);
     return pulses;
 }
 
-std::size_t PieceMaker::longest(std::size_t first) const {
+std::size_t PieceMaker::longest(std::size_t first) {
     const std::size_t most = std::min(bits_.size(), first + kMostBitsInALine);
+    Together together{};
+    for (std::size_t i = first; i < most; ++i) {
+        for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
+            together.seconds[timing] += bits_[i].seconds[timing];
+        }
+        together.length += bits_[i].length;
+        together_[i - first] = together;
+    }
     for (std::size_t end = most; end > first + 1; --end) {
         if (is_straight(first, end)) return end;
     }
     return first + 1;
 }
 
+// At 100 % its u is stretched until it takes as long as the curve. At twice the feed it may take longer, but
+// not less: axes may be at their limits there.
+bool PieceMaker::set_line(std::size_t first, std::size_t end, std::size_t timing, Line& line) const {
+    const Together& together = together_[end - 1 - first];
+    const double mean_speed = 0.5 * (bits_[first].begin_speed[0] + bits_[end - 1].end_speed[0]);
+    const double length = mean_speed * together.seconds[0];
+    line.speed = bits_[first].begin_speed[timing];
+    const double end_speed = bits_[end - 1].end_speed[timing];
+    const double seconds = 2.0 * length / (line.speed + end_speed);
+    line.half_accel = 0.5 * (end_speed - line.speed) / seconds;
+    line.inverse_length = 1.0 / length;
+    line.time_share = timing == 0 ? 1.0 : seconds / together.seconds[timing];
+    if (timing == 0) return std::abs(length - together.length) <= kMostStretch * together.length;
+    return line.time_share >= 1.0 - kMostHaste;
+}
+
 // Compared at the bits' middles and ends, at the instants at which the curve is there: in a bit the
 // difference is a parabola.
-bool PieceMaker::is_straight(std::size_t first, std::size_t end) const {
-    const Lanes& from = first > 0 ? bits_[first - 1].end : bits_begin_;
-    const Lanes& to = bits_[end - 1].end;
-    double seconds = 0.0;
-    double length = 0.0;
-    for (std::size_t i = first; i < end; ++i) {
-        seconds += bits_[i].seconds;
-        length += bits_[i].length;
-    }
-    const double begin_speed = bits_[first].begin_speed;
-    const double end_speed = bits_[end - 1].end_speed;
-    const double mean_speed = 0.5 * (begin_speed + end_speed);
-    if (std::abs(mean_speed * seconds - length) > kMostStretch * length) return false;
-    const double half_accel = 0.5 * (end_speed - begin_speed) / seconds;
-    const auto is_near = [&](double at_seconds, const Lanes& at) {
-        const double share = at_seconds * (begin_speed + half_accel * at_seconds) / (mean_speed * seconds);
-        for (std::size_t k = 0; k < kAxisCount; ++k) {
-            if (std::abs(at[k] - (from[k] + share * (to[k] - from[k]))) > kLineErrorPulses) return false;
-        }
-        return true;
+PSICARVE_FOR_WIDE_REGISTERS
+bool PieceMaker::is_straight(std::size_t first, std::size_t end) {
+    const Vec from = first > 0 ? bits_[first - 1].end : bits_begin_;
+    const Vec way = bits_[end - 1].end - from;
+    std::array<Line, kTimingCount> lines{};
+    const bool is_one = together_[end - 1 - first].seconds[0] == together_[end - 1 - first].seconds[1];
+    if (!set_line(first, end, 0, lines[0]) || (!is_one && !set_line(first, end, 1, lines[1]))) return false;
+    const auto raise_error = [&](const Line& line, double seconds, const Vec& at, Vec& error)
+        __attribute__((always_inline)) {
+        const double after = seconds * line.time_share;
+        const double share = after * (line.speed + line.half_accel * after) * line.inverse_length;
+        const Vec off = at - (from + share * way);
+        raise_to(error, Vec(off < 0.0 ? -off : off));
     };
-    double at_seconds = 0.0;
-    for (std::size_t i = first; i < end; ++i) {
+    const auto is_near = [&](std::size_t i) __attribute__((always_inline)) {
         const Bit& bit = bits_[i];
-        const Lanes& begin = i > 0 ? bits_[i - 1].end : bits_begin_;
-        // Half its time takes it so far.
-        const double share =
-            0.25 * (3.0 * bit.begin_speed + bit.end_speed) / (bit.begin_speed + bit.end_speed);
-        Lanes middle;
-        for (std::size_t k = 0; k < kAxisCount; ++k) middle[k] = begin[k] + share * (bit.end[k] - begin[k]);
-        if (!is_near(at_seconds + 0.5 * bit.seconds, middle)) return false;
-        at_seconds += bit.seconds;
-        if (!is_near(at_seconds, bit.end)) return false;
+        const Timings seconds = i > first ? together_[i - 1 - first].seconds : Timings{};
+        Vec error{};
+        raise_error(lines[0], seconds[0] + 0.5 * bit.seconds[0], bit.middle, error);
+        raise_error(lines[0], seconds[0] + bit.seconds[0], bit.end, error);
+        if (!is_one) raise_error(lines[1], seconds[1] + bit.seconds[1], bit.end, error);
+        return greatest_of(error) <= kLineErrorPulses;
+    };
+    // What was off a longer line is likely to be off this one.
+    if (worst_ >= first && worst_ < end && !is_near(worst_)) return false;
+    for (std::size_t i = first; i < end; ++i) {
+        if (is_near(i)) continue;
+        worst_ = i;
+        return false;
     }
     return true;
 }
 
+PSICARVE_FOR_WIDE_REGISTERS
 void PieceMaker::add_piece(std::size_t first, std::size_t end, const Pulses4& to, std::uint32_t point) {
-    PathPiece piece{};
+    PathPiece& piece = pieces_.emplace_back();
     piece.point = point;
-    double seconds = 0.0;
-    double length = 0.0;
+    const double seconds = together_[end - 1 - first].seconds[0];
+    const double length = together_[end - 1 - first].length;
+    Vec slope{}, bend{};
     for (std::size_t i = first; i < end; ++i) {
-        seconds += bits_[i].seconds;
-        length += bits_[i].length;
-        for (std::size_t k = 0; k < kAxisCount; ++k) {
-            piece.slope[k] = std::max(piece.slope[k], bits_[i].slope[k]);
-            piece.bend[k] = std::max(piece.bend[k], bits_[i].bend[k]);
-        }
+        raise_to(slope, bits_[i].slope);
+        raise_to(bend, bits_[i].bend);
     }
     for (std::size_t k = 0; k < kAxisCount; ++k) piece.delta_pulses[k] = to[k] - at_pulses_[k];
     at_pulses_ = to;
     piece.begin_speed2 = bits_[first].begin_speed2;
     piece.end_speed2 = bits_[end - 1].end_speed2;
-    piece.length = 0.5 * seconds * (bits_[first].begin_speed + bits_[end - 1].end_speed);
+    piece.length = 0.5 * seconds * (bits_[first].begin_speed[0] + bits_[end - 1].end_speed[0]);
     // In stretched u slopes are as much flatter.
     const double stretch = length / piece.length;
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        piece.slope[k] *= stretch;
-        piece.bend[k] *= stretch * stretch;
-    }
-    pieces_.push_back(piece);
+    store(Vec(slope * stretch), piece.slope);
+    store(Vec(bend * (stretch * stretch)), piece.bend);
 }
 
 }  // namespace psicarve::plan

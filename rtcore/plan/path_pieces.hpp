@@ -9,6 +9,7 @@
 
 #include "rtcore/plan/path.hpp"
 #include "rtcore/plan/speed_profile.hpp"
+#include "rtcore/plan/wide.hpp"
 
 namespace psicarve::plan {
 
@@ -37,7 +38,8 @@ struct PathPiece {
 std::size_t bits_in(const PathCell& cell, double length);
 
 /// Cuts a timed curve into DDA segments: one from point to point where a straight line at an even
-/// acceleration stays within half a pulse of the curve at every instant, more where it does not.
+/// acceleration stays within half a pulse of the curve at every instant, at twice the feed too, more where it
+/// does not.
 class PieceMaker {
 public:
     PieceMaker(const MachineLimits& limits, std::span<const PathPoint> points, std::uint32_t first_point,
@@ -51,21 +53,40 @@ public:
 private:
     /// A part of a cell that is as good as straight.
     struct Bit {
+        Vec end;     ///< position [pulses]
+        Vec middle;  ///< where it is after half its time at 100 %
+        Vec slope;   ///< greatest |dq/du| [pulses/s]
+        Vec bend;
         double length;
-        double seconds;
-        double begin_speed;  ///< du/dt at 100 %
-        double end_speed;
-        Lanes end;  ///< position [pulses]
+        double along;  ///< of u, from the last point to its end
+        Timings seconds;
+        Timings begin_speed;  ///< du/dt
+        Timings end_speed;
         Timings begin_speed2;
         Timings end_speed2;
-        Lanes slope;
-        Lanes bend;
     };
+    /// Bits in a row, from one that a segment begins with: how long they take together.
+    struct Together {
+        Timings seconds;
+        double length;
+    };
+    // So many bits are tried as one segment before a point's way is cut bit by bit.
+    static constexpr std::size_t kMostBitsInALine = 16;
 
     void add_bit(double from, double to);
     void flush(std::uint32_t point);
-    std::size_t longest(std::size_t first) const;
-    bool is_straight(std::size_t first, std::size_t end) const;
+    /// Bits as one segment at an even acceleration: where it is after t, as a part of its length, is
+    /// t * (speed + t * accel / 2) / length.
+    struct Line {
+        double speed;
+        double half_accel;
+        double inverse_length;
+        double time_share;  ///< what it takes over what the bits take
+    };
+
+    std::size_t longest(std::size_t first);
+    bool set_line(std::size_t first, std::size_t end, std::size_t timing, Line& line) const;
+    bool is_straight(std::size_t first, std::size_t end);
     void keep_way(std::uint32_t point, Pulses4& pulses) const;
     bool is_cut_on_line(std::uint32_t point) const;
     Pulses4 line_to(std::uint32_t point) const;
@@ -78,8 +99,11 @@ private:
     std::vector<PathPiece>& pieces_;
     Pulses4 at_pulses_;
     std::uint32_t last_point_;
-    Lanes bits_begin_;
+    bool heads_are_coarse_;
+    Vec bits_begin_;
     std::vector<Bit> bits_;  ///< since the last point
+    std::array<Together, kMostBitsInALine> together_{};
+    std::size_t worst_ = 0;  ///< the bit that was off a line when last one was tried
     const PathCell* cell_ = nullptr;
     Lanes cell_at_{};
     Timings begin2_{};

@@ -2,6 +2,7 @@
 #include "rtcore/plan/path_stretch.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "rtcore/plan/curve_check.hpp"
 #include "shared/units.hpp"
@@ -13,6 +14,8 @@ namespace {
 constexpr double kSpeedShare = 0.998;
 // A curve that leaves its tube between the nodes is fitted again; once is enough as a rule.
 constexpr int kMostFits = 5;
+// So far to both sides the curve gives way to a narrower tube.
+constexpr std::size_t kSpansAround = 12;
 // Whole pulses in whole ticks shake a little.
 constexpr double kAccelShare = 0.985;
 
@@ -40,7 +43,7 @@ StretchPlanner::StretchPlanner(const MachineLimits& limits)
 double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const PathSpan> spans,
                             std::span<const PathCorner> corners, std::size_t first, std::size_t last,
                             std::vector<PathPiece>& pieces) {
-    const CurveNodes nodes = fit(points, spans, corners, first, last);
+    fit(points, spans, corners, first, last);
     limit_speeds();
     const Lanes* before = first > 0 ? &spans[first - 1].slope : nullptr;
     const Lanes* after = last < spans.size() ? &spans[last].slope : nullptr;
@@ -68,101 +71,160 @@ double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const P
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         seconds += cell_seconds(cells_[i].length, speed2_[0][i], speed2_[0][i + 1]);
     }
-    add_pieces(points, nodes, pieces);
+    add_pieces(points, pieces);
     return seconds;
 }
 
 // The tube is looked at in the nodes; where the curve leaves it in between, the tube is narrowed and the
-// curve fitted again.
-CurveNodes StretchPlanner::fit(std::span<const PathPoint> points, std::span<const PathSpan> spans,
-                               std::span<const PathCorner> corners, std::size_t first, std::size_t last) {
-    narrowed_.resize(spans.size());
-    for (std::size_t span = first; span < last; ++span) narrowed_[span] = spans[span];
-    CurveNodes nodes = curve_nodes(limits_, points, narrowed_, corners, first, last);
+// curve fitted again around there.
+void StretchPlanner::fit(std::span<const PathPoint> points, std::span<const PathSpan> spans,
+                         std::span<const PathCorner> corners, std::size_t first, std::size_t last) {
+    spans_.resize(spans.size());
+    std::copy(spans.begin() + static_cast<std::ptrdiff_t>(first),
+              spans.begin() + static_cast<std::ptrdiff_t>(last),
+              spans_.begin() + static_cast<std::ptrdiff_t>(first));
+    nodes_ = curve_nodes(limits_, points, spans_, corners, first, last, std::move(nodes_));
+    ranges_.assign(1, {0, nodes_.step.size() - 1});
     for (int fits = 1;; ++fits) {
-        fit_.solve(nodes);
-        cells_of(nodes, fit_.control(), cells_, cell_at_);
-        if (fits == kMostFits || !narrow_where_outside(limits_, points, {nodes, cells_, cell_at_}, narrowed_))
-            return nodes;
-        nodes = curve_nodes(limits_, points, narrowed_, corners, first, last);
+        const auto is_fitted = [this](const NodeRange& range) { return fit_again(range); };
+        if (!std::all_of(ranges_.begin(), ranges_.end(), is_fitted)) {
+            ranges_.assign(1, {0, nodes_.step.size() - 1});
+            fit_again(ranges_[0]);
+        }
+        cells_of(nodes_, control_, cells_, cell_at_);
+        if (fits == kMostFits) return;
+        narrowed_.clear();
+        for (const NodeRange& range : ranges_) {
+            narrow_where_outside(limits_, points, {nodes_, cells_, cell_at_}, range, spans_, narrowed_);
+        }
+        if (narrowed_.empty()) return;
+        gather_narrowed_ranges();
+        for (const std::uint32_t span : narrowed_) bind_again(limits_, points, spans_, node_of(span), nodes_);
     }
 }
 
+// Where a span begins, or the last one ends.
+std::size_t StretchPlanner::node_of(std::size_t span) const {
+    const auto at = std::lower_bound(nodes_.span_at.begin(), nodes_.span_at.end(), span);
+    return static_cast<std::size_t>(at - nodes_.span_at.begin());
+}
+
+void StretchPlanner::gather_narrowed_ranges() {
+    const std::size_t first = nodes_.span_at.front();
+    const std::size_t last = nodes_.span_at.back();
+    ranges_.clear();
+    for (const std::uint32_t span : narrowed_) {
+        const NodeRange around{node_of(std::max(first + kSpansAround, std::size_t{span}) - kSpansAround),
+                               node_of(std::min(last, span + 1 + kSpansAround))};
+        if (!ranges_.empty() && around.first <= ranges_.back().last) {
+            ranges_.back().last = around.last;
+        } else {
+            ranges_.push_back(around);
+        }
+    }
+}
+
+// Outside the range the curve stays as it is. False, and nothing changed, if no curve within was found.
+bool StretchPlanner::fit_again(const NodeRange& range) {
+    const auto copy = [&range](const auto& from, auto& to) {
+        to.assign(from.begin() + static_cast<std::ptrdiff_t>(range.first),
+                  from.begin() + static_cast<std::ptrdiff_t>(range.last) + 1);
+    };
+    const bool is_whole = range.first == 0 && range.last + 1 == nodes_.step.size();
+    if (is_whole) {
+        fit_.solve(nodes_);
+        control_ = fit_.control();
+        return true;
+    }
+    copy(nodes_.step, part_.step);
+    copy(nodes_.cell, part_.cell);
+    copy(nodes_.control_step, part_.control_step);
+    copy(nodes_.offset, part_.offset);
+    copy(nodes_.low, part_.low);
+    copy(nodes_.high, part_.high);
+    const std::span<const Lanes> decided{control_};
+    fit_.solve(part_, {decided.subspan(range.first, range.first > 0 ? 2 : 0),
+                       decided.subspan(range.last - 1, range.last + 1 < nodes_.step.size() ? 2 : 0)});
+    if (!fit_.has_converged()) return false;
+    std::copy(fit_.control().begin(), fit_.control().end(),
+              control_.begin() + static_cast<std::ptrdiff_t>(range.first));
+    return true;
+}
+
+PSICARVE_FOR_WIDE_REGISTERS
 void cells_of(const CurveNodes& nodes, std::span<const Lanes> control, std::vector<PathCell>& cells,
               std::vector<Lanes>& cell_at) {
     const std::size_t last = nodes.step.size() - 1;
-    cells.clear();
-    cell_at.clear();
-    Lanes slope{};
-    Lanes at = control.front();
+    cells.resize(last + 1);
+    cell_at.resize(last + 1);
+    Vec point, point_after, begin, end, at;
+    load(control[0], point);
+    load(control[1], point_after);
+    at = point;
+    begin = end = (point_after - point) / nodes.control_step[0];
     for (std::size_t j = 0; j <= last; ++j) {
-        PathCell cell{};
+        PathCell& cell = cells[j];
         cell.length = nodes.cell[j];
-        for (std::size_t k = 0; k < kAxisCount; ++k) {
-            const double next =
-                j < last ? (control[j + 1][k] - control[j][k]) / nodes.control_step[j] : slope[k];
-            cell.slope_begin[k] = j > 0 ? slope[k] : next;
-            cell.slope_end[k] = next;
-            cell.bend[k] = (cell.slope_end[k] - cell.slope_begin[k]) / cell.length;
-        }
-        cells.push_back(cell);
-        cell_at.push_back(at);
-        for (std::size_t k = 0; k < kAxisCount; ++k) {
-            at[k] += 0.5 * cell.length * (cell.slope_begin[k] + cell.slope_end[k]);
-        }
-        slope = cell.slope_end;
+        store(begin, cell.slope_begin);
+        store(end, cell.slope_end);
+        store(Vec((end - begin) / cell.length), cell.bend);
+        store(at, cell_at[j]);
+        at += 0.5 * cell.length * (begin + end);
+        begin = end;
+        if (j + 1 >= last) continue;
+        point = point_after;
+        load(control[j + 2], point_after);
+        end = (point_after - point) / nodes.control_step[j + 1];
     }
 }
 
 // Motors' top speeds, and the feed of the tip over the surface: (r psi')^2 + R'^2 + Y'^2, the faster head.
-double StretchPlanner::greatest_speed2(const Lanes& slope, const Lanes& at, std::size_t timing) const {
-    double need = 0.0;
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        const double share = slope[k] * inverse_speed_[k];
-        need = std::max(need, share * share);
-    }
+// Four places of a cell side by side: its begin, a quarter, the half, three quarters.
+PSICARVE_FOR_WIDE_REGISTERS
+void StretchPlanner::limit_speeds() {
     constexpr std::size_t kPsi = index_of(Axis::psi);
     constexpr std::size_t kY = index_of(Axis::y);
-    const double turn = slope[kPsi] * rad_per_pulse_;
-    const double lift = slope[kY] * mm_per_pulse_[kY];
-    for (std::size_t head = 0; head < 2; ++head) {
-        const double radius_mm = at[head] * mm_per_pulse_[head] + limits_.tip_offset_mm[head];
-        const double around = radius_mm * turn;
-        const double out = slope[head] * mm_per_pulse_[head];
-        need = std::max(need, (around * around + out * out + lift * lift) * inverse_feed2_[timing]);
-    }
-    return need > 0.0 ? 1.0 / need : 1.0;
-}
-
-void StretchPlanner::limit_speeds() {
+    constexpr Vec kPlaces{0.0, 0.25, 0.5, 0.75};
+    const std::size_t count = cells_.size();
     for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
-        std::vector<double>& bound2 = bound2_[timing];
-        std::vector<InnerSpeeds2>& inner2 = inner2_[timing];
-        bound2.clear();
-        inner2.clear();
-        for (std::size_t i = 0; i < cells_.size(); ++i) {
-            const PathCell& cell = cells_[i];
-            bound2.push_back(greatest_speed2(cell.slope_begin, cell_at_[i], timing));
-            InnerSpeeds2 inner;
-            for (std::size_t part = 0; part < inner.size(); ++part) {
-                const double along = 0.25 * static_cast<double>(part + 1) * cell.length;
-                Lanes slope;
-                Lanes at;
-                for (std::size_t k = 0; k < kAxisCount; ++k) {
-                    slope[k] = cell.slope_begin[k] + along * cell.bend[k];
-                    at[k] = cell_at_[i][k] + 0.5 * along * (cell.slope_begin[k] + slope[k]);
-                }
-                inner[part] = greatest_speed2(slope, at, timing);
-            }
-            inner2.push_back(inner);
+        bound2_[timing].resize(count + 1);
+        inner2_[timing].resize(count);
+    }
+    for (std::size_t i = 0; i <= count; ++i) {
+        // The last cell's end as the begin of one more.
+        const bool is_end = i == count;
+        const PathCell& cell = cells_[is_end ? i - 1 : i];
+        const Lanes& begin = is_end ? cell.slope_end : cell.slope_begin;
+        const Lanes& begin_at = is_end ? control_.back() : cell_at_[i];
+        const Vec along = is_end ? Vec{} : kPlaces * cell.length;
+        std::array<Four, kAxisCount> slope;
+        Vec need{};
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            slope[k].axes = begin[k] + along * cell.bend[k];
+            const Vec share = slope[k].axes * inverse_speed_[k];
+            raise_to(need, Vec(share * share));
         }
-        bound2.push_back(greatest_speed2(cells_.back().slope_end, fit_.control().back(), timing));
+        const Vec turn = slope[kPsi].axes * rad_per_pulse_;
+        const Vec lift = slope[kY].axes * mm_per_pulse_[kY];
+        Vec surface_speed2{};
+        for (std::size_t head = 0; head < 2; ++head) {
+            const Vec at = begin_at[head] + 0.5 * along * (begin[head] + slope[head].axes);
+            const Vec around = (at * mm_per_pulse_[head] + limits_.tip_offset_mm[head]) * turn;
+            const Vec out = slope[head].axes * mm_per_pulse_[head];
+            raise_to(surface_speed2, Vec(around * around + out * out + lift * lift));
+        }
+        for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
+            Vec most = need;
+            raise_to(most, Vec(surface_speed2 * inverse_feed2_[timing]));
+            const Vec limit = most > 0.0 ? 1.0 / most : Vec{} + 1.0;
+            bound2_[timing][i] = limit[0];
+            if (!is_end) inner2_[timing][i] = {limit[1], limit[2], limit[3]};
+        }
     }
 }
 
-void StretchPlanner::add_pieces(std::span<const PathPoint> points, const CurveNodes& nodes,
-                                std::vector<PathPiece>& pieces) {
-    PieceMaker maker(limits_, points, nodes.point_at.front(), fit_.control().front(), pieces);
+void StretchPlanner::add_pieces(std::span<const PathPoint> points, std::vector<PathPiece>& pieces) {
+    PieceMaker maker(limits_, points, nodes_.point_at.front(), control_.front(), pieces);
     for (std::size_t j = 0; j < cells_.size(); ++j) {
         std::array<double, kTimingCount> begin2;
         std::array<double, kTimingCount> end2;
@@ -171,8 +233,8 @@ void StretchPlanner::add_pieces(std::span<const PathPoint> points, const CurveNo
             end2[timing] = speed2_[timing][j + 1];
         }
         maker.begin_cell(cells_[j], cell_at_[j], begin2, end2);
-        const std::uint32_t point = nodes.point_at[j];
-        const double before = j > 0 ? 0.5 * nodes.step[j - 1] : 0.0;
+        const std::uint32_t point = nodes_.point_at[j];
+        const double before = j > 0 ? 0.5 * nodes_.step[j - 1] : 0.0;
         if (point == CurveNodes::kNoPoint || j == 0) {
             maker.add(0.0, cells_[j].length, PathPiece::kNoPoint);
         } else {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "rtcore/plan/curve_check.hpp"
 #include "rtcore/plan/curve_fit.hpp"
 #include "rtcore/plan/curve_nodes.hpp"
 #include "rtcore/plan/path.hpp"
@@ -31,12 +32,13 @@ public:
                 std::vector<PathPiece>& pieces);
 
 private:
-    CurveNodes fit(std::span<const PathPoint> points, std::span<const PathSpan> spans,
-                   std::span<const PathCorner> corners, std::size_t first, std::size_t last);
+    void fit(std::span<const PathPoint> points, std::span<const PathSpan> spans,
+             std::span<const PathCorner> corners, std::size_t first, std::size_t last);
+    std::size_t node_of(std::size_t span) const;
+    void gather_narrowed_ranges();
+    bool fit_again(const NodeRange& range);
     void limit_speeds();
-    double greatest_speed2(const Lanes& slope, const Lanes& at, std::size_t timing) const;
-    void add_pieces(std::span<const PathPoint> points, const CurveNodes& nodes,
-                    std::vector<PathPiece>& pieces);
+    void add_pieces(std::span<const PathPoint> points, std::vector<PathPiece>& pieces);
 
     MachineLimits limits_;
     Lanes mm_per_pulse_{};
@@ -45,7 +47,12 @@ private:
     Timings inverse_feed2_{};
     CurveFit fit_;
     SpeedProfile timing_;
-    std::vector<PathSpan> narrowed_;
+    std::vector<PathSpan> spans_;  ///< with the bands that the curve needs
+    std::vector<std::uint32_t> narrowed_;
+    std::vector<NodeRange> ranges_;  ///< around those
+    CurveNodes nodes_;
+    CurveNodes part_;             ///< of the nodes
+    std::vector<Lanes> control_;  ///< of the curve
     std::vector<PathCell> cells_;
     std::vector<Lanes> cell_at_;  ///< position at each cell's begin [pulses]
     std::array<std::vector<double>, kTimingCount> bound2_;

@@ -114,14 +114,14 @@ private:
         edge.greatest = least_of(upper);
         edge.least = greatest_of(lower);
         // Of rows that meet here the one that matters further down.
-        edge.tilt = kNone;
+        Vec least_tilt = Vec{} + kNone;
         for (std::size_t i = 0; i < kRows + 1; ++i) {
             const Vec& tilt = tilt_of(i);
             const Vec size = tilt < 0.0 ? -tilt : tilt;
             const Vec same = edge.greatest + kSame * (std::fabs(edge.greatest) + size * end);
-            const Vec meets = edge.upper[i].axes <= same ? tilt : Vec{} + kNone;
-            edge.tilt = std::min(edge.tilt, least_of(meets));
+            lower_to(least_tilt, Vec(edge.upper[i].axes <= same ? tilt : Vec{} + kNone));
         }
+        edge.tilt = least_of(least_tilt);
         // Where a gap has just closed up, rounding may leave a little of it.
         const double rounding = kSame * (std::fabs(edge.greatest) + std::fabs(edge.tilt) * end);
         if (edge.least <= edge.greatest + rounding) edge.least = std::min(edge.least, edge.greatest);

@@ -147,5 +147,34 @@ TEST(DisturbedCarving, OfSharpFlanksObeysTheFourRulesOnAFineMachineToo) {
     }
 }
 
+/// Asks for twice the feed as soon as the carving begins.
+class TwiceTheFeed {
+public:
+    void operator()(MachineRig& rig) {
+        if (!asked_) rig.ask(RequestKind::override, 0, 200);
+        asked_ = true;
+    }
+
+private:
+    bool asked_ = false;
+};
+
+// A slow feed is even where at twice that the axes' own limits make it rise and fall between two points.
+TEST(TwiceTheFeed, ObeysTheFourRulesWhereTheAxesLimitIt) {
+    for (Profile profile : {usual_profile(), fine_profile()}) {
+        for (const double feed_mm_s : {4.0, 12.0, 30.0}) {
+            profile.job.feed_mm_s = feed_mm_s;
+            for (const NamedShape& shape : sample_shapes()) {
+                for (const std::uint32_t points : {24U, 90U, 400U}) {
+                    const Carved result =
+                        carved(profile, table_of(profile, shape.shape, 1, points), TwiceTheFeed());
+                    EXPECT_TRUE(result.report.ok) << shape.name << ' ' << points << ' ' << feed_mm_s << '\n'
+                                                  << verify::report_text(result.report);
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace psicarve::motion

@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <ctime>
 #include <memory>
-#include <vector>
 
 #include "rtcore/plan/lookahead_program.hpp"
 #include "rtcore/plan/machine_limits.hpp"
@@ -41,16 +40,16 @@ double seconds_of(const cycle::MotionBlock& block) {
 Cost cost_of(const plan::MachineLimits& limits, const std::shared_ptr<const JobView>& job) {
     Cost cost;
     for (int round = 0; round < kRounds; ++round) {
-        std::vector<cycle::MotionBlock> blocks;
-        blocks.reserve(cost.blocks);
         const double begin_s = processor_s();
         plan::LookaheadProgram program(limits, job);
         cycle::MotionBlock block;
-        while (program.next(block)) blocks.push_back(block);
-        cost.seconds = std::min(cost.seconds, processor_s() - begin_s);
-        cost.blocks = blocks.size();
+        cost.blocks = 0;
         cost.carving_s = 0.0;
-        for (const cycle::MotionBlock& each : blocks) cost.carving_s += seconds_of(each);
+        while (program.next(block)) {
+            ++cost.blocks;
+            cost.carving_s += seconds_of(block);
+        }
+        cost.seconds = std::min(cost.seconds, processor_s() - begin_s);
     }
     return cost;
 }

@@ -105,7 +105,9 @@ TEST(CurveCheck, NarrowsOnlyTheSpansInWhichTheCurveIsOutside) {
     std::vector<Lanes> cell_at;
     cells_of(nodes, fit.control(), cells, cell_at);
     const std::vector<PathSpan> before = wide;
-    EXPECT_TRUE(narrow_where_outside(limits, points, {nodes, cells, cell_at}, wide));
+    std::vector<std::uint32_t> narrowed;
+    narrow_where_outside(limits, points, {nodes, cells, cell_at}, {0, cells.size() - 1}, wide, narrowed);
+    EXPECT_EQ(narrowed, (std::vector<std::uint32_t>{5, 6}));
     for (std::size_t span = 0; span < spans.size(); ++span) {
         if (span == 5 || span == 6) {
             EXPECT_LT(wide[span].band[0], before[span].band[0]) << span;

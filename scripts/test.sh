@@ -20,6 +20,7 @@ fuzzes the parsers a little, and runs clang-tidy over the sources. Closes with c
   PART      only these, of: $all_parts (tidy needs the build of dev)
   --quick   format and dev
 
+PSICARVE_SKIP_HARDWARE=1 leaves out the test that boots a PREEMPT_RT kernel in QEMU (tests/hardware); without QEMU it fails.
 PSICARVE_FUZZ_SECONDS=N fuzzes each parser for N seconds instead, on from what earlier runs have found.
 
 Exit codes: 0 all passed; 1 something failed (the closing lines say what); 2 wrong usage.

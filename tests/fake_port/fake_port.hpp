@@ -63,6 +63,7 @@ struct State {
     std::atomic<std::int64_t> faults;             ///< so many then fail; negative: all
     std::atomic<std::int32_t> fault_errno;
     std::atomic<std::uint64_t> flip_at_write;  ///< before this write (counted from 1) status_flip becomes ...
+    std::atomic<std::uint64_t> flip_at_pulse;  ///< the same, by the pulses that the axes have taken
     std::atomic<std::uint32_t> flip_to;        ///< ... this; 0: never
     // What has happened.
     std::atomic<std::uint32_t> claimed_by;  ///< pid
@@ -71,6 +72,7 @@ struct State {
     std::atomic<std::uint32_t> control;
     std::atomic<std::uint64_t> reads;
     std::atomic<std::uint64_t> write_count;
+    std::atomic<std::uint64_t> pulse_count;
     std::array<FakeAxis, 4> axes;  ///< r1, r2, psi, y
     std::array<Write, kMostWrites> writes;
 };

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <new>
+#include <utility>
 
 #include "shared/pin_map.hpp"
 #include "shared/signal.hpp"
@@ -139,18 +140,27 @@ std::vector<Pulse> pulses_of(const std::vector<Write>& writes, const Profile& pr
     return pulses;
 }
 
-std::vector<Pulse> pulses_with_spindle(const std::vector<std::uint32_t>& levels) {
-    std::vector<Pulse> pulses;
+std::vector<std::vector<Pulse>> runs_with_spindle(const std::vector<std::uint32_t>& levels) {
+    std::vector<std::vector<Pulse>> runs;
+    std::vector<Pulse> run;
     std::uint32_t before = 0;
-    bool has_turned = false;
+    const auto end_run = [&] {
+        if (!run.empty()) runs.push_back(std::move(run));
+        run.clear();
+    };
     for (const std::uint32_t now : levels) {
         const bool turns = (now & bit_of(Signal::spindle)) != 0;
-        if (has_turned && !turns) break;
-        has_turned = has_turned || turns;
-        if (has_turned) add_pulses(before, now, pulses);
+        if (turns) add_pulses(before, now, run);
+        if (!turns) end_run();
         before = now;
     }
-    return pulses;
+    end_run();
+    return runs;
+}
+
+std::vector<Pulse> pulses_with_spindle(const std::vector<std::uint32_t>& levels) {
+    const auto runs = runs_with_spindle(levels);
+    return runs.empty() ? std::vector<Pulse>{} : runs.front();
 }
 
 }  // namespace psicarve::fake_port

@@ -56,5 +56,7 @@ std::vector<std::uint32_t> levels_of(const std::vector<Write>& writes, const Pro
 
 /// Those between the spindle's first start and its stop.
 std::vector<Pulse> pulses_with_spindle(const std::vector<std::uint32_t>& levels);
+/// The same for every time that it turned while an axis stepped.
+std::vector<std::vector<Pulse>> runs_with_spindle(const std::vector<std::uint32_t>& levels);
 
 }  // namespace psicarve::fake_port

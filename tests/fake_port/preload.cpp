@@ -96,6 +96,9 @@ void turn_axes(std::uint32_t old_data, std::uint32_t old_control) {
         if (!is_edge || !level(axis.enable, data, control)) continue;
         axis.position_pulses.fetch_add(level(axis.dir, data, control) ? 1 : -1);
         axis.pulses.fetch_add(1);
+        if (g_state->pulse_count.fetch_add(1) + 1 == g_state->flip_at_pulse.load()) {
+            g_state->status_flip.store(g_state->flip_to.load());
+        }
     }
 }
 

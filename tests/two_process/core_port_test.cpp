@@ -3,7 +3,6 @@
 #include <array>
 #include <cerrno>
 
-#include "hmi/verify/trace_reader.hpp"
 #include "tests/two_process/port_rig.hpp"
 
 namespace psicarve::two_process {
@@ -13,29 +12,7 @@ using fake_port::Pulse;
 using fake_port::Register;
 using fake_port::Write;
 
-class CorePort : public PortRig {
-protected:
-    /// What the same job makes of the simulated port's pins, on the virtual clock.
-    std::vector<Pulse> pulses_of_the_simulated_run(const JobTable& table) {
-        start_core({"--profile", file("machine.toml"), "--trace", file("virtual.trace")});
-        home();
-        EXPECT_EQ(publish(table), "");
-        start_carving();
-        EXPECT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
-        EXPECT_EQ(refusal_of(CommandKind::shutdown), "");
-        EXPECT_EQ(core_->wait_for_exit(), 0);
-        auto reader = verify::open_trace(file("virtual.trace"));
-        if (!reader) return {};
-        std::vector<std::uint32_t> levels;
-        std::array<verify::TraceEvent, 256> events{};
-        for (;;) {
-            const auto count = (*reader)->read(events);
-            if (!count || *count == 0) break;
-            for (std::size_t i = 0; i < *count; ++i) levels.push_back(events[i].levels & kOutputMask);
-        }
-        return fake_port::pulses_with_spindle(levels);
-    }
-};
+class CorePort : public PortRig {};
 
 TEST_F(CorePort, CarvesAJobWithExactlyThePulsesOfTheSimulatedPort) {
     const JobTable table = coarse_job(2);

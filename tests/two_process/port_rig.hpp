@@ -3,10 +3,14 @@
 
 #include <sys/resource.h>
 
+#include <array>
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "hmi/verify/trace_reader.hpp"
 #include "shared/atomic_file.hpp"
 #include "shared/pin_map.hpp"
 #include "tests/fake_port/fake_port_file.hpp"
@@ -40,6 +44,26 @@ protected:
         JobTable table = lobed_job(layers, 9, profile_);
         for (std::uint32_t layer = 0; layer < layers; ++layer) table.layer_height_pulses[layer] = 20 + layer;
         return table;
+    }
+    /// What the same job makes of the simulated port's pins, on the virtual clock.
+    std::vector<fake_port::Pulse> pulses_of_the_simulated_run(const JobTable& table) {
+        start_core({"--profile", file("machine.toml"), "--trace", file("virtual.trace")});
+        home();
+        EXPECT_EQ(publish(table), "");
+        start_carving();
+        EXPECT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
+        EXPECT_EQ(refusal_of(CommandKind::shutdown), "");
+        EXPECT_EQ(core_->wait_for_exit(), 0);
+        auto reader = verify::open_trace(file("virtual.trace"));
+        if (!reader) return {};
+        std::vector<std::uint32_t> levels;
+        std::array<verify::TraceEvent, 256> events{};
+        for (;;) {
+            const auto count = (*reader)->read(events);
+            if (!count || *count == 0) break;
+            for (std::size_t i = 0; i < *count; ++i) levels.push_back(events[i].levels & kOutputMask);
+        }
+        return fake_port::pulses_with_spindle(levels);
     }
     std::vector<std::string> port_arguments(const std::string& segment_name) const {
         return {"--segment",

@@ -1,0 +1,59 @@
+#!/bin/busybox sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The one process of the guest: loads the port's drivers, carves through both kinds of port, once more into an
+# emergency stop, and switches the machine off. Lines for the test begin with LAB.
+B=/bin/busybox
+$B mount -t devtmpfs dev /dev
+$B mount -t proc proc /proc
+$B mount -t sysfs sys /sys
+$B mkdir -p /dev/shm
+$B mount -t tmpfs tmp /dev/shm
+export PATH=/bin LC_ALL=C
+say() { echo "LAB $*"; }
+# quietly COMMAND...: what it says shows only if it fails.
+quietly() { "$@" >/tmp/said 2>&1 || { say "failed $*"; $B cat /tmp/said; return 1; }; }
+
+for module in parport parport_pc ppdev; do $B insmod /$module.ko || say "failed insmod $module"; done
+say "kernel $($B uname -r) realtime $($B cat /sys/kernel/realtime) device $(echo /dev/parport*)"
+
+# run PORT JOB STATE: a core on that port homes, carves the job until it comes to STATE, and ends in order.
+run() {
+    psicarve-rtcore --port "$1" --profile /machine.toml --capacity 100x20 &
+    core=$!
+    tries=0
+    until psicarve status >/dev/null 2>&1; do
+        tries=$((tries + 1))
+        [ $tries -gt 50 ] && { say "failed no core on $1"; return; }
+        $B sleep 0.1
+    done
+    quietly psicarve home && quietly psicarve publish "$2" && quietly psicarve start --carve
+    state=carving
+    while [ $state != ready ] && [ $state != alarm ]; do
+        $B sleep 2
+        state=$(psicarve status --json | $B sed -n 's/.*"state": *"\([a-z]*\)".*/\1/p' | $B head -n 1)
+        [ -n "$state" ] || { say "failed status on $1"; state=alarm; }
+    done
+    say "end of run on $1: $state"
+    psicarve status | $B sed 's/^/LAB status /'
+    $B kill -TERM $core
+    wait $core
+    say "core on $1 ended $?"
+}
+
+say "begin ppdev"
+run ppdev:/dev/parport0 /job.psi
+say "begin io"
+run io:0x378 /job.psi
+say "begin estop"
+run ppdev:/dev/parport0 /long.psi
+say "begin refusals"
+psicarve-rtcore --port io:0x2f8 --profile /machine.toml 2>&1 | $B sed 's/^/LAB refusal /'
+psicarve-rtcore --port ppdev:/dev/parport0 --profile /machine.toml --segment /first &
+first=$!
+until psicarve status --segment /first >/dev/null 2>&1; do $B sleep 0.1; done
+psicarve-rtcore --port ppdev:/dev/parport0 --profile /machine.toml --segment /second 2>&1 | $B sed 's/^/LAB second /'
+psicarve-rtcore --port io:0x378 --profile /machine.toml --segment /second 2>&1 | $B sed 's/^/LAB third /'
+$B kill -TERM $first
+wait $first
+say "over"
+$B poweroff -f

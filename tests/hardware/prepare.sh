@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Makes what QEMU boots: Debian's PREEMPT_RT kernel, downloaded and unpacked (never installed), and an initial
+# file system with the kernel's port drivers, the programs under test and every library that they name.
+#   prepare.sh CACHE OUTPUT INIT FILE... -- PROGRAM...
+# OUTPUT/vmlinuz and OUTPUT/initramfs; FILEs stand in the root folder there, PROGRAMs in /bin.
+set -euo pipefail
+
+cache=$1
+output=$2
+init=$3
+shift 3
+fail() { printf 'hardware: %s\n' "$1" >&2; exit 1; }
+for tool in qemu-system-x86_64 busybox cpio apt-get dpkg-deb; do
+    command -v "$tool" >/dev/null || fail "no $tool here; scripts/deps.sh test, or PSICARVE_SKIP_HARDWARE=1"
+done
+
+mkdir -p "$cache" "$output"
+exec 9>"$cache/lock"
+flock 9
+if [[ ! -e $cache/kernel/complete ]]; then
+    rm -rf "$cache/kernel" "$cache"/*.deb
+    package=$(apt-cache depends linux-image-rt-amd64 | awk '/Depends:/ {print $2; exit}')
+    [[ -n $package ]] || fail "the package lists know no linux-image-rt-amd64; apt-get update"
+    (cd "$cache" && apt-get -qq download "$package") || fail "$package cannot be downloaded; apt-get update"
+    dpkg-deb -x "$cache/$package"_*.deb "$cache/kernel"
+    rm -f "$cache"/*.deb
+    touch "$cache/kernel/complete"
+fi
+flock -u 9
+
+modules=$(echo "$cache"/kernel/lib/modules/*/kernel/drivers)
+root=$output/root
+rm -rf "$root"
+mkdir -p "$root"/{bin,dev,proc,sys,tmp}
+cp "$cache"/kernel/boot/vmlinuz-* "$output/vmlinuz"
+cp "$(command -v busybox)" "$root/bin/busybox"
+ln -s busybox "$root/bin/sh"
+cp "$modules/parport/parport.ko" "$modules/parport/parport_pc.ko" "$modules/char/ppdev.ko" "$root/"
+cp "$init" "$root/init"
+chmod +x "$root/init"
+while (($#)) && [[ $1 != -- ]]; do
+    cp "$1" "$root/"
+    shift
+done
+shift
+for program in "$@"; do
+    cp "$program" "$root/bin/"
+    ldd "$program" | grep -o '/[^ ]*' | sort -u | while read -r library; do
+        mkdir -p "$root$(dirname "$library")"
+        cp -L -n "$library" "$root$library"
+    done
+done
+(cd "$root" && find . | cpio --quiet -o -H newc) >"$output/initramfs"

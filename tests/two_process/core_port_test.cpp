@@ -39,6 +39,36 @@ TEST_F(CorePort, CarvesAJobWithExactlyThePulsesOfTheSimulatedPort) {
     EXPECT_EQ(port_.state().claimed_by.load(), 0U) << "given back";
 }
 
+TEST_F(CorePort, APulseWithinATickLastsLongEnoughAndIsTheSamePulse) {
+    const std::vector<Pulse> wanted = pulses_of_the_simulated_run(coarse_job(2));
+    profile_.port.pulses = PulseForm::within_tick;
+    write_profile();
+    start_port_core();
+    home();
+    ASSERT_EQ(publish(coarse_job(2)), "");
+    start_carving();
+    ASSERT_TRUE(
+        eventually([&] { return status().job_end_tick != 0 || status().state == MachineState::alarm; }));
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+    const std::vector<Write> writes = port_.writes();
+    const auto levels = fake_port::levels_of(writes, profile_);
+    EXPECT_EQ(fake_port::pulses_with_spindle(levels), wanted);
+    // The tick waits from the end of one write to the begin of the other: between them lies at least that.
+    std::array<std::uint64_t, kAxisCount> rose_ns{};
+    for (std::size_t i = 1; i < writes.size(); ++i) {
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            const bool was_high = (levels[i - 1] >> k & 1U) != 0;
+            const bool is_high = (levels[i] >> k & 1U) != 0;
+            if (is_high && !was_high) rose_ns[k] = writes[i].time_ns;
+            if (!is_high && was_high) {
+                EXPECT_GE(writes[i].time_ns - rose_ns[k],
+                          static_cast<std::uint64_t>(profile_.port.step_high_ns));
+            }
+        }
+    }
+}
+
 TEST_F(CorePort, WritesOnlyRegistersThatChange) {
     start_port_core();
     home();

@@ -24,7 +24,8 @@ class PortRig : public CoreRig {
 protected:
     static constexpr std::uint32_t kEstopStatusBit = 0x08;
 
-    PortRig() {
+    PortRig() { write_profile(); }
+    void write_profile() const {
         const std::string text = profile_to_toml(profile_);
         EXPECT_TRUE(write_file_atomically(file("machine.toml"), std::as_bytes(std::span{text})));
     }

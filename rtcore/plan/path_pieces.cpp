@@ -10,6 +10,8 @@ namespace psicarve::plan {
 namespace {
 
 constexpr double kLineErrorPulses = 0.25;
+// Cut on the chord, a segment may be half a pulse from the curve already.
+constexpr double kLineErrorOnChordPulses = 0.1;
 // Within a bit the curve is taken as straight.
 constexpr double kBitErrorPulses = 0.25;
 // A segment's u is stretched so that its time and its end speeds are the curve's; by so much at most.
@@ -231,6 +233,7 @@ PSICARVE_FOR_WIDE_REGISTERS
 bool PieceMaker::is_straight(std::size_t first, std::size_t end) {
     const Vec from = first > 0 ? bits_[first - 1].end : bits_begin_;
     const Vec way = bits_[end - 1].end - from;
+    const double most_error = heads_are_coarse_ ? kLineErrorOnChordPulses : kLineErrorPulses;
     std::array<Line, kTimingCount> lines{};
     const bool is_one = together_[end - 1 - first].seconds[0] == together_[end - 1 - first].seconds[1];
     if (!set_line(first, end, 0, lines[0]) || (!is_one && !set_line(first, end, 1, lines[1]))) return false;
@@ -248,7 +251,7 @@ bool PieceMaker::is_straight(std::size_t first, std::size_t end) {
         raise_error(lines[0], seconds[0] + 0.5 * bit.seconds[0], bit.middle, error);
         raise_error(lines[0], seconds[0] + bit.seconds[0], bit.end, error);
         if (!is_one) raise_error(lines[1], seconds[1] + bit.seconds[1], bit.end, error);
-        return greatest_of(error) <= kLineErrorPulses;
+        return greatest_of(error) <= most_error;
     };
     // What was off a longer line is likely to be off this one.
     if (worst_ >= first && worst_ < end && !is_near(worst_)) return false;

@@ -81,8 +81,9 @@ enum class AlarmCause : std::uint8_t {
     port_error = 8,
     plan_starved = 9,  ///< the planner did not keep ahead of the tick
     guard_lost = 10,
+    core_lost = 11,  ///< said by its guard: the core died, drives and spindle are off
 };
-inline constexpr std::uint8_t kAlarmCauseCount = 11;
+inline constexpr std::uint8_t kAlarmCauseCount = 12;
 std::string_view name_of(AlarmCause cause) noexcept;    ///< "limit", "emergency stop", ...
 std::string_view remedy_of(AlarmCause cause) noexcept;  ///< one sentence for the operator
 

@@ -117,6 +117,8 @@ std::string_view name_of(AlarmCause cause) noexcept {
             return "plan starved";
         case AlarmCause::guard_lost:
             return "guard lost";
+        case AlarmCause::core_lost:
+            return "core lost";
     }
     return "unknown";
 }
@@ -153,6 +155,9 @@ std::string_view remedy_of(AlarmCause cause) noexcept {
                    "the alarm, then start again.";
         case AlarmCause::guard_lost:
             return "The guard process ended: start the core again.";
+        case AlarmCause::core_lost:
+            return "The core ended in the middle of its work and its guard switched drives and spindle off: "
+                   "start the core again, home, and carve on from the layer it was in.";
     }
     return "Reset the alarm, then home.";
 }

@@ -1853,6 +1853,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Выводы разъёма и их уровни</translation>
         </message>
         <message>
+            <source>The core ended in the middle of its work and its guard switched drives and spindle off: start the core again, home, and carve on from the layer it was in.</source>
+            <translation>Ядро завершилось во время работы, и его сторож выключил приводы и шпиндель: запустите ядро снова, выведите оси в исходное положение и продолжайте резать со слоя, на котором оно было.</translation>
+        </message>
+        <message>
             <source>The core found: %1</source>
             <translation>Ядро обнаружило: %1</translation>
         </message>
@@ -2213,6 +2217,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>checked</source>
             <translation>проверено</translation>
+        </message>
+        <message>
+            <source>core lost</source>
+            <translation>ядро потеряно</translation>
         </message>
         <message>
             <source>cut off</source>

@@ -1848,6 +1848,10 @@ N、Shift+N  下一条、上一条
             <translation>接口引脚及其电平</translation>
         </message>
         <message>
+            <source>The core ended in the middle of its work and its guard switched drives and spindle off: start the core again, home, and carve on from the layer it was in.</source>
+            <translation>内核在工作中意外结束，守护进程已关闭驱动器和主轴：请重新启动内核，回零，然后从当时所在的层继续雕刻。</translation>
+        </message>
+        <message>
             <source>The core found: %1</source>
             <translation>内核发现：%1</translation>
         </message>
@@ -2206,6 +2210,10 @@ N、Shift+N  下一条、上一条
         <message>
             <source>checked</source>
             <translation>已检查</translation>
+        </message>
+        <message>
+            <source>core lost</source>
+            <translation>内核丢失</translation>
         </message>
         <message>
             <source>cut off</source>

@@ -61,7 +61,10 @@ void Cycle::program_done() noexcept {
 
 void Cycle::came_to_rest() noexcept {
     if (pending_fail_ != AlarmCause::none) {
+        // It slowed down as its motors can: each stands where it was counted to.
+        const std::uint8_t homed_mask = homed_mask_;
         raise_alarm(pending_fail_, kNoAxis);
+        homed_mask_ = homed_mask;
         return;
     }
     if (state_ == MachineState::moving) {

@@ -32,18 +32,14 @@ trace::TraceStart trace_start_of(const CoreParts& parts) {
     return start;
 }
 
-Result<void> make_port(CoreParts& parts, const CoreOptions& options, const PinMap& pin_map,
-                       const PartsRequest& request) {
-    if (options.port.is_simulated()) {
+void make_port(CoreParts& parts, const PinMap& pin_map, PartsRequest& request) {
+    if (!request.real_port) {
         parts.machine = std::make_unique<sim::Machine>(machine_for(request.machine, request.homed_start));
         parts.port = std::make_unique<port::SimPort>(pin_map, *parts.machine);
-        return {};
+        return;
     }
-    auto open = port::open_port(options.port, pin_map);
-    if (!open) return open.error();
-    std::fprintf(stderr, "psicarve-rtcore: %s\n", open->description().c_str());
-    parts.port = std::make_unique<port::ParallelPort>(std::move(*open), pin_map);
-    return {};
+    parts.guard = std::move(request.real_port->guard);
+    parts.port = std::make_unique<port::ParallelPort>(std::move(request.real_port->open), pin_map);
 }
 
 }  // namespace
@@ -61,13 +57,13 @@ std::array<std::int64_t, kAxisCount> home_positions(const Profile& profile) {
 }
 
 Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const Profile& profile,
-                                              const PartsRequest& request) {
+                                              PartsRequest request) {
     auto parts = std::make_unique<CoreParts>();
     parts->profile = profile;
     parts->period_ns = tick_period_ns(profile);
     const auto pin_map = PinMap::from_profile(profile);
     if (!pin_map) return pin_map.error();
-    if (const auto made = make_port(*parts, options, *pin_map, request); !made) return made.error();
+    make_port(*parts, *pin_map, request);
     if (request.plays_recorded_inputs) {
         auto recorded = std::make_unique<RecordedInputsPort>(std::move(parts->port));
         parts->recorded_inputs = recorded.get();

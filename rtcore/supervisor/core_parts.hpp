@@ -14,6 +14,7 @@
 #include "rtcore/plan/planner.hpp"
 #include "rtcore/port/port.hpp"
 #include "rtcore/sim/machine.hpp"
+#include "rtcore/supervisor/guarded_port.hpp"
 #include "rtcore/supervisor/options.hpp"
 #include "rtcore/supervisor/recorded_inputs_port.hpp"
 #include "rtcore/supervisor/trace_outlet.hpp"
@@ -32,6 +33,7 @@ struct CoreParts {
     std::int64_t period_ns = 0;
     std::unique_ptr<sim::Machine> machine;  ///< behind the simulated port; null: a real one
     std::unique_ptr<port::Port> port;
+    std::unique_ptr<guard::GuardLink> guard;        ///< of a real port; null: there is none
     RecordedInputsPort* recorded_inputs = nullptr;  ///< the port, when a replay plays inputs from a recorder
     std::unique_ptr<trace::TraceRing> trace_ring;
     std::unique_ptr<cycle::CycleIo> io;
@@ -45,11 +47,12 @@ struct PartsRequest {
     Profile machine;  ///< of the simulated machine
     HomedStart homed_start;
     bool plays_recorded_inputs = false;
+    std::optional<GuardedPort> real_port;  ///< nothing: the simulated one
 };
 
-/// Opens the port (its safe state is written first of all) and the traces, and puts the parts together.
+/// Opens the traces, and puts the parts together.
 Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const Profile& profile,
-                                              const PartsRequest& request);
+                                              PartsRequest request);
 
 /// Where every axis stands when it is homed and at its home position.
 std::array<std::int64_t, kAxisCount> home_positions(const Profile& profile);

@@ -80,6 +80,10 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
         ->check(check_not_empty);
     app.add_flag("--assume-homed", options.assume_homed,
                  "With --replay on a real port: the machine stands at its home positions");
+    app.add_flag(
+        "--no-guard", options.no_guard,
+        "Drive a real port without the process that switches drives and spindle off when the core dies "
+        "(for debuggers)");
     app.add_flag("--exit-with-parent", options.exit_with_parent, "End in order when the parent process ends");
     app.set_version_flag("--version", PSICARVE_VERSION);
 }

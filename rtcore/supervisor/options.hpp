@@ -29,6 +29,7 @@ struct CoreOptions {
     std::string group;
     bool exit_with_parent = false;
     bool allow_no_realtime = false;  ///< a real port may be driven without real-time rights
+    bool no_guard = false;           ///< nobody makes a real port safe when the core dies
     bool assume_homed = false;       ///< a replay on a real port begins where it stands
 };
 

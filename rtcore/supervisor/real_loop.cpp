@@ -42,6 +42,8 @@ void run_ticks(CoreParts& parts, RecordDirector* record, Threads& threads) {
         .period_ns = parts.period_ns,
         .least_gap_ns = least_tick_gap_ns(parts.profile),
     };
+    guard::GuardLink* const guard = parts.guard.get();
+    if (guard != nullptr) guard->set_ticking(true);
     rtcore::run_periodic(clock, options, threads.stats, [&](const rtcore::PeriodicTick& tick) noexcept {
         if (tick.missed_before > 0) parts.cycle->advance_missed(tick.missed_before);
         if (record != nullptr) {
@@ -51,8 +53,10 @@ void run_ticks(CoreParts& parts, RecordDirector* record, Threads& threads) {
             if (record->is_over(next_tick)) threads.record_is_over.store(true);
         }
         parts.cycle->tick();
+        if (guard != nullptr) guard->note_tick();
         return !threads.tick_must_end.load(std::memory_order_relaxed);
     });
+    if (guard != nullptr) guard->set_ticking(false);
     parts.cycle->shut_down();
 }
 

@@ -9,13 +9,15 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <variant>
 
 #include "rtcore/port/fatal_signals.hpp"
 #include "rtcore/rt_setup.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/core_profile.hpp"
 #include "rtcore/supervisor/end_request.hpp"
-#include "rtcore/supervisor/realtime_requirement.hpp"
+#include "rtcore/supervisor/guarded_port.hpp"
 #include "rtcore/supervisor/replay.hpp"
 #include "rtcore/supervisor/replay_script.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
@@ -121,13 +123,12 @@ int run_loop(const CoreOptions& options, CoreParts& parts, Supervisor& superviso
                                                     : run_on_real_clock(parts, supervisor, directors, end);
 }
 
-/// The segment is ours and the port is not touched yet.
-int serve_segment(const CoreOptions& options, const Profile& profile, const Profile& machine, Segment segment,
+/// The segment is ours.
+int serve_segment(const CoreOptions& options, const Profile& profile, PartsRequest request, Segment segment,
                   std::optional<Replay>& replay) {
     EndRequest end;
-    if (const auto allowed = require_realtime(options); !allowed) return fail(allowed.error());
     if (options.clock == ClockKind::real) rtcore::set_up_process_memory();
-    auto parts = build_core(options, profile, parts_request_of(replay, profile, machine));
+    auto parts = build_core(options, profile, std::move(request));
     if (!parts) return fail(parts.error());
     const CoreFacts facts{.period_ns = (*parts)->period_ns,
                           .is_simulator = options.port.is_simulated(),
@@ -157,14 +158,21 @@ int run_core(const CoreOptions& options) {
     if (!profile) return fail(profile.error());
     const auto machine = options.machine_path.empty() ? profile : load_core_profile(options.machine_path);
     if (!machine) return fail(machine.error());
-    // Before the segment, which has a use for SIGBUS of its own.
-    if (!options.port.is_simulated()) port::handle_fatal_signals();
+    PartsRequest request = parts_request_of(*replay, *profile, *machine);
+    if (!options.port.is_simulated()) {
+        auto side = open_guarded_port(options, *profile);
+        if (!side) return fail(side.error());
+        if (const int* exit_code = std::get_if<int>(&*side)) return *exit_code;
+        request.real_port.emplace(std::move(std::get<GuardedPort>(*side)));
+        // Before the segment, which has a use for SIGBUS of its own.
+        port::handle_fatal_signals();
+    }
     auto segment = Segment::create_or_attach(segment_options_of(options));
     if (!segment) return fail(segment.error());
     if (const auto claimed = segment->take_core_lock(); !claimed) return fail(claimed.error());
     if (!segment->warning().empty())
         std::fprintf(stderr, "psicarve-rtcore: %s\n", segment->warning().c_str());
-    return serve_segment(options, *profile, *machine, std::move(*segment), *replay);
+    return serve_segment(options, *profile, std::move(request), std::move(*segment), *replay);
 }
 
 }  // namespace psicarve::supervisor

@@ -58,6 +58,7 @@ bool Supervisor::poll() {
     const std::uint32_t wake_count = event_count(segment_.header().command_raised);
     sample_ = read_sample();
     check_segment();
+    watch_guard();
     bool handed_on = mirror_urgent_words();
     mirror_jog_lease();
     const std::size_t requests_before = parts_->io->requests.size();
@@ -227,6 +228,20 @@ void Supervisor::publish_status() {
     if (changes_ != changes_told_) {
         changes_told_ = changes_;
         event_signal(segment_.header().status_changed);
+    }
+}
+
+void Supervisor::watch_guard() {
+    if (parts_->guard == nullptr) return;
+    // The tick may not have noticed: a machine at rest with its spindle on misses nothing by a pause.
+    if (parts_->guard->guard_has_acted())
+        request(cycle::RequestKind::fail, static_cast<std::uint64_t>(AlarmCause::tick_gap));
+    // For ever: without it nothing moves any more, whoever resets the alarm.
+    if (sample_.state != MachineState::alarm && !is_guard_lost_told_ && parts_->guard->is_guard_gone()) {
+        is_guard_lost_told_ =
+            request(cycle::RequestKind::fail, static_cast<std::uint64_t>(AlarmCause::guard_lost));
+    } else if (sample_.state == MachineState::alarm) {
+        is_guard_lost_told_ = false;
     }
 }
 

@@ -68,6 +68,7 @@ private:
     void watch_recording();
     PlannedTimes planned_times();
     void publish_status();
+    void watch_guard();
     void check_segment();
     void take_new_segment();
 
@@ -93,6 +94,7 @@ private:
     std::uint64_t changes_told_ = 0;
     std::chrono::steady_clock::time_point next_segment_check_{};
     bool is_segment_lost_ = false;
+    bool is_guard_lost_told_ = false;
     bool is_machine_frozen_ = false;
 };
 

@@ -173,7 +173,7 @@ TEST_F(CorePort, AFatalSignalLeavesTheSafeStateBehind) {
         ASSERT_EQ(publish(coarse_job(40)), "");
         start_carving();
         ASSERT_TRUE(eventually([&] { return status().points_done > 3; }));
-        core_->send_signal(number);
+        kill(core_pid_, number);
         EXPECT_EQ(core_->wait_for_exit(), 128 + number);
         expect_safe_registers();
     }

@@ -88,8 +88,16 @@ protected:
             core_ = std::make_unique<CoreProcess>(port_arguments(segment_name_), file("core.err"));
         }
         attach();
-        ASSERT_TRUE(eventually([&] { return segment_->core_pid() == std::uint32_t(core_->pid()); }))
-            << text_of(file("core.err"));
+        ASSERT_TRUE(eventually([&] {
+            core_pid_ = static_cast<pid_t>(segment_->core_pid().value_or(0));
+            return core_pid_ != 0;
+        })) << text_of(file("core.err"));
+    }
+    ~PortRig() override {
+        // A test that kills the guard leaves a core behind that waits for a hand.
+        if (core_pid_ != 0 && segment_ != nullptr &&
+            segment_->core_pid() == static_cast<std::uint32_t>(core_pid_))
+            kill(core_pid_, SIGKILL);
     }
 
     /// The next access of the port's fails, and so many altogether (negative: every one from now on).
@@ -135,6 +143,7 @@ protected:
         return sum;
     }
 
+    pid_t core_pid_ = 0;  ///< of the core itself; core_ is its guard
     Profile profile_ = machine_with_estop();
     fake_port::FakePortFile port_{folder_, profile_};
 };

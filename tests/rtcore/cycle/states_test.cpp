@@ -83,6 +83,7 @@ TEST(States, AFaultThatTheSupervisorFoundStopsOnThePathAndKeepsThePosition) {
               Refusal::none);
     ASSERT_TRUE(sut.run_while([&] { return sut.cycle->state() != MachineState::alarm; }, 20000));
     EXPECT_EQ(sut.cycle->sample().alarm_cause, AlarmCause::segment_lost);
+    EXPECT_EQ(sut.cycle->sample().homed_mask, 0xF);
     for (const Axis axis : kAllAxes) {
         EXPECT_EQ(sut.machine->position_pulses(axis), sut.positions()[index_of(axis)]);
     }

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "shared/result.hpp"
+
+namespace psicarve::guard {
+
+/// A word or two that core and guard share: memory of theirs alone, made before they part. Neither waits for
+/// the other. Move-only.
+class GuardPage {
+public:
+    static Result<GuardPage> make();
+    GuardPage(GuardPage&& other) noexcept;
+    GuardPage& operator=(GuardPage&&) = delete;
+    ~GuardPage();
+
+    /// The core's tick: it lives. RT: yes.
+    void note_tick() noexcept { words_->ticks.fetch_add(1, std::memory_order_relaxed); }
+    /// Ticks come from now on, or none will: whether silence means anything.
+    void set_ticking(bool is_ticking) noexcept { words_->is_ticking.store(is_ticking ? 1 : 0); }
+    bool is_ticking() const noexcept { return words_->is_ticking.load() != 0; }
+    std::uint64_t ticks() const noexcept { return words_->ticks.load(std::memory_order_relaxed); }
+
+    /// The guard: the port was put into its safe state under a core that did not tick.
+    void note_act() noexcept { words_->acts.fetch_add(1); }
+    std::uint32_t acts() const noexcept { return words_->acts.load(); }
+
+private:
+    struct Words {
+        std::atomic<std::uint64_t> ticks;
+        std::atomic<std::uint32_t> is_ticking;
+        std::atomic<std::uint32_t> acts;
+    };
+    explicit GuardPage(Words* words) noexcept : words_(words) {}
+    Words* words_;
+};
+
+}  // namespace psicarve::guard

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/guard/last_words.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "shared/event.hpp"
+#include "shared/segment.hpp"
+#include "shared/shared_record.hpp"
+
+namespace psicarve::guard {
+
+void leave_last_words(const std::string& segment_name, const std::string& group, std::uint32_t core_pid) {
+    auto segment = Segment::attach(segment_name, group);
+    if (!segment) return;
+    SegmentHeader& header = segment->header();
+    // The lock went with the core. Whoever has taken it since has cleared what the core had said.
+    if (header.core.pid.load() != core_pid || segment->core_pid()) return;
+    // A core that died while it wrote leaves a record that nobody can read whole: its words all the same.
+    CoreStatus status = load_words<CoreStatus>(header.status.words);
+    FlightRecord record{};
+    record.tick = status.tick;
+    record.kind = RecordKind::alarm;
+    record.code = static_cast<std::uint16_t>(AlarmCause::core_lost);
+    record.axis = kNoAxis;
+    record.signals = status.signals & kInputMask;
+    std::copy(std::begin(status.position_pulses), std::end(status.position_pulses), record.position_pulses);
+    status.state = MachineState::alarm;
+    status.alarm_cause = AlarmCause::core_lost;
+    status.alarm_axis = kNoAxis;
+    status.homed_mask = 0;
+    status.signals &= kInputMask;
+    status.seconds_left = -1.0;
+    AlarmRecord& alarm = status.alarms[status.alarm_count % kAlarmHistory];
+    alarm = AlarmRecord{};
+    alarm.tick = status.tick;
+    alarm.cause = AlarmCause::core_lost;
+    alarm.axis = kNoAxis;
+    ++status.alarm_count;
+    ++status.heartbeat;
+    append_to_ring(header.recorder, record);
+    write_record(header.status, status);
+    event_signal(header.status_changed);
+}
+
+}  // namespace psicarve::guard

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace psicarve::guard {
+
+/// Says in the segment what became of a core that can say nothing any more: alarm *core lost*, nothing homed,
+/// drives and spindle off; what it had reached stays. Does nothing when the segment is gone, or another core
+/// serves it by now.
+void leave_last_words(const std::string& segment_name, const std::string& group, std::uint32_t core_pid);
+
+}  // namespace psicarve::guard

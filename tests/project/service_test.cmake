@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -DUNIT= -DCORE= -P this: the options in the unit's ExecStart are the core's own. With the virtual clock, which a
+# real port refuses when all else is right, so that nothing is opened.
+cmake_minimum_required(VERSION 3.25)
+file(STRINGS "${UNIT}" lines REGEX "^ExecStart=")
+list(LENGTH lines count)
+if(NOT count EQUAL 1)
+    message(FATAL_ERROR "${UNIT} has ${count} lines ExecStart=")
+endif()
+if(NOT lines MATCHES "^ExecStart=(/[^ ]*/psicarve-rtcore) (.*)$")
+    message(FATAL_ERROR "${UNIT} starts no core: ${lines}")
+endif()
+separate_arguments(arguments UNIX_COMMAND "${CMAKE_MATCH_2}")
+execute_process(COMMAND "${CORE}" ${arguments} --clock virtual RESULT_VARIABLE result ERROR_VARIABLE said)
+if(NOT result EQUAL 2 OR NOT said MATCHES "a real machine keeps real time")
+    message(FATAL_ERROR "${CORE} ${arguments}: ${result}: ${said}")
+endif()
+find_program(systemd_analyze systemd-analyze)
+if(systemd_analyze)
+    string(REGEX REPLACE "/[^/]*$" "" folder "${UNIT}")
+    file(READ "${UNIT}" text)
+    # Installed or not, there is a program to start.
+    string(REGEX REPLACE "ExecStart=[^ ]*" "ExecStart=${CORE}" text "${text}")
+    file(WRITE "${folder}/verify/psicarve-rtcore.service" "${text}")
+    execute_process(COMMAND "${systemd_analyze}" verify "${folder}/verify/psicarve-rtcore.service"
+        RESULT_VARIABLE result ERROR_VARIABLE said)
+    if(NOT result EQUAL 0 OR NOT said STREQUAL "")
+        message(FATAL_ERROR "systemd-analyze verify: ${result}: ${said}")
+    endif()
+else()
+    message(STATUS "no systemd-analyze here: the unit's other lines were not looked at")
+endif()

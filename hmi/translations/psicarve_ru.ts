@@ -152,6 +152,10 @@
             <translation>Датчик считается сработавшим, если сигнал держится столько; аварийный останов не фильтруется никогда.</translation>
         </message>
         <message>
+            <source>A step pulse ends at a later tick, or after a wait inside its own: one pulse a tick.</source>
+            <translation>Шаговый импульс заканчивается на следующем такте или после выдержки внутри своего: импульс за такт.</translation>
+        </message>
+        <message>
             <source>A step pulse lasts at least this long.</source>
             <translation>Шаговый импульс длится не меньше.</translation>
         </message>

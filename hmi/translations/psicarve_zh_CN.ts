@@ -152,6 +152,10 @@
             <translation>传感器信号保持这么久才算数；急停从不滤波。</translation>
         </message>
         <message>
+            <source>A step pulse ends at a later tick, or after a wait inside its own: one pulse a tick.</source>
+            <translation>步进脉冲在后一个节拍结束，或在本节拍内等待后结束：每个节拍一个脉冲。</translation>
+        </message>
+        <message>
             <source>A step pulse lasts at least this long.</source>
             <translation>步进脉冲至少持续这么久。</translation>
         </message>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "hmi/session/pin_rows.hpp"
 #include "shared/command.hpp"
@@ -50,13 +51,14 @@ void tell_command(const FlightRecord& record, Entry& entry) {
 }
 
 void tell_input(const FlightRecord& record, Entry& entry) {
-    std::string closed;
+    std::vector<Phrase> closed;
     for (std::size_t k = kOutputSignalCount; k < kSignalCount; ++k) {
         const auto signal = static_cast<Signal>(k);
         if ((record.signals & bit_of(signal)) == 0) continue;
-        closed += (closed.empty() ? "" : ", ") + in_english(session::name_of_signal(signal));
+        closed.push_back(session::name_of_signal(signal));
     }
-    entry.what = closed.empty() ? phrase("Inputs: none active") : phrase("Inputs active: %1", closed);
+    entry.what = closed.empty() ? phrase("Inputs: none active") : phrase("Inputs active: %1");
+    if (!closed.empty()) entry.what.inner.push_back(session::listed(std::move(closed)));
 }
 
 }  // namespace

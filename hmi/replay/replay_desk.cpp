@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hmi/session/display_text.hpp"
+#include "hmi/session/error_phrase.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::replay {
@@ -58,7 +59,7 @@ void ReplayDesk::post_open(const OpenOptions& options, std::int64_t from_ns) {
 void ReplayDesk::fail(const Error& error) {
     is_opening_ = false;
     const bool was_cancelled = error.code == ErrorCode::cancelled;
-    log_.add(was_cancelled ? Severity::info : Severity::warning, phrase("%1", error.message));
+    log_.add(was_cancelled ? Severity::info : Severity::warning, session::error_phrase(error.message));
 }
 
 void ReplayDesk::take_opened(std::shared_ptr<Recording> recording, const OpenOptions& options,
@@ -156,7 +157,7 @@ void ReplayDesk::ask_for_moment() {
         return [this, shown, with_looks, edition] {
             if (edition != edition_) return;
             if (!*shown) {
-                log_.add(Severity::warning, phrase("%1", shown->error().message));
+                log_.add(Severity::warning, session::error_phrase(shown->error().message));
                 return leave();
             }
             shown_has_looks_ = with_looks;

@@ -131,7 +131,7 @@ AlarmText gap_text(const MachineSight& machine) {
 AlarmText late_text(const MachineSight& machine) {
     AlarmText text{phrase("The computer was too busy for the machine"),
                    phrase("Ticks were missed (%1 since the core started); motors may have lost steps.",
-                          count_text(static_cast<std::int64_t>(machine.status->missed_ticks))),
+                          count_text(static_cast<std::int64_t>(machine.missed_ticks_at_alarm))),
                    {}};
     text.steps.push_back(phrase("Close other programs, or give the core real-time rights"));
     add_way_back(machine, text);

@@ -10,6 +10,7 @@
 #include "hmi/cam/least_time.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/model/load_mesh.hpp"
+#include "hmi/session/error_phrase.hpp"
 #include "hmi/session/warning_phrase.hpp"
 #include "shared/snapshot_file.hpp"
 
@@ -162,7 +163,7 @@ void JobDesk::take_job(JobPointer job, std::uint64_t generation) {
     resting_state_ = DeskState::job;
     ++edition_;
     for (const std::string& warning : job_->warnings) log_.add(Severity::warning, warning_phrase(warning));
-    for (const std::string& note : job_->notes) log_.add(Severity::info, phrase("%1", note));
+    for (const std::string& note : job_->notes) log_.add(Severity::info, error_phrase(note));
     log_.add(Severity::info, phrase("Job: %1 × %2 points", std::to_string(job_->view.layer_count()),
                                     std::to_string(job_->view.point_count())));
 }
@@ -173,9 +174,11 @@ void JobDesk::publish() {
     lane_.post([this, job = job_]() -> WorkLane::Finish {
         const auto generation = publish_and_wait(segment_name_, group_, *job, cancels_);
         if (!generation) return [this, error = generation.error()] { fail(error); };
-        return [this, number = *generation] {
+        return [this, job, number = *generation] {
             generation_ = number;
             fetched_generation_ = number;
+            core_job_generation_ = number;
+            core_job_ = job;
             resting_state_ = DeskState::job;
         };
     });
@@ -183,7 +186,7 @@ void JobDesk::publish() {
 
 void JobDesk::fail(const Error& error) {
     const Severity severity = error.code == ErrorCode::cancelled ? Severity::info : Severity::warning;
-    log_.add(severity, phrase("%1", error.message));
+    log_.add(severity, error_phrase(error.message));
 }
 
 void JobDesk::fetch_from_core(std::uint64_t generation) {
@@ -192,8 +195,10 @@ void JobDesk::fetch_from_core(std::uint64_t generation) {
         const auto job = job_in_segment(segment_name_, group_);
         if (!job) return [this, error = job.error()] { fail(error); };
         return [this, made = *job, generation] {
-            if (mesh_ || !path_.empty()) return;  // opened something in the meantime
-            take_job(made, generation);
+            core_job_generation_ = generation;
+            core_job_ = made;
+            ++edition_;
+            if (!mesh_ && path_.empty()) take_job(made, generation);
         };
     });
 }
@@ -209,9 +214,9 @@ void JobDesk::poll(const MachineSight& machine) {
     if (job_ && generation_ != 0 && accepted == generation_) sight_.state = DeskState::published;
     sight_.has_mesh = mesh_ != nullptr;
     sight_.layer_count = job_ ? job_->view.layer_count() : 0;
-    const bool shows_own = mesh_ || !path_.empty();
-    if (!shows_own && accepted != 0 && accepted != fetched_generation_ && lane_.is_idle())
-        fetch_from_core(accepted);
+    accepted_generation_ = accepted;
+    sight_.core_layer_count = core_job() ? core_job()->view.layer_count() : 0;
+    if (accepted != 0 && accepted != fetched_generation_ && lane_.is_idle()) fetch_from_core(accepted);
 }
 
 }  // namespace psicarve::session

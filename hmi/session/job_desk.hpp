@@ -45,7 +45,7 @@ public:
     /// Ends opening, slicing or waiting for the core soon.
     void cancel() noexcept { cancels_.store(true); }
 
-    /// At screen rate. Shows the core's job when nothing is open.
+    /// At screen rate. Fetches the core's job, and shows it when nothing is open.
     void poll(const MachineSight& machine);
     const JobSight& sight() const noexcept { return sight_; }
     const std::string& path() const noexcept { return path_; }
@@ -53,6 +53,11 @@ public:
     /// The mesh as it is drawn.
     std::shared_ptr<const MeshScene> scene() const noexcept { return scene_; }
     std::shared_ptr<const cam::PreparedJob> job() const noexcept { return job_; }
+    /// The job that the core accepted last: what the machine carves, whatever is open here. Null while it is
+    /// not known.
+    std::shared_ptr<const cam::PreparedJob> core_job() const noexcept {
+        return accepted_generation_ == core_job_generation_ ? core_job_ : nullptr;
+    }
     /// Of the slicing; 0 to 1.
     double progress_ratio() const noexcept { return progress_ratio_.load(); }
     /// Grows when another mesh or job is there to be shown.
@@ -81,8 +86,11 @@ private:
     std::shared_ptr<const model::Mesh> mesh_;
     std::shared_ptr<const MeshScene> scene_;
     JobPointer job_;
-    std::uint64_t generation_ = 0;          ///< of job_ in the segment; 0: not published
-    std::uint64_t fetched_generation_ = 0;  ///< the core's job that was asked for last
+    std::uint64_t generation_ = 0;  ///< of job_ in the segment; 0: not published
+    JobPointer core_job_;
+    std::uint64_t core_job_generation_ = 0;
+    std::uint64_t accepted_generation_ = 0;  ///< by the core; 0: none
+    std::uint64_t fetched_generation_ = 0;   ///< the core's job that was asked for last
     std::uint64_t edition_ = 0;
     std::atomic<bool> cancels_{false};
     std::atomic<double> progress_ratio_{0.0};

@@ -5,6 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "hmi/session/core_phrase.hpp"
+
 namespace psicarve::session {
 namespace {
 
@@ -19,7 +21,9 @@ MachineSession::MachineSession(SessionOptions options, MessageLog& log)
       log_(log),
       jog_(
           options_.segment_name, options_.group,
-          [this](const Error& error) { log_.add(Severity::warning, phrase("By hand: %1", error.message)); },
+          [this](const Error& error) {
+              log_.add(Severity::warning, refusal_phrase(phrase("By hand"), error.message));
+          },
           options_.hand_limit) {
     if (options_.profile) offer_profile(*options_.profile);
     offer_profile(Profile{});
@@ -86,7 +90,10 @@ void MachineSession::look() {
     if (status && status->heartbeat != heartbeat_) {
         heartbeat_ = status->heartbeat;
         heartbeat_changed_ = now;
+        sight_.missed_ticks_at_alarm = missed_ticks_at_alarm(sight_, *status);
         sight_.status = status;
+        // Of what a dead core has left behind nobody knows when it was.
+        sight_.status_time = pid ? std::chrono::system_clock::now() : std::chrono::system_clock::time_point{};
     }
     const auto silence = std::chrono::duration_cast<std::chrono::milliseconds>(now - heartbeat_changed_);
     sight_.life = core_life(pid.has_value(), silence);
@@ -164,7 +171,7 @@ void MachineSession::order_and_wait(CommandKind kind) {
     forget_wishes();
     if (!link_) return;
     if (const auto sent = link_->send(kind); !sent)
-        log_.add(Severity::warning, phrase("%1: %2", std::string{name_of(kind)}, sent.error().message));
+        log_.add(Severity::warning, refusal_phrase(phrase("%1", name_of(kind)), sent.error().message));
 }
 
 void MachineSession::start(std::uint32_t from_layer, std::uint32_t layers) {
@@ -183,8 +190,7 @@ void MachineSession::start(std::uint32_t from_layer, std::uint32_t layers) {
 
 void MachineSession::send(const Command& command, const Phrase& name, Then then) {
     if (watches_only_ && command.kind != CommandKind::hold) {
-        return log_.add(Severity::warning,
-                        phrase("%1: a recording is shown; leave replay first", in_english(name)));
+        return log_.add(Severity::warning, joined(name, phrase("a recording is shown; leave replay first")));
     }
     orders_.post([this, command, name, then = std::move(then), segment = options_.segment_name,
                   group = options_.group]() -> WorkLane::Finish {
@@ -192,7 +198,7 @@ void MachineSession::send(const Command& command, const Phrase& name, Then then)
         const auto sent = link ? link->send(command) : Result<void>{link.error()};
         if (sent) return then;
         return [this, name, why = sent.error().message] {
-            log_.add(Severity::warning, phrase("%1: %2", in_english(name), why));
+            log_.add(Severity::warning, refusal_phrase(name, why));
         };
     });
 }

@@ -35,6 +35,10 @@ struct MachineSight {
     std::optional<CoreStatus> status;  ///< the last that is known, also of a core that is no more
     /// The machine's, by which pulses become mm; nothing when it is not known.
     std::optional<Profile> profile;
+    /// When the alarm that is latched was first seen: the computer's troubles go on, the alarm's do not.
+    std::uint64_t missed_ticks_at_alarm = 0;
+    /// By the computer's clock, when `status` was written; what is shown of a core that is silent is of then.
+    std::chrono::system_clock::time_point status_time{};
     std::string segment_problem;  ///< why a segment that is there cannot be used; else empty
 
     bool is_heard() const noexcept { return life == CoreLife::alive || life == CoreLife::late; }
@@ -45,6 +49,13 @@ struct MachineSight {
     bool is_active(Signal signal) const noexcept { return status && (status->signals & bit_of(signal)) != 0; }
     bool is_simulator() const noexcept { return status && status->is_simulator != 0; }
 };
+
+/// What `missed_ticks_at_alarm` becomes with the next status.
+constexpr std::uint64_t missed_ticks_at_alarm(const MachineSight& before, const CoreStatus& now) noexcept {
+    const bool is_same =
+        before.status && before.status->alarm_count == now.alarm_count && before.status->tick <= now.tick;
+    return is_same ? before.missed_ticks_at_alarm : now.missed_ticks;
+}
 
 inline constexpr std::array<Signal, 3> kLimitSignals{Signal::r1_limit, Signal::r2_limit, Signal::y_limit};
 
@@ -67,8 +78,9 @@ enum class DeskState : std::uint8_t {
 
 struct JobSight {
     DeskState state = DeskState::empty;
-    bool has_mesh = false;          ///< that can be sliced
-    std::uint32_t layer_count = 0;  ///< of the job, when there is one
+    bool has_mesh = false;               ///< that can be sliced
+    std::uint32_t layer_count = 0;       ///< of the job, when there is one
+    std::uint32_t core_layer_count = 0;  ///< of the core's job, which may be another; 0: not known
     bool has_job() const noexcept {
         return state == DeskState::job || state == DeskState::publishing || state == DeskState::published;
     }

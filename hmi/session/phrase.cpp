@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/session/phrase.hpp"
 
+#include <array>
+#include <utility>
+
 namespace psicarve::session {
 
 std::string filled_in(const std::string& words, const std::vector<std::string>& arguments) {
@@ -20,7 +23,28 @@ std::string filled_in(const std::string& words, const std::vector<std::string>& 
 }
 
 std::string in_english(const Phrase& text) {
-    return filled_in(text.english, text.arguments);
+    std::vector<std::string> arguments = text.arguments;
+    for (const Phrase& inner : text.inner) arguments.push_back(in_english(inner));
+    return filled_in(text.english, arguments);
+}
+
+Phrase joined(Phrase before, Phrase after) {
+    return Phrase{"%1: %2", {}, {std::move(before), std::move(after)}};
+}
+
+Phrase listed(std::vector<Phrase> phrases) {
+    constexpr std::array kLists{"",
+                                "%1",
+                                "%1, %2",
+                                "%1, %2, %3",
+                                "%1, %2, %3, %4",
+                                "%1, %2, %3, %4, %5",
+                                "%1, %2, %3, %4, %5, %6",
+                                "%1, %2, %3, %4, %5, %6, %7",
+                                "%1, %2, %3, %4, %5, %6, %7, %8",
+                                "%1, %2, %3, %4, %5, %6, %7, %8, %9"};
+    if (phrases.size() >= kLists.size()) phrases.resize(kLists.size() - 1);
+    return Phrase{kLists[phrases.size()], {}, std::move(phrases)};
 }
 
 }  // namespace psicarve::session

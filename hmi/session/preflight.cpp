@@ -85,13 +85,15 @@ Check rights_check(const MachineSight& machine) {
 }  // namespace
 
 std::vector<Check> preflight_checks(const MachineSight& machine, const JobSight& job) {
+    // While a job runs the checks are of that one, whatever has been opened or sliced since.
+    const JobSight shown = runs_job(machine.state()) ? JobSight{DeskState::published} : job;
     std::vector<Check> checks{core_check(machine)};
     if (!machine.status || !machine.is_heard()) return checks;
     checks.push_back(alarm_check(machine));
     checks.push_back(limits_check(machine));
     checks.push_back(homed_check(machine));
-    checks.push_back(made_check(job, machine.status->job_generation != 0));
-    checks.push_back(published_check(machine, job));
+    checks.push_back(made_check(shown, machine.status->job_generation != 0));
+    checks.push_back(published_check(machine, shown));
     checks.push_back(rights_check(machine));
     return checks;
 }

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/session/warning_phrase.hpp"
 
-#include <optional>
-#include <string_view>
 #include <vector>
+
+#include "hmi/session/sentence.hpp"
 
 namespace psicarve::session {
 namespace {
-
-struct Sentence {
-    std::string_view said;  ///< %1, %2 ... in their order
-    Phrase shown;
-};
 
 std::vector<Sentence> sentences() {
     return {
@@ -46,36 +41,10 @@ std::vector<Sentence> sentences() {
     };
 }
 
-/// What stands for %1, %2 ... when the text is such a sentence.
-std::optional<std::vector<std::string>> arguments_of(std::string_view said, std::string_view text) {
-    std::vector<std::string> arguments;
-    for (;;) {
-        const std::size_t mark = said.find('%');
-        const std::string_view before = said.substr(0, mark);
-        if (!text.starts_with(before)) return std::nullopt;
-        text.remove_prefix(before.size());
-        if (mark == std::string_view::npos) break;
-        said.remove_prefix(mark + 2);
-        const std::string_view after = said.substr(0, said.find('%'));
-        const std::size_t end = after.empty() ? text.size() : text.find(after);
-        if (end == std::string_view::npos) return std::nullopt;
-        arguments.emplace_back(text.substr(0, end));
-        text.remove_prefix(end);
-    }
-    if (!text.empty()) return std::nullopt;
-    return arguments;
-}
-
 }  // namespace
 
 Phrase warning_phrase(const std::string& warning) {
-    for (Sentence& sentence : sentences()) {
-        if (auto arguments = arguments_of(sentence.said, warning)) {
-            sentence.shown.arguments = std::move(*arguments);
-            return sentence.shown;
-        }
-    }
-    return phrase("%1", warning);
+    return phrase_for(sentences(), warning).value_or(phrase("%1", warning));
 }
 
 }  // namespace psicarve::session

@@ -20,6 +20,10 @@
             <translation>%1 один ищет свой ноль</translation>
         </message>
         <message>
+            <source>%1 cannot count so far</source>
+            <translation>%1 не может отсчитать так далеко</translation>
+        </message>
+        <message>
             <source>%1 changes</source>
             <translation>%1 фронтов</translation>
         </message>
@@ -38,6 +42,34 @@
         <message>
             <source>%1 found its sensor</source>
             <translation>%1: датчик найден</translation>
+        </message>
+        <message>
+            <source>%1 has no way left in this direction</source>
+            <translation>у %1 в эту сторону больше нет хода</translation>
+        </message>
+        <message>
+            <source>%1 is not a number</source>
+            <translation>%1 — не число</translation>
+        </message>
+        <message>
+            <source>%1 is not a number: a vertex needs three</source>
+            <translation>%1 — не число: вершине нужны три</translation>
+        </message>
+        <message>
+            <source>%1 is not a word of ASCII STL</source>
+            <translation>%1 — не слово текстового STL</translation>
+        </message>
+        <message>
+            <source>%1 is not the number of a vertex</source>
+            <translation>%1 — не номер вершины</translation>
+        </message>
+        <message>
+            <source>%1 is not wired to any pin</source>
+            <translation>%1 не подключён ни к одному контакту</translation>
+        </message>
+        <message>
+            <source>%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis Y</source>
+            <translation>слоёв %1, а не %2: высота %3 лишь %4 mm, а слою нужен импульс оси Y</translation>
         </message>
         <message>
             <source>%1 left</source>
@@ -68,6 +100,10 @@
             <translation>нет: %1</translation>
         </message>
         <message>
+            <source>%1 of %2 facets have no finite coordinates; this is not a usable mesh</source>
+            <translation>у %1 из %2 граней координаты не конечны; такая сетка непригодна</translation>
+        </message>
+        <message>
             <source>%1 of %2 layers do not contain the axis.</source>
             <translation>Слоёв, не содержащих ось: %1 из %2.</translation>
         </message>
@@ -92,6 +128,10 @@
             <translation>по плану %1</translation>
         </message>
         <message>
+            <source>%1 points a layer, not %2: half a turn of axis Ψ has no more pulses</source>
+            <translation>точек в слое %1, а не %2: в половине оборота оси Ψ больше импульсов нет</translation>
+        </message>
+        <message>
             <source>%1 pulses</source>
             <translation>импульсов: %1</translation>
         </message>
@@ -108,16 +148,24 @@
             <translation>%1 об.</translation>
         </message>
         <message>
+            <source>%1 would bring the tips closer than head_clearance_mm, %2</source>
+            <translation>%1 сблизил бы резцы меньше чем на head_clearance_mm, %2</translation>
+        </message>
+        <message>
+            <source>%1 would go inside the core radius, %2</source>
+            <translation>%1 вошёл бы внутрь радиуса сердцевины, %2</translation>
+        </message>
+        <message>
+            <source>%1 would leave its travel, %2 to %3</source>
+            <translation>%1 вышел бы за пределы хода, от %2 до %3</translation>
+        </message>
+        <message>
             <source>%1 × %2 × %3, %4 facets</source>
             <translation>%1 × %2 × %3, %4</translation>
         </message>
         <message>
             <source>%1. Lose them?</source>
             <translation>%1. Отказаться от них?</translation>
-        </message>
-        <message>
-            <source>%1: a recording is shown; leave replay first</source>
-            <translation>%1: показана запись; сначала закройте воспроизведение</translation>
         </message>
         <message>
             <source>%1: homed</source>
@@ -304,10 +352,6 @@
             <translation>Вручную</translation>
         </message>
         <message>
-            <source>By hand: %1</source>
-            <translation>Вручную: %1</translation>
-        </message>
-        <message>
             <source>CARVING</source>
             <translation>РЕЗЬБА</translation>
         </message>
@@ -490,6 +534,7 @@
         </message>
         <message>
             <source>F1  emergency stop, everywhere
+Esc  stop, everywhere, while the machine is at work
 Ctrl+Enter  start
 Pause  hold, resume
 Ctrl+Home  home all
@@ -498,6 +543,8 @@ Ctrl+O  open
 F5  slice
 F9  arm keyboard jog
 Ctrl+1 … 7  tabs
+Ctrl+L  layer number
+F6  next pane
 F10  menu
 F12  this list
 
@@ -507,22 +554,25 @@ N, Shift+N  next entry, entry before
 ,  .  one layer
 On the timeline: arrows, Page Up, Page Down, Home, End</source>
             <translation>F1  аварийный останов, везде
+Esc  стоп, везде, пока станок работает
 Ctrl+Enter  пуск
 Pause  пауза, продолжить
-Ctrl+Home  все нули
+Ctrl+Home  поиск нуля всех осей
 Ctrl+0, Ctrl+−, Ctrl++  коррекция подачи
 Ctrl+O  открыть
 F5  нарезать
-F9  включить клавиши перемещения
+F9  включить перемещение с клавиатуры
 Ctrl+1 … 7  вкладки
+Ctrl+L  номер слоя
+F6  следующая панель
 F10  меню
 F12  этот список
 
-Запись: K  пуск, пауза
+Воспроизведение: K  пуск, пауза
 J, L  медленнее, быстрее
 N, Shift+N  следующая, предыдущая запись
 ,  .  один слой
-На шкале: стрелки, Page Up, Page Down, Home, End</translation>
+На шкале времени: стрелки, Page Up, Page Down, Home, End</translation>
         </message>
         <message>
             <source>F1 · the live machine</source>
@@ -1205,6 +1255,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Открыт %1</translation>
         </message>
         <message>
+            <source>Opened, not sliced yet: %1</source>
+            <translation>Открыто, ещё не нарезано: %1</translation>
+        </message>
+        <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
             <translation>Выход: вывод 1..9, 14, 16 или 17; 0: не подключён; минус: активный низкий.</translation>
         </message>
@@ -1517,12 +1571,12 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Отчёт: %1</translation>
         </message>
         <message>
-            <source>Report: no job is open</source>
-            <translation>Отчёт: задание не открыто</translation>
-        </message>
-        <message>
             <source>Report: no job was started</source>
             <translation>Отчёт: ни одно задание не запускалось</translation>
+        </message>
+        <message>
+            <source>Report: the job is not known</source>
+            <translation>Отчёт: задание неизвестно</translation>
         </message>
         <message>
             <source>Reset alarm</source>
@@ -1659,6 +1713,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Slice: this is a job, and already sliced</source>
             <translation>Нарезать: это задание, оно уже нарезано</translation>
+        </message>
+        <message>
+            <source>Sliced, not published yet: %1</source>
+            <translation>Нарезано, ещё не опубликовано: %1</translation>
         </message>
         <message>
             <source>Slicing …</source>
@@ -2175,8 +2233,40 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Отсчёт: профиль станка здесь неизвестен</translation>
         </message>
         <message>
+            <source>a face needs at least three vertices</source>
+            <translation>грани нужны не меньше трёх вершин</translation>
+        </message>
+        <message>
+            <source>a facet needs three vertices</source>
+            <translation>треугольнику нужны три вершины</translation>
+        </message>
+        <message>
+            <source>a facet without endfacet</source>
+            <translation>facet без endfacet</translation>
+        </message>
+        <message>
+            <source>a recorded run is being replayed</source>
+            <translation>повторяется записанный прогон</translation>
+        </message>
+        <message>
+            <source>a recording is shown; leave replay first</source>
+            <translation>показана запись; сначала выйдите из воспроизведения</translation>
+        </message>
+        <message>
             <source>alarm</source>
             <translation>авария</translation>
+        </message>
+        <message>
+            <source>alarm: %1</source>
+            <translation>авария: %1</translation>
+        </message>
+        <message>
+            <source>alarm: %1, axis %2</source>
+            <translation>авария: %1, ось %2</translation>
+        </message>
+        <message>
+            <source>an output is being tested; end the test first</source>
+            <translation>проверяется выход; сначала закончите проверку</translation>
         </message>
         <message>
             <source>as at the last</source>
@@ -2199,6 +2289,18 @@ N, Shift+N  следующая, предыдущая запись
             <translation>не меньше %1</translation>
         </message>
         <message>
+            <source>back-off</source>
+            <translation>отвод</translation>
+        </message>
+        <message>
+            <source>backing off</source>
+            <translation>отводится</translation>
+        </message>
+        <message>
+            <source>became shorter while it was read</source>
+            <translation>стал короче во время чтения</translation>
+        </message>
+        <message>
             <source>being made</source>
             <translation>составляется</translation>
         </message>
@@ -2215,8 +2317,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>встроенный профиль</translation>
         </message>
         <message>
+            <source>cannot be opened: %1</source>
+            <translation>не открывается: %1</translation>
+        </message>
+        <message>
+            <source>cannot be read: %1</source>
+            <translation>не читается: %1</translation>
+        </message>
+        <message>
             <source>carved to the last point</source>
             <translation>вырезано до последней точки</translation>
+        </message>
+        <message>
+            <source>carving</source>
+            <translation>резьба</translation>
         </message>
         <message>
             <source>checked</source>
@@ -2231,8 +2345,40 @@ N, Shift+N  следующая, предыдущая запись
             <translation>обрезана</translation>
         </message>
         <message>
+            <source>cut off, or not an STL file: the header announces %1 facets, the file has room for %2</source>
+            <translation>обрезан или не STL: заголовок обещает граней: %1, в файле место для %2</translation>
+        </message>
+        <message>
+            <source>cut off: a binary STL begins with 84 bytes, the file has %1</source>
+            <translation>обрезан: двоичный STL начинается с 84 байт, в файле их %1</translation>
+        </message>
+        <message>
+            <source>cut off: it ends without endsolid, and the mesh has holes</source>
+            <translation>обрезан: в конце нет endsolid, и в сетке дыры</translation>
+        </message>
+        <message>
+            <source>cut off: its header is not complete</source>
+            <translation>обрезан: заголовок неполон</translation>
+        </message>
+        <message>
+            <source>cut off: the PLY header has no end_header</source>
+            <translation>обрезан: в заголовке PLY нет end_header</translation>
+        </message>
+        <message>
+            <source>damaged: its checksum is wrong</source>
+            <translation>повреждён: неверная контрольная сумма</translation>
+        </message>
+        <message>
+            <source>damaged: sizes and offsets do not fit each other</source>
+            <translation>повреждён: размеры и смещения не сходятся</translation>
+        </message>
+        <message>
             <source>done</source>
             <translation>готово</translation>
+        </message>
+        <message>
+            <source>drives-off</source>
+            <translation>выключить приводы</translation>
         </message>
         <message>
             <source>emergency stop</source>
@@ -2247,8 +2393,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>прервано аварией</translation>
         </message>
         <message>
+            <source>file version %1, this program knows %2: make the file anew</source>
+            <translation>версия файла %1, программа знает %2: создайте файл заново</translation>
+        </message>
+        <message>
             <source>file's origin</source>
             <translation>ноль файла</translation>
+        </message>
+        <message>
+            <source>finishing</source>
+            <translation>завершение</translation>
         </message>
         <message>
             <source>from here on a tick may have been missed</source>
@@ -2275,8 +2429,32 @@ N, Shift+N  следующая, предыдущая запись
             <translation>высота</translation>
         </message>
         <message>
+            <source>held</source>
+            <translation>пауза</translation>
+        </message>
+        <message>
             <source>high</source>
             <translation>высокий</translation>
+        </message>
+        <message>
+            <source>hold</source>
+            <translation>пауза</translation>
+        </message>
+        <message>
+            <source>holding</source>
+            <translation>замедляется до паузы</translation>
+        </message>
+        <message>
+            <source>holds no facets (%1)</source>
+            <translation>не содержит граней (%1)</translation>
+        </message>
+        <message>
+            <source>holds no job</source>
+            <translation>не содержит задания</translation>
+        </message>
+        <message>
+            <source>home</source>
+            <translation>поиск нуля</translation>
         </message>
         <message>
             <source>home ?</source>
@@ -2287,8 +2465,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ноль не найден</translation>
         </message>
         <message>
+            <source>home first</source>
+            <translation>сначала найдите ноль</translation>
+        </message>
+        <message>
             <source>homed</source>
             <translation>ноль</translation>
+        </message>
+        <message>
+            <source>homing</source>
+            <translation>поиск нуля</translation>
         </message>
         <message>
             <source>in</source>
@@ -2303,8 +2489,44 @@ N, Shift+N  следующая, предыдущая запись
             <translation>сведения</translation>
         </message>
         <message>
+            <source>is a folder, not a model file</source>
+            <translation>это папка, а не файл модели</translation>
+        </message>
+        <message>
+            <source>is a zip archive, but holds no 3MF model</source>
+            <translation>это архив zip, но без модели 3MF</translation>
+        </message>
+        <message>
+            <source>is no 3MF file: these are zip archives</source>
+            <translation>не файл 3MF: это архивы zip</translation>
+        </message>
+        <message>
+            <source>is no psicarve job or snapshot file</source>
+            <translation>не файл задания или снимка psicarve</translation>
+        </message>
+        <message>
+            <source>is not a regular file</source>
+            <translation>не обычный файл</translation>
+        </message>
+        <message>
+            <source>jog</source>
+            <translation>ручное перемещение</translation>
+        </message>
+        <message>
+            <source>larger than the machine's travel: axis %1 would have to go to %2 mm, allowed are %3; choose a smaller height</source>
+            <translation>больше хода станка: оси %1 пришлось бы идти до %2 mm, допустимо %3; выберите меньшую высоту</translation>
+        </message>
+        <message>
             <source>last known</source>
             <translation>последнее известное</translation>
+        </message>
+        <message>
+            <source>last known %1</source>
+            <translation>последнее от %1</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: the radius of %3, %4, is inside the core radius of %5; carve less deep, or lower core_radius_mm</source>
+            <translation>слой %1, точка %2: радиус %3, %4, внутри радиуса сердцевины %5; режьте мельче или уменьшите core_radius_mm</translation>
         </message>
         <message>
             <source>least lost</source>
@@ -2319,12 +2541,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>концевик</translation>
         </message>
         <message>
+            <source>line %1</source>
+            <translation>строка %1</translation>
+        </message>
+        <message>
             <source>linear</source>
             <translation>лин.</translation>
         </message>
         <message>
             <source>locked</source>
             <translation>заперто</translation>
+        </message>
+        <message>
+            <source>looking for the best axis was cancelled</source>
+            <translation>поиск лучшей оси отменён</translation>
         </message>
         <message>
             <source>low</source>
@@ -2343,16 +2573,44 @@ N, Shift+N  следующая, предыдущая запись
             <translation>нет</translation>
         </message>
         <message>
+            <source>more layers than pulses: %1 layers, but the model is only %2 mm, %3 pulses of axis Y, high: choose at most %4 layers, or a larger height</source>
+            <translation>слоёв больше, чем импульсов: %1, а высота модели лишь %2 mm, %3 импульсов оси Y: выберите не больше %4 слоёв или большую высоту</translation>
+        </message>
+        <message>
+            <source>more points than pulses: %1 points a layer, but half a turn of axis Ψ has %2 pulses: choose at most %3 points</source>
+            <translation>точек больше, чем импульсов: %1 в слое, а в половине оборота оси Ψ их %2: выберите не больше %3 точек</translation>
+        </message>
+        <message>
+            <source>move</source>
+            <translation>перемещение</translation>
+        </message>
+        <message>
+            <source>moving</source>
+            <translation>движется</translation>
+        </message>
+        <message>
             <source>no core</source>
             <translation>нет ядра</translation>
+        </message>
+        <message>
+            <source>no core serves segment %1</source>
+            <translation>сегмент %1 не обслуживает ни одно ядро</translation>
         </message>
         <message>
             <source>no job</source>
             <translation>нет задания</translation>
         </message>
         <message>
+            <source>no job is published; publish one first</source>
+            <translation>задание не опубликовано; сначала опубликуйте</translation>
+        </message>
+        <message>
             <source>no pin</source>
             <translation>нет вывода</translation>
+        </message>
+        <message>
+            <source>no such file</source>
+            <translation>нет такого файла</translation>
         </message>
         <message>
             <source>no. %1</source>
@@ -2371,8 +2629,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>нет: такты могут запаздывать</translation>
         </message>
         <message>
+            <source>not a mesh that can be read here (STL, OBJ, PLY, 3MF or OFF)</source>
+            <translation>не сетка, которую можно здесь прочесть (STL, OBJ, PLY, 3MF или OFF)</translation>
+        </message>
+        <message>
             <source>not by the window; psicarve carve does</source>
             <translation>не окном; это делает psicarve carve</translation>
+        </message>
+        <message>
+            <source>not enough memory for so many layers and points</source>
+            <translation>не хватает памяти на столько слоёв и точек</translation>
+        </message>
+        <message>
+            <source>not enough memory to slice %1</source>
+            <translation>не хватает памяти, чтобы нарезать %1</translation>
         </message>
         <message>
             <source>not in a trace</source>
@@ -2395,20 +2665,40 @@ N, Shift+N  следующая, предыдущая запись
             <translation>не нарезано</translation>
         </message>
         <message>
+            <source>not while %1; %2</source>
+            <translation>нельзя в состоянии «%1»; %2</translation>
+        </message>
+        <message>
             <source>of %1</source>
             <translation>из %1</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>выключен</translation>
         </message>
         <message>
             <source>only in a trace</source>
             <translation>только в трассе</translation>
         </message>
         <message>
+            <source>only with the drives off</source>
+            <translation>только при выключенных приводах</translation>
+        </message>
+        <message>
             <source>open a model</source>
             <translation>откройте модель</translation>
         </message>
         <message>
+            <source>opening was cancelled</source>
+            <translation>открытие отменено</translation>
+        </message>
+        <message>
             <source>out</source>
             <translation>выход</translation>
+        </message>
+        <message>
+            <source>override</source>
+            <translation>коррекция</translation>
         </message>
         <message>
             <source>passed</source>
@@ -2423,6 +2713,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>сбой порта</translation>
         </message>
         <message>
+            <source>positioning</source>
+            <translation>выход на точку</translation>
+        </message>
+        <message>
             <source>profile %1</source>
             <translation>профиль %1</translation>
         </message>
@@ -2433,6 +2727,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>publish first</source>
             <translation>передайте</translation>
+        </message>
+        <message>
+            <source>publishing was cancelled</source>
+            <translation>публикация отменена</translation>
         </message>
         <message>
             <source>pul.</source>
@@ -2451,8 +2749,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>достижимо</translation>
         </message>
         <message>
+            <source>ready</source>
+            <translation>готов</translation>
+        </message>
+        <message>
             <source>real clock</source>
             <translation>настоящие часы</translation>
+        </message>
+        <message>
+            <source>record</source>
+            <translation>запись</translation>
         </message>
         <message>
             <source>recorded</source>
@@ -2461,6 +2767,26 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>reset first</source>
             <translation>сбросьте</translation>
+        </message>
+        <message>
+            <source>reset the alarm first</source>
+            <translation>сначала сбросьте аварию</translation>
+        </message>
+        <message>
+            <source>reset-alarm</source>
+            <translation>сброс аварии</translation>
+        </message>
+        <message>
+            <source>reset-height</source>
+            <translation>сброс высоты</translation>
+        </message>
+        <message>
+            <source>resume</source>
+            <translation>продолжить</translation>
+        </message>
+        <message>
+            <source>resume, or stop</source>
+            <translation>продолжите или остановите</translation>
         </message>
         <message>
             <source>right</source>
@@ -2475,6 +2801,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>сегмент потерян</translation>
         </message>
         <message>
+            <source>shutdown</source>
+            <translation>завершение</translation>
+        </message>
+        <message>
             <source>silent</source>
             <translation>молчит</translation>
         </message>
@@ -2483,16 +2813,120 @@ N, Shift+N  следующая, предыдущая запись
             <translation>нарежьте</translation>
         </message>
         <message>
+            <source>slicing was cancelled</source>
+            <translation>нарезка отменена</translation>
+        </message>
+        <message>
+            <source>spindle</source>
+            <translation>шпиндель</translation>
+        </message>
+        <message>
+            <source>start</source>
+            <translation>пуск</translation>
+        </message>
+        <message>
+            <source>start first</source>
+            <translation>сначала запустите</translation>
+        </message>
+        <message>
+            <source>start, or stop</source>
+            <translation>запустите или остановите</translation>
+        </message>
+        <message>
+            <source>start-interpolation</source>
+            <translation>начать резьбу</translation>
+        </message>
+        <message>
             <source>steps lost</source>
             <translation>потеря шагов</translation>
+        </message>
+        <message>
+            <source>still tripped: %1; release it or back off</source>
+            <translation>ещё сработал: %1; освободите или отведите ось</translation>
         </message>
         <message>
             <source>stopped</source>
             <translation>остановлено</translation>
         </message>
         <message>
+            <source>stopping</source>
+            <translation>останавливается</translation>
+        </message>
+        <message>
+            <source>test-pin</source>
+            <translation>проверка контакта</translation>
+        </message>
+        <message>
+            <source>testing</source>
+            <translation>проверка</translation>
+        </message>
+        <message>
+            <source>the archive unpacks to far more than a model needs</source>
+            <translation>архив распаковывается в объём, много больший, чем нужно модели</translation>
+        </message>
+        <message>
+            <source>the axis has no sensor</source>
+            <translation>у оси нет датчика</translation>
+        </message>
+        <message>
+            <source>the core did not answer within %1 ms</source>
+            <translation>ядро не ответило за %1 ms</translation>
+        </message>
+        <message>
+            <source>the core ended before it answered</source>
+            <translation>ядро завершилось, не ответив</translation>
+        </message>
+        <message>
+            <source>the core of segment %1 (process %2) is silent</source>
+            <translation>ядро сегмента %1 (процесс %2) молчит</translation>
+        </message>
+        <message>
+            <source>the face names a vertex that is not there</source>
+            <translation>грань называет вершину, которой нет</translation>
+        </message>
+        <message>
+            <source>the file ends in the middle of a facet</source>
+            <translation>файл кончается посреди треугольника</translation>
+        </message>
+        <message>
+            <source>the file is empty</source>
+            <translation>файл пуст</translation>
+        </message>
+        <message>
+            <source>the job has not so many layers</source>
+            <translation>в задании нет столько слоёв</translation>
+        </message>
+        <message>
+            <source>the job was made for another machine (%1 differ); slice it again with the machine's profile</source>
+            <translation>задание сделано для другого станка (отличаются: %1); нарежьте заново с профилем станка</translation>
+        </message>
+        <message>
             <source>the job's</source>
             <translation>из задания</translation>
+        </message>
+        <message>
+            <source>the machine came to rest (%1), somebody stopped it</source>
+            <translation>станок остановился (%1), его кто-то остановил</translation>
+        </message>
+        <message>
+            <source>the machine is not homed; home first</source>
+            <translation>ноль станка не найден; сначала найдите ноль</translation>
+        </message>
+        <message>
+            <source>the mesh has no volume (all of it is flat); there is nothing to carve</source>
+            <translation>у сетки нет объёма (вся плоская); резать нечего</translation>
+        </message>
+        <message>
+            <source>the switch of the axis is open; there is nothing to back off from</source>
+            <translation>выключатель оси разомкнут; отводить не от чего</translation>
+        </message>
+        <message>
+            <source>the zip archive is cut off or damaged</source>
+            <translation>архив zip обрезан или повреждён</translation>
+        </message>
+        <message>
+            <source>there is no alarm</source>
+            <translation>аварии нет</translation>
         </message>
         <message>
             <source>tick %1 µs</source>
@@ -2501,6 +2935,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>tick gap</source>
             <translation>разрыв тактов</translation>
+        </message>
+        <message>
+            <source>too large for this computer's memory</source>
+            <translation>не помещается в память компьютера</translation>
+        </message>
+        <message>
+            <source>too many commands at once; wait for the others</source>
+            <translation>слишком много команд сразу; подождите остальные</translation>
         </message>
         <message>
             <source>under way</source>
@@ -2519,8 +2961,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>виртуальные часы</translation>
         </message>
         <message>
+            <source>wait, or stop</source>
+            <translation>подождите или остановите</translation>
+        </message>
+        <message>
+            <source>waiting</source>
+            <translation>ждёт</translation>
+        </message>
+        <message>
             <source>warning</source>
             <translation>внимание</translation>
+        </message>
+        <message>
+            <source>was written by another build of psicarve</source>
+            <translation>записан другой сборкой psicarve</translation>
         </message>
         <message>
             <source>whole</source>
@@ -2529,6 +2983,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>× NO CORE</source>
             <translation>× НЕТ ЯДРА</translation>
+        </message>
+        <message>
+            <source>Ψ and Y after R1 and R2, or with them; home R1 and R2 first</source>
+            <translation>Ψ и Y после R1 и R2 или вместе с ними; сначала найдите ноль R1 и R2</translation>
         </message>
         <message>
             <source>Ψ axis</source>

@@ -20,6 +20,10 @@
             <translation>%1 单独回零</translation>
         </message>
         <message>
+            <source>%1 cannot count so far</source>
+            <translation>%1 无法计数到那么远</translation>
+        </message>
+        <message>
             <source>%1 changes</source>
             <translation>%1 次变化</translation>
         </message>
@@ -38,6 +42,34 @@
         <message>
             <source>%1 found its sensor</source>
             <translation>%1 找到传感器</translation>
+        </message>
+        <message>
+            <source>%1 has no way left in this direction</source>
+            <translation>%1 在此方向已无行程</translation>
+        </message>
+        <message>
+            <source>%1 is not a number</source>
+            <translation>%1 不是数字</translation>
+        </message>
+        <message>
+            <source>%1 is not a number: a vertex needs three</source>
+            <translation>%1 不是数字：一个顶点需要三个数字</translation>
+        </message>
+        <message>
+            <source>%1 is not a word of ASCII STL</source>
+            <translation>%1 不是 ASCII STL 的关键字</translation>
+        </message>
+        <message>
+            <source>%1 is not the number of a vertex</source>
+            <translation>%1 不是顶点编号</translation>
+        </message>
+        <message>
+            <source>%1 is not wired to any pin</source>
+            <translation>%1 未接到任何引脚</translation>
+        </message>
+        <message>
+            <source>%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis Y</source>
+            <translation>%1 层而不是 %2 层：%3 只有 %4 mm 高，每层至少需要 Y 轴一个脉冲</translation>
         </message>
         <message>
             <source>%1 left</source>
@@ -68,6 +100,10 @@
             <translation>%1 未回零</translation>
         </message>
         <message>
+            <source>%1 of %2 facets have no finite coordinates; this is not a usable mesh</source>
+            <translation>%2 个面中有 %1 个坐标不是有限数；此网格不可用</translation>
+        </message>
+        <message>
             <source>%1 of %2 layers do not contain the axis.</source>
             <translation>%2 层中有 %1 层不包含轴心。</translation>
         </message>
@@ -92,6 +128,10 @@
             <translation>计划 %1</translation>
         </message>
         <message>
+            <source>%1 points a layer, not %2: half a turn of axis Ψ has no more pulses</source>
+            <translation>每层 %1 点而不是 %2 点：Ψ 轴半圈没有更多脉冲</translation>
+        </message>
+        <message>
             <source>%1 pulses</source>
             <translation>%1 脉冲</translation>
         </message>
@@ -108,16 +148,24 @@
             <translation>%1 圈</translation>
         </message>
         <message>
+            <source>%1 would bring the tips closer than head_clearance_mm, %2</source>
+            <translation>%1 会使两刀尖距离小于 head_clearance_mm（%2）</translation>
+        </message>
+        <message>
+            <source>%1 would go inside the core radius, %2</source>
+            <translation>%1 会进入芯半径 %2 之内</translation>
+        </message>
+        <message>
+            <source>%1 would leave its travel, %2 to %3</source>
+            <translation>%1 会超出行程 %2 至 %3</translation>
+        </message>
+        <message>
             <source>%1 × %2 × %3, %4 facets</source>
             <translation>%1 × %2 × %3，%4 个面片</translation>
         </message>
         <message>
             <source>%1. Lose them?</source>
             <translation>%1。要放弃吗？</translation>
-        </message>
-        <message>
-            <source>%1: a recording is shown; leave replay first</source>
-            <translation>%1：正在显示记录；请先退出回放</translation>
         </message>
         <message>
             <source>%1: homed</source>
@@ -304,10 +352,6 @@
             <translation>手动</translation>
         </message>
         <message>
-            <source>By hand: %1</source>
-            <translation>手动：%1</translation>
-        </message>
-        <message>
             <source>CARVING</source>
             <translation>雕刻中</translation>
         </message>
@@ -489,6 +533,7 @@
         </message>
         <message>
             <source>F1  emergency stop, everywhere
+Esc  stop, everywhere, while the machine is at work
 Ctrl+Enter  start
 Pause  hold, resume
 Ctrl+Home  home all
@@ -497,6 +542,8 @@ Ctrl+O  open
 F5  slice
 F9  arm keyboard jog
 Ctrl+1 … 7  tabs
+Ctrl+L  layer number
+F6  next pane
 F10  menu
 F12  this list
 
@@ -505,7 +552,8 @@ J, L  slower, faster
 N, Shift+N  next entry, entry before
 ,  .  one layer
 On the timeline: arrows, Page Up, Page Down, Home, End</source>
-            <translation>F1  急停，处处有效
+            <translation>F1  急停，任何地方有效
+Esc  停止，机床工作时任何地方有效
 Ctrl+Enter  启动
 Pause  暂停、继续
 Ctrl+Home  全部回零
@@ -513,15 +561,17 @@ Ctrl+0、Ctrl+−、Ctrl++  进给倍率
 Ctrl+O  打开
 F5  切片
 F9  启用键盘点动
-Ctrl+1 … 7  选项卡
+Ctrl+1 … 7  页面
+Ctrl+L  层号
+F6  下一窗格
 F10  菜单
-F12  此列表
+F12  本列表
 
 回放：K  播放、暂停
-J、L  更慢、更快
-N、Shift+N  下一条、上一条
+J、L  慢、快
+N、Shift+N  下一条、上一条记录
 ,  .  一层
-时间轴上：方向键、Page Up、Page Down、Home、End</translation>
+在时间轴上：方向键、Page Up、Page Down、Home、End</translation>
         </message>
         <message>
             <source>F1 · the live machine</source>
@@ -1204,6 +1254,10 @@ N、Shift+N  下一条、上一条
             <translation>已打开 %1</translation>
         </message>
         <message>
+            <source>Opened, not sliced yet: %1</source>
+            <translation>已打开、尚未切片：%1</translation>
+        </message>
+        <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
             <translation>输出引脚 1..9、14、16 或 17；0：未接；负号：低电平有效。</translation>
         </message>
@@ -1512,12 +1566,12 @@ N、Shift+N  下一条、上一条
             <translation>报告：%1</translation>
         </message>
         <message>
-            <source>Report: no job is open</source>
-            <translation>报告：没有打开的作业</translation>
-        </message>
-        <message>
             <source>Report: no job was started</source>
             <translation>报告：尚未启动作业</translation>
+        </message>
+        <message>
+            <source>Report: the job is not known</source>
+            <translation>报告：作业未知</translation>
         </message>
         <message>
             <source>Reset alarm</source>
@@ -1654,6 +1708,10 @@ N、Shift+N  下一条、上一条
         <message>
             <source>Slice: this is a job, and already sliced</source>
             <translation>切片：这是作业，已经切片</translation>
+        </message>
+        <message>
+            <source>Sliced, not published yet: %1</source>
+            <translation>已切片、尚未发布：%1</translation>
         </message>
         <message>
             <source>Slicing …</source>
@@ -2168,8 +2226,40 @@ N、Shift+N  下一条、上一条
             <translation>设零：此处不知道机床配置</translation>
         </message>
         <message>
+            <source>a face needs at least three vertices</source>
+            <translation>一个面至少需要三个顶点</translation>
+        </message>
+        <message>
+            <source>a facet needs three vertices</source>
+            <translation>一个三角面需要三个顶点</translation>
+        </message>
+        <message>
+            <source>a facet without endfacet</source>
+            <translation>有 facet 缺少 endfacet</translation>
+        </message>
+        <message>
+            <source>a recorded run is being replayed</source>
+            <translation>正在重放已记录的运行</translation>
+        </message>
+        <message>
+            <source>a recording is shown; leave replay first</source>
+            <translation>正在显示记录；请先退出回放</translation>
+        </message>
+        <message>
             <source>alarm</source>
             <translation>报警</translation>
+        </message>
+        <message>
+            <source>alarm: %1</source>
+            <translation>报警：%1</translation>
+        </message>
+        <message>
+            <source>alarm: %1, axis %2</source>
+            <translation>报警：%1，%2 轴</translation>
+        </message>
+        <message>
+            <source>an output is being tested; end the test first</source>
+            <translation>正在测试一个输出；请先结束测试</translation>
         </message>
         <message>
             <source>as at the last</source>
@@ -2192,6 +2282,18 @@ N、Shift+N  下一条、上一条
             <translation>至少 %1</translation>
         </message>
         <message>
+            <source>back-off</source>
+            <translation>退离开关</translation>
+        </message>
+        <message>
+            <source>backing off</source>
+            <translation>退离开关中</translation>
+        </message>
+        <message>
+            <source>became shorter while it was read</source>
+            <translation>读取时文件变短</translation>
+        </message>
+        <message>
             <source>being made</source>
             <translation>正在生成</translation>
         </message>
@@ -2208,8 +2310,20 @@ N、Shift+N  下一条、上一条
             <translation>内置配置</translation>
         </message>
         <message>
+            <source>cannot be opened: %1</source>
+            <translation>无法打开：%1</translation>
+        </message>
+        <message>
+            <source>cannot be read: %1</source>
+            <translation>无法读取：%1</translation>
+        </message>
+        <message>
             <source>carved to the last point</source>
             <translation>已雕刻到最后一点</translation>
+        </message>
+        <message>
+            <source>carving</source>
+            <translation>雕刻中</translation>
         </message>
         <message>
             <source>checked</source>
@@ -2224,8 +2338,40 @@ N、Shift+N  下一条、上一条
             <translation>被截断</translation>
         </message>
         <message>
+            <source>cut off, or not an STL file: the header announces %1 facets, the file has room for %2</source>
+            <translation>文件被截断，或不是 STL：文件头声明 %1 个面，文件只容得下 %2 个</translation>
+        </message>
+        <message>
+            <source>cut off: a binary STL begins with 84 bytes, the file has %1</source>
+            <translation>文件被截断：二进制 STL 以 84 字节开头，文件只有 %1</translation>
+        </message>
+        <message>
+            <source>cut off: it ends without endsolid, and the mesh has holes</source>
+            <translation>文件被截断：结尾没有 endsolid，且网格有孔</translation>
+        </message>
+        <message>
+            <source>cut off: its header is not complete</source>
+            <translation>文件被截断：文件头不完整</translation>
+        </message>
+        <message>
+            <source>cut off: the PLY header has no end_header</source>
+            <translation>文件被截断：PLY 文件头没有 end_header</translation>
+        </message>
+        <message>
+            <source>damaged: its checksum is wrong</source>
+            <translation>已损坏：校验和错误</translation>
+        </message>
+        <message>
+            <source>damaged: sizes and offsets do not fit each other</source>
+            <translation>已损坏：大小与偏移不符</translation>
+        </message>
+        <message>
             <source>done</source>
             <translation>完成</translation>
+        </message>
+        <message>
+            <source>drives-off</source>
+            <translation>关闭驱动</translation>
         </message>
         <message>
             <source>emergency stop</source>
@@ -2240,8 +2386,16 @@ N、Shift+N  下一条、上一条
             <translation>因报警结束</translation>
         </message>
         <message>
+            <source>file version %1, this program knows %2: make the file anew</source>
+            <translation>文件版本 %1，本程序支持 %2：请重新生成文件</translation>
+        </message>
+        <message>
             <source>file's origin</source>
             <translation>文件原点</translation>
+        </message>
+        <message>
+            <source>finishing</source>
+            <translation>收尾中</translation>
         </message>
         <message>
             <source>from here on a tick may have been missed</source>
@@ -2268,8 +2422,32 @@ N、Shift+N  下一条、上一条
             <translation>高度</translation>
         </message>
         <message>
+            <source>held</source>
+            <translation>已暂停</translation>
+        </message>
+        <message>
             <source>high</source>
             <translation>高</translation>
+        </message>
+        <message>
+            <source>hold</source>
+            <translation>暂停</translation>
+        </message>
+        <message>
+            <source>holding</source>
+            <translation>减速暂停中</translation>
+        </message>
+        <message>
+            <source>holds no facets (%1)</source>
+            <translation>没有任何面（%1）</translation>
+        </message>
+        <message>
+            <source>holds no job</source>
+            <translation>不含作业</translation>
+        </message>
+        <message>
+            <source>home</source>
+            <translation>回零</translation>
         </message>
         <message>
             <source>home ?</source>
@@ -2280,8 +2458,16 @@ N、Shift+N  下一条、上一条
             <translation>回零失败</translation>
         </message>
         <message>
+            <source>home first</source>
+            <translation>请先回零</translation>
+        </message>
+        <message>
             <source>homed</source>
             <translation>已回零</translation>
+        </message>
+        <message>
+            <source>homing</source>
+            <translation>回零中</translation>
         </message>
         <message>
             <source>in</source>
@@ -2296,8 +2482,44 @@ N、Shift+N  下一条、上一条
             <translation>信息</translation>
         </message>
         <message>
+            <source>is a folder, not a model file</source>
+            <translation>是文件夹，不是模型文件</translation>
+        </message>
+        <message>
+            <source>is a zip archive, but holds no 3MF model</source>
+            <translation>是 zip 压缩包，但不含 3MF 模型</translation>
+        </message>
+        <message>
+            <source>is no 3MF file: these are zip archives</source>
+            <translation>不是 3MF 文件：3MF 是 zip 压缩包</translation>
+        </message>
+        <message>
+            <source>is no psicarve job or snapshot file</source>
+            <translation>不是 psicarve 的作业或快照文件</translation>
+        </message>
+        <message>
+            <source>is not a regular file</source>
+            <translation>不是普通文件</translation>
+        </message>
+        <message>
+            <source>jog</source>
+            <translation>点动</translation>
+        </message>
+        <message>
+            <source>larger than the machine's travel: axis %1 would have to go to %2 mm, allowed are %3; choose a smaller height</source>
+            <translation>大于机床行程：%1 轴需到 %2 mm，允许范围 %3；请选较小的高度</translation>
+        </message>
+        <message>
             <source>last known</source>
             <translation>最后已知</translation>
+        </message>
+        <message>
+            <source>last known %1</source>
+            <translation>最后已知 %1</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: the radius of %3, %4, is inside the core radius of %5; carve less deep, or lower core_radius_mm</source>
+            <translation>第 %1 层第 %2 点：%3 的半径 %4 在芯半径 %5 之内；请雕浅一些，或减小 core_radius_mm</translation>
         </message>
         <message>
             <source>least lost</source>
@@ -2312,12 +2534,20 @@ N、Shift+N  下一条、上一条
             <translation>限位</translation>
         </message>
         <message>
+            <source>line %1</source>
+            <translation>第 %1 行</translation>
+        </message>
+        <message>
             <source>linear</source>
             <translation>直线</translation>
         </message>
         <message>
             <source>locked</source>
             <translation>锁定</translation>
+        </message>
+        <message>
+            <source>looking for the best axis was cancelled</source>
+            <translation>已取消寻找最佳轴线</translation>
         </message>
         <message>
             <source>low</source>
@@ -2336,16 +2566,44 @@ N、Shift+N  下一条、上一条
             <translation>缺少</translation>
         </message>
         <message>
+            <source>more layers than pulses: %1 layers, but the model is only %2 mm, %3 pulses of axis Y, high: choose at most %4 layers, or a larger height</source>
+            <translation>层数多于脉冲：%1 层，但模型只有 %2 mm 高，即 Y 轴 %3 个脉冲：最多选 %4 层，或选更大的高度</translation>
+        </message>
+        <message>
+            <source>more points than pulses: %1 points a layer, but half a turn of axis Ψ has %2 pulses: choose at most %3 points</source>
+            <translation>点数多于脉冲：每层 %1 点，但 Ψ 轴半圈只有 %2 个脉冲：最多选 %3 点</translation>
+        </message>
+        <message>
+            <source>move</source>
+            <translation>移动</translation>
+        </message>
+        <message>
+            <source>moving</source>
+            <translation>移动中</translation>
+        </message>
+        <message>
             <source>no core</source>
             <translation>无内核</translation>
+        </message>
+        <message>
+            <source>no core serves segment %1</source>
+            <translation>没有内核服务于共享段 %1</translation>
         </message>
         <message>
             <source>no job</source>
             <translation>无作业</translation>
         </message>
         <message>
+            <source>no job is published; publish one first</source>
+            <translation>没有已发布的作业；请先发布</translation>
+        </message>
+        <message>
             <source>no pin</source>
             <translation>无引脚</translation>
+        </message>
+        <message>
+            <source>no such file</source>
+            <translation>没有此文件</translation>
         </message>
         <message>
             <source>no. %1</source>
@@ -2364,8 +2622,20 @@ N、Shift+N  下一条、上一条
             <translation>无：节拍可能迟滞</translation>
         </message>
         <message>
+            <source>not a mesh that can be read here (STL, OBJ, PLY, 3MF or OFF)</source>
+            <translation>不是此处可读的网格（STL、OBJ、PLY、3MF 或 OFF）</translation>
+        </message>
+        <message>
             <source>not by the window; psicarve carve does</source>
             <translation>窗口不校验；psicarve carve 会校验</translation>
+        </message>
+        <message>
+            <source>not enough memory for so many layers and points</source>
+            <translation>内存不足以容纳这么多层和点</translation>
+        </message>
+        <message>
+            <source>not enough memory to slice %1</source>
+            <translation>内存不足，无法切片 %1</translation>
         </message>
         <message>
             <source>not in a trace</source>
@@ -2388,20 +2658,40 @@ N、Shift+N  下一条、上一条
             <translation>未切片</translation>
         </message>
         <message>
+            <source>not while %1; %2</source>
+            <translation>当前状态（%1）下不可用；%2</translation>
+        </message>
+        <message>
             <source>of %1</source>
             <translation>共 %1</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>关闭</translation>
         </message>
         <message>
             <source>only in a trace</source>
             <translation>仅在轨迹中</translation>
         </message>
         <message>
+            <source>only with the drives off</source>
+            <translation>仅在驱动关闭时可用</translation>
+        </message>
+        <message>
             <source>open a model</source>
             <translation>打开模型</translation>
         </message>
         <message>
+            <source>opening was cancelled</source>
+            <translation>已取消打开</translation>
+        </message>
+        <message>
             <source>out</source>
             <translation>出</translation>
+        </message>
+        <message>
+            <source>override</source>
+            <translation>倍率</translation>
         </message>
         <message>
             <source>passed</source>
@@ -2416,6 +2706,10 @@ N、Shift+N  下一条、上一条
             <translation>端口故障</translation>
         </message>
         <message>
+            <source>positioning</source>
+            <translation>定位中</translation>
+        </message>
+        <message>
             <source>profile %1</source>
             <translation>配置 %1</translation>
         </message>
@@ -2426,6 +2720,10 @@ N、Shift+N  下一条、上一条
         <message>
             <source>publish first</source>
             <translation>请先发布</translation>
+        </message>
+        <message>
+            <source>publishing was cancelled</source>
+            <translation>已取消发布</translation>
         </message>
         <message>
             <source>pul.</source>
@@ -2444,8 +2742,16 @@ N、Shift+N  下一条、上一条
             <translation>可到达</translation>
         </message>
         <message>
+            <source>ready</source>
+            <translation>就绪</translation>
+        </message>
+        <message>
             <source>real clock</source>
             <translation>实时时钟</translation>
+        </message>
+        <message>
+            <source>record</source>
+            <translation>记录</translation>
         </message>
         <message>
             <source>recorded</source>
@@ -2454,6 +2760,26 @@ N、Shift+N  下一条、上一条
         <message>
             <source>reset first</source>
             <translation>请先复位</translation>
+        </message>
+        <message>
+            <source>reset the alarm first</source>
+            <translation>请先复位报警</translation>
+        </message>
+        <message>
+            <source>reset-alarm</source>
+            <translation>复位报警</translation>
+        </message>
+        <message>
+            <source>reset-height</source>
+            <translation>高度回零</translation>
+        </message>
+        <message>
+            <source>resume</source>
+            <translation>继续</translation>
+        </message>
+        <message>
+            <source>resume, or stop</source>
+            <translation>请继续或停止</translation>
         </message>
         <message>
             <source>right</source>
@@ -2468,6 +2794,10 @@ N、Shift+N  下一条、上一条
             <translation>共享段丢失</translation>
         </message>
         <message>
+            <source>shutdown</source>
+            <translation>关闭内核</translation>
+        </message>
+        <message>
             <source>silent</source>
             <translation>无响应</translation>
         </message>
@@ -2476,16 +2806,120 @@ N、Shift+N  下一条、上一条
             <translation>请先切片</translation>
         </message>
         <message>
+            <source>slicing was cancelled</source>
+            <translation>已取消切片</translation>
+        </message>
+        <message>
+            <source>spindle</source>
+            <translation>主轴</translation>
+        </message>
+        <message>
+            <source>start</source>
+            <translation>启动</translation>
+        </message>
+        <message>
+            <source>start first</source>
+            <translation>请先启动</translation>
+        </message>
+        <message>
+            <source>start, or stop</source>
+            <translation>请启动或停止</translation>
+        </message>
+        <message>
+            <source>start-interpolation</source>
+            <translation>开始雕刻</translation>
+        </message>
+        <message>
             <source>steps lost</source>
             <translation>丢步</translation>
+        </message>
+        <message>
+            <source>still tripped: %1; release it or back off</source>
+            <translation>仍处于触发状态：%1；请松开或退离开关</translation>
         </message>
         <message>
             <source>stopped</source>
             <translation>已停止</translation>
         </message>
         <message>
+            <source>stopping</source>
+            <translation>停止中</translation>
+        </message>
+        <message>
+            <source>test-pin</source>
+            <translation>引脚测试</translation>
+        </message>
+        <message>
+            <source>testing</source>
+            <translation>测试中</translation>
+        </message>
+        <message>
+            <source>the archive unpacks to far more than a model needs</source>
+            <translation>压缩包解开后远大于模型所需</translation>
+        </message>
+        <message>
+            <source>the axis has no sensor</source>
+            <translation>此轴没有传感器</translation>
+        </message>
+        <message>
+            <source>the core did not answer within %1 ms</source>
+            <translation>内核在 %1 ms 内没有回答</translation>
+        </message>
+        <message>
+            <source>the core ended before it answered</source>
+            <translation>内核在回答之前已结束</translation>
+        </message>
+        <message>
+            <source>the core of segment %1 (process %2) is silent</source>
+            <translation>共享段 %1 的内核（进程 %2）没有响应</translation>
+        </message>
+        <message>
+            <source>the face names a vertex that is not there</source>
+            <translation>该面引用了不存在的顶点</translation>
+        </message>
+        <message>
+            <source>the file ends in the middle of a facet</source>
+            <translation>文件在一个三角面中间结束</translation>
+        </message>
+        <message>
+            <source>the file is empty</source>
+            <translation>文件为空</translation>
+        </message>
+        <message>
+            <source>the job has not so many layers</source>
+            <translation>作业没有这么多层</translation>
+        </message>
+        <message>
+            <source>the job was made for another machine (%1 differ); slice it again with the machine's profile</source>
+            <translation>作业是为另一台机床生成的（%1 不同）；请用本机配置重新切片</translation>
+        </message>
+        <message>
             <source>the job's</source>
             <translation>作业自带</translation>
+        </message>
+        <message>
+            <source>the machine came to rest (%1), somebody stopped it</source>
+            <translation>机床已停下（%1），有人停止了它</translation>
+        </message>
+        <message>
+            <source>the machine is not homed; home first</source>
+            <translation>机床未回零；请先回零</translation>
+        </message>
+        <message>
+            <source>the mesh has no volume (all of it is flat); there is nothing to carve</source>
+            <translation>网格没有体积（全部是平的）；没有可雕刻的内容</translation>
+        </message>
+        <message>
+            <source>the switch of the axis is open; there is nothing to back off from</source>
+            <translation>此轴的开关未闭合；无需退离</translation>
+        </message>
+        <message>
+            <source>the zip archive is cut off or damaged</source>
+            <translation>zip 压缩包被截断或已损坏</translation>
+        </message>
+        <message>
+            <source>there is no alarm</source>
+            <translation>没有报警</translation>
         </message>
         <message>
             <source>tick %1 µs</source>
@@ -2494,6 +2928,14 @@ N、Shift+N  下一条、上一条
         <message>
             <source>tick gap</source>
             <translation>节拍中断</translation>
+        </message>
+        <message>
+            <source>too large for this computer's memory</source>
+            <translation>超出本机内存</translation>
+        </message>
+        <message>
+            <source>too many commands at once; wait for the others</source>
+            <translation>同时命令过多；请等待其他命令</translation>
         </message>
         <message>
             <source>under way</source>
@@ -2512,8 +2954,20 @@ N、Shift+N  下一条、上一条
             <translation>虚拟时钟</translation>
         </message>
         <message>
+            <source>wait, or stop</source>
+            <translation>请等待或停止</translation>
+        </message>
+        <message>
+            <source>waiting</source>
+            <translation>等待中</translation>
+        </message>
+        <message>
             <source>warning</source>
             <translation>警告</translation>
+        </message>
+        <message>
+            <source>was written by another build of psicarve</source>
+            <translation>由另一个版本的 psicarve 写成</translation>
         </message>
         <message>
             <source>whole</source>
@@ -2522,6 +2976,10 @@ N、Shift+N  下一条、上一条
         <message>
             <source>× NO CORE</source>
             <translation>× 无内核</translation>
+        </message>
+        <message>
+            <source>Ψ and Y after R1 and R2, or with them; home R1 and R2 first</source>
+            <translation>Ψ 和 Y 须在 R1 和 R2 之后或同时回零；请先让 R1 和 R2 回零</translation>
         </message>
         <message>
             <source>Ψ axis</source>

@@ -38,6 +38,12 @@ struct Bench {
     replay::JobPointer shown_job() const noexcept {
         return replay.is_open() ? replay.facts().job : desk.job();
     }
+    /// The job that the machine, or the recorded one, is at or was at last.
+    replay::JobPointer job_at_work() const noexcept {
+        return replay.is_open() ? replay.facts().job : desk.core_job();
+    }
+    /// The job of the run that `runs` tells of.
+    const replay::JobPointer& job_of_run() const noexcept { return job_of_run_; }
     /// The job that is shown is the one that the machine, or the recorded one, is at.
     bool is_shown_at_job() const noexcept {
         if (replay.is_open()) return replay.shown().place.has_value();
@@ -51,12 +57,14 @@ struct Bench {
         machine.poll();
         desk.poll(machine.sight());
         runs.note(machine.sight(), session::RunWatch::Clock::now());
+        note_job_of_run();
         keeper.poll(log);
         replay.poll(replay::ReplayDesk::Clock::now());
         machine.watch_only(replay.is_open());
         if (desk.edition() == offered_edition_) return;
         offered_edition_ = desk.edition();
         if (desk.job()) machine.offer_profile(desk.job()->profile);
+        if (desk.core_job()) machine.offer_profile(desk.core_job()->profile);
     }
 
 private:
@@ -64,7 +72,16 @@ private:
         replay.open(path, machine.options().profile.value_or(Profile{}));
     }
 
+    void note_job_of_run() {
+        const std::uint64_t start_tick = runs.run() ? runs.run()->after.job_start_tick : 0;
+        if (run_start_tick_ != start_tick) job_of_run_.reset();
+        run_start_tick_ = start_tick;
+        if (start_tick != 0 && !job_of_run_) job_of_run_ = desk.core_job();
+    }
+
     std::uint64_t offered_edition_ = 0;
+    std::uint64_t run_start_tick_ = 0;
+    replay::JobPointer job_of_run_;
 };
 
 }  // namespace psicarve::ui

@@ -16,8 +16,6 @@
 namespace psicarve::ui {
 namespace {
 
-using session::DeskState;
-
 /// Never more often than this, so that the machine's computer has time for the machine.
 constexpr qint64 kLeastPause_ms = 66;
 constexpr std::uint64_t kCellsPerLook = 100'000;  // some milliseconds
@@ -94,8 +92,7 @@ void CarvingPage::make_record() {
 }
 
 void CarvingPage::keep_record() {
-    const bool is_published = bench_.desk.sight().state == DeskState::published;
-    const auto job = is_published ? bench_.desk.job() : nullptr;
+    const auto job = bench_.desk.core_job();
     if (job != job_) {
         job_ = job;
         job_start_tick_ = 0;
@@ -182,7 +179,7 @@ void CarvingPage::draw_heads(const session::CarvingRecord& record) {
 void CarvingPage::say() {
     const auto& status = bench_.shown().status;
     const session::CarvingRecord* const record = shown_record();
-    const auto job = bench_.shown_job();
+    const auto job = bench_.job_at_work();
     if (bench_.replay.carving_ratio() < 1.0) {
         point_->clear();
         return done_->setText(

@@ -55,7 +55,8 @@ void JobPanel::make_facts() {
     title->addWidget(name_, 1);
     report_ = new ActionButton{[](const Bench& now) -> std::optional<session::Phrase> {
                                    if (!now.runs.run()) return session::phrase("Report: no job was started");
-                                   if (!now.desk.job()) return session::phrase("Report: no job is open");
+                                   if (!now.job_of_run())
+                                       return session::phrase("Report: the job is not known");
                                    return std::nullopt;
                                },
                                tr("Report"), [this] { show_report(); }};
@@ -77,6 +78,11 @@ void JobPanel::make_facts() {
     time_->setObjectName("job_time");
     reference_->setObjectName("reference");
     reference_->setToolTip(tr("The least time that the motors' limits allow for the whole job"));
+    next_ = role_label("label");
+    next_->setObjectName("next_job");
+    next_->setWordWrap(true);
+    next_->hide();
+    body().addWidget(next_);
 }
 
 void JobPanel::make_checks() {
@@ -207,8 +213,8 @@ bool JobPanel::may_start_from_layer(std::uint32_t layer) {
 }
 
 void JobPanel::show_report() {
-    auto* report =
-        new ReportDialog{*bench_.runs.run(), bench_.runs.is_over(), bench_.desk.job(), bench_.log, window()};
+    auto* report = new ReportDialog{*bench_.runs.run(), bench_.runs.is_over(), bench_.job_of_run(),
+                                    bench_.log, window()};
     report->show();
 }
 
@@ -237,10 +243,10 @@ void JobPanel::change_override(int percent) {
 void JobPanel::refresh_facts() {
     const bool is_replay = bench_.replay.is_open();
     const session::MachineSight& sight = bench_.shown();
-    const auto open_job = is_replay ? nullptr : bench_.desk.job();
-    const bool is_cores_job = is_replay || bench_.desk.sight().state == session::DeskState::published;
+    const auto job = job_shown();
+    const bool is_cores_job = is_replay || (job && job == bench_.desk.core_job());
     const session::JobTimes times =
-        session::job_times(sight, is_cores_job, open_job ? open_job->least_seconds : 0.0);
+        session::job_times(sight, is_cores_job, job && !is_replay ? job->least_seconds : 0.0);
     time_->setText(words(times.time));
     time_->setToolTip(times.is_least
                           ? tr("By feed and top speeds alone; the core plans it when it is published")
@@ -251,10 +257,11 @@ void JobPanel::refresh_facts() {
                    : has_generation ? tr("no. %1").arg(sight.status->job_generation)
                                     : QString{});
     const std::uint64_t edition = bench_.desk.edition() + bench_.replay.edition();
-    if (shown_edition_ == edition) return;
+    if (shown_edition_ == edition && shown_job_ == job) return;
     shown_edition_ = edition;
-    const auto job = bench_.shown_job();
+    shown_job_ = job;
     const auto mesh = is_replay ? nullptr : bench_.desk.mesh();
+    refresh_next();
     if (job) {
         name_->setText(QString::fromStdString(std::string{job->view.source_name()}));
         counts_->setText(QString{"%1 × %2"}.arg(job->view.layer_count()).arg(job->view.point_count()));
@@ -265,6 +272,28 @@ void JobPanel::refresh_facts() {
         counts_->setText(mesh ? tr("not sliced") : is_replay ? tr("not recorded") : tr("open a model"));
         size_->clear();
     }
+}
+
+/// While a job runs the panel is about that one; what has been opened or sliced since waits.
+replay::JobPointer JobPanel::job_shown() const {
+    if (bench_.replay.is_open()) return bench_.replay.facts().job;
+    const bool runs =
+        bench_.machine.sight().is_heard() && runs_job(bench_.machine.sight().state());
+    if (runs && bench_.desk.core_job()) return bench_.desk.core_job();
+    return bench_.desk.job();
+}
+
+void JobPanel::refresh_next() {
+    const auto waiting = bench_.desk.job();
+    const auto mesh = bench_.desk.mesh();
+    const bool is_other =
+        !bench_.replay.is_open() && shown_job_ && shown_job_ != waiting && (waiting || mesh);
+    next_->setVisible(is_other);
+    if (!is_other) return;
+    const QString name =
+        QString::fromStdString(waiting ? std::string{waiting->view.source_name()} : mesh->source_name);
+    next_->setText(waiting ? tr("Sliced, not published yet: %1").arg(name)
+                           : tr("Opened, not sliced yet: %1").arg(name));
 }
 
 void JobPanel::refresh_checks() {
@@ -311,10 +340,12 @@ void JobPanel::refresh_buttons() {
     if (text.isEmpty() && !stop_->isEnabled()) text = tr("Hold, Resume, Stop: nothing is moving.");
     reason_->setText(text);
     const auto& status = bench_.machine.sight().status;
-    const auto job = bench_.desk.job();
+    const auto job = bench_.desk.core_job();
     if (!status || !job) return;
+    const bool is_other = bench_.desk.job() && bench_.desk.job() != job;
     const std::uint32_t next =
-        session::next_layer(status->points_done, status->points_total, job->view.layer_count());
+        is_other ? 0
+                 : session::next_layer(status->points_done, status->points_total, job->view.layer_count());
     if (next == shown_layer_) return;
     shown_layer_ = next;  // where the operator would go on
     layer_->setValue(static_cast<int>(shown_layer_) + 1);

@@ -37,6 +37,8 @@ private:
     void make_buttons();
     void make_override();
     void refresh_facts();
+    replay::JobPointer job_shown() const;
+    void refresh_next();
     void refresh_checks();
     void refresh_buttons();
     void refresh_override();
@@ -49,6 +51,8 @@ private:
     const Tokens* tokens_ = nullptr;
     std::uint64_t shown_edition_ = ~std::uint64_t{0};
     std::uint32_t shown_layer_ = 0;
+    replay::JobPointer shown_job_;
+    QLabel* next_;
     QLabel* name_;
     QLabel* counts_;
     QLabel* size_;

@@ -84,6 +84,11 @@ void LayersPage::refresh() {
     if (job_) follow_machine();
 }
 
+void LayersPage::choose_number() {
+    number_->setFocus(Qt::ShortcutFocusReason);
+    number_->selectAll();
+}
+
 void LayersPage::take_job() {
     job_ = bench_.shown_job();
     setEnabled(job_ != nullptr);

@@ -26,6 +26,8 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
+    /// A layer's number may be typed.
+    void choose_number();
 
 private:
     void take_job();

@@ -20,10 +20,10 @@
 
 #include <algorithm>
 
+#include "hmi/session/action_lock.hpp"
 #include "hmi/ui/alarm_banner.hpp"
 #include "hmi/ui/carving_page.hpp"
 #include "hmi/ui/dialogs.hpp"
-#include "hmi/ui/emergency_key.hpp"
 #include "hmi/ui/entries_page.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/job_panel.hpp"
@@ -37,6 +37,7 @@
 #include "hmi/ui/realtime_page.hpp"
 #include "hmi/ui/replay_bar.hpp"
 #include "hmi/ui/side_panels.hpp"
+#include "hmi/ui/stop_keys.hpp"
 #include "hmi/ui/strip.hpp"
 #include "hmi/ui/words.hpp"
 
@@ -90,7 +91,8 @@ MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing)
     set_theme(settings_.theme());
     tabs_->tabBar()->setFocus();  // not on anything that moves the machine
     ask_ = [this] { return ask_what_to_do(); };
-    emergency_key_ = std::make_unique<EmergencyKey>([this] { emergency_stop(); });
+    stop_keys_ = std::make_unique<StopKeys>([this] { emergency_stop(); }, [this] { return may_stop(); },
+                                            [this] { stop(); });
     connect(&timer_, &QTimer::timeout, this, [this] { refresh(); });
     timer_.start(kFrame);
 }
@@ -249,6 +251,16 @@ void MainWindow::show_profile(const QString& path) {
 void MainWindow::emergency_stop() {
     strip_->emergency_stop();
     let_go();
+}
+
+bool MainWindow::may_stop() const {
+    return !session::lock_of(session::Action::stop, bench_.machine.sight(), bench_.desk.sight());
+}
+
+void MainWindow::stop() {
+    let_go();
+    bench_.machine.stop();
+    bench_.log.add(session::Severity::info, session::phrase("Stop asked for"));
 }
 
 void MainWindow::let_go() {

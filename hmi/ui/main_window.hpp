@@ -56,6 +56,9 @@ public:
     void refresh();
     void set_theme(ThemeChoice choice);
     void emergency_stop();
+    /// In order, at once; the machine has something to stop.
+    void stop();
+    bool may_stop() const;
     /// Whatever a hand holds.
     void let_go();
     /// For tests, instead of the dialog.
@@ -69,9 +72,10 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    class EmergencyKey;
+    class StopKeys;
 
     void make_menu();
+    void go_to_next_pane();
     void make_theme_menu();
     void make_language_menu();
     void make_replay_keys();
@@ -115,7 +119,7 @@ private:
     std::uint64_t shown_messages_ = 0;
     std::uint64_t read_messages_ = 0;  ///< that somebody had the page open for
     std::function<CloseChoice()> ask_;
-    std::unique_ptr<EmergencyKey> emergency_key_;
+    std::unique_ptr<StopKeys> stop_keys_;
     QTimer timer_;
 };
 

@@ -6,9 +6,16 @@
 #include <QPushButton>
 #include <QTabWidget>
 
+#include <array>
+#include <functional>
+#include <utility>
+
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/job_panel.hpp"
+#include "hmi/ui/layers_page.hpp"
 #include "hmi/ui/main_window.hpp"
+#include "hmi/ui/side_panels.hpp"
+#include "hmi/ui/strip.hpp"
 
 namespace psicarve::ui {
 
@@ -26,9 +33,10 @@ void MainWindow::make_menu() {
     connect(keys, &QAction::triggered, this, [this] {
         QMessageBox box{
             QMessageBox::Information, tr("Keys"),
-            tr("F1  emergency stop, everywhere\nCtrl+Enter  start\nPause  hold, resume\n"
+            tr("F1  emergency stop, everywhere\nEsc  stop, everywhere, while the machine is at "
+               "work\nCtrl+Enter  start\nPause  hold, resume\n"
                "Ctrl+Home  home all\nCtrl+0, Ctrl+−, Ctrl++  feed override\nCtrl+O  open\nF5  slice\nF9  arm "
-               "keyboard jog\nCtrl+1 … 7  tabs\nF10  "
+               "keyboard jog\nCtrl+1 … 7  tabs\nCtrl+L  layer number\nF6  next pane\nF10  "
                "menu\nF12  this list\n\n"
                "Replay: K  play, pause\nJ, L  slower, faster\nN, Shift+N  next entry, entry before\n,  .  "
                "one layer\n"
@@ -48,8 +56,23 @@ void MainWindow::make_menu() {
         connect(show, &QAction::triggered, this, [this, i] { tabs_->setCurrentIndex(i); });
         addAction(show);
     }
+    const std::pair<QKeySequence, std::function<void()>> places[] = {
+        {QKeySequence{Qt::CTRL | Qt::Key_L},
+         [this] {
+             tabs_->setCurrentWidget(layers_);
+             layers_->choose_number();
+         }},
+        {QKeySequence{Qt::Key_F6}, [this] { go_to_next_pane(); }},
+    };
+    for (const auto& [keys_of_place, go] : places) {
+        auto* action = new QAction{this};
+        action->setShortcut(keys_of_place);
+        connect(action, &QAction::triggered, this, [go = go] { go(); });
+        addAction(action);
+    }
     auto* pause = new QAction{this};
     pause->setShortcut(Qt::Key_Pause);
+    pause->setShortcutContext(Qt::ApplicationShortcut);  // from dialogs, too
     connect(pause, &QAction::triggered, this, [this] {
         const bool is_held = bench_.machine.sight().state() == MachineState::held;
         const CommandKind kind = is_held ? CommandKind::resume : CommandKind::hold;
@@ -69,6 +92,24 @@ void MainWindow::make_menu() {
         addAction(change);
     }
     make_replay_keys();
+}
+
+/// Strip, left, middle, right; only what can take the focus.
+void MainWindow::go_to_next_pane() {
+    const std::array<QWidget*, 4> panes{strip_, &sides_->left(), tabs_, &sides_->right()};
+    const QWidget* const focus = focusWidget();
+    std::size_t here = 0;
+    for (std::size_t i = 0; focus != nullptr && i < panes.size(); ++i) {
+        if (panes[i]->isAncestorOf(focus)) here = i;
+    }
+    for (std::size_t step = 1; step <= panes.size(); ++step) {
+        const QWidget* const pane = panes[(here + step) % panes.size()];
+        for (QWidget* child : pane->findChildren<QWidget*>()) {
+            if (!child->isVisible() || !child->isEnabled() || (child->focusPolicy() & Qt::TabFocus) == 0)
+                continue;
+            return child->setFocus(Qt::TabFocusReason);
+        }
+    }
 }
 
 void MainWindow::make_theme_menu() {

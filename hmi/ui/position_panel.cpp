@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/position_panel.hpp"
 
+#include <QDateTime>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 
+#include <chrono>
 #include <functional>
 #include <utility>
 
@@ -125,6 +127,16 @@ void PositionPanel::set_theme(const Tokens& tokens) {
     refresh();
 }
 
+/// "last known 14:58:07"
+QString PositionPanel::last_known(const session::MachineSight& sight) {
+    using std::chrono::milliseconds;
+    const auto since_epoch = sight.status_time.time_since_epoch();
+    if (since_epoch.count() == 0) return tr("last known");
+    const auto time =
+        QDateTime::fromMSecsSinceEpoch(std::chrono::duration_cast<milliseconds>(since_epoch).count());
+    return tr("last known %1").arg(time.toString(QStringLiteral("HH:mm:ss")));
+}
+
 void PositionPanel::refresh() {
     for (const Axis axis : kAllAxes) {
         refresh_row(axis);
@@ -133,7 +145,7 @@ void PositionPanel::refresh() {
     const session::MachineSight& sight = bench_.shown();
     note().setText(bench_.replay.is_open()             ? tr("recorded")
                    : sight.is_heard() || !sight.status ? QString{}
-                                                       : tr("last known"));
+                                                       : last_known(sight));
     refresh_buttons();
 }
 

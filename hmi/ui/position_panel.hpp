@@ -37,6 +37,7 @@ private:
         QLabel* sensor;
     };
     QWidget* make_row(Axis axis);
+    static QString last_known(const session::MachineSight& sight);
     void refresh_row(Axis axis);
     void refresh_lamps(Axis axis);
     void refresh_buttons();

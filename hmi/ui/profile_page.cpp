@@ -13,6 +13,7 @@
 
 #include <utility>
 
+#include "hmi/session/error_phrase.hpp"
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
@@ -255,7 +256,7 @@ void ProfilePage::show_state() {
 bool ProfilePage::open(const QString& path) {
     auto opened = profile::ProfileDraft::open(path.toStdString());
     if (!opened) {
-        bench_.log.add(Severity::warning, session::phrase("%1", opened.error().message));
+        bench_.log.add(Severity::warning, session::error_phrase(opened.error().message));
         return false;
     }
     draft_ = std::move(*opened);

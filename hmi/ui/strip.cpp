@@ -157,7 +157,7 @@ void Strip::refresh() {
 
 void Strip::refresh_pill() {
     const session::MachineSight& sight = bench_.machine.sight();
-    const session::StateText live = session::state_text(sight, bench_.desk.sight().layer_count);
+    const session::StateText live = session::state_text(sight, bench_.desk.sight().core_layer_count);
     // An alarm of the machine is never hidden by what a recording shows.
     if (!bench_.replay.is_open() || live.tone == session::Tone::alarm) {
         pill_->show_state(live, glyph_of(sight.state(), sight.is_heard()), *tokens_);

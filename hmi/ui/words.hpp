@@ -18,6 +18,7 @@ inline QString words(const session::Phrase& text) {
     };
     std::vector<std::string> arguments;
     for (const std::string& argument : text.arguments) arguments.push_back(translated("core", argument));
+    for (const session::Phrase& inner : text.inner) arguments.push_back(words(inner).toStdString());
     return QString::fromStdString(session::filled_in(translated("session", text.english), arguments));
 }
 

@@ -13,6 +13,7 @@
 
 #include "shared/job.hpp"
 #include "shared/segment.hpp"
+#include "tests/shared/stale_segments.hpp"
 
 namespace psicarve::test {
 
@@ -20,6 +21,7 @@ namespace psicarve::test {
 class SegmentName {
 public:
     SegmentName() {
+        remove_stale_segments_once();
         static int s_counter = 0;
         name_ = "/psicarve-test-" + std::to_string(::getpid()) + "-" + std::to_string(s_counter++);
         owner_ = ::getpid();

@@ -14,6 +14,7 @@
 #include "shared/segment.hpp"
 #include "shared/shared_record.hpp"
 #include "shared/units.hpp"
+#include "tests/shared/stale_segments.hpp"
 #include "tests/two_process/core_process.hpp"
 
 namespace psicarve::two_process {
@@ -44,6 +45,7 @@ JobTable lobed_job(std::uint32_t layers, std::uint32_t points, const Profile& pr
 }
 
 CoreRig::CoreRig() {
+    test::remove_stale_segments_once();
     static std::atomic<int> count{0};
     segment_name_ = "/psicarve-test-" + std::to_string(getpid()) + "-" + std::to_string(++count);
     folder_ = testing::TempDir() + segment_name_.substr(1);

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "shared/segment.hpp"
+#include "tests/shared/stale_segments.hpp"
 
 namespace psicarve::test {
 
@@ -118,6 +119,7 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 CliTest::CliTest() {
+    remove_stale_segments_once();
     static std::atomic<int> count{0};
     const std::string name = "psicarve-cli-test-" + std::to_string(getpid()) + "-" + std::to_string(++count);
     segment_ = "/" + name;

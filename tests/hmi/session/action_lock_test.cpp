@@ -123,6 +123,16 @@ TEST(Preflight, SaysWhatIsMissing) {
     EXPECT_EQ(failing_check(MachineSight{}, DeskState::empty), "Core alive: no core; ");
 }
 
+// Whatever has been opened or sliced since: the checks are of the job that runs.
+TEST(Preflight, IsOfTheRunningJobWhileOneRuns) {
+    for (const DeskState desk :
+         {DeskState::model, DeskState::slicing, DeskState::job, DeskState::published}) {
+        EXPECT_EQ(failing_check(machine_in(S::carving), desk), "") << static_cast<int>(desk);
+        EXPECT_EQ(failing_check(machine_in(S::held), desk), "") << static_cast<int>(desk);
+    }
+    EXPECT_EQ(failing_check(machine_in(S::ready), DeskState::job), "Job published: publish first; ");
+}
+
 TEST(Preflight, PassesExactlyWhenStartIsNotLocked) {
     for (std::uint8_t homed = 0; homed <= test::kAllHomed; ++homed) {
         for (const DeskState desk :

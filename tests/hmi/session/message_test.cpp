@@ -53,6 +53,29 @@ TEST(AlarmText, OfAnEmergencyStopAtRestKeepsThePositions) {
     EXPECT_EQ(in_english(alarm_text(machine).steps[1]), "Home all");
 }
 
+// The computer's troubles may go on; the alarm is of what was.
+TEST(AlarmText, CountsTheTicksThatWereMissedUpToTheAlarm) {
+    MachineSight machine = machine_in(S::carving);
+    const auto hear = [&machine](std::uint64_t tick, std::uint64_t missed, std::uint64_t alarms) {
+        CoreStatus status = *machine.status;
+        status.tick = tick;
+        status.missed_ticks = missed;
+        status.alarm_count = alarms;
+        machine.missed_ticks_at_alarm = missed_ticks_at_alarm(machine, status);
+        machine.status = status;
+    };
+    hear(1, 0, 0);
+    hear(2, 70, 1);
+    machine.status->alarm_cause = AlarmCause::missed_ticks;
+    hear(3, 900, 1);
+    EXPECT_NE(in_english(alarm_text(machine).detail).find("(70 since"), std::string::npos)
+        << in_english(alarm_text(machine).detail);
+    hear(4, 1200, 2);
+    EXPECT_EQ(machine.missed_ticks_at_alarm, 1200U);
+    hear(1, 5, 2);  // another core
+    EXPECT_EQ(machine.missed_ticks_at_alarm, 5U);
+}
+
 TEST(AlarmText, NamesTheAxisThatMovedInAPauseOfTheComputer) {
     MachineSight machine = limit_alarm(Axis::r2);
     machine.status->alarm_cause = AlarmCause::tick_gap;

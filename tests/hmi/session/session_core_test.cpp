@@ -164,6 +164,39 @@ TEST_F(SessionOnCore, KeepsTheJobOfACoreThatIsSilentForAMoment) {
     EXPECT_EQ(desk_->sight().state, DeskState::job);
 }
 
+TEST_F(SessionOnCore, KnowsTheCoresJobWhateverIsOpenedMeanwhile) {
+    start_core();
+    open_session();
+    open_and_publish(two_process::lobed_job(7, 30));
+    EXPECT_EQ(desk_->core_job(), desk_->job());
+    desk_->open(std::string{PSICARVE_EXAMPLES} + "/small.stl");
+    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::model; })) << all_messages();
+    ASSERT_NE(desk_->core_job(), nullptr);
+    EXPECT_EQ(desk_->core_job()->view.layer_count(), 7U);
+    EXPECT_EQ(desk_->sight().core_layer_count, 7U);
+    open_session();  // opens a model at once: the core's job is fetched nevertheless, and not shown
+    desk_->open(std::string{PSICARVE_EXAMPLES} + "/small.stl");
+    ASSERT_TRUE(comes_true([&] { return desk_->core_job() != nullptr; })) << all_messages();
+    EXPECT_EQ(desk_->core_job()->view.layer_count(), 7U);
+    EXPECT_EQ(desk_->job(), nullptr);
+    EXPECT_EQ(desk_->sight().state, DeskState::model);
+}
+
+// The core's own words, with the command's name once.
+TEST_F(SessionOnCore, SaysARefusalInTheWindowsWords) {
+    start_core();
+    open_session();
+    ASSERT_TRUE(comes_true([&] { return session_->sight().is_heard(); }));
+    session_->order(CommandKind::hold, phrase("Hold"));
+    ASSERT_TRUE(comes_true([&] {
+        return all_messages().find("Hold: not while off; home first") != std::string::npos;
+    })) << all_messages();
+    session_->start(0);
+    ASSERT_TRUE(comes_true([&] { return all_messages().find("Start: ") != std::string::npos; }))
+        << all_messages();
+    EXPECT_STRNE(log_.messages().back().what.inner.at(1).english, "%1") << all_messages();
+}
+
 TEST_F(SessionOnCore, SlicingCanBeCancelledAndRefusalsAreTold) {
     start_core();
     open_session();

@@ -13,7 +13,11 @@
 #include <string>
 
 #include "hmi/session/action_lock.hpp"
+#include "hmi/session/core_phrase.hpp"
+#include "hmi/session/error_phrase.hpp"
 #include "hmi/ui/language.hpp"
+#include "hmi/ui/words.hpp"
+#include "shared/command.hpp"
 #include "shared/profile_table.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 
@@ -34,12 +38,24 @@ public:
         const QString found = catalogue_.translate(context, text, note, count);
         const std::string of = context;
         const bool is_ours = of.starts_with("psicarve") || of == "session" || of == "profile";
-        if (found.isEmpty() && is_ours && has_words(text)) missing.insert(text);
+        if (found.isEmpty() && (is_ours || is_word_of_the_core(of, text)) && has_words(text))
+            missing.insert(text);
         return found;
     }
     mutable std::set<std::string> missing;
 
 private:
+    /// Not names, paths and numbers: what the core calls its states, alarms and commands.
+    static bool is_word_of_the_core(const std::string& context, const std::string& text) {
+        bool is_one = false;
+        for (std::uint32_t k = 0; k < kMachineStateCount; ++k)
+            is_one |= text == name_of(static_cast<MachineState>(k));
+        for (std::uint32_t k = 0; k < kAlarmCauseCount; ++k)
+            is_one |= text == name_of(static_cast<AlarmCause>(k));
+        for (std::uint32_t k = 0; k < kCommandKindCount; ++k)
+            is_one |= text == name_of(static_cast<CommandKind>(k));
+        return is_one && context == "core";
+    }
     /// Signs and units are the same everywhere.
     static bool has_words(const std::string& text) {
         int letters = 0;
@@ -119,6 +135,21 @@ TEST_P(Languages, HaveATextForAllThatTheWindowAsksFor) {
         (void)QCoreApplication::translate("profile", key.explanation.c_str());
     QCoreApplication::removeTranslator(&listener);
     for (const std::string& text : listener.missing) ADD_FAILURE() << "not translated: " << text;
+}
+
+TEST_P(Languages, HaveTheCoresWords) {
+    if (GetParam() == Language::english) return;
+    const auto in_own = [](const char* english) { return words(session::phrase("%1", english)); };
+    for (std::uint32_t k = 0; k < kMachineStateCount; ++k) {
+        const std::string name{name_of(static_cast<MachineState>(k))};
+        EXPECT_NE(in_own(name.c_str()).toStdString(), name);
+    }
+    const session::Phrase refusal =
+        session::refusal_phrase(session::phrase("Hold"), "hold: not while ready; start first");
+    const QString said = words(refusal);
+    for (const char* english : {"Hold", "not while", "ready", "start first"})
+        EXPECT_FALSE(said.contains(english)) << said.toStdString();
+    EXPECT_FALSE(words(session::error_phrase("a.stl: no such file")).contains("no such file"));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheWindow, Languages,

@@ -8,6 +8,8 @@
 #include <QJsonObject>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMessageBox>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTabWidget>
@@ -292,6 +294,58 @@ TEST_F(WindowOnCore, AsksBeforeItLeavesAMachineAtWork) {
     EXPECT_TRUE(reaches(S::ready));
 }
 
+/// A key as it comes to a widget.
+void press_key(QWidget* widget, Qt::Key key) {
+    QKeyEvent press{QEvent::KeyPress, key, Qt::NoModifier};
+    QApplication::sendEvent(widget, &press);
+}
+
+TEST_F(WindowOnCore, StopsOnEscFromADialogWhichStaysOpen) {
+    start_core();
+    open_window();
+    carve_long_job();
+    QMessageBox dialog{window_.get()};
+    dialog.setModal(false);
+    dialog.addButton(QMessageBox::Cancel);
+    dialog.show();
+    QApplication::processEvents();
+    press_key(&dialog, Qt::Key_Escape);
+    ASSERT_TRUE(comes_to(S::ready));
+    EXPECT_TRUE(all_messages().contains("Stop asked for"));
+    EXPECT_TRUE(dialog.isVisible());
+    press_key(&dialog, Qt::Key_Escape);  // nothing moves: it is the dialog's again
+    EXPECT_FALSE(dialog.isVisible());
+    EXPECT_EQ(all_messages().count("Stop asked for"), 1);
+}
+
+TEST_F(WindowOnCore, TellsTheRunningJobFromTheOneThatWasSlicedMeanwhile) {
+    start_core();
+    open_window();
+    auto* const tabs = window_->findChild<QTabWidget*>();
+    tabs->setCurrentIndex(2);
+    carve_long_job();
+    const auto running = window_->bench().desk.core_job();
+    ASSERT_NE(running, nullptr);
+    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/small.stl");
+    ASSERT_TRUE(comes_to(DeskState::model));
+    auto* const next = window_->findChild<QLabel*>("next_job");
+    EXPECT_EQ(next->text(), "Opened, not sliced yet: small.stl");
+    ASSERT_TRUE(click("slice"));
+    ASSERT_TRUE(comes_to(DeskState::job));
+    ASSERT_EQ(sight().state(), S::carving) << all_messages().toStdString();
+    ASSERT_TRUE(comes_true([&] { return next->text() == "Sliced, not published yet: small.stl"; }));
+    EXPECT_EQ(window_->bench().desk.core_job(), running);
+    EXPECT_EQ(window_->bench().desk.sight().core_layer_count, 4000U);
+    auto& view = *static_cast<MeshView*>(window_->findChild<QWidget*>("carving_view"));
+    EXPECT_FALSE(view.picture().bodies.empty());
+    take_picture("running_and_next_light");
+    ASSERT_TRUE(click("stop"));
+    ASSERT_TRUE(comes_to(S::ready));
+    ASSERT_TRUE(comes_true([&] { return !next->isVisible(); }));
+    EXPECT_EQ(button("start").toolTip(), "Start: the job is not published");
+    EXPECT_EQ(window_->findChild<QSpinBox*>("layer")->value(), 1);
+}
+
 TEST_F(WindowOnCore, ShowsThatTheCoreIsGone) {
     start_core();
     open_window();
@@ -305,6 +359,12 @@ TEST_F(WindowOnCore, ShowsThatTheCoreIsGone) {
     EXPECT_TRUE(position->font().strikeOut());
     EXPECT_EQ(position->text(), last);
     EXPECT_TRUE(all_messages().contains("The core has ended"));
+    const auto labels = window_->findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return QRegularExpression{"^last known [0-2][0-9]:[0-5][0-9]:[0-5][0-9]$"}
+            .match(label->text())
+            .hasMatch();
+    }));
 }
 
 }  // namespace

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/error_phrase.hpp"
+
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "hmi/session/core_phrase.hpp"
+#include "hmi/session/sentence.hpp"
+
+namespace psicarve::session {
+namespace {
+
+/// What follows the name of a file.
+std::vector<Sentence> of_a_file() {
+    return {
+        {"no such file", phrase("no such file")},
+        {"cannot be opened: %1", phrase("cannot be opened: %1")},
+        {"cannot be read: %1", phrase("cannot be read: %1")},
+        {"is a directory, not a model file", phrase("is a folder, not a model file")},
+        {"is not a regular file", phrase("is not a regular file")},
+        {"became shorter while it was read", phrase("became shorter while it was read")},
+        {"too large for this computer's memory", phrase("too large for this computer's memory")},
+        {"not a mesh that can be read here (STL, OBJ, PLY, 3MF or OFF)",
+         phrase("not a mesh that can be read here (STL, OBJ, PLY, 3MF or OFF)")},
+        {"the file is empty", phrase("the file is empty")},
+        {"holds no facets (%1)", phrase("holds no facets (%1)")},
+        {"%1 of %2 facets have NaN or infinite coordinates; this is not a usable mesh",
+         phrase("%1 of %2 facets have no finite coordinates; this is not a usable mesh")},
+        {"the mesh has no volume (all of it is flat); there is nothing to carve",
+         phrase("the mesh has no volume (all of it is flat); there is nothing to carve")},
+        {"truncated: a binary STL begins with 84 bytes, the file has %1",
+         phrase("cut off: a binary STL begins with 84 bytes, the file has %1")},
+        {"truncated, or not an STL file: the header announces %1 facets, the file has room for %2",
+         phrase("cut off, or not an STL file: the header announces %1 facets, the file has room for %2")},
+        {"truncated: it ends without endsolid, and the mesh has holes",
+         phrase("cut off: it ends without endsolid, and the mesh has holes")},
+        {"truncated: the PLY header has no end_header", phrase("cut off: the PLY header has no end_header")},
+        {"is a zip archive, but holds no 3MF model", phrase("is a zip archive, but holds no 3MF model")},
+        {"is no 3MF file: these are zip archives", phrase("is no 3MF file: these are zip archives")},
+        {"the zip archive is truncated or damaged: it has no readable directory",
+         phrase("the zip archive is cut off or damaged")},
+        {"the archive unpacks to far more than a model needs",
+         phrase("the archive unpacks to far more than a model needs")},
+        {"is no psicarve job or snapshot file", phrase("is no psicarve job or snapshot file")},
+        {"truncated: its header is not complete", phrase("cut off: its header is not complete")},
+        {"damaged: its checksum is wrong", phrase("damaged: its checksum is wrong")},
+        {"damaged: sizes and offsets do not fit each other",
+         phrase("damaged: sizes and offsets do not fit each other")},
+        {"file version %1, this program knows %2: make the file anew",
+         phrase("file version %1, this program knows %2: make the file anew")},
+        {"was written by a psicarve of another build (its structures have other sizes)",
+         phrase("was written by another build of psicarve")},
+        {"holds no job", phrase("holds no job")},
+        {"opening was cancelled", phrase("opening was cancelled")},
+        {"more layers than pulses: %1 layers, but the model is only %2 mm, %3 pulses of axis y, high: at "
+         "most "
+         "--layers %4, or make it higher with --height or --scale",
+         phrase("more layers than pulses: %1 layers, but the model is only %2 mm, %3 pulses of axis Y, high: "
+                "choose at most %4 layers, or a larger height")},
+        {"larger than the machine's travel: axis %1 would have to go to %2 mm, allowed are %3; --height or "
+         "--scale make it smaller",
+         phrase(
+             "larger than the machine's travel: axis %1 would have to go to %2 mm, allowed are %3; choose a "
+             "smaller height")},
+    };
+}
+
+/// What follows the number of a line.
+std::vector<Sentence> of_a_line() {
+    return {
+        {"%1 is not a number: a vertex needs three", phrase("%1 is not a number: a vertex needs three")},
+        {"%1 is not a number", phrase("%1 is not a number")},
+        {"%1 is not the number of a vertex", phrase("%1 is not the number of a vertex")},
+        {"a face needs at least three vertices", phrase("a face needs at least three vertices")},
+        {"the face names a vertex that is not there", phrase("the face names a vertex that is not there")},
+        {"the file ends in the middle of a facet", phrase("the file ends in the middle of a facet")},
+        {"a facet without endfacet", phrase("a facet without endfacet")},
+        {"a facet needs three vertices", phrase("a facet needs three vertices")},
+        {"%1 is not a word of ASCII STL", phrase("%1 is not a word of ASCII STL")},
+    };
+}
+
+std::vector<Sentence> of_a_job() {
+    return {
+        {"slicing was cancelled", phrase("slicing was cancelled")},
+        {"publishing was cancelled", phrase("publishing was cancelled")},
+        {"looking for the best axis was cancelled", phrase("looking for the best axis was cancelled")},
+        {"not enough memory to slice %1", phrase("not enough memory to slice %1")},
+        {"not enough memory for so many layers and points",
+         phrase("not enough memory for so many layers and points")},
+        {"more points than pulses: %1 points a layer, but half a turn of axis psi has %2 pulses: at most "
+         "--points %3",
+         phrase("more points than pulses: %1 points a layer, but half a turn of axis Ψ has %2 pulses: choose "
+                "at most %3 points")},
+        {"%1 points a layer, not %2: half a turn of axis psi has no more pulses",
+         phrase("%1 points a layer, not %2: half a turn of axis Ψ has no more pulses")},
+        {"%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis y",
+         phrase("%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis Y")},
+        {"the job was made for another machine: %1 differ; slice it again with the core's profile",
+         phrase(
+             "the job was made for another machine (%1 differ); slice it again with the machine's profile")},
+        {"job: layer %1, point %2: the radius of %3, %4, is inside the core radius of %5; carve less deep, "
+         "or "
+         "lower core_radius_mm",
+         phrase("layer %1, point %2: the radius of %3, %4, is inside the core radius of %5; carve less deep, "
+                "or lower core_radius_mm")},
+    };
+}
+
+/// "model.obj: line 12: 'x' is not a number", and files without lines.
+std::optional<Phrase> file_phrase(const std::string& message) {
+    for (std::size_t end = message.find(": "); end != std::string::npos; end = message.find(": ", end + 1)) {
+        const Phrase file{"%1", {message.substr(0, end)}, {}};
+        const std::string rest = message.substr(end + 2);
+        if (auto found = phrase_for(of_a_file(), rest)) return joined(file, std::move(*found));
+        const auto line = phrase_for({{"line %1: %2", phrase("line %1")}}, rest);
+        if (!line) continue;
+        if (auto found = phrase_for(of_a_line(), line->arguments.back()))
+            return Phrase{"%1: %2: %3", {}, {file, phrase("line %1", line->arguments.front()), *found}};
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Phrase error_phrase(const std::string& message) {
+    if (auto found = phrase_for(of_a_job(), message)) return *found;
+    if (auto found = file_phrase(message)) return *found;
+    return core_phrase(message);
+}
+
+}  // namespace psicarve::session

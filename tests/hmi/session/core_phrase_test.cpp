@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/core_phrase.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "hmi/cam/job_builder.hpp"
+#include "hmi/model/load_mesh.hpp"
+#include "hmi/session/error_phrase.hpp"
+#include "shared/snapshot_file.hpp"
+#include "tests/shared/temporary_folder.hpp"
+
+namespace psicarve::session {
+namespace {
+
+TEST(CorePhrase, NamesTheCommandOnceAndInTheWindowsWords) {
+    const Phrase shown = refusal_phrase(phrase("Hold"), "hold: not while ready; start first");
+    EXPECT_EQ(in_english(shown), "Hold: not while ready; start first");
+    const Phrase& why = shown.inner.at(1);
+    EXPECT_STREQ(why.english, "not while %1; %2");
+    EXPECT_EQ(why.arguments, (std::vector<std::string>{"ready"}));
+    EXPECT_STREQ(why.inner.at(0).english, "start first");
+    EXPECT_EQ(in_english(
+                  refusal_phrase(phrase("By hand"), "jog: r1 would leave its travel, 0.000 mm to 60.000 mm")),
+              "By hand: R1 would leave its travel, 0.000 mm to 60.000 mm");
+    EXPECT_EQ(in_english(core_phrase("alarm: limit of r2; Back the axis off its sensor.")),
+              "alarm: limit, axis R2");
+    EXPECT_EQ(in_english(core_phrase("alarm: emergency stop; Release it.")), "alarm: emergency stop");
+}
+
+TEST(CorePhrase, LeavesWhatItDoesNotKnow) {
+    EXPECT_EQ(in_english(core_phrase("something else: 12 %")), "something else: 12 %");
+    EXPECT_EQ(in_english(refusal_phrase(phrase("Start"), "start: something else")), "Start: something else");
+}
+
+/// Whether a window has words of its own for it.
+bool is_known(const std::string& message) {
+    const Phrase shown = error_phrase(message);
+    return std::string{shown.english} != "%1" && in_english(shown) != "";
+}
+
+// What the readers say, as they say it.
+TEST(ErrorPhrase, KnowsWhatReadersSay) {
+    const test::TemporaryFolder folder;
+    const auto written = [&folder](const std::string& name, const std::string& content) {
+        std::ofstream{folder.path(name), std::ios::binary} << content;
+        return folder.path(name);
+    };
+    const auto said = [&written](const std::string& name, const std::string& content) {
+        const auto mesh = model::load_mesh(written(name, content));
+        return mesh ? std::string{"it was read"} : mesh.error().message;
+    };
+    const std::string messages[] = {
+        model::load_mesh(folder.path("none.stl")).error().message,
+        model::load_mesh(folder.path("")).error().message,
+        said("empty.stl", ""),
+        said("short.stl", "abc"),
+        said("text.obj", "v 1 2 x\n"),
+        said("face.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"),
+        said("more.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n"),
+        said("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+        said("ascii.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero\n"),
+        said("none.3mf", "PK\x03\x04 and no more"),
+        load_snapshot(written("not.job", "nothing of a job")).error().message,
+    };
+    for (const std::string& message : messages) EXPECT_TRUE(is_known(message)) << message;
+    EXPECT_EQ(in_english(error_phrase("a: b.obj: line 12: 'x' is not a number: a vertex needs three")),
+              "a: b.obj: line 12: 'x' is not a number: a vertex needs three");
+}
+
+TEST(ErrorPhrase, NamesTheWindowsFieldsInsteadOfOptions) {
+    const auto mesh = model::load_mesh(PSICARVE_EXAMPLES "/small.stl");
+    ASSERT_TRUE(mesh);
+    cam::JobOptions large;
+    large.height_mm = 5000.0;
+    cam::JobOptions fine;
+    fine.layer_count = 4'000'000;
+    cam::JobOptions dense;
+    dense.point_count = 4'000'000;
+    for (const cam::JobOptions& options : {large, fine, dense}) {
+        const auto built = cam::build_job(*mesh, Profile{}, options);
+        ASSERT_FALSE(built);
+        EXPECT_TRUE(is_known(built.error().message)) << built.error().message;
+        EXPECT_EQ(in_english(error_phrase(built.error().message)).find("--"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace psicarve::session

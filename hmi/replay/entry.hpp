@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "hmi/replay/trace_index.hpp"
@@ -17,6 +19,14 @@ struct Entry {
     session::Phrase what;
     bool is_major = false;  ///< gets a mark: not one of hundreds
 };
+
+/// What a file says of ticks is not trusted: later than this nothing is shown [ns], some 73 years.
+inline constexpr std::int64_t kLatest_ns = std::numeric_limits<std::int64_t>::max() / 4;
+constexpr std::int64_t time_of_ticks(std::uint64_t ticks, std::int64_t period_ns) noexcept {
+    const std::int64_t period = std::max<std::int64_t>(period_ns, 1);
+    const std::uint64_t most = static_cast<std::uint64_t>(kLatest_ns / period);
+    return static_cast<std::int64_t>(std::min(ticks, most)) * period;
+}
 
 /// What an entry of the flight recorder says.
 Entry entry_of(const FlightRecord& record, std::int64_t time_ns);

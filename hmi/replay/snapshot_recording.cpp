@@ -47,11 +47,10 @@ Result<std::unique_ptr<Recording>> SnapshotRecording::open(const std::string& pa
     made->first_tick_ = own.records.empty() ? last_tick : own.records.front().tick;
     for (const FlightRecord& record : own.records) last_tick = std::max(last_tick, record.tick);
     made->first_tick_ = std::min(made->first_tick_, last_tick);
-    facts.end_ns = static_cast<std::int64_t>(last_tick - made->first_tick_) * made->period_ns_;
+    facts.end_ns = time_of_ticks(last_tick - made->first_tick_, made->period_ns_);
     for (const FlightRecord& record : own.records) {
         const std::uint64_t tick = std::max(record.tick, made->first_tick_);
-        facts.entries.push_back(
-            entry_of(record, static_cast<std::int64_t>(tick - made->first_tick_) * made->period_ns_));
+        facts.entries.push_back(entry_of(record, time_of_ticks(tick - made->first_tick_, made->period_ns_)));
     }
     made->states_ = RecordStates{own.records};
     facts.knows_states = true;

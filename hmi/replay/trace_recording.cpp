@@ -107,8 +107,7 @@ void TraceRecording::take_records(const Company& company) {
     record_count_ = company.records.size();
     facts_.entries.clear();
     for (const FlightRecord& record : company.records)
-        facts_.entries.push_back(
-            entry_of(record, static_cast<std::int64_t>(record.tick) * index_->start().period_ns));
+        facts_.entries.push_back(entry_of(record, time_of_ticks(record.tick, index_->start().period_ns)));
 }
 
 void TraceRecording::list_contents(const Company& company) {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
+#include "hmi/session/colour_map.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::session {
@@ -46,6 +48,21 @@ std::uint32_t CarvedScene::layer_of(std::size_t row) const noexcept {
     return static_cast<std::uint32_t>(up_ > 1 ? row * (layer_count_ - 1) / (up_ - 1) : 0);
 }
 
+std::uint32_t CarvedScene::colour_of(const CarvingRecord& record, std::uint32_t layer,
+                                     std::uint32_t cell) const noexcept {
+    if (!record.is_carved(layer, cell)) return plan_.blank_rgb;
+    if (plan_.colouring == Colouring::radius) {
+        const double radius_mm = record.surface().radii_mm(layer)[cell];
+        return viridis((radius_mm - plan_.least_mm) / (plan_.most_mm - plan_.least_mm));
+    }
+    if (plan_.colouring == Colouring::deviation) {
+        const std::int32_t pulses = record.deviation_pulses(layer, cell);
+        if (std::abs(pulses) > plan_.neutral_pulses)
+            return vik(0.5 + 0.5 * static_cast<double>(pulses) / static_cast<double>(plan_.reach_pulses));
+    }
+    return plan_.done_rgb;
+}
+
 void CarvedScene::fill_row(const CarvingRecord& record, std::size_t row) {
     const std::uint32_t layer = layer_of(row);
     const auto radii = record.surface().radii_mm(layer);
@@ -56,7 +73,7 @@ void CarvedScene::fill_row(const CarvingRecord& record, std::size_t row) {
         const auto& [cosine, sine] = directions_[column];
         const std::size_t place = row * round_ + column;
         scene_->vertices[place] = {radii[cell] * cosine, radii[cell] * sine, height};
-        scene_->vertex_rgb[place] = record.is_carved(layer, cell) ? plan_.done_rgb : plan_.blank_rgb;
+        scene_->vertex_rgb[place] = colour_of(record, layer, cell);
     }
 }
 

@@ -18,12 +18,20 @@ struct VertexRange {
     bool operator==(const VertexRange&) const = default;
 };
 
+/// What the colours of carved cells say.
+enum class Colouring : std::uint8_t { done, radius, deviation };
+
 struct CarvedScenePlan {
     std::size_t most_round = 480;  ///< cells; a larger job is drawn with some of its own
     std::size_t most_up = 400;
     std::size_t coarse_step = 4;  ///< every so many cells in the coarse facets
     std::uint32_t done_rgb = 0;
     std::uint32_t blank_rgb = 0;
+    Colouring colouring = Colouring::done;
+    double least_mm = 0.0;  ///< radius: the scale's ends
+    double most_mm = 1.0;
+    std::int32_t neutral_pulses = 1;  ///< deviation: up to here as done; requires neutral < reach
+    std::int32_t reach_pulses = 8;    ///< the scale's end on either side
 };
 
 /// What stands on the table, as a scene that follows a record: only rows whose layers have changed are made
@@ -37,6 +45,8 @@ public:
     std::vector<VertexRange> update(CarvingRecord& record);
 
 private:
+    std::uint32_t colour_of(const CarvingRecord& record, std::uint32_t layer,
+                            std::uint32_t cell) const noexcept;
     void fill_row(const CarvingRecord& record, std::size_t row);
     void make_facets(std::size_t step, std::vector<Facet>& facets) const;
     std::uint32_t layer_of(std::size_t row) const noexcept;

@@ -50,8 +50,37 @@ void CarvingRecord::take(const IncrementEntry& entry) {
         const auto layer = geometry_.layer_at(entry.y_pulses + head.height_offset_pulses, direction);
         if (!layer) continue;
         surface_.touch(*layer, geometry_.cell_of(direction), static_cast<float>(real_mm));
+        note_deviation(h, *layer, entry, real_mm);
         note_change(*layer);
     }
+}
+
+/// Only where the job says what is wanted: on a layer, not on the way from one to the next. The way may leave
+/// the straight line between two points by the path's tolerance, and either axis stands up to a pulse before
+/// or behind it: on a steep flank that is many pulses of radius.
+void CarvingRecord::note_deviation(std::size_t h, std::uint32_t layer, const IncrementEntry& entry,
+                                   double real_mm) {
+    const verify::HeadGeometry& head = geometry_.head(h);
+    const std::int64_t height = entry.y_pulses + head.height_offset_pulses;
+    if (!surface_.is_spiral() && height != job_->view.layer_heights_pulses()[layer]) return;
+    const double tolerance_mm = job_->profile.job.path_tolerance_mm;
+    const double arc_rad = tolerance_mm / std::max(real_mm, tolerance_mm);
+    const auto aside = static_cast<std::int64_t>(
+                           std::ceil(arc_rad * static_cast<double>(geometry_.rev_pulses()) / (2.0 * kPi))) +
+                       2;
+    const std::int64_t direction = geometry_.direction(h, entry.psi_pulses);
+    double least_mm = real_mm;
+    double most_mm = real_mm;
+    bool is_first = true;
+    for (const std::int64_t place : {direction - aside, direction, direction + aside}) {
+        const auto wanted_mm = geometry_.wanted_mm(layer, place);
+        if (!wanted_mm) return;
+        least_mm = is_first ? *wanted_mm : std::min(least_mm, *wanted_mm);
+        most_mm = is_first ? *wanted_mm : std::max(most_mm, *wanted_mm);
+        is_first = false;
+    }
+    const double off_mm = real_mm - std::clamp(real_mm, least_mm - tolerance_mm, most_mm + tolerance_mm);
+    surface_.note_deviation(layer, geometry_.cell_of(direction), std::llround(off_mm * head.pulses_per_mm));
 }
 
 void CarvingRecord::take_as_planned(std::uint32_t layers_done, std::uint64_t most_cells) {
@@ -66,6 +95,7 @@ void CarvingRecord::take_as_planned(std::uint32_t layers_done, std::uint64_t mos
             const auto wanted_mm = geometry_.wanted_mm(layers_done_, geometry_.direction_of(cell));
             if (!wanted_mm || *wanted_mm >= geometry_.blank_radius_mm()) continue;
             surface_.touch(layers_done_, cell, static_cast<float>(*wanted_mm));
+            surface_.note_deviation(layers_done_, cell, 0);
             was_seen = false;
         }
         if (!was_seen) ++planned_layers_;

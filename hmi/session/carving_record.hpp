@@ -45,6 +45,11 @@ public:
     bool is_carved(std::uint32_t layer, std::uint32_t cell) const noexcept {
         return layer < layers_done_ || surface_.radii_mm(layer)[cell] < uncarved_mm();
     }
+    /// How far the deepest that a head was seen in a cell lies outside of what the job wants there and the
+    /// path's tolerance allows [pulses]; negative: too deep. 0 where nobody saw it. Requires a carved cell.
+    std::int32_t deviation_pulses(std::uint32_t layer, std::uint32_t cell) const noexcept {
+        return surface_.deviation_pulses(layer, cell);
+    }
     /// Those that have changed since the last call, in no order.
     std::vector<std::uint32_t> take_changed_layers();
 
@@ -60,6 +65,7 @@ private:
     /// As the surface keeps it.
     float uncarved_mm() const noexcept { return static_cast<float>(geometry_.blank_radius_mm()); }
     void note_change(std::uint32_t layer);
+    void note_deviation(std::size_t h, std::uint32_t layer, const IncrementEntry& entry, double real_mm);
 
     std::shared_ptr<const cam::PreparedJob> job_;
     verify::JobGeometry geometry_;

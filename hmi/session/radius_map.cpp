@@ -9,8 +9,6 @@
 namespace psicarve::session {
 namespace {
 
-constexpr std::array<std::uint32_t, 11> kViridis{0x440154, 0x482475, 0x414487, 0x355F8D, 0x2A788E, 0x21918C,
-                                                 0x22A884, 0x44BF70, 0x7AD151, 0xBDDF26, 0xFDE725};
 constexpr double kMostHill = 0.18;  // of the lightness
 
 double within_turn(double angle_deg) noexcept {
@@ -99,19 +97,6 @@ RadiusMap radius_map(const cam::PreparedJob& job, std::size_t most_columns, std:
     map.least_mm = std::floor(*least);
     map.most_mm = std::max<double>(std::ceil(*most), map.least_mm + 1.0);
     return map;
-}
-
-std::uint32_t viridis(double ratio) noexcept {
-    const double place = std::clamp(ratio, 0.0, 1.0) * (kViridis.size() - 1);
-    const auto index = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
-    const double part = place - static_cast<double>(index);
-    std::uint32_t rgb = 0;
-    for (const unsigned shift : {16U, 8U, 0U}) {
-        const auto from = static_cast<double>((kViridis[index] >> shift) & 0xFFU);
-        const auto to = static_cast<double>((kViridis[index + 1] >> shift) & 0xFFU);
-        rgb |= static_cast<std::uint32_t>(std::lround(from + part * (to - from))) << shift;
-    }
-    return rgb;
 }
 
 std::vector<std::uint32_t> radius_picture(const RadiusMap& map, bool with_hills) {

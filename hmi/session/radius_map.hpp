@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hmi/cam/prepared_job.hpp"
+#include "hmi/session/colour_map.hpp"
 
 namespace psicarve::session {
 
@@ -35,8 +36,6 @@ struct RadiusMap {
 };
 RadiusMap radius_map(const cam::PreparedJob& job, std::size_t most_columns, std::size_t most_rows);
 
-/// Viridis at 0 to 1, as 0xRRGGBB.
-std::uint32_t viridis(double ratio) noexcept;
 /// The map as a picture, 0xFFRRGGBB, highest layer first. `with_hills`: lighter and darker where it slopes.
 std::vector<std::uint32_t> radius_picture(const RadiusMap& map, bool with_hills);
 

@@ -68,7 +68,7 @@ TickHealth tick_health(const CoreStatus& status) {
 }
 
 void RateMeter::note(const CoreStatus& status, Clock::time_point now) {
-    Sample sample{now, status.tick, status.missed_ticks, {}};
+    Sample sample{now, status.tick, status.missed_ticks, status.period_ns, {}};
     bool goes_on = !samples_.empty() && status.tick >= samples_.back().tick &&
                    status.missed_ticks >= samples_.back().missed;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
@@ -91,7 +91,14 @@ void RateMeter::measure() {
     };
     ticks_per_s_ = rate(first.tick, last.tick);
     missed_lately_ = last.missed - first.missed;
-    for (std::size_t k = 0; k < kAxisCount; ++k) pulses_per_s_[k] = rate(first.pulses[k], last.pulses[k]);
+    constexpr double kNsPerSecond = 1e9;
+    const double machine_s =
+        static_cast<double>(last.tick - first.tick) * static_cast<double>(last.period_ns) / kNsPerSecond;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        pulses_per_s_[k] = rate(first.pulses[k], last.pulses[k]);
+        const auto pulses = static_cast<double>(last.pulses[k] - first.pulses[k]);
+        pulses_per_machine_s_[k] = is_known && machine_s > 0.0 ? pulses / machine_s : 0.0;
+    }
 }
 
 }  // namespace psicarve::session

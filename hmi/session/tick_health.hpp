@@ -47,6 +47,8 @@ public:
 
     double ticks_per_s() const noexcept { return ticks_per_s_; }
     double pulses_per_s(Axis axis) const noexcept { return pulses_per_s_[index_of(axis)]; }
+    /// By the machine's clock, which a virtual one is not the wall's.
+    double pulses_per_machine_s(Axis axis) const noexcept { return pulses_per_machine_s_[index_of(axis)]; }
     /// Ticks missed in the last second.
     std::uint64_t missed_lately() const noexcept { return missed_lately_; }
 
@@ -55,6 +57,7 @@ private:
         Clock::time_point time;
         std::uint64_t tick;
         std::uint64_t missed;
+        std::int64_t period_ns;
         std::array<std::uint64_t, kAxisCount> pulses;
     };
     void measure();
@@ -63,6 +66,7 @@ private:
     double ticks_per_s_ = 0.0;
     std::uint64_t missed_lately_ = 0;
     std::array<double, kAxisCount> pulses_per_s_{};
+    std::array<double, kAxisCount> pulses_per_machine_s_{};
 };
 
 }  // namespace psicarve::session

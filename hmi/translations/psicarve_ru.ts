@@ -272,6 +272,10 @@
             <translation>Нули осей</translation>
         </message>
         <message>
+            <source>Axis</source>
+            <translation>Ось</translation>
+        </message>
+        <message>
             <source>Axis %1 stood at %2. The pause was longer than its motor coasts: it may have lost steps.</source>
             <translation>Ось %1 стояла на %2. Пауза дольше выбега её двигателя: он мог потерять шаги.</translation>
         </message>
@@ -364,6 +368,10 @@
             <translation>Прервать чтение</translation>
         </message>
         <message>
+            <source>Carved against wanted: blue too deep, brown material left</source>
+            <translation>Вырезанное против заданного: синее — слишком глубоко, коричневое — остался материал</translation>
+        </message>
+        <message>
             <source>Carved piece</source>
             <translation>Деталь</translation>
         </message>
@@ -432,6 +440,14 @@
             <translation>Тёмная</translation>
         </message>
         <message>
+            <source>Deviation</source>
+            <translation>Отклонение</translation>
+        </message>
+        <message>
+            <source>Deviation: not of a recording; psicarve verify tells it</source>
+            <translation>Отклонение: не для записи; его назовёт psicarve verify</translation>
+        </message>
+        <message>
             <source>Direction of R2 minus 180 degrees, measured once.</source>
             <translation>Направление R2 минус 180 градусов, измеряется однажды.</translation>
         </message>
@@ -450,6 +466,10 @@
         <message>
             <source>Disarm keyboard jog</source>
             <translation>Выключить клавиши</translation>
+        </message>
+        <message>
+            <source>Done</source>
+            <translation>Готовое</translation>
         </message>
         <message>
             <source>Drives and spindle are off. No axis moved: home only if one was turned by hand.</source>
@@ -1211,6 +1231,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Всё в порядке.</translation>
         </message>
         <message>
+            <source>Of top speed</source>
+            <translation>От предела</translation>
+        </message>
+        <message>
             <source>One layer</source>
             <translation>Один слой</translation>
         </message>
@@ -1249,6 +1273,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Open: a job is being made; cancel it first</source>
             <translation>Открыть: задание составляется; сначала отмените</translation>
+        </message>
+        <message>
+            <source>OpenGL took the window down the last time: drawing without it</source>
+            <translation>В прошлый раз OpenGL обрушил окно: рисуем без него</translation>
         </message>
         <message>
             <source>Opened %1</source>
@@ -1419,6 +1447,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Импульсы %1</translation>
         </message>
         <message>
+            <source>Pulses of the job</source>
+            <translation>Импульсы задания</translation>
+        </message>
+        <message>
             <source>Pulses per second R1, R2, Ψ, Y</source>
             <translation>Импульсов в секунду R1, R2, Ψ, Y</translation>
         </message>
@@ -1493,6 +1525,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Radii of all layers, unrolled</source>
             <translation>Радиусы всех слоёв, развёртка</translation>
+        </message>
+        <message>
+            <source>Radius</source>
+            <translation>Радиус</translation>
         </message>
         <message>
             <source>Read off the pins: a trace has no flight recorder. A click goes to an entry.</source>
@@ -1721,6 +1757,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Slicing …</source>
             <translation>Нарезается …</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>Скорость</translation>
         </message>
         <message>
             <source>Speed %1 (J slower, L faster)</source>
@@ -2725,6 +2765,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>профиль неизвестен</translation>
         </message>
         <message>
+            <source>psicarve-hmi --opengl tries it again</source>
+            <translation>psicarve-hmi --opengl попробует снова</translation>
+        </message>
+        <message>
             <source>publish first</source>
             <translation>передайте</translation>
         </message>
@@ -2935,6 +2979,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>tick gap</source>
             <translation>разрыв тактов</translation>
+        </message>
+        <message>
+            <source>too deep %1 material left&lt;br&gt;±%2 mm, ±%3 pulses</source>
+            <translation>слишком глубоко %1 остался материал&lt;br&gt;±%2 mm, ±%3 имп.</translation>
         </message>
         <message>
             <source>too large for this computer's memory</source>

@@ -272,6 +272,10 @@
             <translation>各轴已回零</translation>
         </message>
         <message>
+            <source>Axis</source>
+            <translation>轴</translation>
+        </message>
+        <message>
             <source>Axis %1 stood at %2. The pause was longer than its motor coasts: it may have lost steps.</source>
             <translation>轴 %1 位于 %2。停顿超过电机的惯性滑行时间：可能已丢步。</translation>
         </message>
@@ -364,6 +368,10 @@
             <translation>取消读取</translation>
         </message>
         <message>
+            <source>Carved against wanted: blue too deep, brown material left</source>
+            <translation>实际与要求之差：蓝色过深，棕色有余料</translation>
+        </message>
+        <message>
             <source>Carved piece</source>
             <translation>工件</translation>
         </message>
@@ -432,6 +440,14 @@
             <translation>深色</translation>
         </message>
         <message>
+            <source>Deviation</source>
+            <translation>偏差</translation>
+        </message>
+        <message>
+            <source>Deviation: not of a recording; psicarve verify tells it</source>
+            <translation>偏差：不适用于记录；请用 psicarve verify</translation>
+        </message>
+        <message>
             <source>Direction of R2 minus 180 degrees, measured once.</source>
             <translation>R2 的方向减去 180 度，一次性测得。</translation>
         </message>
@@ -450,6 +466,10 @@
         <message>
             <source>Disarm keyboard jog</source>
             <translation>停用键盘点动</translation>
+        </message>
+        <message>
+            <source>Done</source>
+            <translation>完成</translation>
         </message>
         <message>
             <source>Drives and spindle are off. No axis moved: home only if one was turned by hand.</source>
@@ -1210,6 +1230,10 @@ N、Shift+N  下一条、上一条记录
             <translation>一切正常。</translation>
         </message>
         <message>
+            <source>Of top speed</source>
+            <translation>占最高速度</translation>
+        </message>
+        <message>
             <source>One layer</source>
             <translation>一层</translation>
         </message>
@@ -1248,6 +1272,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Open: a job is being made; cancel it first</source>
             <translation>打开：正在生成作业；请先取消</translation>
+        </message>
+        <message>
+            <source>OpenGL took the window down the last time: drawing without it</source>
+            <translation>上次 OpenGL 使窗口崩溃：现在不用它绘图</translation>
         </message>
         <message>
             <source>Opened %1</source>
@@ -1418,6 +1446,10 @@ N、Shift+N  下一条、上一条记录
             <translation>%1 的脉冲</translation>
         </message>
         <message>
+            <source>Pulses of the job</source>
+            <translation>作业脉冲</translation>
+        </message>
+        <message>
             <source>Pulses per second R1, R2, Ψ, Y</source>
             <translation>每秒脉冲 R1、R2、Ψ、Y</translation>
         </message>
@@ -1488,6 +1520,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Radii of all layers, unrolled</source>
             <translation>所有层的半径展开图</translation>
+        </message>
+        <message>
+            <source>Radius</source>
+            <translation>半径</translation>
         </message>
         <message>
             <source>Read off the pins: a trace has no flight recorder. A click goes to an entry.</source>
@@ -1716,6 +1752,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Slicing …</source>
             <translation>正在切片 …</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>速度</translation>
         </message>
         <message>
             <source>Speed %1 (J slower, L faster)</source>
@@ -2718,6 +2758,10 @@ N、Shift+N  下一条、上一条记录
             <translation>配置未知</translation>
         </message>
         <message>
+            <source>psicarve-hmi --opengl tries it again</source>
+            <translation>psicarve-hmi --opengl 可再次尝试</translation>
+        </message>
+        <message>
             <source>publish first</source>
             <translation>请先发布</translation>
         </message>
@@ -2928,6 +2972,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>tick gap</source>
             <translation>节拍中断</translation>
+        </message>
+        <message>
+            <source>too deep %1 material left&lt;br&gt;±%2 mm, ±%3 pulses</source>
+            <translation>过深 %1 有余料&lt;br&gt;±%2 mm，±%3 脉冲</translation>
         </message>
         <message>
             <source>too large for this computer's memory</source>

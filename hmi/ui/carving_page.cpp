@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/carving_page.hpp"
 
+#include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
+#include <QResizeEvent>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "hmi/session/colour_map.hpp"
+#include "hmi/session/display_text.hpp"
+#include "hmi/session/radius_map.hpp"
+#include "hmi/ui/axis_table.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/view_buttons.hpp"
@@ -23,6 +30,21 @@ constexpr QRgb kDone = 0xC4CAD0;
 constexpr QRgb kBlank = 0x7C8894;
 constexpr double kRodLength = 0.35;  // of the blank's diameter
 constexpr double kRodRadius = 0.04;
+
+constexpr int kLeastForTable = 400;  // of the page's height
+constexpr int kScaleSteps = 11;
+
+/// Coloured squares in a row, as rich text.
+template <typename Colour>
+QString colour_bar(Colour colour) {
+    QString bar;
+    for (int step = 0; step < kScaleSteps; ++step) {
+        const double ratio = static_cast<double>(step) / (kScaleSteps - 1);
+        bar += QStringLiteral("<span style='background:%1'>&nbsp;&nbsp;&nbsp;</span>")
+                   .arg(QColor::fromRgb(colour(ratio)).name());
+    }
+    return bar;
+}
 
 session::CarvedScenePlan plan_for(Drawing drawing) {
     return drawing == Drawing::opengl ? session::CarvedScenePlan{480, 400, 2, kDone, kBlank}
@@ -39,6 +61,8 @@ CarvingPage::CarvingPage(Bench& bench, Drawing drawing, QWidget* parent)
     : QWidget(parent),
       bench_(bench),
       view_(new MeshView{drawing}),
+      axes_(new AxisTable{bench}),
+      colourings_(new QButtonGroup{this}),
       done_(role_label("label")),
       point_(role_label("title")) {
     view_->setObjectName("carving_view");
@@ -51,20 +75,91 @@ CarvingPage::CarvingPage(Bench& bench, Drawing drawing, QWidget* parent)
     foot->addWidget(point_);
     auto* all = new QVBoxLayout{this};
     all->setContentsMargins(kGap, kGap, kGap, kGap);
-    all->addLayout(view_buttons(*view_));
+    auto* above = view_buttons(*view_);
+    add_colourings(*above);
+    all->addLayout(above);
     all->addWidget(view_, 1);
     all->addLayout(foot);
+    all->addWidget(axes_);
+}
+
+void CarvingPage::add_colourings(QHBoxLayout& row) {
+    const QString names[] = {tr("Done"), tr("Radius"), tr("Deviation")};
+    const char* const ids[] = {"colour_done", "colour_radius", "colour_deviation"};
+    for (int i = 0; i < 3; ++i) {
+        auto* button = new QPushButton{names[i]};
+        button->setProperty("small", true);
+        button->setObjectName(ids[i]);
+        button->setCheckable(true);
+        button->setChecked(i == 0);
+        button->setFocusPolicy(Qt::TabFocus);
+        colourings_->addButton(button, i);
+        row.addWidget(button);
+    }
+    connect(colourings_, &QButtonGroup::idClicked, this,
+            [this](int id) { colour_by(static_cast<session::Colouring>(id)); });
+}
+
+void CarvingPage::colour_by(session::Colouring colouring) {
+    colouring_ = colouring;
+    scene_.reset();
+    drawn_.invalidate();
+}
+
+void CarvingPage::resizeEvent(QResizeEvent* event) {
+    // Where room is short the piece is worth more than figures.
+    axes_->setVisible(event->size().height() >= kLeastForTable);
+    QWidget::resizeEvent(event);
+}
+
+session::CarvedScenePlan CarvingPage::plan() const {
+    session::CarvedScenePlan plan = plan_for(view_->drawing());
+    plan.colouring = colouring_;
+    plan.least_mm = least_mm_;
+    plan.most_mm = most_mm_;
+    return plan;
+}
+
+void CarvingPage::show_scale() {
+    const auto job = bench_.job_at_work();
+    if (colouring_ == session::Colouring::done || !job || tokens_ == nullptr) return view_->set_legend({});
+    const auto mm = [](double value, int decimals) {
+        return QString::fromStdString(session::number_text(value, decimals));
+    };
+    if (colouring_ == session::Colouring::radius) {
+        return view_->set_legend(
+            QStringLiteral("%1 %2 %3")
+                .arg(mm(least_mm_, 0), colour_bar(session::viridis), tr("%1 mm").arg(mm(most_mm_, 0))));
+    }
+    const session::CarvedScenePlan now = plan();
+    const double reach_mm = now.reach_pulses / axis_motion(job->profile, Axis::r1).pulses_per_unit;
+    const auto colour = [&now](double ratio) {
+        const bool is_neutral = std::abs(2.0 * ratio - 1.0) * now.reach_pulses <= now.neutral_pulses;
+        return is_neutral ? kDone : session::vik(ratio);
+    };
+    view_->set_legend(tr("too deep %1 material left<br>±%2 mm, ±%3 pulses")
+                          .arg(colour_bar(colour), mm(reach_mm, 3), QString::number(now.reach_pulses)));
 }
 
 void CarvingPage::set_theme(const Tokens& tokens) {
     tokens_ = &tokens;
     view_->set_theme(tokens);
+    axes_->set_theme(tokens);
     drawn_positions_ = {};
 }
 
 void CarvingPage::refresh() {
     lane_.deliver();
     keep_record();
+    axes_->refresh();
+    // A recording's pulses are judged by `psicarve verify`; here it is the piece alone.
+    QAbstractButton* const deviation = colourings_->button(static_cast<int>(session::Colouring::deviation));
+    deviation->setEnabled(!bench_.replay.is_open());
+    deviation->setToolTip(bench_.replay.is_open()
+                              ? tr("Deviation: not of a recording; psicarve verify tells it")
+                              : tr("Carved against wanted: blue too deep, brown material left"));
+    if (bench_.replay.is_open() && colouring_ == session::Colouring::deviation)
+        colourings_->button(static_cast<int>(session::Colouring::done))->click();
     if (!isVisible() || tokens_ == nullptr) return;
     draw();
     say();
@@ -143,11 +238,28 @@ void CarvingPage::draw() {
     drawn_positions_ = positions;
     if (!scene_ || scene_drawing_ != view_->drawing()) {
         scene_drawing_ = view_->drawing();
-        scene_ = std::make_unique<session::CarvedScene>(*record, plan_for(view_->drawing()));
-        view_->show_scene(scene_->scene());
+        take_range();
+        scene_ = std::make_unique<session::CarvedScene>(*record, plan());
+        const bool is_recoloured = is_seen_ == record;
+        is_seen_ = record;
+        if (is_recoloured) view_->replace_scene(scene_->scene());
+        if (!is_recoloured) view_->show_scene(scene_->scene());
+        show_scale();
     }
     view_->vertices_changed(scene_->update(*record));
     draw_heads(*record);
+}
+
+/// Whole mm around the job's radii.
+void CarvingPage::take_range() {
+    const auto job = bench_.job_at_work();
+    if (!job || job == ranged_job_) return;
+    constexpr std::size_t kColumns = 360;
+    constexpr std::size_t kRows = 240;
+    const session::RadiusMap map = session::radius_map(*job, kColumns, kRows);
+    ranged_job_ = job;
+    least_mm_ = map.least_mm;
+    most_mm_ = map.most_mm;
 }
 
 void CarvingPage::draw_heads(const session::CarvingRecord& record) {

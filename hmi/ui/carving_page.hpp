@@ -16,10 +16,14 @@
 #include "hmi/ui/space_canvas.hpp"
 #include "hmi/ui/tokens.hpp"
 
+class QButtonGroup;
+class QHBoxLayout;
 class QLabel;
+class QResizeEvent;
 
 namespace psicarve::ui {
 
+class AxisTable;
 class MeshView;
 
 /// The blank as it is being carved, and both heads: from what the core reports, not from what was asked of
@@ -35,7 +39,15 @@ public:
     const session::CarvingRecord* record() const noexcept { return record_.get(); }
     MeshView& view() noexcept { return *view_; }
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void add_colourings(QHBoxLayout& row);
+    void colour_by(session::Colouring colouring);
+    session::CarvedScenePlan plan() const;
+    void show_scale();
+    void take_range();
     void make_record();
     void keep_record();
     /// The machine's, or a recording's.
@@ -57,8 +69,15 @@ private:
     verify::Positions drawn_positions_{};
     std::uint64_t shown_replay_ = 0;
     const session::CarvingRecord* drawn_record_ = nullptr;  ///< only compared
+    const session::CarvingRecord* is_seen_ = nullptr;       ///< whose scene the view has; only compared
     QElapsedTimer drawn_;
     MeshView* view_;
+    AxisTable* axes_;
+    QButtonGroup* colourings_;
+    session::Colouring colouring_ = session::Colouring::done;
+    std::shared_ptr<const cam::PreparedJob> ranged_job_;  ///< whose radii these are
+    double least_mm_ = 0.0;
+    double most_mm_ = 1.0;
     QLabel* done_;
     QLabel* point_;
     session::WorkLane lane_;

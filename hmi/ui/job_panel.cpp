@@ -11,6 +11,7 @@
 #include "hmi/session/preflight.hpp"
 #include "hmi/session/start_intent.hpp"
 #include "hmi/ui/dialogs.hpp"
+#include "hmi/ui/motion_buttons.hpp"
 #include "hmi/ui/report_dialog.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/units.hpp"
@@ -111,17 +112,15 @@ void JobPanel::make_checks() {
 }
 
 void JobPanel::make_buttons() {
-    session::MachineSession& machine = bench_.machine;
-    start_ = new ActionButton{Action::start, tr("Start"), [&machine] { machine.start(0); }};
+    const MotionButtons motion = make_motion_buttons(bench_);
+    start_ = motion.start;
+    hold_ = motion.hold;
+    resume_ = motion.resume;
+    stop_ = motion.stop;
     start_->setProperty("main", true);
     start_->setObjectName("start");
     start_->set_hint(tr("Heads to the first point, then carve (Ctrl+Enter)"));
     start_->setShortcut(Qt::CTRL | Qt::Key_Return);
-    hold_ = new ActionButton{Action::hold, tr("Hold"),
-                             [&machine] { machine.order(CommandKind::hold, session::phrase("Hold")); }};
-    resume_ = new ActionButton{Action::resume, tr("Resume"),
-                               [&machine] { machine.order(CommandKind::resume, session::phrase("Resume")); }};
-    stop_ = new ActionButton{Action::stop, tr("Stop"), [&machine] { machine.stop(); }};
     auto* three = new QHBoxLayout;
     three->setSpacing(kGap);
     const char* names[] = {"hold", "resume", "stop"};
@@ -277,8 +276,7 @@ void JobPanel::refresh_facts() {
 /// While a job runs the panel is about that one; what has been opened or sliced since waits.
 replay::JobPointer JobPanel::job_shown() const {
     if (bench_.replay.is_open()) return bench_.replay.facts().job;
-    const bool runs =
-        bench_.machine.sight().is_heard() && runs_job(bench_.machine.sight().state());
+    const bool runs = bench_.machine.sight().is_heard() && runs_job(bench_.machine.sight().state());
     if (runs && bench_.desk.core_job()) return bench_.desk.core_job();
     return bench_.desk.job();
 }

@@ -33,13 +33,17 @@ QLabel* floating_label(QWidget* parent) {
     return label;
 }
 
-/// Beside a place of the picture. What stands there already is not painted again.
+/// Beside a place of the picture, and never cut off by its edge. What stands there already is not painted
+/// again.
 void place(QLabel& label, const QString& text, const std::array<double, 3>& at, QPoint beside) {
     if (label.text() != text) {
         label.setText(text);
         label.adjustSize();
     }
-    label.move(QPoint{static_cast<int>(at[0]), static_cast<int>(at[1])} + beside);
+    const QPoint wanted = QPoint{static_cast<int>(at[0]), static_cast<int>(at[1])} + beside;
+    const QSize room = label.parentWidget()->size() - label.size();
+    label.move(std::clamp(wanted.x(), 0, std::max(0, room.width())),
+               std::clamp(wanted.y(), 0, std::max(0, room.height())));
 }
 
 std::uint32_t rgb_of(const QColor& colour) {

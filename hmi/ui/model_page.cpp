@@ -74,10 +74,7 @@ QWidget* ModelPage::make_view() {
     column->setContentsMargins(0, 0, 0, 0);
     view_->setObjectName("model_view");
     view_->set_empty_text(tr("No model. Open one from the menu, or drop a file here."));
-    QHBoxLayout* buttons = view_buttons(*view_);
-    size_ = role_label("label");
-    buttons->addWidget(size_);
-    column->addLayout(buttons);
+    column->addLayout(view_buttons(*view_));
     column->addWidget(view_, 1);
     warnings_ = new WarningList;
     column->addWidget(warnings_);
@@ -95,6 +92,9 @@ QWidget* ModelPage::make_form() {
     column->addWidget(rule());
     fill_form(*form);
     column->addLayout(form);
+    size_ = role_label("label");
+    size_->setWordWrap(true);  // beside the view's buttons it would be wider than a small screen
+    column->addWidget(size_);
     column->addStretch();
     state_ = new QLabel;
     state_->setWordWrap(true);

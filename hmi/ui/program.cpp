@@ -3,12 +3,16 @@
 
 #include <QApplication>
 #include <QLocale>
+#include <QTimer>
+#include <chrono>
 #include <clocale>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "hmi/ui/gl_probe.hpp"
+#include "hmi/ui/gl_trial.hpp"
 #include "hmi/ui/main_window.hpp"
 #include "hmi/ui/window_options.hpp"
 
@@ -17,14 +21,21 @@ namespace {
 
 constexpr int kExitInput = 3;
 
-Drawing drawing_for(OpenGl wanted) {
+/// So long OpenGL has to have drawn the window before it is trusted.
+constexpr std::chrono::seconds kTrial{3};
+
+Drawing drawing_for(OpenGl wanted, const GlTrial& trial) {
     if (wanted == OpenGl::never) return Drawing::painter;
+    if (wanted == OpenGl::automatic && trial.has_crashed_before()) return Drawing::painter;
+    trial.begin();
     const GlProbe probe = probe_gl();
     if (wanted == OpenGl::always && !probe.is_usable)
         std::fprintf(stderr, "psicarve-hmi: no OpenGL here (%s); going on without\n",
                      probe.reason.toUtf8().constData());
     const bool is_wanted = wanted == OpenGl::always || !probe.is_software;
-    return probe.is_usable && is_wanted ? Drawing::opengl : Drawing::painter;
+    if (probe.is_usable && is_wanted) return Drawing::opengl;
+    trial.end();
+    return Drawing::painter;
 }
 
 /// Numbers have decimal points in all languages, as in the files. Qt has just set the desktop's ways, which
@@ -62,11 +73,23 @@ int run(int argc, char** argv) {
     QApplication::setStyle("Fusion");
     keep_decimal_points();
     use_language(language_for(options));
-    MainWindow window{session, drawing_for(options.opengl)};
+    const GlTrial trial{session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME"))};
+    const bool has_crashed = options.opengl == OpenGl::automatic && trial.has_crashed_before();
+    const Drawing drawing = drawing_for(options.opengl, trial);
+    MainWindow window{session, drawing};
+    if (has_crashed) {
+        window.bench().log.add(
+            session::Severity::warning,
+            session::phrase("OpenGL took the window down the last time: drawing without it"),
+            session::phrase("psicarve-hmi --opengl tries it again"));
+    }
     if (!options.profile_path.empty()) window.show_profile(QString::fromStdString(options.profile_path));
     window.show();
     if (!options.path.empty()) window.open(QString::fromStdString(options.path));
-    return QApplication::exec();
+    if (drawing == Drawing::opengl) QTimer::singleShot(kTrial, &window, [&trial] { trial.end(); });
+    const int exit_code = QApplication::exec();
+    if (drawing == Drawing::opengl) trial.end();
+    return exit_code;
 }
 
 }  // namespace psicarve::ui

@@ -7,7 +7,6 @@
 #include <QTabBar>
 #include <QVBoxLayout>
 
-#include "hmi/ui/action_button.hpp"
 #include "hmi/ui/frames.hpp"
 
 namespace psicarve::ui {
@@ -36,30 +35,27 @@ Room room_in(QSize window) {
     return window.width() < kLeastForWide ? Room::usual : Room::wide;
 }
 
-MotionButtons::MotionButtons(Bench& bench) : bench_(bench) {
-    using session::Action;
-    session::MachineSession& machine = bench.machine;
-    buttons_ = {
-        new ActionButton{Action::start, tr("Start"), [&machine] { machine.start(0); }},
-        new ActionButton{Action::hold, tr("Hold"),
-                         [&machine] { machine.order(CommandKind::hold, session::phrase("Hold")); }},
-        new ActionButton{Action::resume, tr("Resume"),
-                         [&machine] { machine.order(CommandKind::resume, session::phrase("Resume")); }},
-        new ActionButton{Action::stop, tr("Stop"), [&machine] { machine.stop(); }}};
+MotionBlock::MotionBlock(Bench& bench) : bench_(bench), buttons_(make_motion_buttons(bench)) {
     setObjectName("motion");
     auto* grid = new QGridLayout{this};
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(kSmallGap);
-    for (int i = 0; i < static_cast<int>(buttons_.size()); ++i) grid->addWidget(buttons_[i], i / 2, i % 2);
+    int place = 0;
+    for (ActionButton* button : buttons_.all()) {
+        grid->addWidget(button, place / 2, place % 2);
+        ++place;
+    }
 }
 
-void MotionButtons::set_theme(const Tokens& tokens) {
-    const Glyph glyphs[] = {Glyph::play, Glyph::pause, Glyph::play, Glyph::stop};
-    for (std::size_t i = 0; i < buttons_.size(); ++i) buttons_[i]->set_glyph(glyphs[i], tokens);
+void MotionBlock::set_theme(const Tokens& tokens) {
+    buttons_.start->set_glyph(Glyph::play, tokens);
+    buttons_.hold->set_glyph(Glyph::pause, tokens);
+    buttons_.resume->set_glyph(Glyph::play, tokens);
+    buttons_.stop->set_glyph(Glyph::stop, tokens);
 }
 
-void MotionButtons::refresh() {
-    for (ActionButton* button : buttons_) button->refresh(bench_);
+void MotionBlock::refresh() {
+    for (ActionButton* button : buttons_.all()) button->refresh(bench_);
 }
 
 SidePanels::SidePanels(Bench& bench, QWidget* position, QWidget* jog, QWidget* job)
@@ -70,7 +66,7 @@ SidePanels::SidePanels(Bench& bench, QWidget* position, QWidget* jog, QWidget* j
       right_column_(column_in(right_)),
       names_(new QTabBar{left_}),
       stack_(new QStackedWidget{left_}),
-      buttons_(new MotionButtons{bench}) {
+      buttons_(new MotionBlock{bench}) {
     names_->setObjectName("side_names");
     names_->setDrawBase(false);
     stack_->setObjectName("side_pages");

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "hmi/ui/bench.hpp"
+#include "hmi/ui/motion_buttons.hpp"
 #include "hmi/ui/tokens.hpp"
 
 class QScrollArea;
@@ -15,8 +16,6 @@ class QTabBar;
 class QVBoxLayout;
 
 namespace psicarve::ui {
-
-class ActionButton;
 
 /// How much room a window has for what stands beside its pages.
 enum class Room : std::uint8_t {
@@ -29,17 +28,16 @@ enum class Room : std::uint8_t {
 Room room_in(QSize window);
 
 /// Start, Hold, Resume and Stop where the job's panel is a page that may be hidden.
-class MotionButtons : public QWidget {
-    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MotionButtons)
+class MotionBlock : public QWidget {
 public:
-    explicit MotionButtons(Bench& bench);
+    explicit MotionBlock(Bench& bench);
 
     void set_theme(const Tokens& tokens);
     void refresh();
 
 private:
     Bench& bench_;
-    std::array<ActionButton*, 4> buttons_;
+    MotionButtons buttons_;
 };
 
 /// Arranges the three panels beside the window's pages.
@@ -50,7 +48,7 @@ public:
 
     QWidget& left() noexcept { return *left_; }
     QWidget& right() noexcept { return *right_; }
-    MotionButtons& buttons() noexcept { return *buttons_; }
+    MotionBlock& buttons() noexcept { return *buttons_; }
     /// True when something has changed its place.
     bool arrange(Room room);
 
@@ -66,7 +64,7 @@ private:
     QVBoxLayout* right_column_;
     QTabBar* names_;
     QStackedWidget* stack_;
-    MotionButtons* buttons_;
+    MotionBlock* buttons_;
     Room room_ = Room::usual;
 };
 

@@ -8,6 +8,16 @@
 namespace psicarve::replay {
 namespace {
 
+// A file may say what it likes.
+TEST(TimeOfTicks, StaysATime) {
+    EXPECT_EQ(time_of_ticks(3, 50'000), 150'000);
+    EXPECT_EQ(time_of_ticks(7, 0), 7);
+    const auto all = std::numeric_limits<std::uint64_t>::max();
+    EXPECT_GT(time_of_ticks(all, 50'000), 0);
+    EXPECT_LE(time_of_ticks(all, 50'000), kLatest_ns);
+    EXPECT_EQ(time_of_ticks(all, std::numeric_limits<std::int64_t>::max()), 0);
+}
+
 using session::Severity;
 
 std::string text_of(const Entry& entry) {

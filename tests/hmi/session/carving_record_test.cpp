@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "hmi/session/colour_map.hpp"
 #include "shared/units.hpp"
 #include "tests/two_process/core_rig.hpp"
 
@@ -61,6 +62,38 @@ TEST_F(Carving, ShowsWhatTheCoreReportedAndNothingElse) {
     EXPECT_EQ(done_vertices(), 2 * kCellsOfLayer);
     sut_->take_as_planned(2);
     EXPECT_EQ(sut_->planned_layers(), 0U);
+}
+
+TEST_F(Carving, MeasuresHowFarTheHeadsWereFromTheJob) {
+    carve(0);
+    const std::int32_t at_point = job_->view.r_left_pulses(1)[4];
+    const auto entry = [&](std::int32_t off_pulses) {
+        return IncrementEntry{0, at_point + off_pulses, 100'000, job_->view.psi_pulses(1, 4),
+                              job_->view.y_pulses(1, 4)};
+    };
+    const auto cell = sut_->geometry().cell_of(sut_->geometry().direction(0, job_->view.psi_pulses(1, 4)));
+    sut_->take(entry(30));
+    // Less what the path's tolerance and a pulse of psi may be.
+    EXPECT_GT(sut_->deviation_pulses(1, cell), 5);
+    EXPECT_LT(sut_->deviation_pulses(1, cell), 30);
+    sut_->take(entry(-60));
+    const std::int32_t deep = sut_->deviation_pulses(1, cell);
+    EXPECT_LT(deep, -35);
+    EXPECT_GT(deep, -60);
+    sut_->take(entry(0));  // the deepest stays
+    EXPECT_EQ(sut_->deviation_pulses(1, cell), deep);
+    for (std::uint32_t each = 0; each < kCellsOfLayer; ++each) EXPECT_EQ(sut_->deviation_pulses(0, each), 0);
+    sut_->take_as_planned(3);
+    EXPECT_EQ(sut_->deviation_pulses(2, cell), 0);  // nobody saw it
+    CarvedScenePlan by_deviation = plan();
+    by_deviation.colouring = Colouring::deviation;
+    const auto colours = CarvedScene{*sut_, by_deviation}.scene()->vertex_rgb;
+    EXPECT_EQ(std::count(colours.begin(), colours.end(), vik(0.0)), 1);  // too deep, beyond the scale
+    CarvedScenePlan by_radius = plan();
+    by_radius.colouring = Colouring::radius;
+    by_radius.most_mm = 100.0;
+    const auto radius = static_cast<double>(sut_->surface().radii_mm(0)[0]);
+    EXPECT_EQ(CarvedScene(*sut_, by_radius).scene()->vertex_rgb[0], viridis(radius / 100.0));
 }
 
 TEST_F(Carving, TakesFromTheJobWhatNobodySaw) {

@@ -7,6 +7,8 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTabWidget>
 
 #include <set>
@@ -81,6 +83,8 @@ protected:
             window_->refresh();
             take_picture(language + "_" + QString::number(i + 1));
             expect_nothing_cut_off();
+            const auto* const pages = window_->findChild<QScrollArea*>("pages");
+            EXPECT_EQ(pages->horizontalScrollBar()->maximum(), 0) << "page " << i + 1 << " is too wide";
         }
     }
 

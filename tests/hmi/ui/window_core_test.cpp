@@ -15,6 +15,7 @@
 #include <QTabWidget>
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 #include "hmi/ui/mesh_view.hpp"
@@ -205,6 +206,24 @@ TEST_F(WindowOnCore, TakesAModelFromItsFileToACarvedPiece) {
     ASSERT_TRUE(comes_true([&] { return sight().status->points_done > 6'000; }))
         << all_messages().toStdString();
     take_picture("carving_view_light");
+    EXPECT_TRUE(window_->findChild<QLabel*>("axis_speed_psi")->text().endsWith(" °/s"));
+    auto& view = *static_cast<MeshView*>(window_->findChild<QWidget*>("carving_view"));
+    const auto colours = [&view] {
+        const auto& rgb = view.picture().bodies.front().scene->vertex_rgb;
+        return std::set<std::uint32_t>{rgb.begin(), rgb.end()};
+    };
+    EXPECT_EQ(colours().size(), 2U);  // carved and blank
+    ASSERT_TRUE(click("colour_radius"));
+    ASSERT_TRUE(comes_true([&] { return colours().size() > 20; }));
+    take_picture("carving_radius_light");
+    ASSERT_TRUE(click("colour_deviation"));
+    ASSERT_TRUE(comes_true([&] { return true; }));
+    take_picture("carving_deviation_light");
+    // The core is exact: hardly a cell is blue or brown.
+    const auto& painted = view.picture().bodies.front().scene->vertex_rgb;
+    const auto grey = static_cast<std::size_t>(std::count(painted.begin(), painted.end(), painted.front()));
+    EXPECT_GT(grey, painted.size() / 10 * 9);
+    ASSERT_TRUE(click("colour_done"));
     ASSERT_TRUE(comes_true([&] {
         return sight().state() == S::ready && sight().status->points_done == sight().status->points_total;
     })) << all_messages().toStdString();

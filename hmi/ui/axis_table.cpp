@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/axis_table.hpp"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include "hmi/session/display_text.hpp"
+#include "hmi/ui/frames.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+QString text_of(const std::string& text) {
+    return QString::fromStdString(text);
+}
+const QString kNone = QStringLiteral("\u2013");
+
+void say(QLabel* label, const QString& text) {
+    if (label->text() != text) label->setText(text);
+}
+
+}  // namespace
+
+AxisTable::AxisTable(Bench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+    setObjectName("axis_table");
+    auto* grid = new QGridLayout{this};
+    grid->setContentsMargins(kGap, 0, kGap, 0);
+    grid->setVerticalSpacing(1);
+    const QString heads[] = {tr("Axis"), tr("Pulses of the job"), tr("Speed"), tr("Of top speed")};
+    for (int column = 0; column < 4; ++column) {
+        grid->addWidget(role_label("label", heads[column]), 0, column,
+                        column == 0 ? Qt::AlignLeft : Qt::AlignRight);
+        grid->setColumnStretch(column, 1);
+    }
+    for (const Axis axis : kAllAxes) {
+        Row& row = rows_[index_of(axis)];
+        row = {new QLabel{QString::fromUtf8(session::axis_letter(axis))}, new QLabel, new QLabel, new QLabel};
+        const QString id = QString::fromStdString(std::string{name_of(axis)});
+        row.speed->setObjectName("axis_speed_" + id);
+        row.pulses->setObjectName("axis_pulses_" + id);
+        QLabel* const labels[] = {row.name, row.pulses, row.speed, row.share};
+        for (int column = 0; column < 4; ++column)
+            grid->addWidget(labels[column], static_cast<int>(index_of(axis)) + 1, column,
+                            column == 0 ? Qt::AlignLeft : Qt::AlignRight);
+    }
+}
+
+void AxisTable::set_theme(const Tokens& tokens) {
+    const QColor colours[kAxisCount] = {tokens.r1, tokens.r2, tokens.text, tokens.text};
+    for (const Axis axis : kAllAxes) {
+        rows_[index_of(axis)].name->setStyleSheet(
+            QString{"font-weight: 700; color: %1"}.arg(colours[index_of(axis)].name()));
+    }
+}
+
+void AxisTable::refresh() {
+    const session::MachineSight& sight = bench_.machine.sight();
+    if (sight.core_pid != core_pid_) rates_.forget();
+    core_pid_ = sight.core_pid;
+    if (sight.is_heard() && sight.status) rates_.note(*sight.status, session::RateMeter::Clock::now());
+    if (!isVisible()) return;
+    const auto& shown = bench_.shown().status;
+    for (const Axis axis : kAllAxes) {
+        const bool is_told = shown && !bench_.replay.is_open();
+        say(rows_[index_of(axis)].pulses, is_told ? text_of(session::count_text(static_cast<std::int64_t>(
+                                                        shown->emitted_pulses[index_of(axis)])))
+                                                  : kNone);
+        show_speed(axis);
+    }
+}
+
+void AxisTable::show_speed(Axis axis) {
+    constexpr double kPercent = 100.0;
+    const session::MachineSight& sight = bench_.machine.sight();
+    const Row& row = rows_[index_of(axis)];
+    if (!sight.is_heard() || !sight.profile || bench_.replay.is_open()) {
+        say(row.speed, kNone);
+        return say(row.share, kNone);
+    }
+    const AxisMotion motion = axis_motion(*sight.profile, axis);
+    const double speed = rates_.pulses_per_machine_s(axis) / motion.pulses_per_unit;
+    const char* const unit = axis == Axis::psi ? "%1 °/s" : "%1 mm/s";
+    say(row.speed, QString::fromUtf8(unit).arg(text_of(session::number_text(speed, 1))));
+    const double share = rates_.pulses_per_machine_s(axis) / motion.speed_pps;
+    say(row.share, QString{"%1 %"}.arg(text_of(session::number_text(kPercent * share, 0))));
+}
+
+}  // namespace psicarve::ui

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QWidget>
+
+#include <array>
+#include <cstdint>
+
+#include "hmi/session/tick_health.hpp"
+#include "hmi/ui/bench.hpp"
+#include "hmi/ui/tokens.hpp"
+
+class QLabel;
+
+namespace psicarve::ui {
+
+/// What the axes do: pulses of the job so far, speed, and how much of the axis' top speed that is.
+class AxisTable : public QWidget {
+    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::AxisTable)
+public:
+    explicit AxisTable(Bench& bench, QWidget* parent = nullptr);
+
+    void set_theme(const Tokens& tokens);
+    void refresh();
+
+private:
+    struct Row {
+        QLabel* name;
+        QLabel* pulses;
+        QLabel* speed;
+        QLabel* share;
+    };
+    void show_speed(Axis axis);
+
+    Bench& bench_;
+    std::array<Row, kAxisCount> rows_{};
+    session::RateMeter rates_;
+    std::uint32_t core_pid_ = 0;
+};
+
+}  // namespace psicarve::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
@@ -10,6 +11,9 @@
 #include "shared/status.hpp"
 
 namespace psicarve::rtcore {
+
+/// Bins of one microsecond besides the coarse ones; the last also holds what came later still.
+inline constexpr std::size_t kFineBins = 10'000;
 
 struct PeriodicReport {
     std::uint64_t ticks_run = 0;
@@ -24,6 +28,7 @@ public:
     void note_tick(std::int64_t lateness_ns) noexcept {
         bump(ticks_run_, 1);
         bump(bins_[bin_of(lateness_ns)], 1);
+        bump(fine_bins_[fine_bin_of(lateness_ns)], 1);
         if (lateness_ns > max_lateness_ns_.load(kRelaxed)) max_lateness_ns_.store(lateness_ns, kRelaxed);
     }
     void note_missed(std::uint64_t ticks) noexcept { bump(ticks_missed_, ticks); }
@@ -35,6 +40,15 @@ public:
             report.lateness_histogram[bin] = bins_[bin].load(kRelaxed);
         }
         return report;
+    }
+    /// Ticks that were so many whole microseconds late. Requires late_us < kFineBins.
+    std::uint64_t ticks_at_us(std::size_t late_us) const noexcept {
+        return fine_bins_[late_us].load(kRelaxed);
+    }
+    static std::size_t fine_bin_of(std::int64_t lateness_ns) noexcept {
+        constexpr std::int64_t kNsPerBin = 1000;
+        if (lateness_ns < kNsPerBin) return 0;
+        return std::min(static_cast<std::size_t>(lateness_ns / kNsPerBin), kFineBins - 1);
     }
     /// Bin n holds 2^n .. 2^(n+1) ns; bin 0 also what came early, the last one also what came later still.
     static std::size_t bin_of(std::int64_t lateness_ns) noexcept {
@@ -53,6 +67,7 @@ private:
     std::atomic<std::uint64_t> ticks_missed_{0};
     std::atomic<std::int64_t> max_lateness_ns_{0};
     std::array<std::atomic<std::uint64_t>, kLatenessBins> bins_{};
+    std::array<std::atomic<std::uint64_t>, kFineBins> fine_bins_{};
 };
 
 struct PeriodicTick {

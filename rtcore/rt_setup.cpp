@@ -1,41 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/rt_setup.hpp"
 
+#include <fcntl.h>
 #include <malloc.h>
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <system_error>
+
+#include "shared/cpu_list.hpp"
 
 namespace psicarve::rtcore {
 namespace {
 
 constexpr std::size_t kStackBytes = std::size_t{256} * 1024;
+constexpr std::size_t kHeapBytes = std::size_t{8} << 20;
 /// More address space than the core ever maps at once: two job slots of the largest capacity.
 constexpr std::size_t kProbeBytes = std::size_t{1} << 30;
 
-SetupStep done(std::string name, std::string detail) {
-    return {.name = std::move(name), .ok = true, .detail = std::move(detail), .remedy = {}};
+SetupStep done(RealtimeStep step, std::string detail) {
+    return {.step = step, .outcome = SetupStep::Outcome::done, .detail = std::move(detail), .remedy = {}};
 }
-SetupStep refused(std::string name, int error, std::string remedy) {
-    return {.name = std::move(name),
-            .ok = false,
+SetupStep refused(RealtimeStep step, int error) {
+    return {.step = step,
+            .outcome = SetupStep::Outcome::refused,
             .detail = std::generic_category().message(error),
-            .remedy = std::move(remedy)};
+            .remedy = std::string{remedy_of(step)}};
 }
 
 SetupStep keep_heap() {
     // Memory once obtained is never handed back, and no allocation becomes a mapping of its own: neither
     // page faults nor system calls come back later.
     if (mallopt(M_TRIM_THRESHOLD, -1) == 1 && mallopt(M_MMAP_MAX, 0) == 1) {
-        return done("keep heap", "freed memory stays with the process");
+        return done(RealtimeStep::keep_heap, "heap kept");
     }
-    return refused("keep heap", ENOTSUP, "use the GNU C library's allocator");
+    return refused(RealtimeStep::keep_heap, ENOTSUP);
 }
 
 /// With MCL_FUTURE every later mapping counts against the limit: is there room for the segment?
@@ -47,16 +55,18 @@ bool can_map_more() noexcept {
 }
 
 SetupStep lock_memory() {
-    const char* const remedy =
-        "raise the limit: a line \"@GROUP - memlock unlimited\" in /etc/security/limits.d, or CAP_IPC_LOCK";
-    if (mlockall(MCL_CURRENT) != 0) return refused("lock memory", errno, remedy);
+    if (mlockall(MCL_CURRENT) != 0) return refused(RealtimeStep::lock_memory, errno);
     // ONFAULT: the segment is sparse; locking it whole would allocate all it might ever hold.
-    if (mlockall(MCL_FUTURE | MCL_ONFAULT) != 0) return refused("lock memory", errno, remedy);
+    if (mlockall(MCL_FUTURE | MCL_ONFAULT) != 0) {
+        const int error = errno;
+        munlockall();
+        return refused(RealtimeStep::lock_memory, error);
+    }
     if (!can_map_more()) {
         munlockall();
-        return refused("lock memory", ENOMEM, remedy);
+        return refused(RealtimeStep::lock_memory, ENOMEM);
     }
-    return done("lock memory", "present pages locked, later ones when first touched");
+    return done(RealtimeStep::lock_memory, "memory locked");
 }
 
 [[gnu::noinline]] void touch_stack() noexcept {
@@ -66,31 +76,129 @@ SetupStep lock_memory() {
     asm volatile("" : : "r"(pages) : "memory");
 }
 
-}  // namespace
-
-std::vector<SetupStep> set_up_process_memory() {
-    return {keep_heap(), lock_memory()};
+SetupStep keep_to_cpu(std::optional<int> cpu) {
+    if (!cpu) {
+        return {.step = RealtimeStep::tick_cpu,
+                .outcome = SetupStep::Outcome::not_asked,
+                .detail = "any processor",
+                .remedy = {}};
+    }
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    if (*cpu < 0 || *cpu >= CPU_SETSIZE) return refused(RealtimeStep::tick_cpu, EINVAL);
+    CPU_SET(*cpu, &one);
+    const int error = pthread_setaffinity_np(pthread_self(), sizeof one, &one);
+    if (error != 0) return refused(RealtimeStep::tick_cpu, error);
+    return done(RealtimeStep::tick_cpu, "processor " + std::to_string(*cpu));
 }
 
-std::vector<SetupStep> set_up_realtime_thread(int priority) {
-    std::vector<SetupStep> steps;
-    touch_stack();
-    steps.push_back(done("touch stack", std::to_string(kStackBytes / 1024) + " KiB"));
+SetupStep schedule_at(int priority) {
     sched_param parameters{};
     parameters.sched_priority = priority;
     const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
-    if (error == 0) {
-        steps.push_back(done("real-time scheduling", "SCHED_FIFO, priority " + std::to_string(priority)));
-    } else {
-        steps.push_back(refused("real-time scheduling", error,
-                                "allow it: a line \"@GROUP - rtprio 99\" in /etc/security/limits.d, or "
-                                "CAP_SYS_NICE"));
-    }
+    if (error != 0) return refused(RealtimeStep::scheduling, error);
+    return done(RealtimeStep::scheduling, "SCHED_FIFO, priority " + std::to_string(priority));
+}
+
+}  // namespace
+
+std::vector<SetupStep> set_up_process_memory() {
+    std::vector<SetupStep> steps;
+    steps.push_back(keep_heap());
+    steps.push_back(lock_memory());
     return steps;
 }
 
-bool all_ok(std::span<const SetupStep> steps) noexcept {
-    return std::all_of(steps.begin(), steps.end(), [](const SetupStep& step) { return step.ok; });
+SetupStep touch_heap() {
+    void* const reserve = std::malloc(kHeapBytes);
+    if (reserve == nullptr) return refused(RealtimeStep::touch_memory, ENOMEM);
+    touch_pages(reserve, kHeapBytes);
+    std::free(reserve);
+    std::ifstream maps{"/proc/self/maps"};
+    for (std::string line; std::getline(maps, line);) {
+        void* begin = nullptr;
+        void* end = nullptr;
+        if (!line.ends_with("[heap]") || std::sscanf(line.c_str(), "%p-%p", &begin, &end) != 2) continue;
+        const auto* const first = static_cast<const char*>(begin);
+        touch_pages(begin, static_cast<std::size_t>(static_cast<const char*>(end) - first));
+    }
+    return done(RealtimeStep::touch_memory, "memory touched");
+}
+
+// Also memory that is in nobody's use, which a sanitizer would not like to see written.
+[[gnu::no_sanitize("address")]] void touch_pages(void* begin, std::size_t bytes) noexcept {
+    const auto page_bytes = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    auto* const first = static_cast<unsigned char*>(begin);
+    // Or with nothing, in one piece: unlike a read it makes the page, unlike a store it can undo none.
+    for (std::size_t at = 0; at < bytes; at += page_bytes) __atomic_fetch_or(first + at, 0, __ATOMIC_RELAXED);
+    if (bytes > 0) __atomic_fetch_or(first + bytes - 1, 0, __ATOMIC_RELAXED);
+}
+
+std::optional<int> isolated_cpu(const std::string& root) {
+    std::ifstream file{root + "/sys/devices/system/cpu/isolated"};
+    const std::string text{std::istreambuf_iterator<char>{file}, {}};
+    const auto isolated = cpus_from_list(text);
+    if (!isolated || isolated->empty() || isolated->back() >= CPU_SETSIZE) return std::nullopt;
+    return isolated->back();
+}
+
+void keep_off_cpu(int cpu) noexcept {
+    cpu_set_t allowed;
+    if (cpu < 0 || cpu >= CPU_SETSIZE || sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
+    CPU_CLR(cpu, &allowed);
+    if (CPU_COUNT(&allowed) > 0) sched_setaffinity(0, sizeof allowed, &allowed);
+}
+
+std::vector<SetupStep> set_up_realtime_thread(int priority, std::optional<int> cpu) {
+    touch_stack();
+    std::vector<SetupStep> steps;
+    steps.push_back(keep_to_cpu(cpu));
+    steps.push_back(schedule_at(priority));
+    return steps;
+}
+
+WakeLatencyHold::~WakeLatencyHold() {
+    if (descriptor_ >= 0) close(descriptor_);
+}
+
+SetupStep WakeLatencyHold::hold(const char* path) {
+    if (descriptor_ < 0) descriptor_ = open(path, O_WRONLY | O_CLOEXEC);
+    const std::int32_t most_us = 0;
+    if (descriptor_ < 0 || write(descriptor_, &most_us, sizeof most_us) != sizeof most_us) {
+        return refused(RealtimeStep::wake_latency, errno);
+    }
+    return done(RealtimeStep::wake_latency, "processors kept awake");
+}
+
+std::uint32_t steps_asked(std::span<const SetupStep> steps) noexcept {
+    std::uint32_t bits = 0;
+    for (const SetupStep& step : steps) {
+        if (step.outcome != SetupStep::Outcome::not_asked) bits |= bit_of(step.step);
+    }
+    return bits;
+}
+
+std::uint32_t steps_done(std::span<const SetupStep> steps) noexcept {
+    std::uint32_t bits = 0;
+    for (const SetupStep& step : steps) {
+        if (step.outcome == SetupStep::Outcome::done) bits |= bit_of(step.step);
+    }
+    return bits;
+}
+
+std::vector<std::string> report_of(std::span<const SetupStep> steps) {
+    std::string in_force;
+    std::vector<std::string> lines;
+    for (const SetupStep& step : steps) {
+        if (step.outcome == SetupStep::Outcome::refused) {
+            lines.push_back(std::string{name_of(step.step)} + ": refused: " + step.detail + "; " +
+                            step.remedy);
+        } else {
+            in_force += (in_force.empty() ? "" : ", ") + step.detail;
+        }
+    }
+    lines.insert(lines.begin(), "real time: " + (in_force.empty() ? "nothing is in force" : in_force));
+    return lines;
 }
 
 }  // namespace psicarve::rtcore

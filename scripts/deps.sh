@@ -14,7 +14,7 @@ window_packages=(qt6-base-dev libqt6opengl6-dev libqcustomplot-dev qt6-l10n-tool
 test_packages=(git ccache python3 python3-numpy python3-scipy libgtest-dev libgmock-dev sigrok-cli clang-14 clang-format-14 clang-tidy-14
     libclang-rt-14-dev fonts-wqy-microhei fonts-noto-core xvfb openbox xdotool libgl1-mesa-dri
     qemu-system-x86 busybox-static cpio)
-bench_packages=(libembree-dev admesh linuxcnc-uspace)
+bench_packages=(libembree-dev admesh linuxcnc-uspace rt-tests)
 
 usage() { printf 'usage: %s build|window|test|bench [--list]\n' "${0##*/}"; }
 

@@ -57,6 +57,8 @@ constexpr std::uint64_t status_hash(std::uint64_t hash) noexcept {
                                offsetof(CoreStatus, waited_ticks),
                                offsetof(CoreStatus, override_percent),
                                offsetof(CoreStatus, trace_lost),
+                               offsetof(CoreStatus, realtime_asked),
+                               offsetof(CoreStatus, tick_minor_faults),
                                offsetof(CoreStatus, sim_true_position_pulses),
                                offsetof(CoreStatus, sim_ignored_pulses),
                                offsetof(CoreStatus, sim_timing_lost),

@@ -19,7 +19,7 @@ namespace psicarve {
 // command.hpp or job.hpp bumps kLayoutVersion; the ABI hash catches whoever forgets.
 
 inline constexpr std::uint64_t kSegmentMagic = 0x3147455341435350ULL;  // "PSCASEG1"
-inline constexpr std::uint32_t kLayoutVersion = 3;
+inline constexpr std::uint32_t kLayoutVersion = 4;
 inline constexpr std::uint32_t kSegmentReady = 0x52454459;  // written last by the creator
 
 inline constexpr std::uint32_t kDefaultCapacityLayers = 4000;

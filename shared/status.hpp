@@ -72,6 +72,15 @@ struct CoreStatus {
     std::uint32_t override_percent;     ///< of the planned feed
     std::uint32_t reserved2;
     std::uint64_t trace_lost;  ///< pin changes that no trace could take (real clock only)
+    // How the tick's thread is treated (real clock only), and what it cost it: counted outside of the tick.
+    std::uint32_t realtime_asked;     ///< bit by RealtimeStep: tried
+    std::uint32_t realtime_done;      ///< bit by RealtimeStep: in force
+    std::int32_t tick_cpu;            ///< the processor that it keeps to; -1: any
+    std::uint32_t tick_priority;      ///< of SCHED_FIFO; 0: not scheduled so
+    std::uint64_t tick_minor_faults;  ///< page faults since its first tick, without the disk
+    std::uint64_t tick_major_faults;  ///< page faults that waited for the disk
+    std::uint64_t tick_sleeps;        ///< context switches of its own: at most one a tick is its sleep
+    std::uint64_t tick_preemptions;   ///< context switches that others forced on it
     // What a simulated machine knows about itself; zero on a real port.
     std::int64_t sim_true_position_pulses[kAxisCount];
     std::uint64_t sim_ignored_pulses[kAxisCount];  ///< drive disabled

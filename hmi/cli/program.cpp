@@ -47,6 +47,8 @@ void add_all_commands(CommandSet& commands) {
     add_snapshot_diff(snapshot);
     add_replay(commands);
     add_verify(commands);
+    add_doctor(commands);
+    add_latency(commands);
     CommandSet profile = commands.group("profile", "Check and show machine profiles");
     add_profile_check(profile);
     add_profile_show(profile);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hmi/cli/progress_bar.hpp"
+#include "shared/realtime_step.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::cli {
@@ -101,6 +102,33 @@ nlohmann::ordered_json move_end_json(MoveEnd end) {
     return nullptr;
 }
 
+nlohmann::ordered_json steps_json(std::uint32_t steps) {
+    auto names = nlohmann::ordered_json::array();
+    for (const RealtimeStep step : kAllRealtimeSteps) {
+        if ((steps & bit_of(step)) != 0) names.push_back(std::string{name_of(step)});
+    }
+    return names;
+}
+
+/// How the tick's thread is treated, and what to do about what was refused; empty on the virtual clock.
+std::string realtime_text(const CoreStatus& status) {
+    if (status.realtime_asked == 0) return {};
+    std::string text = "real time  ";
+    text +=
+        status.tick_priority == 0 ? "ordinary scheduling" : formatted("SCHED_FIFO %u", status.tick_priority);
+    text += status.tick_cpu < 0 ? ", any processor" : formatted(", processor %d", status.tick_cpu);
+    const std::uint64_t faults = status.tick_minor_faults + status.tick_major_faults;
+    text += "; page faults " + std::to_string(faults) + ", of them from disk " +
+            std::to_string(status.tick_major_faults) + "; preempted " +
+            std::to_string(status.tick_preemptions) + " times\n";
+    for (const RealtimeStep step : kAllRealtimeSteps) {
+        if ((status.realtime_asked & ~status.realtime_done & bit_of(step)) == 0) continue;
+        text += "refused    " + std::string{name_of(step)} + "\nremedy     " + std::string{remedy_of(step)} +
+                "\n";
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string signals_text(SignalWord levels, SignalWord mask) {
@@ -150,6 +178,7 @@ std::string status_text(const CoreStatus& status, const Profile* profile) {
         static_cast<double>(status.period_ns) / static_cast<double>(kNsPerUs),
         static_cast<unsigned long long>(status.tick), static_cast<unsigned long long>(status.missed_ticks),
         static_cast<double>(status.max_lateness_ns) / static_cast<double>(kNsPerUs));
+    text += realtime_text(status);
     text += formatted("alarms     %llu since the core started\n",
                       static_cast<unsigned long long>(status.alarm_count));
     return text;
@@ -202,6 +231,15 @@ nlohmann::ordered_json status_json(const CoreStatus& status) {
             {"simulator", status.is_simulator != 0},
             {"virtual_clock", status.is_virtual_clock != 0},
             {"realtime_rights", status.has_realtime_rights != 0},
+            {"realtime_done", steps_json(status.realtime_done)},
+            {"realtime_refused", steps_json(status.realtime_asked & ~status.realtime_done)},
+            {"tick_cpu",
+             status.tick_cpu < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(status.tick_cpu)},
+            {"tick_priority", status.tick_priority},
+            {"tick_minor_faults", status.tick_minor_faults},
+            {"tick_major_faults", status.tick_major_faults},
+            {"tick_sleeps", status.tick_sleeps},
+            {"tick_preemptions", status.tick_preemptions},
             {"alarm_count", status.alarm_count},
             {"alarms", alarms},
             {"trace_lost", status.trace_lost},

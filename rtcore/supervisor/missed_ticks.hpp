@@ -16,9 +16,11 @@ public:
     bool is_too_many(std::uint64_t missed_ticks, std::chrono::steady_clock::time_point now) noexcept {
         if (now - window_start_ >= std::chrono::seconds{1}) {
             window_start_ = now;
-            missed_at_start_ = missed_ticks;
+            // As it was when last looked at: a gap that held us up as well belongs to the new second.
+            missed_at_start_ = missed_seen_;
             has_told_ = false;
         }
+        missed_seen_ = missed_ticks;
         const bool is_over = allowed_per_s_ > 0 &&
                              missed_ticks - missed_at_start_ > static_cast<std::uint64_t>(allowed_per_s_);
         if (!is_over || has_told_) return false;
@@ -30,6 +32,7 @@ private:
     std::int64_t allowed_per_s_;
     std::chrono::steady_clock::time_point window_start_{};
     std::uint64_t missed_at_start_ = 0;
+    std::uint64_t missed_seen_ = 0;
     bool has_told_ = false;
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "shared/cpu_list.hpp"
 #include "shared/segment.hpp"
 
 namespace psicarve::supervisor {
@@ -28,6 +29,16 @@ std::string check_segment_name(const std::string& name) {
     return is_plain ? std::string{} : "a segment's name begins with / and has no other: --segment /psicarve";
 }
 
+/// The number of one processor; nothing for other words.
+std::optional<int> cpu_from(const std::string& text) {
+    const auto cpus = cpus_from_list(text);
+    return cpus && cpus->size() == 1 ? std::optional<int>{cpus->front()} : std::nullopt;
+}
+std::string check_cpu(const std::string& text) {
+    if (text == "any" || cpu_from(text)) return {};
+    return "'" + text + "' is not the number of a processor, nor any";
+}
+
 std::string check_not_empty(const std::string& text) {
     return text.empty() ? "the name is empty" : std::string{};
 }
@@ -37,6 +48,7 @@ struct Texts {
     std::string port = "sim";
     std::string clock;
     std::string capacity;
+    std::string cpu;
 };
 
 void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
@@ -85,6 +97,25 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
         "Drive a real port without the process that switches drives and spindle off when the core dies "
         "(for debuggers)");
     app.add_flag("--exit-with-parent", options.exit_with_parent, "End in order when the parent process ends");
+    app.add_option("--cpu", texts.cpu,
+                   "The tick's processor: its number, or any; without it the last of those that the kernel "
+                   "keeps free (isolcpus), else any")
+        ->type_name("N|any")
+        ->check(check_cpu);
+    app.add_option("--priority", options.priority, "The tick's real-time priority (SCHED_FIFO)")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 99).description(""));
+    app.add_option("--lateness", options.lateness_path,
+                   "At the end, write how many ticks were how many microseconds late (CSV; real clock)")
+        ->check(check_not_empty);
+    app.add_flag("--measure-latency", options.measures_latency,
+                 "Only measure how late an empty tick is, and print it as JSON; see psicarve latency");
+    app.add_option("--seconds", options.measure_seconds, "With --measure-latency: how long")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1'000'000).description(""));
+    app.add_option("--period-us", options.measure_period_us, "With --measure-latency: the tick's period")
+        ->capture_default_str()
+        ->check(CLI::Range(10, 1'000'000).description(""));
     app.set_version_flag("--version", PSICARVE_VERSION);
 }
 
@@ -139,6 +170,8 @@ std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
         std::fprintf(stderr, "psicarve-rtcore: %s\n", taken.error().message.c_str());
         return kExitUsage;
     }
+    options.takes_any_cpu = texts.cpu == "any";
+    options.cpu = cpu_from(texts.cpu);
     if (!texts.capacity.empty()) {
         auto parsed = parse_capacity(texts.capacity, options);
         if (parsed) parsed = check_shared_memory_for(options.capacity_layers, options.capacity_points);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -31,6 +32,13 @@ struct CoreOptions {
     bool allow_no_realtime = false;  ///< a real port may be driven without real-time rights
     bool no_guard = false;           ///< nobody makes a real port safe when the core dies
     bool assume_homed = false;       ///< a replay on a real port begins where it stands
+    std::optional<int> cpu;          ///< of the tick; nothing: an isolated one, if there is one
+    bool takes_any_cpu = false;      ///< --cpu any
+    bool measures_latency = false;   ///< nothing else: neither segment nor port
+    std::uint32_t measure_seconds = 10;
+    std::uint32_t measure_period_us = 50;
+    std::string lateness_path;  ///< at the end: how late ticks were, CSV; real clock
+    int priority = 80;          ///< of the tick, SCHED_FIFO
 };
 
 /// The options, or the exit code of a run that is over (help and version were asked for, or the usage was

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <future>
 #include <thread>
 
 #include "rtcore/clock.hpp"
 #include "rtcore/periodic.hpp"
-#include "rtcore/rt_setup.hpp"
 #include "rtcore/supervisor/missed_ticks.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
 
@@ -22,7 +22,6 @@ struct Threads {
     std::atomic<bool> planner_must_end{false};
     std::atomic<bool> record_is_over{false};
     std::atomic<bool> record_may_begin{false};
-    std::atomic<bool> has_realtime_rights{false};
     rtcore::PeriodicStats stats;
 };
 
@@ -75,11 +74,11 @@ LatenessFacts lateness_of(const rtcore::PeriodicReport& report) {
 
 /// The supervisor's own loop. Returns the exit code.
 int serve(CoreParts& parts, Supervisor& supervisor, const Directors& directors, EndRequest& end,
-          Threads& threads) {
+          RealtimeTreatment& treatment, Threads& threads) {
     MissedTicks missed{parts.profile.tick.missed_alarm_per_s};
     for (;;) {
         supervisor.set_lateness(lateness_of(threads.stats.report()));
-        supervisor.set_realtime_rights(threads.has_realtime_rights.load());
+        supervisor.set_realtime(treatment.facts());
         supervisor.poll();
         move_traces(parts);
         // A replay's tick is the only writer of the request ring; and at rest a missed tick harms nothing.
@@ -107,30 +106,30 @@ int serve(CoreParts& parts, Supervisor& supervisor, const Directors& directors, 
     }
 }
 
-void say_what_was_refused(const std::vector<rtcore::SetupStep>& steps) {
-    for (const rtcore::SetupStep& step : steps) {
-        if (step.ok) continue;
-        std::fprintf(stderr, "psicarve-rtcore: %s: %s; %s\n", step.name.c_str(), step.detail.c_str(),
-                     step.remedy.c_str());
-    }
-}
-
 }  // namespace
 
-int run_on_real_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors, EndRequest& end) {
+int run_on_real_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors, EndRequest& end,
+                      RealtimeTreatment& treatment) {
     Threads threads;
-    std::thread planner{[&] { run_planner(*parts.planner, threads); }};
+    treatment.treat_memory_and_others();
+    std::promise<bool> may_tick;
     std::thread base{[&] {
-        const auto steps = rtcore::set_up_realtime_thread(rtcore::kTickPriority);
-        say_what_was_refused(steps);
-        threads.has_realtime_rights.store(rtcore::all_ok(steps));
-        run_ticks(parts, directors.record, threads);
+        const bool may = treatment.treat_this_thread();
+        if (may) treatment.begin_counting();
+        may_tick.set_value(may);
+        if (may) run_ticks(parts, directors.record, threads);
     }};
-    const int exit_code = serve(parts, supervisor, directors, end, threads);
+    if (!may_tick.get_future().get()) {
+        base.join();
+        return kExitAlarm;
+    }
+    std::thread planner{[&] { run_planner(*parts.planner, threads); }};
+    const int exit_code = serve(parts, supervisor, directors, end, treatment, threads);
     threads.tick_must_end.store(true);
     base.join();
     threads.planner_must_end.store(true);
     planner.join();
+    treatment.write_lateness(threads.stats);
     move_traces(parts);
     parts.traces.finish(parts.cycle->next_tick());
     move_traces(parts);

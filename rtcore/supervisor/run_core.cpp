@@ -13,11 +13,12 @@
 #include <variant>
 
 #include "rtcore/port/fatal_signals.hpp"
-#include "rtcore/rt_setup.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/core_profile.hpp"
 #include "rtcore/supervisor/end_request.hpp"
 #include "rtcore/supervisor/guarded_port.hpp"
+#include "rtcore/supervisor/latency_run.hpp"
+#include "rtcore/supervisor/realtime_treatment.hpp"
 #include "rtcore/supervisor/replay.hpp"
 #include "rtcore/supervisor/replay_script.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
@@ -91,6 +92,16 @@ SegmentOptions segment_options_of(const CoreOptions& options) {
     return segment;
 }
 
+RealtimeWish wish_of(const CoreOptions& options) {
+    RealtimeWish wish;
+    wish.cpu = options.cpu;
+    wish.takes_any_cpu = options.takes_any_cpu;
+    wish.priority = options.priority;
+    wish.lateness_path = options.lateness_path;
+    wish.is_needed = !options.port.is_simulated() && !options.allow_no_realtime;
+    return wish;
+}
+
 std::uint8_t missing_sensors(const Profile& profile) {
     unsigned mask = 0;
     for (const Axis axis : kAllAxes) {
@@ -106,8 +117,8 @@ bool tie_to_parent() {
     return getppid() == parent && parent != 1;
 }
 
-int run_loop(const CoreOptions& options, CoreParts& parts, Supervisor& supervisor,
-             std::optional<Replay>& replay, EndRequest& end) {
+int run_loop(CoreParts& parts, Supervisor& supervisor, std::optional<Replay>& replay, EndRequest& end,
+             RealtimeTreatment* treatment) {
     JobDirector job_director;
     std::optional<RecordDirector> record_director;
     Directors directors;
@@ -119,21 +130,21 @@ int run_loop(const CoreOptions& options, CoreParts& parts, Supervisor& superviso
     } else if (replay) {
         directors.job = &job_director;
     }
-    return options.clock == ClockKind::virtual_time ? run_on_virtual_clock(parts, supervisor, directors, end)
-                                                    : run_on_real_clock(parts, supervisor, directors, end);
+    return treatment == nullptr ? run_on_virtual_clock(parts, supervisor, directors, end)
+                                : run_on_real_clock(parts, supervisor, directors, end, *treatment);
 }
 
 /// The segment is ours.
 int serve_segment(const CoreOptions& options, const Profile& profile, PartsRequest request, Segment segment,
                   std::optional<Replay>& replay) {
     EndRequest end;
-    if (options.clock == ClockKind::real) rtcore::set_up_process_memory();
+    std::optional<RealtimeTreatment> treatment;
+    if (options.clock == ClockKind::real) treatment.emplace(wish_of(options));
     auto parts = build_core(options, profile, std::move(request));
     if (!parts) return fail(parts.error());
     const CoreFacts facts{.period_ns = (*parts)->period_ns,
                           .is_simulator = options.port.is_simulated(),
                           .is_virtual_clock = options.clock == ClockKind::virtual_time,
-                          .has_realtime_rights = false,
                           .missing_sensors_mask = missing_sensors(profile)};
     if (replay) {
         if (const auto published = publish_job(segment, replay->snapshot.job_blob); !published) {
@@ -143,7 +154,7 @@ int serve_segment(const CoreOptions& options, const Profile& profile, PartsReque
     Supervisor supervisor{**parts, segment_options_of(options), std::move(segment), facts};
     if (replay && replay->script) supervisor.refuse_commands("a recorded run is being replayed");
     supervisor.segment().sign_core();
-    const int exit_code = run_loop(options, **parts, supervisor, replay, end);
+    const int exit_code = run_loop(**parts, supervisor, replay, end, treatment ? &*treatment : nullptr);
     supervisor.leave();
     return exit_code;
 }
@@ -152,6 +163,7 @@ int serve_segment(const CoreOptions& options, const Profile& profile, PartsReque
 
 int run_core(const CoreOptions& options) {
     if (options.exit_with_parent && !tie_to_parent()) return kExitDone;
+    if (options.measures_latency) return run_latency_measurement(options);
     auto replay = load_replay(options);
     if (!replay) return fail(replay.error());
     const auto profile = load_core_profile(profile_path_of(options));

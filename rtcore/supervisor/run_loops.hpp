@@ -3,6 +3,7 @@
 
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/end_request.hpp"
+#include "rtcore/supervisor/realtime_treatment.hpp"
 #include "rtcore/supervisor/replay.hpp"
 #include "rtcore/supervisor/supervisor.hpp"
 
@@ -20,6 +21,7 @@ int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directo
                          EndRequest& end);
 
 /// Three threads: tick, planner, and this one for the segment. Returns the exit code.
-int run_on_real_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors, EndRequest& end);
+int run_on_real_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors, EndRequest& end,
+                      RealtimeTreatment& treatment);
 
 }  // namespace psicarve::supervisor

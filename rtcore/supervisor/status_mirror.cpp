@@ -27,7 +27,7 @@ CoreStatus StatusMirror::compose(const cycle::Sample& sample, const PlannedTimes
     status.homed_mask = sample.homed_mask;
     status.is_simulator = facts_.is_simulator ? 1 : 0;
     status.is_virtual_clock = facts_.is_virtual_clock ? 1 : 0;
-    status.has_realtime_rights = facts_.has_realtime_rights ? 1 : 0;
+    status.has_realtime_rights = realtime_.has_rights() ? 1 : 0;
     status.missing_sensors_mask = facts_.missing_sensors_mask;
     std::ranges::copy(sample.position_pulses, status.position_pulses);
     std::ranges::copy(sample.emitted_pulses, status.emitted_pulses);
@@ -48,6 +48,14 @@ CoreStatus StatusMirror::compose(const cycle::Sample& sample, const PlannedTimes
     status.waited_ticks = sample.waited_ticks;
     status.override_percent = static_cast<std::uint32_t>(sample.override_percent);
     status.trace_lost = sample.trace_lost;
+    status.realtime_asked = realtime_.asked;
+    status.realtime_done = realtime_.done;
+    status.tick_cpu = realtime_.tick_cpu;
+    status.tick_priority = realtime_.tick_priority;
+    status.tick_minor_faults = realtime_.tick_counts.minor_faults;
+    status.tick_major_faults = realtime_.tick_counts.major_faults;
+    status.tick_sleeps = realtime_.tick_counts.sleeps;
+    status.tick_preemptions = realtime_.tick_counts.preemptions;
     status.max_lateness_ns = lateness_.max_ns;
     std::ranges::copy(lateness_.histogram, status.lateness_histogram);
     status.alarm_count = alarm_count_;

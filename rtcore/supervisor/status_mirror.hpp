@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "rtcore/cycle/cycle_io.hpp"
+#include "rtcore/supervisor/realtime_treatment.hpp"
 #include "shared/segment.hpp"
 #include "shared/status.hpp"
 
@@ -15,7 +16,6 @@ struct CoreFacts {
     std::int64_t period_ns = 0;
     bool is_simulator = false;
     bool is_virtual_clock = false;
-    bool has_realtime_rights = false;
     std::uint8_t missing_sensors_mask = 0;
 };
 
@@ -51,7 +51,7 @@ public:
 
     void note_alarm(const FlightRecord& record, std::int64_t expected_pulses) noexcept;
     void set_lateness(const LatenessFacts& lateness) noexcept { lateness_ = lateness; }
-    void set_realtime_rights(bool has_them) noexcept { facts_.has_realtime_rights = has_them; }
+    void set_realtime(const RealtimeFacts& realtime) noexcept { realtime_ = realtime; }
     void set_sim(const SimFacts& sim) noexcept { sim_ = sim; }
 
     /// The whole status of this moment; the heartbeat grows by one each time.
@@ -60,6 +60,7 @@ public:
 private:
     CoreFacts facts_;
     LatenessFacts lateness_;
+    RealtimeFacts realtime_;
     SimFacts sim_;
     std::uint64_t heartbeat_ = 0;
     std::uint64_t alarm_count_ = 0;

@@ -32,7 +32,7 @@ public:
     void wait(std::chrono::milliseconds limit) noexcept;
 
     void set_lateness(const LatenessFacts& lateness) noexcept { mirror_.set_lateness(lateness); }
-    void set_realtime_rights(bool has_them) noexcept { mirror_.set_realtime_rights(has_them); }
+    void set_realtime(const RealtimeFacts& realtime) noexcept { mirror_.set_realtime(realtime); }
     /// Asks the tick for something on the supervisor's own account; answers to it go nowhere.
     bool request(cycle::RequestKind kind, std::uint64_t value = 0);
     void request_stop() noexcept { parts_->io->urgent.stop_requests.fetch_add(1); }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/realtime_step.hpp"
 #include "tests/two_process/core_rig.hpp"
 #include "tests/two_process/slow_machine.hpp"
 
@@ -13,21 +14,44 @@ JobTable square_job(const Profile& profile) {
     return table;
 }
 
-class CoreOnTheRealClock : public CoreRig {};
+class CoreOnTheRealClock : public CoreRig {
+protected:
+    void start_core_with(const Profile& profile, std::vector<std::string> more = {}) {
+        const std::string text = profile_to_toml(profile);
+        ASSERT_TRUE(write_file_atomically(file("machine.toml"), std::as_bytes(std::span{text})));
+        std::vector<std::string> arguments{"--segment", segment_name_,        "--clock",    "real",
+                                           "--profile", file("machine.toml"), "--capacity", "10x20"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        core_ = std::make_unique<CoreProcess>(arguments, file("core.err"));
+        attach();
+        ASSERT_TRUE(eventually([&] { return segment_->core_pid() == std::uint32_t(core_->pid()); }))
+            << text_of(file("core.err"));
+    }
+};
+
+/// A machine that creeps: whatever a busy computer does to its ticks, no rotor coasts into a lost step.
+Profile creeping_machine() {
+    Profile profile = slow_machine();
+    profile.tick.period_us = 5000.0;
+    profile.tick.missed_alarm_per_s = 150;
+    for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) {
+        axis->start_stop_mm_s = 0.001;
+        axis->home = HomeSensor::none;
+        axis->speed_mm_s = 8.0;
+        axis->home_speed_mm_s = 8.0;
+        axis->accel_mm_s2 = 50.0;
+    }
+    profile.psi.speed_deg_s = 90.0;
+    profile.psi.start_stop_deg_s = 0.02;
+    profile.psi.home = HomeSensor::none;
+    return profile;
+}
 
 // Three threads meet here: also run under ThreadSanitizer, whose findings end the core with another exit
 // code.
 TEST_F(CoreOnTheRealClock, HomesCarvesAndEndsInOrder) {
     const Profile profile = slow_machine();
-    const std::string text = profile_to_toml(profile);
-    ASSERT_TRUE(write_file_atomically(file("slow.toml"), std::as_bytes(std::span{text})));
-    core_ = std::make_unique<CoreProcess>(
-        std::vector<std::string>{"--segment", segment_name_, "--clock", "real", "--profile",
-                                 file("slow.toml"), "--trace", file("real.trace"), "--capacity", "10x20"},
-        file("core.err"));
-    attach();
-    ASSERT_TRUE(eventually([&] { return segment_->core_pid() == std::uint32_t(core_->pid()); }))
-        << text_of(file("core.err"));
+    ASSERT_NO_FATAL_FAILURE(start_core_with(profile, {"--trace", file("real.trace")}));
     home();
     ASSERT_EQ(publish(square_job(profile)), "");
     start_carving();
@@ -45,6 +69,52 @@ TEST_F(CoreOnTheRealClock, HomesCarvesAndEndsInOrder) {
     EXPECT_EQ(end.trace_lost, 0U);
     ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
     EXPECT_EQ(core_->wait_for_exit(), 0) << text_of(file("core.err"));
+}
+
+TEST_F(CoreOnTheRealClock, TellsHowItsTickIsTreatedAndWhatToDo) {
+    ASSERT_NO_FATAL_FAILURE(start_core_with(slow_machine(), {"--cpu", "1023", "--priority", "7"}));
+    ASSERT_TRUE(eventually([&] { return status().realtime_asked != 0; }));
+    const CoreStatus now = status();
+    // There is no such processor: refused, told, and the simulator runs all the same.
+    EXPECT_NE(now.realtime_asked & bit_of(RealtimeStep::tick_cpu), 0U);
+    EXPECT_EQ(now.realtime_done & bit_of(RealtimeStep::tick_cpu), 0U);
+    EXPECT_EQ(now.tick_cpu, -1);
+    const bool is_realtime = (now.realtime_done & bit_of(RealtimeStep::scheduling)) != 0;
+    EXPECT_EQ(now.tick_priority, is_realtime ? 7U : 0U);
+    EXPECT_EQ(now.has_realtime_rights != 0,
+              (now.realtime_done & kNeededRealtimeSteps) == kNeededRealtimeSteps);
+    ASSERT_TRUE(eventually([&] { return status().tick_sleeps > 0; }));
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+    const std::string said = text_of(file("core.err"));
+    EXPECT_NE(said.find("processor of the tick: refused: "), std::string::npos) << said;
+    EXPECT_NE(said.find("give --cpu the number of a processor"), std::string::npos) << said;
+}
+
+TEST_F(CoreOnTheRealClock, StopsInOrderWhenTooManyTicksAreMissed) {
+    ASSERT_NO_FATAL_FAILURE(start_core_with(creeping_machine()));
+    home();
+    // Without sensors it is homed where it stands: at a count of its own.
+    const std::int64_t offset = status().sim_true_position_pulses[0] - status().position_pulses[0];
+    Command move{};
+    move.kind = CommandKind::move;
+    move.axis = 1;
+    move.target[0] = 2.0;
+    ASSERT_EQ(refusal_of(move), "");
+    ASSERT_TRUE(eventually([&] { return status().state == MachineState::moving; }));
+    const std::uint64_t missed_before = status().missed_ticks;
+    // 300 of its ticks, of which it forgives 150.
+    core_->send_signal(SIGSTOP);
+    std::this_thread::sleep_for(std::chrono::milliseconds{1500});
+    core_->send_signal(SIGCONT);
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    const CoreStatus end = status();
+    EXPECT_EQ(end.alarm_cause, AlarmCause::missed_ticks) << name_of(end.alarm_cause);
+    EXPECT_GT(end.missed_ticks, missed_before + 150);
+    // In order: no step was lost on the way to rest, and the machine still knows where it is.
+    EXPECT_EQ(end.homed_mask, 0xF);
+    EXPECT_EQ(end.sim_true_position_pulses[0] - end.position_pulses[0], offset);
+    EXPECT_EQ(end.sim_stalls[0], 0U);
 }
 
 }  // namespace

@@ -26,6 +26,12 @@ TEST(MissedTicks, CountsEachSecondAnew) {
     EXPECT_TRUE(sut.is_too_many(91, kStart + std::chrono::milliseconds{1300}));
 }
 
+TEST(MissedTicks, TellsOfAGapThatHeldUpTheWatcherAsWell) {
+    MissedTicks sut{50};
+    EXPECT_FALSE(sut.is_too_many(10, kStart));
+    EXPECT_TRUE(sut.is_too_many(300, kStart + std::chrono::milliseconds{1500}));
+}
+
 TEST(MissedTicks, NeverTellsWhenNoneAreTooMany) {
     MissedTicks sut{0};
     EXPECT_FALSE(sut.is_too_many(0, kStart));

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "hmi/doctor/finding.hpp"
+#include "hmi/doctor/system_files.hpp"
+
+namespace psicarve::doctor {
+
+// rights_checks.cpp: what this user may do
+Finding check_scheduling(const SystemFiles& files);
+Finding check_locked_memory(const SystemFiles& files);
+Finding check_wake_latency(const SystemFiles& files);
+// kernel_checks.cpp: what the computer does to a tick
+Finding check_preemption(const SystemFiles& files);
+Finding check_isolated_cpus(const SystemFiles& files);
+Finding check_frequency(const SystemFiles& files);
+Finding check_clock_source(const SystemFiles& files);
+Finding check_swap(const SystemFiles& files);
+Finding check_hypervisor(const SystemFiles& files);
+/// `free_bytes` of /dev/shm; nothing: unknown.
+Finding check_shared_memory(std::optional<std::uint64_t> free_bytes);
+// port_checks.cpp: one for each port, or one that says there is none
+std::vector<Finding> check_ports(const SystemFiles& files);
+
+/// All of them, in the order of the report.
+std::vector<Finding> check_all(const SystemFiles& files);
+
+/// The worst verdict of them.
+Verdict worst_of(const std::vector<Finding>& findings) noexcept;
+
+}  // namespace psicarve::doctor

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "shared/result.hpp"
+
+namespace psicarve::machine {
+
+struct LatencyWish {
+    std::uint32_t period_us = 50;
+    std::uint32_t seconds = 10;
+    std::uint32_t priority = 80;
+    std::string cpu;  ///< a number or "any"; empty: as the core chooses
+};
+
+struct LatencyProgress {
+    std::uint32_t seconds = 0;
+    std::uint64_t ticks = 0;
+    std::uint64_t missed = 0;
+    std::int64_t max_ns = 0;
+};
+
+/// How late the core's tick loop was with nothing in the tick.
+struct LatencyResult {
+    std::uint64_t ticks = 0;
+    std::uint64_t missed = 0;
+    std::int64_t max_ns = 0;
+    std::uint64_t page_faults = 0;
+    std::uint64_t preemptions = 0;
+    int cpu = -1;                                               ///< -1: any
+    int priority = 0;                                           ///< 0: not scheduled in real time
+    std::vector<std::string> refused;                           ///< steps of the real-time treatment
+    std::vector<std::pair<std::uint32_t, std::uint64_t>> bins;  ///< microseconds late, ticks; rising
+
+    /// So late was this share (0 to 1) of the ticks at most [us], as if they lay evenly in their microsecond.
+    double late_us(double share) const noexcept;
+};
+
+/// One line of what psicarve-rtcore --measure-latency prints.
+Result<LatencyResult> latency_result_from(std::string_view line);
+
+/// Has psicarve-rtcore measure. `progress` hears about each second; once `must_end` says so what was measured
+/// so far is the result.
+Result<LatencyResult> measure_latency(const LatencyWish& wish,
+                                      const std::function<void(const LatencyProgress&)>& progress,
+                                      const std::function<bool()>& must_end);
+
+}  // namespace psicarve::machine

@@ -92,6 +92,7 @@ class Core:
             time.sleep(0.3)
             core.terminate()
             core.wait()
+            os.unlink("/dev/shm" + self.segment)
         with open(lateness, encoding="utf-8") as file:
             bins = {int(row["late_us"]): int(row["ticks"]) for row in csv.DictReader(file)}
         return bins, status

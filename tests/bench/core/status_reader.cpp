@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the status of a core 60 times a second, as a window does, until it is killed or the core ends. Prints how
-// often.
+// Reads the status of a core 60 times a second, as a window does, until it is killed or the core ends. Prints
+// how often.
 //
 //   status_reader SEGMENT
 

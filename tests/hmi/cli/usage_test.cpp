@@ -32,6 +32,8 @@ const std::vector<std::string> kCommands{"carve",
                                          "snapshot diff",
                                          "replay",
                                          "verify",
+                                         "doctor",
+                                         "latency",
                                          "profile check",
                                          "profile show"};
 

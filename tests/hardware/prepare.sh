@@ -15,14 +15,25 @@ for tool in qemu-system-x86_64 busybox cpio apt-get dpkg-deb; do
     command -v "$tool" >/dev/null || fail "no $tool here; scripts/deps.sh test, or PSICARVE_SKIP_HARDWARE=1"
 done
 
+kernel_package() { apt-cache depends linux-image-rt-amd64 2>/dev/null | awk '/Depends:/ && !found {print $2; found = 1}'; }
+download_kernel() {
+    local name
+    name=$(kernel_package) && [[ -n $name ]] && (cd "$cache" && apt-get -qq download "$name")
+}
+
 mkdir -p "$cache" "$output"
 exec 9>"$cache/lock"
 flock 9
 if [[ ! -e $cache/kernel/complete ]]; then
     rm -rf "$cache/kernel" "$cache"/*.deb
-    package=$(apt-cache depends linux-image-rt-amd64 | awk '/Depends:/ {print $2; exit}')
-    [[ -n $package ]] || fail "the package lists know no linux-image-rt-amd64; apt-get update"
-    (cd "$cache" && apt-get -qq download "$package") || fail "$package cannot be downloaded; apt-get update"
+    if ! download_kernel; then
+        # Lists that are missing or too old.
+        as_root=()
+        if ((EUID != 0)); then as_root=(sudo -n); fi
+        "${as_root[@]}" apt-get -qq -o DPkg::Lock::Timeout=300 update || fail "apt-get update fails"
+        download_kernel || fail "linux-image-rt-amd64 cannot be downloaded"
+    fi
+    package=$(kernel_package)
     dpkg-deb -x "$cache/$package"_*.deb "$cache/kernel"
     rm -f "$cache"/*.deb
     touch "$cache/kernel/complete"

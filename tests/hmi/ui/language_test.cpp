@@ -117,6 +117,10 @@ TEST_P(Languages, FitTheSmallestScreen) {
     EXPECT_LE(window_->minimumSizeHint().width(), 1280);
     EXPECT_LE(window_->minimumSizeHint().height(), 720);
     look_at_all_pages(code);
+    // A model with longer figures.
+    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/figurine.stl");
+    ASSERT_TRUE(comes_true([&] { return window_->bench().desk.path().ends_with("figurine.stl"); }));
+    look_at_all_pages(code + "_owl");
 }
 
 TEST_P(Languages, HaveATextForAllThatTheWindowAsksFor) {

@@ -60,7 +60,7 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     for (const char* second : {"LAB second ", "LAB third "}) {
         const std::size_t said = console.find(second);
         ASSERT_NE(said, std::string::npos) << console;
-        EXPECT_NE(console.find("busy: psicarve-rtcore (pid ", said), std::string::npos) << console;
+        EXPECT_NE(console.find("busy: psicarve-guard (pid ", said), std::string::npos) << console;
     }
 
     const auto all_writes = port_.writes();

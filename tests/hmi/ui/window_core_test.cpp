@@ -212,16 +212,18 @@ TEST_F(WindowOnCore, TakesAModelFromItsFileToACarvedPiece) {
         const auto& rgb = view.picture().bodies.front().scene->vertex_rgb;
         return std::set<std::uint32_t>{rgb.begin(), rgb.end()};
     };
-    EXPECT_EQ(colours().size(), 2U);  // carved and blank
+    const auto plain = colours();
+    EXPECT_LE(plain.size(), 2U);  // carved and, if it is not over yet, blank
     ASSERT_TRUE(click("colour_radius"));
     ASSERT_TRUE(comes_true([&] { return colours().size() > 20; }));
     take_picture("carving_radius_light");
     ASSERT_TRUE(click("colour_deviation"));
     ASSERT_TRUE(comes_true([&] { return true; }));
     take_picture("carving_deviation_light");
-    // The core is exact: hardly a cell is blue or brown.
+    // The core is exact: hardly a cell is blue or brown, however far it has come.
     const auto& painted = view.picture().bodies.front().scene->vertex_rgb;
-    const auto grey = static_cast<std::size_t>(std::count(painted.begin(), painted.end(), painted.front()));
+    const auto is_plain = [&](std::uint32_t rgb) { return plain.contains(rgb); };
+    const auto grey = static_cast<std::size_t>(std::count_if(painted.begin(), painted.end(), is_plain));
     EXPECT_GT(grey, painted.size() / 10 * 9);
     ASSERT_TRUE(click("colour_done"));
     ASSERT_TRUE(comes_true([&] {

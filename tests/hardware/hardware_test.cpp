@@ -13,7 +13,7 @@ using std::chrono::seconds;
 
 constexpr seconds kBootLimit{300};
 constexpr seconds kRunLimit{600};
-constexpr std::size_t kRuns = 3;
+constexpr std::size_t kRuns = 4;
 
 class Hardware : public two_process::PortRig {
 protected:
@@ -31,6 +31,11 @@ protected:
         snapshot.job_blob = job_blob_from_table(table);
         ASSERT_TRUE(save_snapshot(snapshot, file(name)));
     }
+    void expect_safe_lines() {
+        constexpr std::uint32_t kLines = 0x0f;  // the driver keeps the interrupt's bit as it likes
+        EXPECT_EQ(port_.state().data.load(), safe().data);
+        EXPECT_EQ(port_.state().control.load() & kLines, safe().control & kLines);
+    }
     Lab lab_;
 };
 
@@ -41,6 +46,8 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     lab_.boot(port_);
     ASSERT_TRUE(lab_.wait_for("LAB begin ppdev", kBootLimit)) << lab_.console();
     const std::size_t drivers_writes = port_.state().write_count.load();
+    ASSERT_TRUE(lab_.wait_for("LAB killed core's guard ended 137", kRunLimit)) << lab_.console();
+    expect_safe_lines();
     ASSERT_TRUE(lab_.wait_for("LAB begin estop", kRunLimit)) << lab_.console();
     // Somewhere in the long job: its pulses are many more than homing and approach take.
     port_.state().flip_to.store(kEstopStatusBit);
@@ -75,11 +82,10 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     for (std::size_t run = 0; run < kRuns; ++run) EXPECT_EQ(runs[2 * run], claiming) << run;
     EXPECT_EQ(runs[1], wanted) << "through ppdev";
     EXPECT_EQ(runs[3], wanted) << "through raw I/O";
-    EXPECT_LT(runs[5].size(), wanted.size() * 2) << "into the emergency stop";
-    EXPECT_GT(runs[5].size(), 10U);
-    constexpr std::uint32_t kLines = 0x0f;  // the driver keeps the interrupt's bit as it likes
-    EXPECT_EQ(port_.state().data.load(), safe().data);
-    EXPECT_EQ(port_.state().control.load() & kLines, safe().control & kLines);
+    EXPECT_GT(runs[5].size(), 10U) << "until the core was killed";
+    EXPECT_LT(runs[7].size(), wanted.size() * 2) << "into the emergency stop";
+    EXPECT_GT(runs[7].size(), 10U);
+    expect_safe_lines();
 }
 
 }  // namespace

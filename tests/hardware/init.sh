@@ -1,6 +1,6 @@
 #!/bin/busybox sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The one process of the guest: loads the port's drivers, carves through both kinds of port, once more into an
+# The one process of the guest: loads the port's drivers, carves through both kinds of port, until the core is killed, and into an
 # emergency stop, and switches the machine off. Lines for the test begin with LAB.
 B=/bin/busybox
 $B mount -t devtmpfs dev /dev
@@ -44,6 +44,18 @@ say "begin ppdev"
 run ppdev:/dev/parport0 /job.psi
 say "begin io"
 run io:0x378 /job.psi
+say "begin kill"
+psicarve-rtcore --port ppdev:/dev/parport0 --profile /machine.toml --capacity 100x20 &
+guard=$!
+until psicarve status >/dev/null 2>&1; do $B sleep 0.1; done
+quietly psicarve home && quietly psicarve publish /long.psi && quietly psicarve start --carve
+core=$(psicarve status --json | $B sed -n 's/.*"core_pid": *\([0-9]*\).*/\1/p')
+[ "$core" != $guard ] || say "failed: the core is its own guard"
+$B sleep 1
+$B kill -KILL "$core"
+wait $guard
+say "killed core's guard ended $?"
+$B sleep 2  # the test looks at the port
 say "begin estop"
 run ppdev:/dev/parport0 /long.psi
 say "begin refusals"

@@ -29,9 +29,12 @@ protected:
         core_ = std::make_unique<RunningProgram>("psicarve-rtcore", arguments);
         ASSERT_TRUE(eventually([&] { return core_pid().has_value(); }));
     }
+    /// Of a core that has said who it is. One that only has the lock as yet has pid 0, which to kill() means
+    /// this test and whoever runs it.
     std::optional<std::uint32_t> core_pid() const {
         const auto segment = Segment::attach(segment_);
-        return segment ? segment->core_pid() : std::nullopt;
+        const auto pid = segment ? segment->core_pid() : std::nullopt;
+        return pid == 0U ? std::nullopt : pid;
     }
     MachineState state() const {
         const auto segment = Segment::attach(segment_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 namespace psicarve::rtcore {
 
@@ -13,5 +14,9 @@ public:
     /// Returns at once when the time has passed; a signal does not cut it short.
     void sleep_until_ns(std::int64_t deadline_ns) const noexcept;
 };
+
+/// How long the computer has slept since it was started: what its clocks differ by, to a look's length at
+/// least. Nothing when the look was interrupted.
+std::optional<std::int64_t> slept_ns() noexcept;
 
 }  // namespace psicarve::rtcore

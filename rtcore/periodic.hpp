@@ -74,13 +74,11 @@ struct PeriodicTick {
     std::uint64_t tick;           ///< since the loop began; missed ones have numbers too
     std::uint64_t missed_before;  ///< ticks left out since the last one that ran
     std::int64_t lateness_ns;
+    std::int64_t deadline_ns;  ///< on the loop's clock
 };
 
 struct PeriodicOptions {
     std::int64_t period_ns = 0;
-    /// The next tick never begins sooner than this after the last one did: a tick whose turn would come
-    /// sooner is missed. What the drivers need between two writes; at most the period.
-    std::int64_t least_gap_ns = 0;
 };
 
 /// Runs `step(PeriodicTick)` at absolute deadlines until it returns false.
@@ -90,29 +88,28 @@ struct PeriodicOptions {
 ///
 /// Ticks are numbered by their deadline. One that comes late runs late; when whole deadlines have passed only
 /// the newest of them runs, the others are skipped and counted. Nothing is ever made up for: at most one step
-/// a period, and two never closer than least_gap_ns. RT: yes, as far as `clock` and `step` are.
+/// a period. What must lie between two edges on the pins is the port's business (PulseTimes). RT: yes, as far
+/// as `clock` and `step` are.
 template <typename Clock, typename Step>
 void run_periodic(Clock& clock, const PeriodicOptions& options, PeriodicStats& stats, Step&& step) noexcept {
-    const std::int64_t start_ns = clock.now_ns();
-    std::int64_t deadline_ns = start_ns;
-    std::int64_t last_run_ns = start_ns - options.period_ns;
+    std::int64_t deadline_ns = clock.now_ns();
     std::uint64_t tick = 0;
     std::uint64_t missed = 0;
     for (;;) {
         clock.sleep_until_ns(deadline_ns);
-        const std::int64_t now_ns = clock.now_ns();
-        const std::int64_t lateness_ns = now_ns - deadline_ns;
-        const bool is_too_soon = now_ns - last_run_ns < options.least_gap_ns;
-        const std::int64_t skipped =
-            (lateness_ns > 0 ? lateness_ns / options.period_ns : 0) + (is_too_soon ? 1 : 0);
+        const std::int64_t lateness_ns = clock.now_ns() - deadline_ns;
+        const std::int64_t skipped = lateness_ns > 0 ? lateness_ns / options.period_ns : 0;
         if (skipped > 0) stats.note_missed(static_cast<std::uint64_t>(skipped));
         missed += static_cast<std::uint64_t>(skipped);
         tick += static_cast<std::uint64_t>(skipped);
         deadline_ns += skipped * options.period_ns;
-        if (is_too_soon) continue;
         stats.note_tick(lateness_ns);
-        last_run_ns = now_ns;
-        if (!step(PeriodicTick{.tick = tick, .missed_before = missed, .lateness_ns = lateness_ns})) return;
+        if (!step(PeriodicTick{.tick = tick,
+                               .missed_before = missed,
+                               .lateness_ns = lateness_ns,
+                               .deadline_ns = deadline_ns})) {
+            return;
+        }
         missed = 0;
         ++tick;
         deadline_ns += options.period_ns;

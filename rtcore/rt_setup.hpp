@@ -22,8 +22,6 @@ struct SetupStep {
     std::string remedy;  ///< empty unless refused
 };
 
-inline constexpr int kTickPriority = 80;  ///< above kernel threads that may wait, below its watchdogs
-
 /// For the whole process, before other threads start and before large sparse memory is mapped: heap that is
 /// never given back, pages locked that are there now, later ones when they are first touched.
 std::vector<SetupStep> set_up_process_memory();

@@ -9,12 +9,13 @@
 set -euo pipefail
 
 build_packages=(cmake ninja-build g++ libboost-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
-    libxxhash-dev libzip-dev libexpat1-dev pkg-config libcairo2-dev fonts-dejavu-core)
+    libxxhash-dev libzip-dev libexpat1-dev pkg-config libcairo2-dev libpolyclipping-dev
+    libpng-dev libjpeg-dev libtiff-dev fonts-dejavu-core)
 window_packages=(qt6-base-dev libqt6opengl6-dev libqcustomplot-dev qt6-l10n-tools qt6-translations-l10n)
-test_packages=(git ccache python3 python3-numpy python3-scipy libgtest-dev libgmock-dev sigrok-cli clang-14 clang-format-14 clang-tidy-14
+test_packages=(git ccache python3 python3-numpy python3-scipy libgtest-dev libgmock-dev sigrok-cli librecad-data libcgal-demo glmark2-data occt-misc clang-14 clang-format-14 clang-tidy-14
     libclang-rt-14-dev fonts-wqy-microhei fonts-noto-core xvfb openbox xdotool libgl1-mesa-dri
-    qemu-system-x86 busybox-static cpio)
-bench_packages=(libembree-dev admesh linuxcnc-uspace rt-tests)
+    qemu-system-x86 busybox-static cpio rt-tests)
+bench_packages=(libembree-dev admesh linuxcnc-uspace)
 
 usage() { printf 'usage: %s build|window|test|bench [--list]\n' "${0##*/}"; }
 
@@ -60,7 +61,11 @@ apt() {
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300 "$@" >>"$log" 2>&1
 }
 refresh_lists() { apt update || give_up; }
-install_missing() { apt install -y --no-install-recommends "${missing[@]}"; }
+# Some images leave all of /usr/share/doc out; what the tests open there comes with a package.
+wanted_docs=/usr/share/doc/libcgal-dev/data.tar.gz
+install_missing() {
+    apt install -y --no-install-recommends -o "Dpkg::Options::=--path-include=$wanted_docs" "${missing[@]}"
+}
 give_up() {
     cat "$log" >&2
     printf 'deps: apt-get failed; its output is above\n' >&2

@@ -6,8 +6,11 @@ set -uo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 logs="$root/build/logs"
-all_parts="format dev asan tsan fuzz tidy"
+all_parts="format dev tsan fuzz asan tidy"
+extra_parts="analyse"
 fuzz_runs=8000  # of each target
+most_retries=8  # tests of a suite that may need another try
+slices=6        # of the suite under AddressSanitizer, where time may run out
 
 usage() {
     cat <<END
@@ -15,13 +18,17 @@ usage: ${0##*/} [--quick | PART...]
 
 Installs the Debian packages that are missing, then checks the formatting, builds and runs the suite in dev
 and under AddressSanitizer and UndefinedBehaviorSanitizer, runs the parts with threads under ThreadSanitizer,
-fuzzes the parsers a little, and runs clang-tidy over the sources. Closes with ctest's summaries.
+fuzzes the parsers a little, and runs clang-tidy over the units of dev. Closes with ctest's summaries. A test that
+fails is tried twice more; the closing lines name those that passed only then, and more than $most_retries of a suite fail it.
 
-  PART      only these, of: $all_parts (tidy needs the build of dev)
+  PART      only these, of: $all_parts (tidy needs the build of dev), and
+            analyse: clang-tidy over each source by itself, with its static analyser (half an hour; not among "every")
   --quick   format and dev
 
 PSICARVE_SKIP_HARDWARE=1 leaves out the test that boots a PREEMPT_RT kernel in QEMU (tests/hardware); without QEMU it fails.
 PSICARVE_FUZZ_SECONDS=N fuzzes each parser for N seconds instead, on from what earlier runs have found.
+PSICARVE_SECONDS=N begins no part, and no further slice of the tests under AddressSanitizer, after N seconds; the closing
+lines name what was left out. dev, which has all tests, is never left out. Continuous integration sets it.
 
 Exit codes: 0 all passed; 1 something failed (the closing lines say what); 2 wrong usage.
 Builds are kept in build/; a second run does only what has changed.
@@ -30,7 +37,7 @@ END
 
 parts=()
 for argument in "$@"; do
-    case " $all_parts --quick --help -h " in
+    case " $all_parts $extra_parts --quick --help -h " in
         *" $argument "*) ;;
         *) printf '%s: unknown argument: %s\n' "${0##*/}" "$argument" >&2; usage >&2; exit 2 ;;
     esac
@@ -53,7 +60,7 @@ mkdir -p "$logs" || fail "cannot write to $logs"
 rm -f "$logs"/ctest-*.log
 
 run_format() {
-    if [[ ! -d $root/.git ]]; then
+    if [[ ! -e $root/.git ]]; then
         say "format: not a git checkout, nothing to compare with"
         return 0
     fi
@@ -61,11 +68,42 @@ run_format() {
         xargs -0 -r clang-format-14 --dry-run -Werror)
 }
 
-# run_ctest PRESET: the suite of a preset that has been built; its output is kept for the closing summary.
+# run_ctest PRESET: the suite of a preset that has been built; its output is kept for the closing summary. A test
+# that fails gets a second and a third try, and the closing lines name it; a few may need one, not many.
 run_ctest() {
+    local verdict=0 again slice
+    : >"$logs/ctest-$1.log"
+    if [[ $1 == asan && -n ${PSICARVE_SECONDS-} ]]; then
+        # Every slice has tests of all kinds.
+        for ((slice = 1; slice <= slices; ++slice)); do
+            if is_late; then
+                left_out+=("asan: $((slices - slice + 1)) of $slices slices of its tests")
+                break
+            fi
+            ctest_once "$1" -I "$slice,,$slices" || verdict=1
+        done
+    else
+        ctest_once "$1" || verdict=1
+    fi
+    again=$(second_tries "$logs/ctest-$1.log")
+    if [[ -z $again ]]; then return "$verdict"; fi
+    retried+=("$1: ${again//$'\n'/ }")
+    if (($(wc -l <<<"$again") > most_retries)); then return 1; fi
+    return "$verdict"
+}
+# ctest_once PRESET [ARGUMENTS...]
+ctest_once() {
     # One more than there are processors: some tests wait for a clock.
-    (cd "$root" && ctest --preset "$1" --parallel "$(($(nproc) + 1))" --no-tests=error 2>&1) | tee "$logs/ctest-$1.log"
+    (cd "$root" && ctest --preset "$1" --parallel "$(($(nproc) + 1))" --no-tests=error --repeat until-pass:3 "${@:2}" 2>&1) |
+        tee -a "$logs/ctest-$1.log"
     return "${PIPESTATUS[0]}"
+}
+# Whether the time that we were given is over.
+is_late() { [[ -n ${PSICARVE_SECONDS-} ]] && ((SECONDS > PSICARVE_SECONDS)); }
+# second_tries LOG: the tests that failed and then passed.
+second_tries() {
+    comm -12 <(sed -n 's/^.*Test *#[0-9]*: \([^ ]*\) \.*\*\*\*.*/\1/p' "$1" | sort -u) \
+        <(sed -n 's/^.*Test *#[0-9]*: \([^ ]*\) \.* *Passed .*/\1/p' "$1" | sort -u)
 }
 
 run_dev() { build_and_test dev; }
@@ -112,25 +150,36 @@ run_fuzz() {
 }
 
 run_tidy() { python3 "$root/scripts/tidy.py" "$root" "$root/build/dev"; }
+run_analyse() {
+    local folder="$root/build/analyse"
+    configure_preset dev "$folder" -DCMAKE_UNITY_BUILD=OFF -DPSICARVE_TESTS=OFF -DPSICARVE_HARDWARE=OFF && build "$folder" &&
+        python3 "$root/scripts/tidy.py" "$root" "$folder"
+}
 
-# The closing lines of one ctest run: from its verdict to the end.
+# The closing lines of each ctest run of a preset: from its verdict to the end.
 summary_of() {
     printf -- '---- ctest, preset %s\n' "$1"
     if [[ -s $logs/ctest-$1.log ]]; then
-        tac "$logs/ctest-$1.log" | sed '/tests passed, .* tests failed out of/q' | tac
+        awk '/tests passed, .* tests failed out of/ { is_end = 1 } /^Test project / { is_end = 0 } is_end' "$logs/ctest-$1.log"
     else
-        printf 'no test ran: the build failed\n'
+        printf 'no test ran\n'
     fi
 }
 
 "$root/scripts/deps.sh" test || fail "some packages could not be installed"
 
 verdicts=()
+retried=()
+left_out=()
 failed_parts=()
 presets=()
 for part in "${parts[@]}"; do
     begin=$SECONDS
     verdict=passed
+    if [[ $part != dev ]] && is_late; then
+        left_out+=("$part")
+        continue
+    fi
     say "$part"
     if ! "run_$part"; then
         verdict=FAILED
@@ -146,6 +195,8 @@ done
 
 printf '\n'
 printf '== %s\n' "${verdicts[@]}"
+if ((${#retried[@]})); then printf '== passed at the second try only, %s\n' "${retried[@]}"; fi
+if ((${#left_out[@]})); then printf '== LEFT OUT, the time was over: %s\n' "${left_out[@]}"; fi
 if ((${#failed_parts[@]})); then printf '== failed: %s\n' "${failed_parts[*]}"; fi
 # What failed stands last, where a reader of the closing lines sees it.
 passed_runs=()

@@ -4,6 +4,9 @@
 
 usage: tidy.py ROOT BUILD     BUILD holds compile_commands.json and a finished Ninja build
 
+Of a unity build it looks at the units: five times quicker, for headers are read once a unit, but the static
+analyser leaves out what a unit includes, and that is all of it. A build of one file a unit gets it all.
+
 A file's stamp in BUILD/tidy is a hash over .clang-tidy, clang-tidy's version, the file's compile command and
 the contents of the file and of all headers of ours that it includes (as Ninja recorded them).
 """
@@ -43,9 +46,15 @@ def stamp_of(root, command, files, version):
     return digest.hexdigest()
 
 
+def is_unit(path):
+    """Whether it is a file that CMake made, which only includes sources of ours."""
+    return os.path.basename(path).startswith("unity_")
+
+
 def check(build, path):
-    """clang-tidy's findings in one file; empty when it is clean."""
-    run = subprocess.run([TIDY, "--quiet", "-p", build, path], capture_output=True, text=True)
+    """clang-tidy's findings in one file or unit; empty when it is clean."""
+    left_out = ["--checks=-bugprone-suspicious-include"] if is_unit(path) else []
+    run = subprocess.run([TIDY, "--quiet", "-p", build, *left_out, path], capture_output=True, text=True)
     return "" if run.returncode == 0 else run.stdout + run.stderr
 
 
@@ -62,14 +71,18 @@ def main():
     os.makedirs(stamps, exist_ok=True)
 
     todo = {}
-    sources = sorted(path for path in commands if os.path.relpath(path, root).split(os.sep)[0] in CHECKED)
+    sources = sorted(
+        path
+        for path in commands
+        if os.path.relpath(path, build if is_unit(path) else root).split(os.sep)[0] in CHECKED
+    )
     for path in sources:
         stamp = stamp_of(root, commands[path], headers.get(path, [path]), version)
         if path not in headers or not os.path.exists(os.path.join(stamps, stamp)):
             todo[path] = stamp
 
     dirty = 0
-    print(f"tidy: {len(sources)} files, {len(todo)} to look at", flush=True)
+    print(f"tidy: {len(sources)} files or units, {len(todo)} to look at", flush=True)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for path, findings in zip(todo, pool.map(lambda path: check(build, path), todo)):
             if findings:
@@ -77,7 +90,7 @@ def main():
                 print(findings, flush=True)
             else:
                 open(os.path.join(stamps, todo[path]), "w").close()
-    print(f"tidy: {dirty} files with findings")
+    print(f"tidy: {dirty} with findings")
     return 1 if dirty else 0
 
 

@@ -31,7 +31,7 @@ CHOICE = re.compile(rf"\b(?:tr|phrase)\(\s*[^;\"]*?\?\s*({STRINGS}):\s*({STRINGS
 MARKED = re.compile(rf"\bPSICARVE_TEXT\(\s*({STRINGS})\)")
 EXPLANATION = re.compile(rf"\b\w+\.(?:number|word)\([^;]*?({STRINGS})\);")
 PIN_EXPLANATION = re.compile(rf"\bis_output\(\w+\)\s*\?\s*({STRINGS}):\s*({STRINGS});")
-CORE_NAMES = re.compile(r"\b(?:name|remedy)_of\((?:AlarmCause|MachineState|CommandKind).*?\n}", re.DOTALL)
+CORE_NAMES = re.compile(r"\b(?:name|remedy)_of\((?:AlarmCause|MachineState|CommandKind|RealtimeStep).*?\n}", re.DOTALL)
 
 SIMPLE_ESCAPES = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "'": "'"}
 
@@ -70,7 +70,7 @@ def source_texts():
     for pattern in (EXPLANATION, PIN_EXPLANATION):
         texts.update(unquoted(literals) for found in pattern.finditer(table) for literals in found.groups())
     names = "".join(without_comments((ROOT / "shared" / name).read_text(encoding="utf-8"))
-                    for name in ("machine_state_text.cpp", "command.cpp"))
+                    for name in ("machine_state_text.cpp", "command.cpp", "realtime_step.cpp"))
     for found in CORE_NAMES.finditer(names):
         texts.update(unquoted(literals) for literals in re.findall(STRINGS, found.group(0)))
     return sorted(text for text in texts if re.search(r"[A-Za-z]{2}", text))

@@ -87,11 +87,11 @@ struct Created {
     std::string path;
 };
 
-Result<Created> create_temporary(const std::string& path) {
+Result<Created> create_temporary(const std::string& path, mode_t mode) {
     for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
         std::string temporary = temporary_path(path);
         const int file =
-            ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kNewFileMode);
+            ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
         if (file >= 0) return Created{file, std::move(temporary)};
         // A process that had our pid and was killed may have left one.
         if (errno != EEXIST) return file_error(path, "cannot be written in this folder", errno);
@@ -123,9 +123,12 @@ int write_all(int file, std::span<const std::byte> bytes) noexcept {
     return 0;
 }
 
-int fill(OpenFile& file, std::optional<mode_t> mode,
+int fill(OpenFile& file, std::optional<FileRights> rights,
          std::span<const std::span<const std::byte>> parts) noexcept {
-    if (mode && ::fchmod(file.get(), *mode) != 0) return errno;
+    constexpr auto kSameUser = static_cast<uid_t>(-1);
+    // First the group, then its rights: at no instant may a wrong group read it.
+    if (rights && rights->group && ::fchown(file.get(), kSameUser, *rights->group) != 0) return errno;
+    if (rights && ::fchmod(file.get(), rights->mode) != 0) return errno;
     for (const auto part : parts) {
         if (const int failed = write_all(file.get(), part); failed != 0) return failed;
     }
@@ -174,14 +177,18 @@ Result<std::vector<std::byte>> read_start(const RegularFile& file, const std::st
 }  // namespace
 
 Result<void> write_parts_atomically(const std::string& path,
-                                    std::span<const std::span<const std::byte>> parts) {
+                                    std::span<const std::span<const std::byte>> parts,
+                                    const std::optional<FileRights>& rights) {
     const auto mode = mode_to_keep(path);
     if (!mode) return mode.error();
-    const Result<Created> created = create_temporary(path);
+    std::optional<FileRights> wanted = rights;
+    if (!rights && *mode) wanted = FileRights{**mode, {}};
+    constexpr mode_t kOwnerAlone = 0600;
+    const Result<Created> created = create_temporary(path, rights ? kOwnerAlone : kNewFileMode);
     if (!created) return created.error();
     TemporaryName name{created->path};
     OpenFile file{created->descriptor};
-    if (const int failed = fill(file, *mode, parts); failed != 0) {
+    if (const int failed = fill(file, wanted, parts); failed != 0) {
         return file_error(path, "cannot be written, what was there before is unchanged", failed);
     }
     if (::rename(name.c_str(), path.c_str()) != 0) {
@@ -189,6 +196,15 @@ Result<void> write_parts_atomically(const std::string& path,
     }
     name.forget();
     sync_folder(path);
+    return {};
+}
+
+Result<void> check_writable(const std::string& path) {
+    if (const auto mode = mode_to_keep(path); !mode) return mode.error();
+    const Result<Created> created = create_temporary(path, kNewFileMode);
+    if (!created) return created.error();
+    const TemporaryName name{created->path};
+    ::close(created->descriptor);
     return {};
 }
 

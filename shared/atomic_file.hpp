@@ -3,13 +3,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include <sys/types.h>
+
 #include "shared/result.hpp"
 
 namespace psicarve {
+
+/// Whom a file is for, whatever the umask and whoever could read what it replaces.
+struct FileRights {
+    mode_t mode;
+    std::optional<gid_t> group;  ///< nothing: as files are made there
+};
 
 /// Temporary file beside it, fsync, rename, fsync of the folder: the old file stays intact whatever happens.
 /// Keeps an existing file's mode; a new one gets what the umask leaves. A symbolic link is replaced, not
@@ -17,7 +26,12 @@ namespace psicarve {
 Result<void> write_file_atomically(const std::string& path, std::span<const std::byte> bytes);
 /// The same for bytes that stand in several places.
 Result<void> write_parts_atomically(const std::string& path,
-                                    std::span<const std::span<const std::byte>> parts);
+                                    std::span<const std::span<const std::byte>> parts,
+                                    const std::optional<FileRights>& rights = std::nullopt);
+
+/// Whether a file of this name could be written now, for whoever has long to work before there is something
+/// to write. Leaves what is there.
+Result<void> check_writable(const std::string& path);
 
 /// The whole of a regular file, in memory. Anything else (a pipe, a device) is refused, never waited for.
 Result<std::vector<std::byte>> read_whole_file(const std::string& path);

@@ -37,7 +37,7 @@ std::string_view name_of(CommandKind kind) noexcept {
         case CommandKind::record:
             return "record";
         case CommandKind::test_pin:
-            return "test-pin";
+            return "pins";
         case CommandKind::drives_off:
             return "drives-off";
     }

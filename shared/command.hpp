@@ -16,7 +16,7 @@ enum class CommandKind : std::uint32_t {
     none = 0,
     home = 1,   ///< axis: those to home, bit by axis; 0: all
     start = 2,  ///< drives on, spindle on, heads to the first point, wait there. value: the first
-                ///< layer; value2: so many layers, 0: all that follow
+                ///< layer; value2: so many layers, 0: all that follow; axis: kStart... bits
     start_interpolation = 3,  ///< carve the published tables
     hold = 4,
     resume = 5,
@@ -39,6 +39,11 @@ std::string_view name_of(CommandKind kind) noexcept;  ///< as on the command lin
 
 inline constexpr std::uint32_t kLeastOverride_percent = 10;
 inline constexpr std::uint32_t kMostOverride_percent = 200;
+
+/// Of a start: with the layer that the checkpoint names (checkpoint.hpp), not `value`.
+inline constexpr std::uint32_t kStartResumes = 1;
+/// Of a start: heads outside and still, spindle off; table and Y go as they would. No checkpoint.
+inline constexpr std::uint32_t kStartsDry = 2;
 
 /// How a move gets to its target.
 enum class MoveShape : std::uint32_t {

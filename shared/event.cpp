@@ -34,7 +34,7 @@ void event_signal(EventWord& event) noexcept {
     ::syscall(SYS_futex, &event.counter, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
 }
 
-bool event_wait_past(EventWord& event, std::uint32_t seen, std::chrono::milliseconds limit) noexcept {
+bool event_wait_past(EventWord& event, std::uint32_t seen, std::chrono::nanoseconds limit) noexcept {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     for (;;) {

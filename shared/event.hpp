@@ -16,6 +16,6 @@ namespace psicarve {
 std::uint32_t event_count(const EventWord& event) noexcept;
 void event_signal(EventWord& event) noexcept;
 /// True when the counter has moved on from `seen`; false when the limit passed first.
-bool event_wait_past(EventWord& event, std::uint32_t seen, std::chrono::milliseconds limit) noexcept;
+bool event_wait_past(EventWord& event, std::uint32_t seen, std::chrono::nanoseconds limit) noexcept;
 
 }  // namespace psicarve

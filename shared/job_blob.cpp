@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <xxhash.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cstring>
@@ -30,6 +32,10 @@ void copy_part(std::vector<std::byte>& blob, std::uint64_t offset, const Contain
 
 }  // namespace
 
+std::uint64_t job_checksum(std::span<const std::byte> blob) noexcept {
+    return XXH3_64bits(blob.data(), blob.size());
+}
+
 std::int64_t table_angle_pulses(Joining joining, std::int64_t psi_sweep_pulses, std::int64_t point_count,
                                 std::int64_t layer, std::int64_t point) noexcept {
     const std::int64_t within = point_angle_pulses(point, psi_sweep_pulses, point_count);
@@ -51,16 +57,17 @@ std::uint32_t carved_point(Joining joining, std::uint32_t point_count, std::uint
 }
 
 std::uint64_t job_blob_bytes(std::uint64_t layer_count, std::uint64_t point_count,
-                             std::uint64_t profile_bytes, std::uint64_t report_bytes) noexcept {
-    return job_layout(layer_count, point_count, profile_bytes, report_bytes).total_bytes;
+                             std::uint64_t profile_bytes, std::uint64_t report_bytes,
+                             std::uint64_t pass_count) noexcept {
+    return job_layout(layer_count, point_count, profile_bytes, report_bytes, pass_count).total_bytes;
 }
 
 std::vector<std::byte> job_blob_from_table(const JobTable& table) {
     [[maybe_unused]] const std::size_t cells = std::size_t{table.layer_count} * table.point_count;
     assert(table.layer_height_pulses.size() == table.layer_count);
     assert(table.r_left_pulses.size() == cells && table.r_right_pulses.size() == cells);
-    const JobLayout layout =
-        job_layout(table.layer_count, table.point_count, table.profile_toml.size(), table.report_json.size());
+    const JobLayout layout = job_layout(table.layer_count, table.point_count, table.profile_toml.size(),
+                                        table.report_json.size(), table.passes.size());
     JobHeader header{};
     header.magic = kJobMagic;
     header.total_bytes = layout.total_bytes;
@@ -68,6 +75,7 @@ std::vector<std::byte> job_blob_from_table(const JobTable& table) {
     header.point_count = table.point_count;
     header.psi_sweep_pulses = table.psi_sweep_pulses;
     header.joining = static_cast<std::uint32_t>(table.joining);
+    header.pass_count = static_cast<std::uint32_t>(table.passes.size());
     // A text that is no profile is found by job_profile; its signs do not matter then.
     const Result<Profile> parsed = parse_profile(table.profile_toml, "profile");
     const Profile profile = parsed ? *parsed : Profile{};
@@ -92,6 +100,7 @@ std::vector<std::byte> job_blob_from_table(const JobTable& table) {
     copy_part(blob, layout.heights_offset, table.layer_height_pulses);
     copy_part(blob, layout.r_left_offset, table.r_left_pulses);
     copy_part(blob, layout.r_right_offset, table.r_right_pulses);
+    copy_part(blob, layout.passes_offset, table.passes);
     return blob;
 }
 

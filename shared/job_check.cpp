@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cstdio>
 
+#include "shared/decimals.hpp"
 #include "shared/job.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve {
 namespace {
-
-std::string mm_text(double value_mm) {
-    char text[64];
-    (void)std::snprintf(text, sizeof text, "%.4f mm", value_mm);
-    return text;
-}
 
 /// One head as its table sees it: counted positions, the tip's offset away from the real radius.
 struct HeadLimits {
@@ -27,7 +21,7 @@ struct HeadLimits {
         return mm_from_pulses(counted, pulses_per_mm) + tip_offset_mm;
     }
     std::string text(std::int64_t counted) const {
-        return mm_text(real_mm(counted)) + " (" + std::to_string(counted) + " pulses)";
+        return mm_text(real_mm(counted), 4) + " (" + std::to_string(counted) + " pulses)";
     }
     bool allows(std::int64_t counted) const noexcept { return counted >= least && counted <= most; }
 };
@@ -36,7 +30,7 @@ HeadLimits limits_of(const Profile& profile, Axis axis) {
     const LinearAxisProfile& head = axis == Axis::r2 ? profile.r2 : profile.r1;
     const AxisMotion motion = axis_motion(profile, axis);
     const std::int64_t core = core_radius_pulses(profile, axis);
-    return {axis, head.pulses_per_mm,      head.tip_offset_mm, std::max(motion.travel_min_pulses, core),
+    return {axis, head.pulses_per_mm,      head.tip_mm(), std::max(motion.travel_min_pulses, core),
             core, motion.travel_max_pulses};
 }
 
@@ -110,8 +104,8 @@ private:
     }
     std::string apart_problem(std::int32_t left, std::int32_t right) const {
         return "the tips of r1 at " + left_.text(left) + " and r2 at " + right_.text(right) + " are " +
-               mm_text(left_.real_mm(left) + right_.real_mm(right)) +
-               " apart, closer than head_clearance_mm = " + mm_text(clearance_mm_) +
+               mm_text(left_.real_mm(left) + right_.real_mm(right), 4) +
+               " apart, closer than head_clearance_mm = " + mm_text(clearance_mm_, 4) +
                "; raise core_radius_mm and slice again";
     }
 
@@ -148,7 +142,7 @@ Result<void> check_turning(const JobView& job, const Profile& profile) {
 Result<void> check_heights(const JobView& job, const Profile& profile) {
     const AxisMotion y = axis_motion(profile, Axis::y);
     const auto text = [&](std::int64_t height) {
-        return mm_text(mm_from_pulses(height, y.pulses_per_unit)) + " (" + std::to_string(height) +
+        return mm_text(mm_from_pulses(height, y.pulses_per_unit), 4) + " (" + std::to_string(height) +
                " pulses)";
     };
     const auto heights = job.layer_heights_pulses();
@@ -160,7 +154,7 @@ Result<void> check_heights(const JobView& job, const Profile& profile) {
                              text(y.travel_max_pulses) +
                              "; make the model smaller, or change job.base_height_mm");
         }
-        if (layer == 0) continue;
+        if (job.begins_pass(layer)) continue;
         if (job.joining() == Joining::spiral && layer + 1 == job.layer_count()) {
             if (height == heights[layer - 1]) continue;
             return bad_input(place(layer, 0) + "the height of " + text(height) +

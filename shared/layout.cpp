@@ -127,6 +127,9 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
                                offsetof(SegmentHeader, mutex),
                                offsetof(SegmentHeader, commands),
                                offsetof(SegmentHeader, verdict),
+                               offsetof(SegmentHeader, checkpoint),
+                               offsetof(Checkpoint, next_layer),
+                               offsetof(Checkpoint, check),
                                offsetof(SegmentHeader, status),
                                offsetof(SegmentHeader, increments),
                                offsetof(SegmentHeader, recorder),
@@ -146,9 +149,10 @@ std::uint64_t snapshot_abi_hash(bool with_status) noexcept {
 SegmentGeometry segment_geometry(std::uint32_t capacity_layers, std::uint32_t capacity_points) noexcept {
     const std::uint64_t layers = capacity_layers;
     const std::uint64_t table_bytes = layers * capacity_points * sizeof(std::int32_t);
-    // Each of the five parts after the header may need up to 7 bytes to reach its multiple of 8.
+    // Each of the six parts after the header may need up to 7 bytes to reach its multiple of 8.
     const std::uint64_t job_bytes = sizeof(JobHeader) + kJobTextBytes + layers * sizeof(std::int64_t) +
-                                    2 * table_bytes + 5 * sizeof(std::uint64_t);
+                                    2 * table_bytes + kMaxJobPasses * sizeof(JobPass) +
+                                    6 * sizeof(std::uint64_t);
     SegmentGeometry geometry{};
     geometry.slot_bytes = round_up_to_page(job_bytes);
     geometry.slot_offset[0] = round_up_to_page(sizeof(SegmentHeader));

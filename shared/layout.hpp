@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "shared/checkpoint.hpp"
 #include "shared/command.hpp"
 #include "shared/job.hpp"
 #include "shared/status.hpp"
@@ -19,7 +20,9 @@ namespace psicarve {
 // command.hpp or job.hpp bumps kLayoutVersion; the ABI hash catches whoever forgets.
 
 inline constexpr std::uint64_t kSegmentMagic = 0x3147455341435350ULL;  // "PSCASEG1"
-inline constexpr std::uint32_t kLayoutVersion = 4;
+inline constexpr std::uint32_t kLayoutVersion = 7;
+/// The first whose CoreStatus and FlightRecord are today's: snapshots of it and all since can be read.
+inline constexpr std::uint32_t kOldestStatusVersion = 4;
 inline constexpr std::uint32_t kSegmentReady = 0x52454459;  // written last by the creator
 
 inline constexpr std::uint32_t kDefaultCapacityLayers = 4000;
@@ -69,7 +72,8 @@ struct JobVerdict {
     std::uint64_t generation;  ///< newest generation it has judged; 0: none
     std::uint32_t accepted;    ///< 1 accepted, 2 refused
     std::uint32_t reserved;
-    char reason[kReasonBytes];  ///< zero-terminated; why refused and what to do
+    char reason[kReasonBytes];  ///< zero-terminated; why refused and what to do, or what of an accepted one
+                                ///< is to be known
 };
 
 /// Life of a command slot: free -> writing (a sender claimed it) -> pending -> taken (core) -> answered ->
@@ -159,6 +163,7 @@ struct SegmentHeader {
     MutexStorage mutex;
     CommandSlot commands[kCommandSlots];
     SharedRecord<JobVerdict> verdict;
+    SharedRecord<Checkpoint> checkpoint;  ///< of the core; a new core leaves it as it is
     SharedRecord<CoreStatus> status;
     IncrementRing increments;
     FlightRecorder recorder;

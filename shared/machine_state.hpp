@@ -81,10 +81,15 @@ enum class AlarmCause : std::uint8_t {
     port_error = 8,
     plan_starved = 9,  ///< the planner did not keep ahead of the tick
     guard_lost = 10,
-    core_lost = 11,  ///< said by its guard: the core died, drives and spindle are off
+    core_lost = 11,           ///< said by its guard: the core died, drives and spindle are off
+    supervisor_stalled = 12,  ///< found by the tick: for a second nobody would have heard a stop
 };
-inline constexpr std::uint8_t kAlarmCauseCount = 12;
-std::string_view name_of(AlarmCause cause) noexcept;    ///< "limit", "emergency stop", ...
+inline constexpr std::uint8_t kAlarmCauseCount = 13;
+std::string_view name_of(AlarmCause cause) noexcept;  ///< "limit", "emergency stop", ...
+/// Of a port that has not taken the safe state; in place of the alarm's own, which comes after it.
+inline constexpr std::string_view kSilentPortRemedy =
+    "The port does not answer: drives and spindle may be ON. Switch the machine off by its own switch, then "
+    "see to the port's card, cable and driver.";
 std::string_view remedy_of(AlarmCause cause) noexcept;  ///< one sentence for the operator
 
 }  // namespace psicarve

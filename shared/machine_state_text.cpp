@@ -119,6 +119,8 @@ std::string_view name_of(AlarmCause cause) noexcept {
             return "guard lost";
         case AlarmCause::core_lost:
             return "core lost";
+        case AlarmCause::supervisor_stalled:
+            return "supervisor stalled";
     }
     return "unknown";
 }
@@ -148,7 +150,8 @@ std::string_view remedy_of(AlarmCause cause) noexcept {
             return "The shared memory was removed or damaged from outside: reset the alarm and publish the "
                    "job again.";
         case AlarmCause::port_error:
-            return "Check the port's cable, device and permissions; reset the alarm, then home.";
+            return "Check the port's card, cable and driver; once it answers again, reset the alarm, then "
+                   "home.";
         case AlarmCause::plan_starved:
             return "Planning fell behind the motion: free the computer of other work or lower the feed; "
                    "reset "
@@ -158,6 +161,9 @@ std::string_view remedy_of(AlarmCause cause) noexcept {
         case AlarmCause::core_lost:
             return "The core ended in the middle of its work and its guard switched drives and spindle off: "
                    "start the core again, home, and carve on from the layer it was in.";
+        case AlarmCause::supervisor_stalled:
+            return "The core heard no command for a second, no stop either: free the computer of other work, "
+                   "look after its memory and disks; reset the alarm, then start again.";
     }
     return "Reset the alarm, then home.";
 }

@@ -48,6 +48,14 @@ std::uint8_t register_byte(PortRegister reg, std::uint32_t pins) noexcept {
     return static_cast<std::uint8_t>(byte);
 }
 
+/// The register bit of an output's pin, alone.
+OutputRegisters bit_of_pin(int pin) noexcept {
+    const PinPlace& place = kPlaces[static_cast<std::size_t>(pin)];
+    const auto bit = static_cast<std::uint8_t>(std::uint32_t{1} << place.bit);
+    if (pin == 0) return {};
+    return place.reg == PortRegister::data ? OutputRegisters{bit, 0} : OutputRegisters{0, bit};
+}
+
 std::uint32_t pins_of_byte(PortRegister reg, std::uint8_t byte) noexcept {
     std::uint32_t pins = 0;
     for (int pin = 1; pin <= kLastSignalPin; ++pin) {
@@ -77,6 +85,8 @@ Result<PinMap> PinMap::from_profile(const Profile& profile) {
     }
     PinMap map;
     map.pins_ = profile.port.pins;
+    map.charge_pump_pin_ = profile.port.charge_pump_pin;
+    map.charge_pump_ = bit_of_pin(std::abs(map.charge_pump_pin_));
     for (const Axis axis : kAllAxes) {
         map.active_low_[index_of(dir_of(axis))] = !axis_motion(profile, axis).positive_is_high;
     }
@@ -109,6 +119,7 @@ std::uint32_t PinMap::pins_from_levels(SignalWord levels, std::size_t first, std
         if (((levels >> i) & 1) != 0) active |= bit;
         if (active_low_[i]) inverted |= bit;
     }
+    if (charge_pump_pin_ < 0) inverted |= pin_bit(-charge_pump_pin_);
     return active ^ inverted;
 }
 
@@ -133,6 +144,10 @@ SignalWord PinMap::outputs_from_registers(OutputRegisters registers) const noexc
         // A drive whose enable input hangs in the air is on.
         if (!is_wired(enable_of(axis))) levels |= bit_of(enable_of(axis));
     }
+    if (charge_pump_pin_ != 0) {
+        const bool high = (pins_from_registers(registers) & pin_bit(std::abs(charge_pump_pin_))) != 0;
+        if (high != (charge_pump_pin_ < 0)) levels |= kChargePumpBit;
+    }
     return levels;
 }
 
@@ -141,7 +156,7 @@ std::uint8_t PinMap::status_from_inputs(SignalWord inputs) const noexcept {
 }
 
 int PinMap::pin_of(Signal signal) const noexcept {
-    return std::abs(pins_[index_of(signal)]);
+    return std::abs(signal == Signal::charge_pump ? charge_pump_pin_ : pins_[index_of(signal)]);
 }
 
 }  // namespace psicarve

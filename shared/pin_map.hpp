@@ -41,7 +41,14 @@ public:
     /// share).
     static Result<PinMap> from_profile(const Profile& profile);
 
-    OutputRegisters encode(SignalWord levels) const noexcept { return (*encode_)[levels & kOutputMask]; }
+    OutputRegisters encode(SignalWord levels) const noexcept {
+        OutputRegisters registers = (*encode_)[levels & kOutputMask];
+        if ((levels & kChargePumpBit) != 0) {
+            registers.data ^= charge_pump_.data;
+            registers.control ^= charge_pump_.control;
+        }
+        return registers;
+    }
     SignalWord decode_status(std::uint8_t status) const noexcept { return (*decode_status_)[status]; }
 
     /// The other side of the connector, for a machine that hangs on it: pin n's electric level is bit n of a
@@ -53,7 +60,7 @@ public:
     /// read 0 as a pin.
     std::uint8_t status_from_inputs(SignalWord inputs) const noexcept;
 
-    bool is_wired(Signal signal) const noexcept { return pins_[index_of(signal)] != 0; }
+    bool is_wired(Signal signal) const noexcept { return pin_of(signal) != 0; }
     int pin_of(Signal signal) const noexcept;  ///< 0: not wired
 
 private:
@@ -64,6 +71,8 @@ private:
 
     std::array<int, kSignalCount> pins_{};         ///< as in the profile, sign = active low
     std::array<bool, kSignalCount> active_low_{};  ///< as the pin shows it; a direction's sign included
+    int charge_pump_pin_ = 0;                      ///< as in the profile
+    OutputRegisters charge_pump_;                  ///< its bit, which is not in the table
     std::shared_ptr<const std::array<OutputRegisters, std::size_t{1} << kOutputSignalCount>> encode_;
     std::shared_ptr<const std::array<SignalWord, 256>> decode_status_;
 };

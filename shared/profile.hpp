@@ -20,6 +20,9 @@ enum class Planner : std::uint8_t { lookahead, angle };
 enum class Joining : std::uint8_t { continuous, zigzag, spiral };
 /// When a step pulse ends: at a later tick, or after a wait inside its own.
 enum class PulseForm : std::uint8_t { over_ticks, within_tick };
+enum class ToolShape : std::uint8_t { point, ball, flat, vee };
+std::string_view name_of(ToolShape shape) noexcept;  ///< as in a profile: "ball"
+std::optional<ToolShape> tool_shape_from_name(std::string_view name) noexcept;
 std::string_view name_of(Joining joining) noexcept;  ///< as in a profile: "continuous"
 std::optional<Joining> joining_from_name(std::string_view name) noexcept;
 
@@ -47,6 +50,10 @@ struct LinearAxisProfile {
     double overtravel_mm = 1.0;
     double backlash_mm = 0.0;
     double tip_offset_mm = 0.0;
+    double tool_wear_mm = 0.0;
+
+    /// A head's real tip stands this much further out than counted: as touched off, and worn since.
+    double tip_mm() const noexcept { return tip_offset_mm + tool_wear_mm; }
 
     friend bool operator==(const LinearAxisProfile&, const LinearAxisProfile&) = default;
 };
@@ -72,6 +79,7 @@ struct JobProfile {
     double plunge_mm_s = 5.0;
     double clearance_mm = 2.0;
     double retract_mm = 5.0;
+    bool lifts_on_hold = false;
     double spindle_spinup_s = 1.0;
     double base_height_mm = 0.0;
     Planner planner = Planner::lookahead;
@@ -80,6 +88,55 @@ struct JobProfile {
     Joining joining = Joining::continuous;
 
     friend bool operator==(const JobProfile&, const JobProfile&) = default;
+};
+
+struct ToolProfile {
+    ToolShape shape = ToolShape::point;
+    double diameter_mm = 3.0;
+    double angle_deg = 60.0;  ///< of a vee, between its flanks
+    double flute_mm = 0.0;    ///< 0: longer than any cut
+
+    friend bool operator==(const ToolProfile&, const ToolProfile&) = default;
+};
+
+/// 0: not known.
+struct BlankProfile {
+    double radius_mm = 0.0;
+    double height_mm = 0.0;  ///< above the table
+    /// Of its axis from the table's, towards direction 0 and 90 degrees.
+    double offset_x_mm = 0.0;
+    double offset_z_mm = 0.0;
+    double depth_limit_mm = 0.0;  ///< no tip goes deeper below its surface; 0: no limit
+
+    /// How far it reaches out from the table's axis, all round; 0: not known.
+    double reach_mm() const noexcept;
+    /// How far its surface is from the table's axis in a direction; 0: the blank is not there, or not known.
+    double surface_mm(double direction_rad) const noexcept;
+
+    friend bool operator==(const BlankProfile&, const BlankProfile&) = default;
+};
+
+/// In what the blank that a job was made for is another than the one that a machine's profile tells of.
+struct BlankDifference {
+    enum class In : std::uint8_t { radius, height, place };
+    In in = In::radius;
+    double job_mm = 0.0;
+    double machine_mm = 0.0;  ///< place: how far the one stands from the other, and `job_mm` 0
+    /// The machine's is somewhere where the job's is not, so that heads go through it that should be outside.
+    bool is_in_the_way = false;
+};
+/// Nothing: they are the same, or one of them is not known.
+std::optional<BlankDifference> blank_difference(const BlankProfile& job, const BlankProfile& machine);
+/// "the job was made for a blank of 9.00 mm radius, ..."
+std::string blank_difference_text(const BlankDifference& difference);
+
+/// Passes before the finishing pass.
+struct RoughingProfile {
+    double stepdown_mm = 0.0;  ///< that each goes further in; 0: none
+    double allowance_mm = 0.3;
+    double stepover_mm = 0.0;  ///< between layers; 0: as the tool allows
+
+    friend bool operator==(const RoughingProfile&, const RoughingProfile&) = default;
 };
 
 struct PortProfile {
@@ -91,6 +148,7 @@ struct PortProfile {
     double input_filter_us = 100.0;
     /// Pin of every signal as in [port.pins]: 1..17, negative: active low, 0: not wired. By Signal.
     std::array<int, kSignalCount> pins{5, 2, 3, 14, 9, 17, 8, 4, 6, 7, 6, 1, 16, 13, 11, 12, 10, 0};
+    int charge_pump_pin = 0;  ///< key port.pins.charge_pump, the same way
 
     friend bool operator==(const PortProfile&, const PortProfile&) = default;
 };
@@ -109,6 +167,9 @@ struct Profile {
     double head_r2_angle_error_deg = 0.0;
     double head_r2_height_error_mm = 0.0;
     JobProfile job;
+    ToolProfile tool;
+    BlankProfile blank;
+    RoughingProfile roughing;
     PortProfile port;
 
     friend bool operator==(const Profile&, const Profile&) = default;
@@ -152,12 +213,29 @@ struct ProfileKey {
     std::vector<std::string> words;  ///< of which a word is one
 };
 const std::vector<ProfileKey>& profile_keys();
+/// Least and greatest value of a key that is a number, in its unit. Requires a key of profile_keys().
+struct ProfileBounds {
+    double least;
+    double greatest;
+    bool hold(double value) const noexcept { return value >= least && value <= greatest; }
+};
+ProfileBounds profile_bounds(std::string_view path);
 /// The values of profile_keys(), as TOML: 10.0, 400, "max", [0.0, 60.0].
 std::vector<std::string> profile_values(const Profile& profile);
 
 /// The dotted paths of keys that matter to motion and whose values differ. Empty: a job made for one runs on
 /// the other.
 std::vector<std::string> motion_differences(const Profile& a, const Profile& b);
+/// For what a machine refuses a job: motion_differences, and the blank's radius where the machine's profile
+/// has one and the job's none. A job that knows its own blank is carved from that.
+std::vector<std::string> job_differences(const Profile& job, const Profile& machine);
+/// Those of motion_differences that say where on the workpiece a table's pulses are. Empty: a job's pulses
+/// can be judged by either, by its limits and its timing.
+std::vector<std::string> place_differences(const Profile& a, const Profile& b);
+
+/// Refuses a blank that reaches further out than a head of the machine does: it would stand in the blank
+/// before the carving begins.
+Result<void> check_heads_clear(const BlankProfile& blank, const Profile& machine);
 
 /// One axis in pulses: what planner, cycle, simulator and verifier work with.
 struct AxisMotion {
@@ -184,8 +262,8 @@ AxisMotion axis_motion(const Profile& profile, Axis axis);
 std::int64_t tick_period_ns(const Profile& profile) noexcept;
 /// Shortest time from one step pulse of an axis to the next that the ticks can make.
 std::int64_t pulse_period_ns(const Profile& profile) noexcept;
-/// Between the begins of two ticks, however late the first one came: less would break a pulse.
-std::int64_t least_tick_gap_ns(const Profile& profile) noexcept;
+/// Whole ticks, one at least, from an edge to the next that must come so much later, with room for the write.
+std::int64_t ticks_between_edges(std::int64_t time_ns, std::int64_t period_ns) noexcept;
 /// What a pulse within a tick takes of it, with room for the writes themselves.
 std::int64_t pulse_within_tick_ns(const Profile& profile) noexcept;
 /// Least counted position of a head: the core radius with the tip offset taken off, rounded as tables are.

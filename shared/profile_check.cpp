@@ -133,7 +133,13 @@ std::optional<Problem> check_schedule(const Profile& profile) {
     if (auto problem = check("tick.interpolation_us", profile.tick.interpolation_us, "tick.period_us")) {
         return problem;
     }
-    return check("tick.io_us", profile.tick.io_us, "tick.period_us");
+    if (auto problem = check("tick.io_us", profile.tick.io_us, "tick.period_us")) return problem;
+    if (profile.tick.interpolation_us <= profile.tick.io_us) return std::nullopt;
+    return Problem{"tick.interpolation_us",
+                   {"tick.io_us", "tick.schedule"},
+                   number_text(profile.tick.interpolation_us) + " us is longer than the " +
+                       number_text(profile.tick.io_us) +
+                       " us from pulse to pulse; shorten it, or lengthen tick.io_us"};
 }
 
 std::string rate_text(double rate_pps) {
@@ -154,8 +160,9 @@ std::optional<Problem> check_rate(const Profile& profile, Axis axis, const char*
                     two_timer ? "tick.io_us" : "tick.period_us", "tick.schedule", "port.step_high_ns",
                     "port.step_low_ns"},
                    "axis " + std::string(name_of(axis)) + " would need " + rate_text(wanted_pps) +
-                       ", but the " + (two_timer ? "two-timer schedule" : "tick and the pulse times") +
-                       " allow " + rate_text(possible_pps) + "; lower it to " + most + ", or shorten " +
+                       ", but the " +
+                       (two_timer ? "two-timer schedule allows " : "tick and the pulse times allow ") +
+                       rate_text(possible_pps) + "; lower it to " + most + ", or shorten " +
                        (two_timer ? "tick.io_us" : "tick.period_us, port.step_high_ns or port.step_low_ns")};
 }
 
@@ -197,6 +204,33 @@ std::optional<Problem> check_pulse_rates(const Profile& profile) {
     return std::nullopt;
 }
 
+std::optional<Problem> check_blank(const BlankProfile& blank) {
+    const double off_mm = std::hypot(blank.offset_x_mm, blank.offset_z_mm);
+    if (off_mm > 0.0 && !(off_mm < blank.radius_mm)) {
+        return Problem{blank.offset_x_mm != 0.0 ? "blank.offset_x_mm" : "blank.offset_z_mm",
+                       {"blank.offset_z_mm", "blank.radius_mm"},
+                       "the table's axis would be outside a blank of radius " + number_text(blank.radius_mm) +
+                           " mm; set blank.radius_mm, or a lesser offset"};
+    }
+    if (blank.depth_limit_mm > 0.0 && !(blank.radius_mm > 0.0)) {
+        return Problem{"blank.depth_limit_mm",
+                       {"blank.radius_mm"},
+                       "is counted from the blank's surface, and nobody knows where that is; set "
+                       "blank.radius_mm"};
+    }
+    return std::nullopt;
+}
+
+std::optional<Problem> check_roughing(const Profile& profile) {
+    const double stepover_mm = profile.roughing.stepover_mm;
+    if (profile.tool.shape == ToolShape::point || stepover_mm <= profile.tool.diameter_mm)
+        return std::nullopt;
+    return Problem{"roughing.stepover_mm",
+                   {"tool.diameter_mm", "tool.shape"},
+                   number_text(stepover_mm) + " mm is more than the tool is wide, " +
+                       number_text(profile.tool.diameter_mm) + " mm; set it lower, or to 0"};
+}
+
 std::optional<Problem> check_profile(const Profile& profile) {
     for (const Axis axis : kAllAxes) {
         if (auto problem = check_speeds(profile, axis)) return problem;
@@ -211,6 +245,8 @@ std::optional<Problem> check_profile(const Profile& profile) {
     if (auto problem = check_heads(profile)) return problem;
     if (auto problem = check_schedule(profile)) return problem;
     if (auto problem = check_pulse_rates(profile)) return problem;
+    if (auto problem = check_blank(profile.blank)) return problem;
+    if (auto problem = check_roughing(profile)) return problem;
     return check_pins(profile);
 }
 

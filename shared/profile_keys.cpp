@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -18,6 +21,13 @@ ProfileValue value_of(const detail::KeySpec& key) {
     return std::holds_alternative<double*>(field) ? ProfileValue::number : ProfileValue::integer;
 }
 
+bool is_about_places(std::string_view path) {
+    constexpr std::array<std::string_view, 6> kNames{"pulses_per_mm", "pulses_per_rev",  "tip_offset_mm",
+                                                     "tool_wear_mm",  "angle_error_deg", "height_error_mm"};
+    const std::string_view name = path.substr(path.rfind('.') + 1);
+    return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
+}
+
 }  // namespace
 
 const std::vector<ProfileKey>& profile_keys() {
@@ -34,6 +44,11 @@ const std::vector<ProfileKey>& profile_keys() {
         return result;
     }();
     return keys;
+}
+
+ProfileBounds profile_bounds(std::string_view path) {
+    const detail::Bounds& bounds = detail::find_key(path)->bounds;
+    return {bounds.least, bounds.greatest};
 }
 
 std::vector<std::string> profile_values(const Profile& profile) {
@@ -60,6 +75,19 @@ std::vector<std::string> motion_differences(const Profile& a, const Profile& b) 
             detail::field_of(key, a), detail::field_of(key, b));
         if (!same) differing.push_back(key.path);
     }
+    return differing;
+}
+
+std::vector<std::string> job_differences(const Profile& job, const Profile& machine) {
+    std::vector<std::string> differing = motion_differences(job, machine);
+    const bool is_unknown = job.blank.radius_mm == 0.0 && machine.blank.radius_mm > 0.0;
+    if (is_unknown) differing.emplace_back("blank.radius_mm");
+    return differing;
+}
+
+std::vector<std::string> place_differences(const Profile& a, const Profile& b) {
+    std::vector<std::string> differing = motion_differences(a, b);
+    std::erase_if(differing, [](const std::string& path) { return !is_about_places(path); });
     return differing;
 }
 

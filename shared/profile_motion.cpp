@@ -66,6 +66,13 @@ std::int64_t tick_period_ns(const Profile& profile) noexcept {
     return round_to_pulse(profile.tick.period_us * static_cast<double>(kNsPerUs));
 }
 
+// Counted from the end of a write to the begin of the next one: without room for the writes each tick would
+// end later than the one before, until one is missed.
+std::int64_t ticks_between_edges(std::int64_t time_ns, std::int64_t period_ns) noexcept {
+    constexpr std::int64_t kWrite_ns = 2'500;  // two registers, and two looks at the clock
+    return std::max<std::int64_t>(1, ticks_covering_ns(time_ns + kWrite_ns, period_ns));
+}
+
 std::int64_t pulse_within_tick_ns(const Profile& profile) noexcept {
     constexpr std::int64_t kWrites_ns = 5'000;  // two registers, twice, and some lateness
     return profile.port.step_high_ns + profile.port.step_low_ns + kWrites_ns;
@@ -77,23 +84,13 @@ std::int64_t pulse_period_ns(const Profile& profile) noexcept {
         return round_to_pulse(profile.tick.io_us * static_cast<double>(kNsPerUs));
     }
     if (profile.port.pulses == PulseForm::within_tick) return period_ns;
-    return period_ns * (ticks_covering_ns(profile.port.step_high_ns, period_ns) +
-                        ticks_covering_ns(profile.port.step_low_ns, period_ns));
-}
-
-std::int64_t least_tick_gap_ns(const Profile& profile) noexcept {
-    const PortProfile& port = profile.port;
-    std::int64_t longest_ns =
-        std::max({port.step_high_ns, port.step_low_ns, port.dir_setup_ns, port.dir_hold_ns});
-    if (port.pulses == PulseForm::within_tick) {
-        longest_ns = std::max(longest_ns, pulse_within_tick_ns(profile));
-    }
-    return std::min(tick_period_ns(profile), longest_ns);
+    return period_ns * (ticks_between_edges(profile.port.step_high_ns, period_ns) +
+                        ticks_between_edges(profile.port.step_low_ns, period_ns));
 }
 
 std::int64_t core_radius_pulses(const Profile& profile, Axis head) noexcept {
     const LinearAxisProfile& axis = head == Axis::r2 ? profile.r2 : profile.r1;
-    return pulses_from_mm(profile.core_radius_mm - axis.tip_offset_mm, axis.pulses_per_mm);
+    return pulses_from_mm(profile.core_radius_mm - axis.tip_mm(), axis.pulses_per_mm);
 }
 
 }  // namespace psicarve

@@ -18,8 +18,12 @@ bool is_enable(Signal signal) noexcept {
     return (bit_of(signal) & kEnableMask) != 0;
 }
 
+int pin_of(const Profile& profile, Signal signal) {
+    return signal == Signal::charge_pump ? profile.port.charge_pump_pin : profile.port.pins[index_of(signal)];
+}
+
 std::optional<Problem> check_pin(const Profile& profile, Signal signal) {
-    const int wired = profile.port.pins[index_of(signal)];
+    const int wired = pin_of(profile, signal);
     if (wired == 0) return std::nullopt;
     const int pin = std::abs(wired);
     const auto place = place_of_pin(pin);
@@ -41,11 +45,20 @@ std::optional<Problem> check_pin(const Profile& profile, Signal signal) {
 }
 
 std::optional<Problem> check_sharing(const Profile& profile, Signal first, Signal second) {
-    const int a = profile.port.pins[index_of(first)];
-    const int b = profile.port.pins[index_of(second)];
+    const int a = pin_of(profile, first);
+    const int b = pin_of(profile, second);
     if (a == 0 || std::abs(a) != std::abs(b)) return std::nullopt;
     const std::string pin = "pin " + std::to_string(std::abs(a));
     const std::string both = key_of(first) + " and " + key_of(second);
+    const bool is_estop = first == Signal::estop || second == Signal::estop;
+    if (is_estop) {
+        return Problem{
+            key_of(second),
+            {key_of(first)},
+            both + " share " + pin +
+                ": what homing looks for would be an emergency stop; give one of them another pin, or 0",
+            true};
+    }
     const bool may_share = !is_output(first) || (is_enable(first) && is_enable(second));
     if (!may_share) {
         return Problem{
@@ -91,11 +104,13 @@ std::optional<Problem> check_sensor_pin(const Profile& profile, Axis axis) {
 }  // namespace
 
 std::optional<Problem> check_pins(const Profile& profile) {
-    for (std::size_t i = 0; i < kSignalCount; ++i) {
+    constexpr std::size_t kAll = index_of(Signal::charge_pump) + 1;
+    static_assert(kAll == kSignalCount + 1);
+    for (std::size_t i = 0; i < kAll; ++i) {
         if (auto problem = check_pin(profile, static_cast<Signal>(i))) return problem;
     }
-    for (std::size_t i = 0; i < kSignalCount; ++i) {
-        for (std::size_t j = i + 1; j < kSignalCount; ++j) {
+    for (std::size_t i = 0; i < kAll; ++i) {
+        for (std::size_t j = i + 1; j < kAll; ++j) {
             const auto first = static_cast<Signal>(i);
             if (auto problem = check_sharing(profile, first, static_cast<Signal>(j))) return problem;
         }

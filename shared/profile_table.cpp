@@ -24,8 +24,13 @@ constexpr Word kPlannerWords[]{{"lookahead", number_of(Planner::lookahead)},
 constexpr Word kJoiningWords[]{{"continuous", number_of(Joining::continuous)},
                                {"zigzag", number_of(Joining::zigzag)},
                                {"spiral", number_of(Joining::spiral)}};
+constexpr Word kToolShapeWords[]{{"point", number_of(ToolShape::point)},
+                                 {"ball", number_of(ToolShape::ball)},
+                                 {"flat", number_of(ToolShape::flat)},
+                                 {"vee", number_of(ToolShape::vee)}};
 constexpr Word kPulseFormWords[]{{"over-ticks", number_of(PulseForm::over_ticks)},
                                  {"within-tick", number_of(PulseForm::within_tick)}};
+constexpr Word kOnHoldWords[]{{"lift", 1}, {"stay", 0}};
 constexpr Word kLinearHomeWords[]{{"min", number_of(HomeSensor::min)},
                                   {"max", number_of(HomeSensor::max)},
                                   {"none", number_of(HomeSensor::none)}};
@@ -113,6 +118,8 @@ void add_linear_axis(std::vector<KeySpec>& keys, const char* table,
                 "Play that a reversal takes up before the axis moves.");
     axis.number(&A::tip_offset_mm, "tip_offset_mm", "mm", {-100, 100}, kMotion,
                 "Touch-off: the real tip stands this much further out than counted.");
+    axis.number(&A::tool_wear_mm, "tool_wear_mm", "mm", {0, 20}, kMotion,
+                "The tool has become this much shorter since the touch-off; added to the tip offset.");
 }
 
 void add_rotary_axis(std::vector<KeySpec>& keys) {
@@ -155,7 +162,9 @@ void add_head_and_job(std::vector<KeySpec>& keys) {
     job.number(&J::clearance_mm, "clearance_mm", "mm", {0, 1000}, kMotion,
                "Positioning keeps the heads this far outside the blank.");
     job.number(&J::retract_mm, "retract_mm", "mm", {0, 1000}, kMotion,
-               "Heads move out this far after the last point and on stop.");
+               "Heads move out this far after the last point, on stop, and on hold if on_hold says so.");
+    job.word(&J::lifts_on_hold, "on_hold", kOnHoldWords, kNoMotion,
+             "On hold the heads stay in the cut, or leave it by retract_mm and come back before it goes on.");
     job.number(&J::spindle_spinup_s, "spindle_spinup_s", "s", {0, 600}, kNoMotion,
                "Wait from spindle on to the first move inwards.");
     job.number(&J::base_height_mm, "base_height_mm", "mm", {-10'000, 10'000}, kNoMotion,
@@ -170,6 +179,43 @@ void add_head_and_job(std::vector<KeySpec>& keys) {
              "The table keeps turning, runs to and fro, or the heads rise as it turns, without links; a job "
              "carries "
              "its own.");
+}
+
+void add_tool_and_blank(std::vector<KeySpec>& keys) {
+    using T = ToolProfile;
+    TableSection<T> tool(keys, "tool", [](Profile& p) -> T& { return p.tool; });
+    tool.word(&T::shape, "shape", kToolShapeWords, kNoMotion,
+              "Cutting end of the tools; jobs keep all of it out of the model. A point has no size.");
+    tool.number(&T::diameter_mm, "diameter_mm", "mm", {0.001, 1000}, kNoMotion,
+                "Of the tool where it is widest.");
+    tool.number(&T::angle_deg, "angle_deg", "deg", {1, 179}, kNoMotion, "Shape vee: between the flanks.");
+    tool.number(&T::flute_mm, "flute_mm", "mm", {0, 1000}, kNoMotion,
+                "How deep the tool can cut; 0: deeper than any cut.");
+
+    using B = BlankProfile;
+    TableSection<B> blank(keys, "blank", [](Profile& p) -> B& { return p.blank; });
+    blank.number(&B::radius_mm, "radius_mm", "mm", {0, 10'000}, kNoMotion,
+                 "Radius of the cylinder that is carved, which the heads keep out of; 0: the job's largest.");
+    blank.number(&B::height_mm, "height_mm", "mm", {0, 10'000}, kNoMotion,
+                 "Top of the cylinder above the table; 0: not known.");
+    constexpr Bounds kOffset{-10'000, 10'000};
+    blank.number(&B::offset_x_mm, "offset_x_mm", "mm", kOffset, kNoMotion,
+                 "Where the cylinder's axis stands off the table's, towards direction 0.");
+    blank.number(&B::offset_z_mm, "offset_z_mm", "mm", kOffset, kNoMotion,
+                 "Where the cylinder's axis stands off the table's, towards direction 90.");
+    blank.number(&B::depth_limit_mm, "depth_limit_mm", "mm", {0, 10'000}, kNoMotion,
+                 "No tip goes deeper than this below the cylinder's surface; 0: no limit.");
+}
+
+void add_roughing(std::vector<KeySpec>& keys) {
+    using R = RoughingProfile;
+    TableSection<R> roughing(keys, "roughing", [](Profile& p) -> R& { return p.roughing; });
+    roughing.number(&R::stepdown_mm, "stepdown_mm", "mm", {0, 10'000}, kNoMotion,
+                    "How much further in each roughing pass goes; 0: the finishing pass alone.");
+    roughing.number(&R::allowance_mm, "allowance_mm", "mm", {0, 10'000}, kNoMotion,
+                    "What roughing leaves for the finishing pass, along the radius.");
+    roughing.number(&R::stepover_mm, "stepover_mm", "mm", {0, 1000}, kNoMotion,
+                    "The most between two of roughing's layers; 0: as the tool allows.");
 }
 
 void add_port(std::vector<KeySpec>& keys) {
@@ -211,6 +257,13 @@ void add_pins(std::vector<KeySpec>& keys) {
                         kNoMotion,
                         field});
     }
+    keys.push_back({"port.pins.charge_pump",
+                    "pin",
+                    {-17, 17},
+                    {},
+                    pin_explanation(charge_pump),
+                    kNoMotion,
+                    [](Profile& profile) -> Field { return &profile.port.charge_pump_pin; }});
 }
 
 std::vector<KeySpec> make_table() {
@@ -222,6 +275,8 @@ std::vector<KeySpec> make_table() {
     add_rotary_axis(keys);
     add_linear_axis(keys, "axis.y", [](Profile& p) -> LinearAxisProfile& { return p.y; });
     add_head_and_job(keys);
+    add_tool_and_blank(keys);
+    add_roughing(keys);
     add_port(keys);
     add_pins(keys);
     return keys;
@@ -250,18 +305,40 @@ Field field_of(const KeySpec& key, const Profile& profile) {
 
 namespace psicarve {
 
-std::string_view name_of(Joining joining) noexcept {
-    for (const profile_detail::Word& word : profile_detail::kJoiningWords) {
-        if (word.value == profile_detail::number_of(joining)) return word.text;
+namespace {
+
+template <typename Enum>
+std::string_view word_of(std::span<const profile_detail::Word> words, Enum value) noexcept {
+    for (const profile_detail::Word& word : words) {
+        if (word.value == profile_detail::number_of(value)) return word.text;
     }
     return {};
 }
 
-std::optional<Joining> joining_from_name(std::string_view name) noexcept {
-    for (const profile_detail::Word& word : profile_detail::kJoiningWords) {
-        if (word.text == name) return static_cast<Joining>(word.value);
+template <typename Enum>
+std::optional<Enum> from_word(std::span<const profile_detail::Word> words, std::string_view text) noexcept {
+    for (const profile_detail::Word& word : words) {
+        if (word.text == text) return static_cast<Enum>(word.value);
     }
     return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view name_of(Joining joining) noexcept {
+    return word_of(profile_detail::kJoiningWords, joining);
+}
+
+std::optional<Joining> joining_from_name(std::string_view name) noexcept {
+    return from_word<Joining>(profile_detail::kJoiningWords, name);
+}
+
+std::string_view name_of(ToolShape shape) noexcept {
+    return word_of(profile_detail::kToolShapeWords, shape);
+}
+
+std::optional<ToolShape> tool_shape_from_name(std::string_view name) noexcept {
+    return from_word<ToolShape>(profile_detail::kToolShapeWords, name);
 }
 
 }  // namespace psicarve

@@ -21,7 +21,7 @@ namespace psicarve::profile_detail {
 
 /// Where a key's value lives in a Profile.
 using Field = std::variant<double*, std::int64_t*, int*, bool*, std::string*, std::array<double, 2>*,
-                           Schedule*, HomeSensor*, Planner*, Joining*, PulseForm*>;
+                           Schedule*, HomeSensor*, Planner*, Joining*, PulseForm*, ToolShape*>;
 
 /// A word that a file may say for a value that is no number.
 struct Word {

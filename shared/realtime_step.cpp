@@ -36,7 +36,7 @@ std::string_view remedy_of(RealtimeStep step) noexcept {
             return "allow writing to /dev/cpu_dma_latency: a udev rule KERNEL==\"cpu_dma_latency\", "
                    "GROUP=\"GROUP\", MODE=\"0660\", and be in that group";
         case RealtimeStep::scheduling:
-            return "allow it: a line \"@GROUP - rtprio 99\" in /etc/security/limits.d and a new login, or "
+            return "allow it: a line \"@GROUP - rtprio 90\" in /etc/security/limits.d and a new login, or "
                    "the "
                    "capability CAP_SYS_NICE; in a container, real-time time for its control group";
     }

@@ -21,6 +21,9 @@ inline constexpr std::array kAllRealtimeSteps{RealtimeStep::keep_heap,    Realti
                                               RealtimeStep::touch_memory, RealtimeStep::tick_cpu,
                                               RealtimeStep::wake_latency, RealtimeStep::scheduling};
 
+/// Of SCHED_FIFO, if nobody says otherwise: above kernel threads that may wait, below its watchdogs.
+inline constexpr int kTickPriority = 80;
+
 /// "memory locked": what holds when it was done.
 std::string_view name_of(RealtimeStep step) noexcept;
 /// What an administrator does when the system refused it.

@@ -61,16 +61,17 @@ Result<bool> try_make(const std::string& name, const SegmentOptions& options) {
     return true;
 }
 
-bool is_to_be_replaced(HeaderState state) noexcept {
-    return state == HeaderState::half_made || state == HeaderState::earlier_boot;
+bool is_to_be_replaced(HeaderState state, const SegmentOptions& options) noexcept {
+    return state == HeaderState::half_made || is_stale(state) ||
+           (options.replaces_damaged && is_damaged(state));
 }
 
-/// Frees the name of an object that its creator left half made, or that an earlier boot left. False: its
+/// Frees the name of an object that its creator left half made, or that is nobody's any more. False: its
 /// creator is at work.
-Result<bool> try_take_away(SegmentObject& object, const std::string& name) {
+Result<bool> try_take_away(SegmentObject& object, const std::string& name, const SegmentOptions& options) {
     if (!object.try_lock(LockByte::creator)) return false;
     // Nobody removes the name without this lock: now it cannot change under us.
-    if (is_to_be_replaced(examine_header(object).state) && object.is_named(name)) {
+    if (is_to_be_replaced(examine_header(object).state, options) && object.is_named(name)) {
         if (auto removed = SegmentObject::unlink(name); !removed) return removed.error();
     }
     object.unlock(LockByte::creator);
@@ -120,7 +121,7 @@ Result<Segment> Segment::create_or_attach(const SegmentOptions& options) {
     if (auto possible = check_capacity(options); !possible) return possible.error();
     const Result<std::string> name = SegmentObject::checked_name(options.name);
     if (!name) return name.error();
-    const auto deadline = std::chrono::steady_clock::now() + kMakingLimit;
+    const auto deadline = std::chrono::steady_clock::now() + options.patience;
     do {
         auto found = SegmentObject::open(*name, options.group);
         if (!found) return found.error();
@@ -137,8 +138,8 @@ Result<Segment> Segment::create_or_attach(const SegmentOptions& options) {
             segment.mapping_->warning = capacity_warning(facts, options, *name);
             return segment;
         }
-        if (!is_to_be_replaced(facts.state)) return refusal_of(facts, *name);
-        const Result<bool> taken = try_take_away(**found, *name);
+        if (!is_to_be_replaced(facts.state, options)) return refusal_of(facts, *name);
+        const Result<bool> taken = try_take_away(**found, *name, options);
         if (!taken) return taken.error();
         if (!*taken) std::this_thread::sleep_for(kMakingPoll);
     } while (std::chrono::steady_clock::now() < deadline);
@@ -147,13 +148,26 @@ Result<Segment> Segment::create_or_attach(const SegmentOptions& options) {
 }
 
 Result<Segment> Segment::attach(const std::string& name, const std::string& group) {
+    return attach_by(name, [&](const std::string& checked) { return SegmentObject::open(checked, group); });
+}
+
+Result<Segment> Segment::attach_to_stop(const std::string& name) {
+    return attach_by(name, SegmentObject::open_whosoever);
+}
+
+Result<void> Segment::fit_rights(const std::string& group) {
+    return mapping_->object.fit_rights(name(), group);
+}
+
+template <typename Open>
+Result<Segment> Segment::attach_by(const std::string& name, const Open& open) {
     const Result<std::string> checked = SegmentObject::checked_name(name);
     if (!checked) return checked.error();
     const Error missing{ErrorCode::no_core, "there is no segment " + *checked +
                                                 ": start psicarve-rtcore, or name another --segment"};
     const auto deadline = std::chrono::steady_clock::now() + kMakingLimit;
     do {
-        auto found = SegmentObject::open(*checked, group);
+        Result<std::optional<SegmentObject>> found = open(*checked);
         if (!found) return found.error();
         if (!found->has_value()) return missing;
         const HeaderFacts facts = examine_header(**found);
@@ -163,7 +177,7 @@ Result<Segment> Segment::attach(const std::string& name, const std::string& grou
             return Segment{
                 std::make_unique<Mapping>(std::move(**found), std::move(*region), facts, *checked)};
         }
-        if (facts.state == HeaderState::earlier_boot) return missing;
+        if (is_stale(facts.state)) return missing;
         if (facts.state != HeaderState::half_made) return refusal_of(facts, *checked);
         if (!(*found)->is_locked_by_another(LockByte::creator) &&
             examine_header(**found).state == facts.state) {
@@ -200,6 +214,10 @@ std::uint64_t Segment::slot_bytes() const noexcept {
 }
 const std::string& Segment::warning() const noexcept {
     return mapping_->warning;
+}
+
+Result<void> Segment::give_up_name() {
+    return mapping_->object.is_named(mapping_->name) ? SegmentObject::unlink(mapping_->name) : Result<void>{};
 }
 
 bool Segment::is_still_linked() const noexcept {

@@ -22,6 +22,10 @@ struct SegmentOptions {
     std::uint32_t capacity_layers = kDefaultCapacityLayers;
     std::uint32_t capacity_points = kDefaultCapacityPoints;
     std::string group;  ///< mode 0660 and this group instead of 0600
+    /// The name is ours: truncated or overwritten contents are no reason to leave it to them.
+    bool replaces_damaged = false;
+    /// How long another process may take to make it.
+    std::chrono::milliseconds patience{5000};
 };
 
 /// Whether /dev/shm has room for one job of this capacity now. A segment is sparse and made all the same:
@@ -33,11 +37,14 @@ Result<void> check_shared_memory_for(std::uint32_t capacity_layers, std::uint32_
 class Segment {
 public:
     /// Whoever comes first creates (O_EXCL), others attach. A half-made or stale object of a dead creator is
-    /// taken over; garbage, another version, another owner or a wrong size is refused with what is wrong and
-    /// the remedy.
+    /// taken over, whatever its version; garbage, another version in use, another owner or a wrong size is
+    /// refused with what is wrong and the remedy.
     static Result<Segment> create_or_attach(const SegmentOptions& options);
     /// ErrorCode::no_core when there is no such object.
     static Result<Segment> attach(const std::string& name, const std::string& group = {});
+    /// Whoever made it, as long as the kernel lets us write it: for orders to stop alone, which must not fail
+    /// for want of an option.
+    static Result<Segment> attach_to_stop(const std::string& name);
     static Result<void> remove(const std::string& name);
 
     Segment(Segment&&) noexcept;
@@ -58,6 +65,8 @@ public:
     /// bytes were overwritten. A process that touches a truncated segment is not killed by SIGBUS: it goes on
     /// with zeros of its own (segment_fault_guard.hpp), and this is false from then on.
     bool is_still_linked() const noexcept;
+    /// Takes the name away from this very object, whatever stands in it now; nothing when it leads elsewhere.
+    Result<void> give_up_name();
 
     // Slot 0 or 1. Slots are read and written through the file descriptor: a full /dev/shm or an object that
     // shrank is then an error message, where a mapped page would be a SIGBUS.
@@ -76,6 +85,9 @@ public:
     /// The same in two steps, for a core that may still fail to start: nobody else can claim it from the
     /// first on, but only the second lets others see a core.
     Result<void> take_core_lock();
+    /// Between the two: mode 0600, or 0660 and of this group, however it was left. Refused when another
+    /// user's segment is not as asked for.
+    Result<void> fit_rights(const std::string& group);
     void sign_core() noexcept;
     void release_core() noexcept;
     /// A living core serves the segment: its pid, else nothing. Asks the lock, not the words.
@@ -85,6 +97,8 @@ public:
 
 private:
     explicit Segment(std::unique_ptr<Mapping> mapping) noexcept;
+    template <typename Open>
+    static Result<Segment> attach_by(const std::string& name, const Open& open);
     std::unique_ptr<Mapping> mapping_;
 };
 
@@ -121,6 +135,11 @@ void request_emergency_stop(Segment& segment) noexcept;
 /// acknowledge_job). Takes no lock. A new segment begins again at generation 1.
 Result<std::optional<PublishedJob>> take_published_job(Segment& segment, std::uint64_t known_generation);
 std::uint64_t published_generation(const Segment& segment) noexcept;
+/// Of the published job's blob, as its publisher said; nothing: there is none.
+std::optional<std::uint64_t> published_checksum(const Segment& segment) noexcept;
+/// What the core wants to be known of the published job that it has accepted; mostly nothing.
+std::string job_remark(const Segment& segment);
+/// `reason`: why it is refused, or what of an accepted one is to be known.
 void acknowledge_job(Segment& segment, std::uint64_t generation, bool accepted, const std::string& reason);
 
 struct ReceivedCommand {
@@ -129,9 +148,12 @@ struct ReceivedCommand {
     std::uint32_t sender_pid;
     Command command;
 };
-/// The pending command with the lowest sequence number, marked taken; also frees slots whose senders died.
-/// Nothing in it is checked: kind, axis and values may be anything.
-std::optional<ReceivedCommand> take_command(Segment& segment);
+/// Whether who sent a command still lives is asked of the kernel, which takes as long as a wake-up; or has
+/// been asked a moment ago.
+enum class SenderLook : std::uint8_t { asks, trusts };
+/// The pending command with the lowest sequence number, marked taken; who asks also frees slots whose senders
+/// died. Nothing in it is checked: kind, axis and values may be anything.
+std::optional<ReceivedCommand> take_command(Segment& segment, SenderLook look = SenderLook::asks);
 void answer_command(Segment& segment, const ReceivedCommand& command, AnswerKind kind,
                     const std::string& reason);
 

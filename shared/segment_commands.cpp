@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// How often a sender that waits looks whether the core still lives.
-constexpr std::chrono::milliseconds kCoreCheckInterval{100};
+constexpr std::chrono::milliseconds kVerdictCheckInterval{100};
 
 constexpr std::uint64_t pack(SlotState state, std::uint32_t sender_pid) noexcept {
     return (std::uint64_t{sender_pid} << 32) | static_cast<std::uint32_t>(state);
@@ -60,11 +60,13 @@ CommandSlot* claim_slot(SegmentHeader& header, std::uint32_t pid) noexcept {
 }
 
 void post(SegmentHeader& header, CommandSlot& slot, const Command& command, std::uint32_t pid) noexcept {
-    slot.sender_start_time.store(process_start_time(pid), std::memory_order_relaxed);
     store_words<Command>(slot.command, command);
     slot.sequence.store(header.next_sequence.fetch_add(1) + 1, std::memory_order_relaxed);
     slot.state_and_sender.store(pack(SlotState::pending, pid), std::memory_order_release);
     event_signal(header.command_raised);
+    // Not before: the look takes as long as the core does. The slot stays ours; until then its start time is
+    // 0, and the pid alone counts.
+    slot.sender_start_time.store(process_start_time(pid), std::memory_order_relaxed);
 }
 
 Result<void> read_answer(CommandSlot& slot, std::uint32_t pid) {
@@ -100,7 +102,7 @@ Result<void> wait_for_answer(Segment& segment, CommandSlot& slot, std::uint32_t 
             return Error{ErrorCode::timed_out,
                          "the core did not answer within " + std::to_string(limit.count()) + " ms"};
         }
-        event_wait_past(header.status_changed, seen, std::min(left, kCoreCheckInterval));
+        event_wait_past(header.status_changed, seen, std::min(left, kVerdictCheckInterval));
     }
 }
 
@@ -113,12 +115,13 @@ bool free_if_sender_died(CommandSlot& slot, std::uint64_t word) noexcept {
     return free_slot(slot, word);
 }
 
-CommandSlot* oldest_pending(SegmentHeader& header) noexcept {
+CommandSlot* oldest_pending(SegmentHeader& header, SenderLook look) noexcept {
     CommandSlot* oldest = nullptr;
     for (CommandSlot& slot : header.commands) {
         const std::uint64_t word = slot.state_and_sender.load(std::memory_order_acquire);
         if (state_of(word) == SlotState::free) continue;
-        if (free_if_sender_died(slot, word) || state_of(word) != SlotState::pending) continue;
+        if (look == SenderLook::asks && free_if_sender_died(slot, word)) continue;
+        if (state_of(word) != SlotState::pending) continue;
         if (oldest == nullptr || slot.sequence.load() < oldest->sequence.load()) oldest = &slot;
     }
     return oldest;
@@ -134,10 +137,6 @@ void finish(CommandSlot& slot, std::uint32_t sender_pid, const Answer& answer) n
 }  // namespace
 
 Result<void> send_command(Segment& segment, const Command& command, std::chrono::milliseconds limit) {
-    if (!segment.core_pid()) {
-        return Error{ErrorCode::no_core,
-                     "no core serves segment " + segment.name() + ": start psicarve-rtcore"};
-    }
     const std::uint32_t pid = own_pid();
     CommandSlot* const slot = claim_slot(segment.header(), pid);
     if (slot == nullptr) {
@@ -145,6 +144,11 @@ Result<void> send_command(Segment& segment, const Command& command, std::chrono:
                                                " command slots are in use: wait for the others' commands"};
     }
     post(segment.header(), *slot, command, pid);
+    // Not before: the look takes longer than the core does.
+    if (!segment.core_pid() && free_slot(*slot, pack(SlotState::pending, pid))) {
+        return Error{ErrorCode::no_core,
+                     "no core serves segment " + segment.name() + ": start psicarve-rtcore"};
+    }
     return wait_for_answer(segment, *slot, pid, limit);
 }
 
@@ -163,9 +167,9 @@ void write_jog_lease(Segment& segment, std::uint32_t token, std::uint32_t beat) 
     event_signal(segment.header().command_raised);
 }
 
-std::optional<ReceivedCommand> take_command(Segment& segment) {
+std::optional<ReceivedCommand> take_command(Segment& segment, SenderLook look) {
     SegmentHeader& header = segment.header();
-    CommandSlot* const slot = oldest_pending(header);
+    CommandSlot* const slot = oldest_pending(header, look);
     if (slot == nullptr) return std::nullopt;
     const std::uint64_t word = slot->state_and_sender.load(std::memory_order_acquire);
     const std::uint32_t sender = sender_of(word);

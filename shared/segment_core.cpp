@@ -26,9 +26,10 @@ Result<void> Segment::claim_core() {
 Result<void> Segment::take_core_lock() {
     if (!mapping_->object.try_lock(LockByte::core)) {
         const std::uint32_t first = core_pid().value_or(0);
-        return Error{ErrorCode::machine_refused, "segment " + name() + ": a core serves it already (pid " +
-                                                     std::to_string(first) +
-                                                     "): end that one, or choose another --segment"};
+        const std::string who = first == 0 ? "a core that is just starting or ending has it"
+                                           : "a core serves it already (pid " + std::to_string(first) + ")";
+        return Error{ErrorCode::machine_refused,
+                     "segment " + name() + ": " + who + ": end that one, or choose another --segment"};
     }
     mapping_->core_owner_pid = own_pid();
     SegmentHeader& shared = header();

@@ -103,13 +103,26 @@ HeaderFacts examine_header(const SegmentObject& object) {
     if (got != static_cast<ssize_t>(bytes.size())) return facts;
     facts.creator_pid =
         field_at<std::uint32_t>(bytes, offsetof(SegmentHeader, creator) + offsetof(ProcessIdentity, pid));
+    facts.creator_start_time = field_at<std::uint64_t>(
+        bytes, offsetof(SegmentHeader, creator) + offsetof(ProcessIdentity, start_time));
     facts.state = judge(bytes, facts);
+    const bool is_foreign =
+        facts.state == HeaderState::foreign_version || facts.state == HeaderState::foreign_abi;
+    if (is_foreign && !object.is_locked_by_another(LockByte::core) &&
+        !is_process_alive(facts.creator_pid, facts.creator_start_time)) {
+        facts.state = HeaderState::left_behind;
+    }
     return facts;
 }
 
 Error refusal_of(const HeaderFacts& facts, const std::string& name) {
+    // One of ours is taken over as soon as nobody uses it.
+    const std::string remedy =
+        is_damaged(facts.state) ? "or end what uses it and remove /dev/shm" + name
+                                : "or end the programs of the other version that use it: the core, and pid " +
+                                      std::to_string(facts.creator_pid);
     return bad_input("segment " + name + ": " + what_is_wrong(facts) +
-                     ": choose another name with --segment, or end what uses it and remove /dev/shm" + name);
+                     ": choose another name with --segment, " + remedy);
 }
 
 Result<void> fill_header(SegmentHeader& header, std::uint32_t capacity_layers,

@@ -15,6 +15,7 @@ enum class HeaderState {
     usable,
     half_made,        ///< nothing in it yet, or ours and not ready: its creator is at work, or dead
     earlier_boot,     ///< ours, left over from an earlier boot
+    left_behind,      ///< of another layout or build, its creator is dead, and no core serves it
     not_ours,         ///< no magic: somebody else's, or garbage
     foreign_version,  ///< made by a program with another layout
     foreign_abi,      ///< same version, other sizes: another compiler or word width
@@ -31,10 +32,20 @@ struct HeaderFacts {
     SegmentGeometry geometry{};
     std::int64_t size_bytes = 0;
     std::uint32_t creator_pid = 0;
+    std::uint64_t creator_start_time = 0;
 };
 
 /// Reads through the file descriptor, so that no object, however short, can end in SIGBUS.
 HeaderFacts examine_header(const SegmentObject& object);
+/// Nobody's any more: whoever needs the name may take it.
+constexpr bool is_stale(HeaderState state) noexcept {
+    return state == HeaderState::earlier_boot || state == HeaderState::left_behind;
+}
+/// Not as any program of ours leaves it.
+constexpr bool is_damaged(HeaderState state) noexcept {
+    return state == HeaderState::not_ours || state == HeaderState::wrong_numbers ||
+           state == HeaderState::wrong_size;
+}
 /// What is wrong and what to do. For the states from `not_ours` on.
 Error refusal_of(const HeaderFacts& facts, const std::string& name);
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <xxhash.h>
-
 #include <algorithm>
 #include <boost/interprocess/sync/scoped_lock.hpp>
 #include <chrono>
 #include <string>
 
 #include "shared/event.hpp"
+#include "shared/job.hpp"
 #include "shared/robust_mutex.hpp"
 #include "shared/segment.hpp"
 #include "shared/shared_record.hpp"
@@ -52,7 +51,7 @@ Result<std::vector<std::byte>> copy_slot(Segment& segment, std::uint64_t generat
     }
     std::vector<std::byte> blob(bytes);
     if (auto read = segment.read_slot(slot_of(generation), blob); !read) return read.error();
-    if (XXH3_64bits(blob.data(), blob.size()) != checksum) {
+    if (job_checksum(blob) != checksum) {
         return bad_input("the published job is damaged: its checksum is wrong");
     }
     return blob;
@@ -118,7 +117,7 @@ Result<std::uint64_t> publish_job(Segment& segment, std::span<const std::byte> j
                                   std::chrono::milliseconds limit) {
     if (job_blob.empty()) return bad_input("there is no job to publish");
     if (job_blob.size() > segment.slot_bytes()) return too_large(segment, job_blob.size());
-    const std::uint64_t checksum = XXH3_64bits(job_blob.data(), job_blob.size());
+    const std::uint64_t checksum = job_checksum(job_blob);
 
     SegmentHeader& header = segment.header();
     RobustMutex mutex{header.mutex};
@@ -180,6 +179,12 @@ std::uint64_t published_generation(const Segment& segment) noexcept {
     return segment.header().publication.generation.load(std::memory_order_acquire);
 }
 
+std::optional<std::uint64_t> published_checksum(const Segment& segment) noexcept {
+    const std::uint64_t generation = published_generation(segment);
+    if (generation == 0) return std::nullopt;
+    return segment.header().publication.of_slot[slot_of(generation)].checksum.load(std::memory_order_acquire);
+}
+
 Result<std::optional<PublishedJob>> take_published_job(Segment& segment, std::uint64_t known_generation) {
     for (int attempt = 0; attempt < kCopyAttempts; ++attempt) {
         const std::uint64_t generation = published_generation(segment);
@@ -201,6 +206,12 @@ void acknowledge_job(Segment& segment, std::uint64_t generation, bool accepted, 
     text_into_field(verdict.reason, reason);
     write_record(segment.header().verdict, verdict);
     event_signal(segment.header().status_changed);
+}
+
+std::string job_remark(const Segment& segment) {
+    const auto verdict = read_record(segment.header().verdict);
+    const bool is_of_it = verdict && verdict->generation == published_generation(segment);
+    return is_of_it && verdict->accepted == 1 ? text_from_field(verdict->reason) : std::string{};
 }
 
 }  // namespace psicarve

@@ -10,8 +10,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/interprocess/exceptions.hpp>
 #include <cerrno>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -21,14 +23,16 @@ namespace {
 namespace bip = boost::interprocess;
 
 constexpr std::size_t kLongestName = 200;
+constexpr mode_t kOwnerMode = 0600;
+constexpr mode_t kGroupMode = 0660;
 constexpr std::uint64_t kBytesPerMb = 1'000'000;
 
-std::string text_of(int error_number) {
+std::string error_text_of(int error_number) {
     return std::generic_category().message(error_number);
 }
 
 Error object_error(const std::string& name, const std::string& what, int error_number) {
-    return bad_input("segment " + name + ": " + what + ": " + text_of(error_number));
+    return bad_input("segment " + name + ": " + what + ": " + error_text_of(error_number));
 }
 
 struct flock lock_request(LockByte byte, short type) noexcept {
@@ -53,10 +57,24 @@ std::optional<uid_t> service_user(const std::string& group) {
     return entry->pw_uid;
 }
 
-Result<gid_t> group_id(const std::string& group) {
-    const ::group* const entry = ::getgrnam(group.c_str());
-    if (entry == nullptr) return Error{ErrorCode::bad_usage, "--group " + group + ": there is no such group"};
-    return entry->gr_gid;
+/// By its own group or one that it was put into.
+bool is_member(uid_t user, gid_t group) {
+    const passwd* const entry = ::getpwuid(user);
+    if (entry == nullptr) return false;
+    if (entry->pw_gid == group) return true;
+    const std::string name = entry->pw_name;
+    const ::group* const members = ::getgrgid(group);
+    if (members == nullptr) return false;
+    for (char** member = members->gr_mem; *member != nullptr; ++member) {
+        if (name == *member) return true;
+    }
+    return false;
+}
+
+std::string mode_text(mode_t mode) {
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "%04o", static_cast<unsigned>(mode & 07777));
+    return text.data();
 }
 
 std::string free_room() {
@@ -72,7 +90,27 @@ Error no_room(const std::string& name, std::uint64_t bytes) {
                      "/dev/shm"};
 }
 
+/// Of another user's object: is it what this group shares?
+Result<void> check_group(const std::string& name, const struct stat& facts, const std::string& group) {
+    const Result<gid_t> wanted = group_id(group);
+    if (!wanted) return wanted.error();
+    if (*wanted != facts.st_gid) return bad_input("segment " + name + ": is not of group " + group);
+    if (service_user(group) != std::optional{facts.st_uid} && !is_member(facts.st_uid, *wanted)) {
+        return bad_input("segment " + name + ": belongs to " + user_name(facts.st_uid) +
+                         ", who is no member of group " + group + ": choose another name with --segment");
+    }
+    if ((facts.st_mode & 0777) == kGroupMode) return {};
+    return bad_input("segment " + name + ": has mode " + mode_text(facts.st_mode) + ", not 0660: let " +
+                     user_name(facts.st_uid) + " start the core with --group " + group);
+}
+
 }  // namespace
+
+Result<gid_t> group_id(const std::string& group) {
+    const ::group* const entry = ::getgrnam(group.c_str());
+    if (entry == nullptr) return Error{ErrorCode::bad_usage, "--group " + group + ": there is no such group"};
+    return entry->gr_gid;
+}
 
 std::optional<std::uint64_t> free_shared_memory_bytes() noexcept {
     struct statvfs facts {};
@@ -84,8 +122,7 @@ Result<void> check_segment_owner(const std::string& name, const struct stat& fac
                                  const std::string& group) {
     if (!S_ISREG(facts.st_mode)) return bad_input("segment " + name + ": is no shared-memory object");
     const bool is_own = facts.st_uid == ::geteuid();
-    const bool is_of_service = !group.empty() && service_user(group) == std::optional{facts.st_uid};
-    if (!is_own && !is_of_service) {
+    if (!is_own && group.empty()) {
         return bad_input("segment " + name + ": belongs to " + user_name(facts.st_uid) +
                          ", not to us: choose another name with --segment, or share it with --group");
     }
@@ -93,12 +130,7 @@ Result<void> check_segment_owner(const std::string& name, const struct stat& fac
         return bad_input("segment " + name + ": every user may read or write it: close it with chmod 600 " +
                          "/dev/shm" + name + ", or choose another name with --segment");
     }
-    if (!is_own) {
-        const Result<gid_t> wanted = group_id(group);
-        if (!wanted) return wanted.error();
-        if (*wanted != facts.st_gid) return bad_input("segment " + name + ": is not of group " + group);
-    }
-    return {};
+    return is_own ? Result<void>{} : check_group(name, facts, group);
 }
 
 Result<std::string> SegmentObject::checked_name(const std::string& name) {
@@ -116,11 +148,26 @@ Result<std::string> SegmentObject::checked_name(const std::string& name) {
 }
 
 Result<std::optional<SegmentObject>> SegmentObject::open(const std::string& name, const std::string& group) {
+    if (!group.empty()) {
+        if (const auto known = group_id(group); !known) return known.error();
+    }
+    return open_checked(name, group);
+}
+
+Result<std::optional<SegmentObject>> SegmentObject::open_whosoever(const std::string& name) {
+    return open_checked(name, std::nullopt);
+}
+
+Result<std::optional<SegmentObject>> SegmentObject::open_checked(const std::string& name,
+                                                                 const std::optional<std::string>& group) {
     try {
         SegmentObject object{bip::shared_memory_object{bip::open_only, name.c_str(), bip::read_write}};
         struct stat facts {};
         if (::fstat(object.descriptor(), &facts) != 0) return object_error(name, "cannot look at it", errno);
-        if (auto owner = check_segment_owner(name, facts, group); !owner) return owner.error();
+        if (!S_ISREG(facts.st_mode)) return bad_input("segment " + name + ": is no shared-memory object");
+        if (group) {
+            if (auto owner = check_segment_owner(name, facts, *group); !owner) return owner.error();
+        }
         return std::optional{std::move(object)};
     } catch (const bip::interprocess_exception& failure) {
         const int cause = failure.get_native_error();
@@ -156,10 +203,24 @@ Result<void> SegmentObject::give_to_group(const std::string& name, const std::st
     const Result<gid_t> id = group_id(group);
     if (!id) return id.error();
     // First the group, then its rights: at no instant may a wrong group use it.
-    if (::fchown(descriptor(), static_cast<uid_t>(-1), *id) != 0 || ::fchmod(descriptor(), 0660) != 0) {
+    if (::fchown(descriptor(), static_cast<uid_t>(-1), *id) != 0 || ::fchmod(descriptor(), kGroupMode) != 0) {
         return object_error(name, "cannot be given to group " + group, errno);
     }
     return {};
+}
+
+Result<void> SegmentObject::fit_rights(const std::string& name, const std::string& group) {
+    struct stat facts {};
+    if (::fstat(descriptor(), &facts) != 0) return object_error(name, "cannot look at it", errno);
+    const mode_t mode = facts.st_mode & 0777;
+    if (facts.st_uid != ::geteuid()) return check_segment_owner(name, facts, group);
+    if (!group.empty()) {
+        const Result<gid_t> wanted = group_id(group);
+        if (!wanted) return wanted.error();
+        return mode == kGroupMode && facts.st_gid == *wanted ? Result<void>{} : give_to_group(name, group);
+    }
+    if (mode == kOwnerMode || ::fchmod(descriptor(), kOwnerMode) == 0) return {};
+    return object_error(name, "cannot be kept from others", errno);
 }
 
 Result<void> SegmentObject::unlink(const std::string& name) {

@@ -19,8 +19,12 @@ enum class LockByte : std::int64_t {
     core = 1,     ///< held by the core as long as it serves the segment
 };
 
-/// Whether an object with these facts may be used by us: our own, or with --group one of that group's service
-/// user, and nothing that every user may read or write.
+/// The number of --group NAME; refused when there is no such group.
+Result<gid_t> group_id(const std::string& group);
+
+/// Whether an object with these facts may be used by us: our own, or with --group one that is of this group,
+/// for it alone (0660), and was made by its service user or a member of it; and nothing that every user may
+/// read or write.
 Result<void> check_segment_owner(const std::string& name, const struct ::stat& facts,
                                  const std::string& group);
 
@@ -35,6 +39,8 @@ public:
     static Result<std::string> checked_name(const std::string& name);
     /// Nothing when the name is free; refuses an object that is not ours or the group's.
     static Result<std::optional<SegmentObject>> open(const std::string& name, const std::string& group);
+    /// The same of any object that the kernel lets us write: for orders to stop.
+    static Result<std::optional<SegmentObject>> open_whosoever(const std::string& name);
     /// Nothing when somebody else was first.
     static Result<std::optional<SegmentObject>> create(const std::string& name, const std::string& group);
     static Result<void> unlink(const std::string& name);
@@ -55,7 +61,13 @@ public:
     /// Makes these bytes exist as memory: an error instead of a SIGBUS when /dev/shm is full.
     Result<void> reserve(const std::string& name, std::uint64_t offset, std::uint64_t bytes);
 
+    /// 0600, or 0660 with a group: as asked for, however it was made. Refused when it is another's and not
+    /// so.
+    Result<void> fit_rights(const std::string& name, const std::string& group);
+
 private:
+    static Result<std::optional<SegmentObject>> open_checked(const std::string& name,
+                                                             const std::optional<std::string>& group);
     explicit SegmentObject(boost::interprocess::shared_memory_object shm) noexcept : shm_(std::move(shm)) {}
     Result<void> give_to_group(const std::string& name, const std::string& group);
 

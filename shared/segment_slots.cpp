@@ -12,7 +12,7 @@
 namespace psicarve {
 namespace {
 
-constexpr std::uint64_t kPageBytes = 4096;
+constexpr std::uint64_t kSegmentSlotsPageBytes = 4096;
 
 Error slot_error(const std::string& name, const std::string& what, int error_number) {
     if (error_number == ENOSPC) {
@@ -34,7 +34,8 @@ Result<void> Segment::reserve_slot(std::uint32_t index, std::uint64_t bytes) {
     }
     const std::uint64_t offset = geometry.slot_offset[index];
     if (auto reserved = mapping_->object.reserve(name(), offset, bytes); !reserved) return reserved;
-    const std::uint64_t used = (bytes + kPageBytes - 1) / kPageBytes * kPageBytes;
+    const std::uint64_t used =
+        (bytes + kSegmentSlotsPageBytes - 1) / kSegmentSlotsPageBytes * kSegmentSlotsPageBytes;
     if (used < geometry.slot_bytes) {
         // What an earlier, larger job took. Memory that cannot be given back does no harm.
         ::fallocate(mapping_->object.descriptor(), FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE,

@@ -25,7 +25,7 @@ std::optional<Axis> axis_from_name(std::string_view name) noexcept {
 }
 
 std::string_view name_of(Signal signal) noexcept {
-    return kSignalNames[index_of(signal)];
+    return signal == Signal::charge_pump ? "charge_pump" : kSignalNames[index_of(signal)];
 }
 
 std::optional<Signal> signal_from_name(std::string_view name) noexcept {

@@ -16,6 +16,9 @@ inline constexpr std::array<Axis, kAxisCount> kAllAxes{Axis::r1, Axis::r2, Axis:
 constexpr std::size_t index_of(Axis axis) noexcept {
     return static_cast<std::size_t>(axis);
 }
+inline constexpr std::size_t kHeads = 2;  // the first of the axes
+inline constexpr std::size_t kPsi = index_of(Axis::psi);
+inline constexpr std::size_t kY = index_of(Axis::y);
 
 /// Names as in files and on the command line: r1, r2, psi, y.
 std::string_view name_of(Axis axis) noexcept;
@@ -41,8 +44,10 @@ enum class Signal : std::uint8_t {
     psi_index,
     y_limit,  // bits 13..16: the axis' own sensor, by axis, 1 = tripped
     estop,    // bit 17
+    /// Bit 18, an output of its own kind: it toggles while the core ticks. No trace or record has it.
+    charge_pump,
 };
-inline constexpr std::size_t kSignalCount = 18;
+inline constexpr std::size_t kSignalCount = 18;        ///< that traces, records and commands know
 inline constexpr std::size_t kOutputSignalCount = 13;  ///< signals 0..12 leave the core; the others enter it
 
 /// Logical levels of all signals: bit n is signal n; 1 = active (step high, direction positive, drive
@@ -56,7 +61,7 @@ constexpr SignalWord bit_of(Signal signal) noexcept {
     return SignalWord{1} << index_of(signal);
 }
 constexpr bool is_output(Signal signal) noexcept {
-    return index_of(signal) < kOutputSignalCount;
+    return index_of(signal) < kOutputSignalCount || signal == Signal::charge_pump;
 }
 
 constexpr Signal step_of(Axis axis) noexcept {
@@ -74,6 +79,7 @@ constexpr Signal sensor_of(Axis axis) noexcept {
 }
 
 inline constexpr SignalWord kOutputMask = (SignalWord{1} << kOutputSignalCount) - 1;
+inline constexpr SignalWord kChargePumpBit = bit_of(Signal::charge_pump);
 inline constexpr SignalWord kStepMask = 0xF;
 inline constexpr SignalWord kDirMask = 0xF0;
 inline constexpr SignalWord kEnableMask = 0xF00;
@@ -81,6 +87,7 @@ inline constexpr SignalWord kInputMask = ((SignalWord{1} << kSignalCount) - 1) &
 
 /// Names as in the profile's [port.pins] and in pin traces: r1_step, psi_index, estop ...
 std::string_view name_of(Signal signal) noexcept;
+/// Not the charge pump: nobody orders it about.
 std::optional<Signal> signal_from_name(std::string_view name) noexcept;
 
 }  // namespace psicarve

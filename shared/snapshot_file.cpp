@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "shared/atomic_file.hpp"
+#include "shared/segment_object.hpp"
 
 namespace psicarve {
 namespace {
@@ -40,6 +41,11 @@ SnapshotHeader header_of(const Snapshot& snapshot) noexcept {
     header.capacity_layers = snapshot.capacity_layers;
     header.capacity_points = snapshot.capacity_points;
     header.generation = snapshot.generation;
+    if (snapshot.checkpoint) {
+        header.checkpoint_job = snapshot.checkpoint->job_checksum;
+        header.checkpoint_next_layer = snapshot.checkpoint->next_layer;
+        header.checkpoint_layer_count = snapshot.checkpoint->layer_count;
+    }
     return header;
 }
 
@@ -100,15 +106,28 @@ Result<void> check_kind(const SnapshotHeader& header, const std::string& file_na
                                     std::to_string(kSnapshotVersion) + ": make the file anew");
     }
     const bool has_status = header.status_bytes != 0 || header.recorder_bytes != 0;
-    if (has_status && header.layout_version != kLayoutVersion) {
+    const bool is_known_status =
+        header.layout_version >= kOldestStatusVersion && header.layout_version <= kLayoutVersion;
+    if (has_status && !is_known_status) {
         return wrong(file_name, "status of layout version " + std::to_string(header.layout_version) +
-                                    ", this program knows " + std::to_string(kLayoutVersion));
+                                    ", this program knows " + std::to_string(kOldestStatusVersion) + " to " +
+                                    std::to_string(kLayoutVersion));
     }
     if (header.abi_hash != snapshot_abi_hash(has_status)) {
         return wrong(file_name,
                      "was written by a psicarve of another build (its structures have other sizes)");
     }
     return {};
+}
+
+Result<std::optional<Checkpoint>> take_checkpoint(const SnapshotHeader& header,
+                                                  const std::string& file_name) {
+    if (header.checkpoint_layer_count == 0 && header.checkpoint_next_layer == 0)
+        return std::optional<Checkpoint>{};
+    const Checkpoint checkpoint =
+        checkpoint_at(header.checkpoint_job, header.checkpoint_next_layer, header.checkpoint_layer_count);
+    if (!is_checkpoint(checkpoint)) return wrong(file_name, "damaged: its checkpoint is beyond the job");
+    return std::optional{checkpoint};
 }
 
 Result<void> check_contents(const Snapshot& snapshot, const std::string& file_name) {
@@ -120,6 +139,17 @@ Result<void> check_contents(const Snapshot& snapshot, const std::string& file_na
     const Result<JobView> job = JobView::check(snapshot.job_blob);
     if (!job) return wrong(file_name, job.error().message);
     return {};
+}
+
+Result<std::optional<FileRights>> rights_of(const Snapshot& snapshot, const std::string& group) {
+    constexpr mode_t kOwnerAlone = 0600;
+    constexpr mode_t kOwnerAndGroup = 0660;
+    const bool is_job_file = !snapshot.status && snapshot.records.empty();
+    if (is_job_file) return std::optional<FileRights>{};
+    if (group.empty()) return std::optional{FileRights{kOwnerAlone, {}}};
+    const Result<gid_t> id = group_id(group);
+    if (!id) return id.error();
+    return std::optional{FileRights{kOwnerAndGroup, *id}};
 }
 
 }  // namespace
@@ -160,6 +190,9 @@ Result<Snapshot> parse_snapshot(std::span<const std::byte> bytes, const std::str
     snapshot.capacity_layers = header.capacity_layers;
     snapshot.capacity_points = header.capacity_points;
     snapshot.generation = header.generation;
+    const auto checkpoint = take_checkpoint(header, file_name);
+    if (!checkpoint) return checkpoint.error();
+    snapshot.checkpoint = *checkpoint;
     if (auto contents = check_contents(snapshot, file_name); !contents) return contents.error();
     return snapshot;
 }
@@ -184,13 +217,15 @@ std::vector<std::byte> snapshot_bytes(const Snapshot& snapshot) {
     return bytes;
 }
 
-Result<void> save_snapshot(const Snapshot& snapshot, const std::string& path) {
+Result<void> save_snapshot(const Snapshot& snapshot, const std::string& path, const std::string& group) {
+    const auto rights = rights_of(snapshot, group);
+    if (!rights) return rights.error();
     const auto parts = parts_of(snapshot);
     SnapshotHeader header = header_of(snapshot);
     header.checksum = checksum_of(header, parts);
     // Written part by part: a job may be larger than what can be copied once more.
     const std::array all{std::as_bytes(std::span{&header, 1}), parts[0], parts[1], parts[2], parts[3]};
-    return write_parts_atomically(path, all);
+    return write_parts_atomically(path, all, *rights);
 }
 
 Result<Snapshot> load_snapshot(const std::string& path) {

@@ -36,8 +36,10 @@ struct SnapshotHeader {
     std::uint64_t job_bytes;
     std::uint32_t capacity_layers;  ///< of the segment it was taken from; 0 in a job file
     std::uint32_t capacity_points;
-    std::uint64_t generation;  ///< of the job in that segment; 0 in a job file
-    std::uint64_t reserved[2];
+    std::uint64_t generation;      ///< of the job in that segment; 0 in a job file
+    std::uint64_t checkpoint_job;  ///< as in Checkpoint; all 0 when there is none
+    std::uint32_t checkpoint_next_layer;
+    std::uint32_t checkpoint_layer_count;
 };
 static_assert(sizeof(SnapshotHeader) == 120);
 
@@ -50,6 +52,7 @@ struct Snapshot {
     std::uint32_t capacity_layers = 0;
     std::uint32_t capacity_points = 0;
     std::uint64_t generation = 0;
+    std::optional<Checkpoint> checkpoint;  ///< passes is_checkpoint; may be of another job
 };
 
 /// Says whether the file begins like one of ours (so that `carve FILE` can tell a job from a model).
@@ -67,6 +70,8 @@ std::vector<std::byte> snapshot_bytes(const Snapshot& snapshot);
 /// What the header's checksum must be for these bytes of a file; 0 when they are too few.
 std::uint64_t snapshot_checksum(std::span<const std::byte> bytes);
 /// Written as write_file_atomically does (atomic_file.hpp): the old file stays intact whatever happens.
-Result<void> save_snapshot(const Snapshot& snapshot, const std::string& path);
+/// A snapshot is for its owner alone (0600), or for a group as well (0660); a job file for whom the umask
+/// says.
+Result<void> save_snapshot(const Snapshot& snapshot, const std::string& path, const std::string& group = {});
 
 }  // namespace psicarve

@@ -70,8 +70,9 @@ struct CoreStatus {
     AlarmRecord alarms[kAlarmHistory];  ///< alarm n stands at n % kAlarmHistory
     std::uint64_t waited_ticks;         ///< in which the pins kept a due iteration waiting, since start
     std::uint32_t override_percent;     ///< of the planned feed
-    std::uint32_t reserved2;
-    std::uint64_t trace_lost;  ///< pin changes that no trace could take (real clock only)
+    std::uint16_t is_dry;               ///< 1: the job at hand, or the last, was a dry run
+    std::uint16_t is_port_silent;  ///< 1: the port has not taken the safe state; `signals` may stand on it
+    std::uint64_t trace_lost;      ///< pin changes that no trace could take (real clock only)
     // How the tick's thread is treated (real clock only), and what it cost it: counted outside of the tick.
     std::uint32_t realtime_asked;     ///< bit by RealtimeStep: tried
     std::uint32_t realtime_done;      ///< bit by RealtimeStep: in force
@@ -88,6 +89,10 @@ struct CoreStatus {
     std::uint64_t sim_stalls[kAxisCount];          ///< motor asked for more than it can
 };
 static_assert(std::is_trivially_copyable_v<CoreStatus> && sizeof(CoreStatus) % 8 == 0, "bump kLayoutVersion");
+
+inline std::string_view remedy_of(const CoreStatus& status) noexcept {
+    return status.is_port_silent != 0 ? kSilentPortRemedy : remedy_of(status.alarm_cause);
+}
 
 /// One entry of the increment ring: where the axes were at a tick.
 struct IncrementEntry {

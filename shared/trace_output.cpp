@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <climits>
 #include <csignal>
 #include <cstring>
 #include <ctime>
@@ -79,9 +80,20 @@ bool is_pipe(const std::string& path) noexcept {
     return ::stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
 }
 
+/// What has another name as well is somebody's file that was put in our way.
+Result<void> empty_file(int fd, const std::string& path) {
+    struct stat status {};
+    if (fstat(fd, &status) != 0) return cannot_open(path, words_for(errno));
+    if (!S_ISREG(status.st_mode)) return {};
+    if (status.st_nlink > 1)
+        return cannot_open(path, "the file has other names (hard links); remove this one");
+    if (ftruncate(fd, 0) == 0) return {};
+    return cannot_open(path, words_for(errno));
+}
+
 /// A pipe that nobody reads is given up, not waited for without end; one that is read may make us wait.
 Result<int> open_named(const std::string& path) {
-    constexpr int kFlags = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+    constexpr int kFlags = O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
     const auto give_up = std::chrono::steady_clock::now() + kReaderLimit;
     int fd = ::open(path.c_str(), kFlags, 0666);
     while (fd < 0 && errno == ENXIO && is_pipe(path)) {
@@ -91,6 +103,10 @@ Result<int> open_named(const std::string& path) {
         fd = ::open(path.c_str(), kFlags, 0666);
     }
     if (fd >= 0) {
+        if (const auto emptied = empty_file(fd, path); !emptied) {
+            ::close(fd);
+            return emptied.error();
+        }
         fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) & ~O_NONBLOCK);
         return fd;
     }
@@ -135,7 +151,8 @@ TraceOutput::TraceOutput(TraceOutput&& other) noexcept
       error_taken_(other.error_taken_),
       name_(std::move(other.name_)),
       buffer_(std::move(other.buffer_)),
-      used_(std::exchange(other.used_, 0)) {}
+      used_(std::exchange(other.used_, 0)),
+      written_(other.written_) {}
 
 TraceOutput::~TraceOutput() {
     flush();
@@ -167,13 +184,16 @@ void TraceOutput::flush() noexcept {
 
 void TraceOutput::write_out(const std::uint8_t* bytes, std::size_t count) noexcept {
     while (count > 0) {
-        const ssize_t written = ::write(fd_, bytes, count);
+        // A pipe's reader may be slow: what it takes is to be seen before all is taken.
+        const ssize_t written =
+            ::write(fd_, bytes, may_break_ ? std::min<std::size_t>(count, PIPE_BUF) : count);
         if (written < 0 && errno == EINTR) continue;
         if (written <= 0) {
             failed_errno_ = written < 0 ? errno : EIO;
             if (is_named_) remove_file();
             return;
         }
+        written_->fetch_add(static_cast<std::uint64_t>(written), std::memory_order_relaxed);
         bytes += written;
         count -= static_cast<std::size_t>(written);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -43,6 +44,8 @@ public:
     void commit(const std::uint8_t* end) noexcept { used_ = static_cast<std::size_t>(end - buffer_.get()); }
     void write(std::string_view text) noexcept;
     void flush() noexcept;
+    /// Counts what was taken, also while a write waits; may be read on other threads, and outlives this.
+    std::shared_ptr<const std::atomic<std::uint64_t>> written_bytes() const noexcept { return written_; }
     std::optional<Error> take_error();
     /// The trace will not be whole: a file that we made under a name is removed; nothing more is written.
     void discard() noexcept;
@@ -65,6 +68,7 @@ private:
     std::string name_;
     std::unique_ptr<std::uint8_t[]> buffer_;
     std::size_t used_ = 0;
+    std::shared_ptr<std::atomic<std::uint64_t>> written_ = std::make_shared<std::atomic<std::uint64_t>>(0);
 };
 
 }  // namespace psicarve

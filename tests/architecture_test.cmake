@@ -40,7 +40,8 @@ function(list_files out)
     set(${out} "${found}" PARENT_SCOPE)
 endfunction()
 
-# [arrows] hmi -> shared <- rtcore; [qt] widgets in hmi/ui alone; [real-time]; [root-include].
+# [arrows] hmi -> shared <- rtcore; [qt] widgets in hmi/ui alone; [commands] nothing leans on hmi/cli;
+# [real-time]; [root-include].
 function(check_include file target quoted)
     string(REGEX MATCH "^[a-z]+" includer "${file}")
     string(REGEX MATCH "^[a-z]+" included "${target}")
@@ -54,6 +55,9 @@ function(check_include file target quoted)
        OR (includer STREQUAL "rtcore" AND included MATCHES "^(hmi|tests)$")
        OR (includer STREQUAL "hmi" AND included MATCHES "^(rtcore|tests)$"))
         violation(arrows ${file} "includes ${target}: the arrows are hmi -> shared <- rtcore")
+    endif()
+    if(file MATCHES "^hmi/" AND NOT file MATCHES "^hmi/(cli/|psicarve_main\\.cpp)" AND target MATCHES "^hmi/cli/")
+        violation(commands ${file} "includes ${target}: what others need, too, does not belong to a command")
     endif()
     if(target MATCHES "^(Qt?[A-Z]|ui_|qcustomplot)" AND NOT file MATCHES
        "^((tests/)?hmi/ui|tests/hmi/x11|tests/bench/window)/")

@@ -34,6 +34,7 @@ struct JobOptions {
     double axis_y = 0.0;
     std::optional<double> height_mm;  ///< of the whole model; not together with scale
     std::optional<double> scale;      ///< mm per file unit; default 1
+    bool fits = false;  ///< as large as travel and blank let it be; not together with height or scale
     std::optional<Joining> joining;   ///< default: the profile's
     unsigned thread_count = 1;        ///< changes nothing in the job
     slice::Progress progress;         ///< of the slicing
@@ -45,8 +46,8 @@ struct BuiltJob {
     SliceReport report;  ///< also in table.report_json
 };
 
-/// Slices the mesh into the tables of a job for this machine. Refuses what the machine cannot carve and names
-/// the axis, what is wanted and what is allowed.
+/// Slices the mesh into the tables of a job for this machine, roughed as its profile asks for. Refuses what
+/// the machine cannot carve and names the axis, what is wanted and what is allowed.
 Result<BuiltJob> build_job(const model::Mesh& mesh, const Profile& profile, const JobOptions& options);
 
 }  // namespace psicarve::cam

@@ -12,12 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "hmi/cam/fitting_scale.hpp"
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/cam/slice_report.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/slice/best_axis.hpp"
 #include "hmi/slice/placement.hpp"
 #include "hmi/slice/slicer.hpp"
+#include "shared/decimals.hpp"
 #include "shared/profile.hpp"
 #include "shared/result.hpp"
 #include "shared/units.hpp"
@@ -35,12 +37,6 @@ struct Box {
     std::array<double, 3> max;
 };
 
-std::string fixed(double value) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.2f", value);
-    return text.data();
-}
-
 std::string digits(double value) {
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), "%.3g", value);
@@ -48,6 +44,8 @@ std::string digits(double value) {
 }
 
 Result<double> scale_of(const JobOptions& options, const Box& box) {
+    if (options.fits && (options.height_mm || options.scale))
+        return Error{ErrorCode::bad_usage, "--fit excludes --height and --scale: all set the size"};
     if (options.height_mm && options.scale) {
         return Error{ErrorCode::bad_usage, "--height and --scale exclude each other: both set the size"};
     }
@@ -93,14 +91,14 @@ Result<std::uint32_t> layers_of(const JobOptions& options, const Profile& profil
         if (most < kUsualLayers) {
             report.notes.push_back(std::to_string(most) + (most == 1 ? " layer" : " layers") + ", not " +
                                    std::to_string(kUsualLayers) + ": " + source_name + " is only " +
-                                   fixed(height_mm) + " mm high, and a layer needs a pulse of axis y");
+                                   decimals(height_mm, 2) + " mm high, and a layer needs a pulse of axis y");
         }
         return static_cast<std::uint32_t>(std::min<std::int64_t>(most, kUsualLayers));
     }
     if (*options.layer_count < 1) return Error{ErrorCode::bad_usage, "--layers must be at least 1"};
     if (*options.layer_count > most) {
         return bad_input(source_name + ": more layers than pulses: " + std::to_string(*options.layer_count) +
-                         " layers, but the model is only " + fixed(height_mm) + " mm, " +
+                         " layers, but the model is only " + decimals(height_mm, 2) + " mm, " +
                          std::to_string(most) + " pulses of axis y, high: at most --layers " +
                          std::to_string(most) + ", or make it higher with --height or --scale");
     }
@@ -143,6 +141,10 @@ Result<void> place_axis(const model::Mesh& mesh, const Profile& profile, const J
     if (options.axis_at == AxisAt::centre || options.axis_at == AxisAt::best) {
         plan.placement.axis_x = box.min[0] + 0.5 * (box.max[0] - box.min[0]);
         plan.placement.axis_y = box.min[1] + 0.5 * (box.max[1] - box.min[1]);
+        if (mesh.axis_hint && options.up == slice::Up::z) {
+            plan.placement.axis_x = (*mesh.axis_hint)[0];
+            plan.placement.axis_y = (*mesh.axis_hint)[1];
+        }
     } else if (options.axis_at == AxisAt::point) {
         if (!std::isfinite(options.axis_x) || !std::isfinite(options.axis_y)) {
             return Error{ErrorCode::bad_usage, "--axis-at needs two finite numbers"};
@@ -159,11 +161,26 @@ Result<void> place_axis(const model::Mesh& mesh, const Profile& profile, const J
     return {};
 }
 
+/// The scale; what is to fit needs its axis before.
+Result<void> settle_size(const model::Mesh& mesh, const Profile& profile, const JobOptions& options,
+                         const Box& box, JobPlan& plan, SliceReport& report) {
+    const auto scale = scale_of(options, box);
+    if (!scale) return scale.error();
+    plan.scale = *scale;
+    if (!options.fits) return {};
+    // While the axis is looked for, any radius can be made to fit.
+    plan.scale = std::numeric_limits<double>::min();
+    if (auto done = place_axis(mesh, profile, options, box, plan, report); !done) return done.error();
+    plan.scale = fitting_scale(mesh, profile, plan, report);
+    if (!(plan.scale > 0.0)) return bad_input(mesh.source_name + ": nothing fits above the base height");
+    return {};
+}
+
 void warn_about_units(const JobOptions& options, SliceReport& report) {
-    if (options.height_mm || options.scale) return;
+    if (options.height_mm || options.scale || options.fits) return;
     const double largest = *std::max_element(report.box_mm.begin(), report.box_mm.end());
     if (largest >= kSuspiciouslySmall_mm) return;
-    report.warnings.push_back("the model is only " + fixed(report.box_mm[2]) +
+    report.warnings.push_back("the model is only " + decimals(report.box_mm[2], 2) +
                               " mm high: are its units inches (--scale 25.4) or metres (--scale 1000)?");
 }
 
@@ -179,6 +196,35 @@ void warn_about_rounding(const model::Mesh& mesh, const Profile& profile, SliceR
         " mm): move it to the origin before it is exported");
 }
 
+/// Above the blank there is nothing to cut: layers go that neither tool nor half a layer reaches down from.
+Result<void> leave_out_above_blank(const Profile& profile, double lowest, const std::string& source_name,
+                                   JobPlan& plan, SliceReport& report) {
+    const double top_mm = profile.blank.height_mm;
+    if (!(top_mm > 0.0)) return {};
+    const double tool_mm = profile.tool.shape == ToolShape::point ? 0.0 : 0.5 * profile.tool.diameter_mm;
+    const double layer_mm = report.box_mm[2] / plan.layer_count;
+    const double reach_mm =
+        std::max(0.5 * layer_mm, tool_mm) + std::max(0.0, -profile.head_r2_height_error_mm);
+    constexpr double kRounded_mm = 1e-6;
+    const auto above = std::find_if(plan.heights.begin(), plan.heights.end(), [&](double height) {
+        const double y_mm = profile.job.base_height_mm + (height - lowest) * plan.scale;
+        return y_mm - reach_mm >= top_mm - kRounded_mm;
+    });
+    if (above == plan.heights.end()) return {};
+    if (above == plan.heights.begin()) {
+        return bad_input(source_name + ": stands " + decimals(profile.job.base_height_mm, 2) +
+                         " mm above the table, and the blank is only " + decimals(top_mm, 2) +
+                         " mm high: nothing of it is left to be carved");
+    }
+    report.layers_above_blank = static_cast<std::uint32_t>(plan.heights.end() - above);
+    plan.heights.erase(above, plan.heights.end());
+    report.layers = static_cast<std::uint32_t>(plan.heights.size());
+    report.warnings.push_back(
+        "above the blank's top there is nothing to cut: " + std::to_string(report.layers_above_blank) +
+        " of " + std::to_string(plan.layer_count) + " layers are left out");
+    return {};
+}
+
 }  // namespace
 
 double reachable_radius(const Profile& profile, double scale) {
@@ -186,7 +232,7 @@ double reachable_radius(const Profile& profile, double scale) {
     for (const Axis head : {Axis::r1, Axis::r2}) {
         const LinearAxisProfile& linear = head == Axis::r1 ? profile.r1 : profile.r2;
         const std::int64_t most = axis_motion(profile, head).travel_max_pulses;
-        least_mm = std::min(least_mm, mm_from_pulses(most, linear.pulses_per_mm) + linear.tip_offset_mm);
+        least_mm = std::min(least_mm, mm_from_pulses(most, linear.pulses_per_mm) + linear.tip_mm());
     }
     return least_mm / scale;
 }
@@ -194,10 +240,10 @@ double reachable_radius(const Profile& profile, double scale) {
 Error too_large(const std::string& source_name, const std::string& axis_name, double wanted_mm,
                 const AxisMotion& motion) {
     const auto mm = [&motion](std::int64_t pulses) {
-        return fixed(mm_from_pulses(pulses, motion.pulses_per_unit));
+        return decimals(mm_from_pulses(pulses, motion.pulses_per_unit), 2);
     };
     return bad_input(source_name + ": larger than the machine's travel: axis " + axis_name +
-                     " would have to go to " + fixed(wanted_mm) + " mm, allowed are " +
+                     " would have to go to " + decimals(wanted_mm, 2) + " mm, allowed are " +
                      mm(motion.travel_min_pulses) + " to " + mm(motion.travel_max_pulses) +
                      " mm; --height or --scale make it smaller");
 }
@@ -206,13 +252,15 @@ Result<JobPlan> plan_job(const model::Mesh& mesh, const Profile& profile, const 
                          SliceReport& report) {
     const Box box{slice::placed(options.up, mesh.facts.min), slice::placed(options.up, mesh.facts.max)};
     JobPlan plan;
-    const auto scale = scale_of(options, box);
-    if (!scale) return scale.error();
-    plan.scale = *scale;
+    if (auto done = settle_size(mesh, profile, options, box, plan, report); !done) return done.error();
     for (std::size_t k = 0; k < 3; ++k) report.box_mm[k] = (box.max[k] - box.min[k]) * plan.scale;
     report.format = mesh.format;
     report.triangles = mesh.triangles.size();
     report.scale = plan.scale;
+    constexpr std::array<const char*, 3> kUpNames{"x", "y", "z"};
+    report.up = kUpNames[static_cast<std::size_t>(options.up)];
+    report.body_json = mesh.body_json;
+    report.turn = mesh.turn;
     report.warnings = mesh.warnings;
     warn_about_units(options, report);
     warn_about_rounding(mesh, profile, report);
@@ -230,15 +278,19 @@ Result<JobPlan> plan_job(const model::Mesh& mesh, const Profile& profile, const 
     plan.point_count = report.points = *points;
     plan.layer_count = report.layers = *layers;
     plan.heights = slice::layer_heights(box.min[2], model_height, plan.layer_count);
+    if (auto good = leave_out_above_blank(profile, box.min[2], mesh.source_name, plan, report); !good)
+        return good.error();
     auto pulses = height_pulses(plan, profile, box, mesh.source_name);
     if (!pulses) return pulses.error();
     plan.height_pulses = std::move(*pulses);
     plan.joining = options.joining.value_or(profile.job.joining);
-    if (plan.joining == Joining::spiral && plan.layer_count > 1) {
+    if (plan.joining == Joining::spiral && plan.heights.size() > 1) {
         plan.height_pulses.push_back(plan.height_pulses.back());
         ++report.layers;
     }
-    if (auto done = place_axis(mesh, profile, options, box, plan, report); !done) return done.error();
+    if (!options.fits) {
+        if (auto done = place_axis(mesh, profile, options, box, plan, report); !done) return done.error();
+    }
     return plan;
 }
 

@@ -19,9 +19,9 @@ struct JobPlan {
     double scale = 1.0;  ///< mm per file unit
     slice::Placement placement;
     Joining joining = Joining::continuous;
-    std::uint32_t layer_count = 0;
+    std::uint32_t layer_count = 0;  ///< over the model's height
     std::uint32_t point_count = 0;
-    std::vector<double> heights;              ///< of the layers in the model, file units
+    std::vector<double> heights;              ///< in the model, file units, of the layers that are carved
     std::vector<std::int64_t> height_pulses;  ///< Y of the table's rows: a spiral closes with a ring
 };
 

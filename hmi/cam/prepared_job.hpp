@@ -2,9 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "hmi/cam/job_pulses.hpp"
+#include "hmi/cam/least_time.hpp"
+#include "hmi/model/mesh.hpp"
 #include "shared/job.hpp"
 #include "shared/profile.hpp"
 #include "shared/result.hpp"
@@ -17,9 +21,11 @@ struct PreparedJob {
     std::vector<std::byte> blob;
     JobView view;  ///< into `blob`: move, never copy
     Profile profile;
-    std::vector<std::string> warnings;  ///< of the slicer
+    std::shared_ptr<const model::Mesh> mesh;  ///< that it was sliced from, where it was asked for
+    std::vector<std::string> warnings;        ///< of the slicer, and of a profile with another blank
     std::vector<std::string> notes;
-    double least_seconds = 0.0;  ///< that carving it takes; 0: nobody has asked (least_time.hpp)
+    std::vector<PulseCounts> pulses_to_end;  ///< by layer; empty: nobody has asked (job_pulses.hpp)
+    LeastTime least;                         ///< that carving it takes, when somebody has asked
 
     PreparedJob() = default;
     PreparedJob(PreparedJob&&) = default;
@@ -30,5 +36,8 @@ struct PreparedJob {
 Result<PreparedJob> prepare_blob(std::vector<std::byte> blob, Profile profile, const std::string& path);
 /// The job of a snapshot that was loaded, for the machine it was made for.
 Result<PreparedJob> prepare_snapshot(Snapshot snapshot, const std::string& path);
+/// The same job for another machine, carved from its own blank: warns where that machine's profile tells of
+/// another.
+Result<PreparedJob> prepare_for(PreparedJob job, Profile machine, const std::string& path);
 
 }  // namespace psicarve::cam

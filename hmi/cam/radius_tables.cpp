@@ -42,7 +42,7 @@ RadiusTables::Head RadiusTables::make_head(const Profile& profile, Axis axis, do
     head.name = name_of(axis);
     head.pulses_per_mm = linear.pulses_per_mm;
     head.pulses_per_unit = linear.pulses_per_mm * scale;
-    head.tip_offset_pulses = linear.tip_offset_mm * linear.pulses_per_mm;
+    head.tip_offset_pulses = linear.tip_mm() * linear.pulses_per_mm;
     head.motion = axis_motion(profile, axis);
     // A tip that stands far out reaches the core radius only where the axis cannot go: it stops at the end of
     // its travel and leaves a little more of the core.
@@ -98,6 +98,14 @@ void RadiusTables::join_rows() {
         const std::size_t begin = layer * table_.point_count;
         for (Head* head : {&left_, &right_}) (*head->radii)[begin] = (*head->radii)[begin - 1];
     }
+}
+
+bool RadiusTables::hold_core_alone() const {
+    const auto is_core = [](const Head* head) {
+        return std::all_of(head->radii->begin(), head->radii->end(),
+                           [head](std::int32_t radius) { return radius == head->least_pulses; });
+    };
+    return is_core(&left_) && is_core(&right_);
 }
 
 Result<void> RadiusTables::check_travel(const std::string& source_name) const {

@@ -29,6 +29,8 @@ public:
     /// After all layers are filled, before all that follows: a spiral's rows begin where those before end.
     void join_rows();
     /// After all layers are filled: whether the heads can go where the tables send them.
+    /// Whether nothing but the core would be carved. Before `report`.
+    bool hold_core_alone() const;
     Result<void> check_travel(const std::string& source_name) const;
     /// After all layers are filled: keeps the heads apart and counts what was changed.
     void report(SliceReport& report);

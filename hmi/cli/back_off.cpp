@@ -8,7 +8,7 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{
+constexpr CommandText kBackOffText{
     "back-off", "In alarm: move one axis away from its tripped sensor until that clears",
     "The one motion allowed while a limit is tripped; at home speed. Then: psicarve reset-alarm.",
     "psicarve back-off r1"};
@@ -23,7 +23,7 @@ Result<int> back_off(const CommonOptions& common, const std::string& axis_name) 
     if (!after) return after.error();
     // It begins and ends in alarm; a new alarm on the way means that it did not work.
     if (after->alarm_count > before->alarm_count) return machine::alarm_error(*after);
-    report_motion(common, kText.name, *after);
+    report_motion(common, kBackOffText.name, *after);
     return kExitDone;
 }
 
@@ -31,7 +31,7 @@ Result<int> back_off(const CommonOptions& common, const std::string& axis_name) 
 
 void add_back_off(CommandSet& commands) {
     const auto axis = std::make_shared<std::string>();
-    commands.add(kText, [axis](const CommonOptions& common) { return back_off(common, *axis); })
+    commands.add(kBackOffText, [axis](const CommonOptions& common) { return back_off(common, *axis); })
         .choice_argument("AXIS", *axis, {"r1", "r2", "psi", "y"}, "The axis whose sensor is tripped");
 }
 

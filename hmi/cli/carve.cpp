@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "hmi/cli/carved_piece.hpp"
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
@@ -17,7 +18,7 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{
+constexpr CommandText kCarveText{
     "carve", "The main job: slice if needed, publish, home if needed, carve, verify, report",
     "Uses the core that serves the segment. When none does, starts one on the "
     "simulated machine with the virtual\n"
@@ -25,12 +26,13 @@ constexpr CommandText kText{
     "the machine; twice is an\nemergency stop.",
     "psicarve carve figurine.stl --picture carved.png --trace pins.vcd --json"};
 
-struct Options {
+struct CarveOptions {
     std::string path;
     std::string picture;
     std::string trace;
     bool real_time = false;
     ModelOptions model;
+    PieceFiles files;
 };
 
 /// The segment, if a core serves it. A segment that is not ours to use is an error, none at all is not.
@@ -42,7 +44,7 @@ Result<std::optional<machine::MachineLink>> running_core(const CommonOptions& co
     return std::optional{std::move(link).value()};
 }
 
-Result<void> check_options_for_running_core(const Options& options, const machine::MachineLink& link) {
+Result<void> check_options_for_running_core(const CarveOptions& options, const machine::MachineLink& link) {
     if (!options.real_time) return {};
     return Error{
         ErrorCode::machine_refused,
@@ -53,7 +55,7 @@ Result<void> check_options_for_running_core(const Options& options, const machin
 }
 
 machine::JobRun watched_run(machine::MachineLink& link, const PreparedJob& job) {
-    RunWatch watch{link};
+    RunWatch watch{link, job.view};
     machine::JobRun run = machine::run_job(link, job.blob, watch.watch());
     if (watch.was_stopped() && run.failure) run.failure = watch.stop_error(run.after);
     return run;
@@ -67,11 +69,13 @@ Result<int> carve_unseen(machine::MachineLink& link, const PreparedJob& job, con
     return print_run(report, common.json);
 }
 
-Result<int> carve_on_running_core(machine::MachineLink& link, const PreparedJob& job, const Options& options,
-                                  const CommonOptions& common) {
-    auto pins = machine::RecordedPins::start(link, job.view, job.profile, options.trace);
+Result<int> carve_on_running_core(machine::MachineLink& link, const PreparedJob& job,
+                                  const CarveOptions& options, const CommonOptions& common) {
+    const auto piece = CarvedPiece::make(job, job.mesh, options.files);
+    if (!piece) return piece.error();
+    auto pins = machine::RecordedPins::start(link, job.view, job.profile, options.trace, follower_of(*piece));
     if (!pins) {
-        if (!options.trace.empty() || !options.picture.empty()) return pins.error();
+        if (!options.trace.empty() || !options.picture.empty() || options.files.any()) return pins.error();
         return carve_unseen(link, job, pins.error(), common);
     }
     RunReport report = report_of(job.view, watched_run(link, job));
@@ -79,26 +83,32 @@ Result<int> carve_on_running_core(machine::MachineLink& link, const PreparedJob&
     if (const auto& failed = (*pins)->trace_failure(); failed && !report.failure) report.failure = *failed;
     warn_of_lost_pins(report);
     add_picture(report, job.view, (*pins)->surface(), options.picture);
+    add_piece(report, *piece);
     return print_run(report, common.json);
 }
 
-Result<int> carve(const CommonOptions& common, const Options& options) {
+Result<int> carve(const CommonOptions& common, const CarveOptions& options) {
     for (const std::string& path : {options.picture, options.trace}) {
         if (const auto writable = check_output_folder(path); !writable) return writable.error();
     }
+    if (const auto writable = check_piece_files(options.files); !writable) return writable.error();
     auto running = running_core(common);
     if (!running) return running.error();
     if (*running) {
         const auto fits = check_options_for_running_core(options, **running);
         if (!fits) return fits.error();
     }
-    const auto job = prepare_job(options.path, options.model, common);
+    ModelOptions model = options.model;
+    model.keeps_mesh = options.files.any();
+    const auto job = prepare_job(options.path, model, common);
     if (!job) return job.error();
     if (*running) return carve_on_running_core(**running, *job, options, common);
     machine::CoreLaunch launch;
     launch.segment_name = common.segment;
     launch.group = common.group;
     launch.on_real_clock = options.real_time;
+    // As fast as it goes: what is done tells how long the rest takes.
+    launch.no_estimate = !options.real_time;
     // What a wall clock drives is a machine at work: that goes on without us.
     launch.outlives_us = options.real_time;
     launch.capacity_layers = std::max(launch.capacity_layers, job->view.layer_count());
@@ -107,19 +117,25 @@ Result<int> carve(const CommonOptions& common, const Options& options) {
     const auto run_it = [&job](machine::VerifiedCore& core, const machine::StatusWatch& watch) {
         return machine::run_job(core.link(), job->blob, watch);
     };
-    return simulated_run(std::move(launch), *job, {run_it, options.picture, common.json});
+    const auto piece = CarvedPiece::make(*job, job->mesh, options.files);
+    if (!piece) return piece.error();
+    return simulated_run(std::move(launch), *job, {run_it, options.picture, common.json, &*piece});
 }
 
 }  // namespace
 
 void add_carve(CommandSet& commands) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CarveOptions>();
     Syntax syntax =
-        commands.add(kText, [options](const CommonOptions& common) { return carve(common, *options); });
-    syntax.argument("MODEL|JOB", options->path, "A mesh (STL, OBJ, PLY, 3MF, OFF), or a job or snapshot file")
+        commands.add(kCarveText, [options](const CommonOptions& common) { return carve(common, *options); });
+    syntax
+        .argument("MODEL|JOB", options->path,
+                  "A mesh, drawing, picture or table, as slice takes them, or a job or snapshot file")
         .picture_option(options->picture)
         .option("--trace", options->trace, "OUT.vcd", "Record every pin: .vcd, or compact binary")
         .flag("--real-time", options->real_time, "A core of our own runs by the wall clock");
+    add_piece_options(syntax, options->files);
+
     add_model_options(syntax, options->model);
 }
 

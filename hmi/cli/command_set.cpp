@@ -45,12 +45,21 @@ std::string check_png_name(const std::string& name) {
                             : "'" + name + "': a picture is a PNG file, its name ends in .png";
 }
 
+bool is_number(const std::string& text, double& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
+}
+
 std::string check_more_than_zero(const std::string& text) {
     double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool is_good =
-        error == std::errc{} && end == text.data() + text.size() && value > 0.0 && std::isfinite(value);
+    const bool is_good = is_number(text, value) && value > 0.0;
     return is_good ? std::string{} : "'" + text + "' is not a number greater than 0";
+}
+
+std::string check_at_least_zero(const std::string& text) {
+    double value = 0.0;
+    const bool is_good = is_number(text, value) && value >= 0.0;
+    return is_good ? std::string{} : "'" + text + "' is not a number from 0 on";
 }
 
 /// "x|y|z"
@@ -115,6 +124,12 @@ Syntax& Syntax::option(const char* names, std::uint32_t& target, std::uint32_t l
 
 Syntax& Syntax::option(const char* names, std::optional<double>& target, const char* type, const char* help) {
     app_->add_option(names, target, help)->type_name(type)->check(check_more_than_zero);
+    return *this;
+}
+
+Syntax& Syntax::option_from_zero(const char* names, std::optional<double>& target, const char* type,
+                                 const char* help) {
+    app_->add_option(names, target, help)->type_name(type)->check(check_at_least_zero);
     return *this;
 }
 

@@ -60,6 +60,9 @@ public:
                    const char* help);
     /// A number greater than zero.
     Syntax& option(const char* names, std::optional<double>& target, const char* type, const char* help);
+    /// A number that may be zero.
+    Syntax& option_from_zero(const char* names, std::optional<double>& target, const char* type,
+                             const char* help);
     /// --picture, whose file is a PNG.
     Syntax& picture_option(std::string& target);
     Syntax& choice(const char* names, std::string& target, const std::vector<std::string>& words,

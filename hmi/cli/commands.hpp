@@ -7,12 +7,15 @@ namespace psicarve::cli {
 
 // One file each, named like the command.
 void add_back_off(CommandSet& commands);
+void add_calibrate(CommandSet& commands);
 void add_carve(CommandSet& commands);
 void add_doctor(CommandSet& commands);
 void add_drives_off(CommandSet& commands);
+void add_estimate(CommandSet& commands);
 void add_estop(CommandSet& commands);
 void add_hold(CommandSet& commands);
 void add_home(CommandSet& commands);
+void add_inspect(CommandSet& commands);
 void add_jog(CommandSet& commands);
 void add_latency(CommandSet& commands);
 void add_move(CommandSet& commands);

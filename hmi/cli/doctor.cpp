@@ -10,11 +10,12 @@
 #include "hmi/cli/operator_break.hpp"
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/doctor/checks.hpp"
+#include "hmi/report/latency_report.hpp"
 
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{
+constexpr CommandText kDoctorText{
     "doctor", "Check this computer before it drives a machine",
     "Rights, kernel, processors, clock, memory and ports, each with what it means and what to do; then a\n"
     "latency measurement of ten seconds. Touches no machine. Exit code 4 when there is a problem that keeps "
@@ -24,7 +25,7 @@ constexpr CommandText kText{
 
 constexpr std::uint32_t kMostSeconds = 3600;
 
-struct Options {
+struct DoctorOptions {
     machine::LatencyWish wish;
     bool no_latency = false;
 };
@@ -76,7 +77,7 @@ Result<machine::LatencyResult> measured(const machine::LatencyWish& wish) {
     return result;
 }
 
-Result<int> examine(const CommonOptions& common, const Options& options) {
+Result<int> examine(const CommonOptions& common, const DoctorOptions& options) {
     const auto findings = doctor::check_all(doctor::SystemFiles{});
     const doctor::Verdict worst = doctor::worst_of(findings);
     nlohmann::ordered_json report{{"verdict", word_of(worst)}, {"findings", json_of(findings)}};
@@ -87,7 +88,7 @@ Result<int> examine(const CommonOptions& common, const Options& options) {
     if (!options.no_latency) {
         const auto result = measured(options.wish);
         if (!result) return result.error();
-        report["latency"] = latency_json(*result, options.wish);
+        report["latency"] = report::latency_json(*result, options.wish);
         if (!common.json) std::fputs(("\n" + latency_text(*result, options.wish)).c_str(), stdout);
     }
     if (common.json) std::printf("%s\n", report.dump().c_str());
@@ -97,8 +98,8 @@ Result<int> examine(const CommonOptions& common, const Options& options) {
 }  // namespace
 
 void add_doctor(CommandSet& commands) {
-    const auto options = std::make_shared<Options>();
-    commands.add(kText, [options](const CommonOptions& common) { return examine(common, *options); })
+    const auto options = std::make_shared<DoctorOptions>();
+    commands.add(kDoctorText, [options](const CommonOptions& common) { return examine(common, *options); })
         .flag("--no-latency", options->no_latency, "Measure nothing")
         .option("--seconds", options->wish.seconds, 1, kMostSeconds, "Of the measurement; 10 if not given");
 }

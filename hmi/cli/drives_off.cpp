@@ -5,11 +5,11 @@
 namespace psicarve::cli {
 
 void add_drives_off(CommandSet& commands) {
-    constexpr CommandText kText{
+    constexpr CommandText kDrivesOffText{
         "drives-off", "Switch all drives off, the machine at rest",
         "The axes can be turned by hand then, so their positions are lost: home again.",
         "psicarve drives-off"};
-    commands.add(kText, [](const CommonOptions& common) {
+    commands.add(kDrivesOffText, [](const CommonOptions& common) {
         return motion_body(common, {CommandKind::drives_off, {}, {MachineState::off}});
     });
 }

@@ -3,27 +3,22 @@
 
 #include <string>
 
+#include "hmi/report/exit_code.hpp"
 #include "shared/result.hpp"
 
 namespace psicarve::cli {
 
-inline constexpr int kExitDone = 0;
-inline constexpr int kExitUsage = 2;
-inline constexpr int kExitBadInput = 3;
-inline constexpr int kExitMachine = 4;
-inline constexpr int kExitDifference = 6;
-
-/// The exit code of the command line for an error.
-int exit_code_of(ErrorCode code) noexcept;
+using report::error_json;
+using report::exit_code_of;
+using report::kExitBadInput;
+using report::kExitDifference;
+using report::kExitDone;
+using report::kExitMachine;
+using report::kExitUsage;
 
 /// The one way in which a command says that it failed: "psicarve: ..." on standard error and, for a program
 /// that reads us (--json), the same as one object on standard output. Returns the exit code.
 int report_error(const Error& error, bool as_json);
-
-/// {"error": {...}} without printing it.
-std::string error_json(const Error& error);
-/// Where the command ends with another exit code than the error's own.
-std::string error_json(const Error& error, int exit_code);
 
 /// "psicarve: warning: ..." on standard error.
 void print_warning(const std::string& text);

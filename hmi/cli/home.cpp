@@ -8,7 +8,7 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{
+constexpr CommandText kHomeText{
     "home", "Find the home positions, of all axes or of some",
     "R1 and R2 go out to their sensors first, then Y to its own, then Psi to its index. Waits until that is\n"
     "done. Y and Psi alone only once R1 and R2 are homed.",
@@ -27,7 +27,7 @@ Result<int> home(const CommonOptions& common, const std::vector<std::string>& na
     if (!link) return link.error();
     const auto status = run_motion(*link, command);
     if (!status) return status.error();
-    report_motion(common, kText.name, *status);
+    report_motion(common, kHomeText.name, *status);
     return kExitDone;
 }
 
@@ -35,7 +35,7 @@ Result<int> home(const CommonOptions& common, const std::vector<std::string>& na
 
 void add_home(CommandSet& commands) {
     const auto names = std::make_shared<std::vector<std::string>>();
-    commands.add(kText, [names](const CommonOptions& common) { return home(common, *names); })
+    commands.add(kHomeText, [names](const CommonOptions& common) { return home(common, *names); })
         .optional_arguments("AXIS", *names, "r1, r2, psi, y: these alone");
 }
 

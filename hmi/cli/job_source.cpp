@@ -13,9 +13,15 @@
 #include <utility>
 
 #include "hmi/cam/job_builder.hpp"
+#include "hmi/cam/job_plan.hpp"
+#include "hmi/cam/table_job.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/progress_bar.hpp"
-#include "hmi/model/load_mesh.hpp"
+#include "hmi/cli/turn_choice.hpp"
+#include "hmi/flat/load_model.hpp"
+#include "hmi/model/turned_mesh.hpp"
+#include "hmi/rough/roughing.hpp"
+#include "shared/decimals.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -61,6 +67,7 @@ Result<cam::JobOptions> job_options(const ModelOptions& options) {
     if (const auto read = read_axis_at(options.axis_at, job); !read) return read.error();
     job.height_mm = options.height_mm;
     job.scale = options.scale;
+    job.fits = options.fits;
     job.joining = joining_from_name(options.joining);
     job.thread_count =
         options.thread_count > 0 ? options.thread_count : std::max(1U, std::thread::hardware_concurrency());
@@ -69,17 +76,180 @@ Result<cam::JobOptions> job_options(const ModelOptions& options) {
 
 bool has_any(const ModelOptions& options) {
     return options.layer_count > 0 || options.point_count > 0 || !options.up.empty() ||
-           !options.axis_at.empty() || !options.joining.empty() || options.height_mm || options.scale;
+           !options.axis_at.empty() || !options.joining.empty() || !options.tool.empty() ||
+           !options.blank.empty() || !options.blank_at.empty() || options.depth_limit_mm ||
+           options.stepdown_mm || options.allowance_mm || options.stepover_mm || options.finish_only ||
+           !options.rotate.empty() || !options.mirror.empty() || options.fits || options.height_mm ||
+           options.scale || has_any(options.flat);
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (std::size_t end = 0; end != std::string_view::npos;) {
+        end = text.find(separator);
+        parts.push_back(text.substr(0, end));
+        if (end != std::string_view::npos) text.remove_prefix(end + 1);
+    }
+    return parts;
+}
+
+/// "point", "ball:3", "flat:2", "vee:6:60".
+Result<void> read_tool(const std::string& text, ToolProfile& tool) {
+    if (text.empty()) return {};
+    const auto parts = split(text, ':');
+    const auto shape = tool_shape_from_name(parts[0]);
+    const std::size_t wanted = shape == ToolShape::point ? 1 : shape == ToolShape::vee ? 3 : 2;
+    const ProfileBounds sizes_mm = profile_bounds("tool.diameter_mm");
+    const bool is_good = shape && parts.size() == wanted &&
+                         (wanted < 2 || parse_number(parts[1], tool.diameter_mm)) &&
+                         (wanted < 3 || parse_number(parts[2], tool.angle_deg));
+    if (!is_good || !sizes_mm.hold(tool.diameter_mm) ||
+        !profile_bounds("tool.angle_deg").hold(tool.angle_deg)) {
+        return Error{ErrorCode::bad_usage, "--tool: '" + text +
+                                               "' is none of point, ball:MM, flat:MM, vee:MM:DEGREES (as in "
+                                               "ball:3 or vee:6:60), " +
+                                               decimals(sizes_mm.least, 3) + " to " +
+                                               decimals(sizes_mm.greatest, 0) + " mm across"};
+    }
+    tool.shape = *shape;
+    return {};
+}
+
+/// "30x60".
+Result<void> read_blank(const std::string& text, BlankProfile& blank) {
+    if (text.empty()) return {};
+    const auto parts = split(text, 'x');
+    if (parts.size() != 2 || !parse_number(parts[0], blank.radius_mm) ||
+        !parse_number(parts[1], blank.height_mm) || !(blank.radius_mm > 0.0) || !(blank.height_mm > 0.0)) {
+        return Error{ErrorCode::bad_usage,
+                     "--blank: '" + text + "' is not RADIUSxHEIGHT in mm (as in 30x60)"};
+    }
+    return {};
+}
+
+/// "1.5,-2".
+Result<void> read_blank_at(const std::string& text, BlankProfile& blank) {
+    if (text.empty()) return {};
+    const auto parts = split(text, ',');
+    if (parts.size() != 2 || !parse_number(parts[0], blank.offset_x_mm) ||
+        !parse_number(parts[1], blank.offset_z_mm)) {
+        return Error{ErrorCode::bad_usage, "--blank-at: '" + text + "' is not X,Z in mm (as in 1.5,-2)"};
+    }
+    if (std::hypot(blank.offset_x_mm, blank.offset_z_mm) < blank.radius_mm) return {};
+    return Error{ErrorCode::bad_usage,
+                 "--blank-at: the table's axis would be outside the blank; --blank says how large that is"};
+}
+
+Result<void> read_depth_limit(const std::optional<double>& limit_mm, BlankProfile& blank) {
+    if (!limit_mm) return {};
+    blank.depth_limit_mm = *limit_mm;
+    if (!(*limit_mm > 0.0) || !std::isfinite(*limit_mm))
+        return Error{ErrorCode::bad_usage, "--depth-limit must be more than 0 mm"};
+    if (blank.radius_mm > 0.0) return {};
+    return Error{ErrorCode::bad_usage,
+                 "--depth-limit is counted from the blank's surface: --blank says where that is"};
+}
+
+/// Asked for as the profile does, but for what the options say.
+Result<void> read_roughing(const ModelOptions& options, Profile& profile) {
+    RoughingProfile& roughing = profile.roughing;
+    const bool has_details = options.allowance_mm || options.stepover_mm;
+    if (options.finish_only && (options.stepdown_mm || has_details)) {
+        return Error{ErrorCode::bad_usage,
+                     "--finish-only excludes --stepdown, --allowance and --stepover: these are of roughing"};
+    }
+    if (options.finish_only) roughing.stepdown_mm = 0.0;
+    roughing.stepdown_mm = options.stepdown_mm.value_or(roughing.stepdown_mm);
+    roughing.allowance_mm = options.allowance_mm.value_or(roughing.allowance_mm);
+    roughing.stepover_mm = options.stepover_mm.value_or(roughing.stepover_mm);
+    auto wanted = rough::wanted_roughing(profile);
+    if (!wanted && has_details) {
+        return Error{ErrorCode::bad_usage,
+                     "--allowance and --stepover are of roughing, which needs --stepdown MM or the profile's "
+                     "roughing.stepdown_mm"};
+    }
+    if (!wanted) return {};
+    if (options.stepover_mm) wanted->stepover_mm = options.stepover_mm;
+    return rough::check_options(*wanted, profile);
+}
+
+/// Of the machine, with the tool, the blank and the roughing that the options name.
+Result<Profile> profile_for(const ModelOptions& options, const CommonOptions& common) {
+    auto profile = chosen_profile(common);
+    if (!profile) return profile;
+    if (const auto read = read_tool(options.tool, profile->tool); !read) return read.error();
+    if (const auto read = read_blank(options.blank, profile->blank); !read) return read.error();
+    if (const auto read = read_blank_at(options.blank_at, profile->blank); !read) return read.error();
+    if (const auto read = read_depth_limit(options.depth_limit_mm, profile->blank); !read)
+        return read.error();
+    if (const auto read = read_roughing(options, *profile); !read) return read.error();
+    return profile;
+}
+
+Result<PreparedJob> prepared(cam::BuiltJob built, const Profile& profile, const std::string& path) {
+    auto job = cam::prepare_blob(job_blob_from_table(built.table), profile, path);
+    if (job) job->warnings = std::move(built.report.warnings);
+    if (job) job->notes = std::move(built.report.notes);
+    return job;
+}
+
+/// A table of radii is a job but for the machine.
+Result<PreparedJob> job_of_table(const std::string& path, ModelOptions options, const Profile& profile) {
+    const auto joining = joining_from_name(std::exchange(options.joining, {}));
+    options.thread_count = 0;
+    options.tool.clear();
+    options.blank.clear();
+    options.blank_at.clear();
+    options.depth_limit_mm.reset();
+    options.stepdown_mm = options.allowance_mm = options.stepover_mm = std::nullopt;
+    options.finish_only = false;
+    if (has_any(options)) {
+        return Error{ErrorCode::bad_usage,
+                     path +
+                         " is a table, whose layers and radii are taken as they stand: of the options for "
+                         "models only --joining, --tool, those of the blank and of roughing apply"};
+    }
+    auto built = cam::job_from_table(path, profile, joining);
+    if (!built) return built.error();
+    return prepared(std::move(*built), profile, path);
+}
+
+/// The body, turned, and what is left to be said of its size.
+Result<std::shared_ptr<const model::Mesh>> body_of(const std::string& path, const ModelOptions& options,
+                                                   const Profile& profile, cam::JobOptions& how) {
+    // A drawing is made as large as it is asked for when it becomes a body; then it stays so.
+    const flat::ModelKind kind = flat::kind_of_model(path);
+    if (kind == flat::ModelKind::mesh && options.height_mm && options.scale) {
+        return Error{ErrorCode::bad_usage, "--height excludes --scale: both set the size of a mesh"};
+    }
+    if (kind == flat::ModelKind::drawing && options.scale && options.flat.is_full_turn) {
+        return Error{ErrorCode::bad_usage, "--full-turn excludes --scale: both set the drawing's size"};
+    }
+    if (kind == flat::ModelKind::picture && (options.fits || options.scale)) {
+        return Error{ErrorCode::bad_usage,
+                     "--fit and --scale are not for pictures: --diameter says how large a cylinder is"};
+    }
+    auto flat = flat_options(options.flat, kind, profile, path);
+    if (!flat) return flat.error();
+    if (kind != flat::ModelKind::mesh) flat->height_mm = std::exchange(how.height_mm, std::nullopt);
+    if (kind == flat::ModelKind::drawing) flat->scale = std::exchange(how.scale, std::nullopt).value_or(1.0);
+    auto loaded = flat::load_model(path, *flat);
+    if (!loaded) return loaded.error();
+    const auto turn = mesh_turn(options.rotate, options.mirror, how.up);
+    if (!turn) return turn.error();
+    return std::make_shared<const model::Mesh>(model::turned(std::move(loaded).value(), *turn));
 }
 
 Result<PreparedJob> slice_model(const std::string& path, const ModelOptions& options,
                                 const CommonOptions& common) {
     auto how = job_options(options);
     if (!how) return how.error();
-    const auto profile = chosen_profile(common);
+    const auto profile = profile_for(options, common);
     if (!profile) return profile.error();
-    const auto mesh = model::load_mesh(path);
-    if (!mesh) return mesh.error();
+    if (cam::is_table_file(path)) return job_of_table(path, options, *profile);
+    const auto body = body_of(path, options, *profile, *how);
+    if (!body) return body.error();
+    const std::shared_ptr<const model::Mesh>& mesh = *body;
     auto built = [&] {
         ProgressBar bar{"slicing"};
         const auto show = [&bar](const char* phase) {
@@ -94,9 +264,8 @@ Result<PreparedJob> slice_model(const std::string& path, const ModelOptions& opt
         return cam::build_job(*mesh, *profile, *how);
     }();
     if (!built) return built.error();
-    auto job = cam::prepare_blob(job_blob_from_table(built->table), *profile, path);
-    if (job) job->warnings = std::move(built->report.warnings);
-    if (job) job->notes = std::move(built->report.notes);
+    auto job = prepared(std::move(*built), *profile, path);
+    if (job && options.keeps_mesh) job->mesh = mesh;
     return job;
 }
 
@@ -116,14 +285,44 @@ void add_model_options(Syntax& syntax, ModelOptions& options) {
                 "Points per head and layer, half a turn (default 500)")
         .choice("--up", options.up, {"x", "y", "z"}, "The model's axis that stands upright (default z)")
         .option("--axis-at", options.axis_at, "X,Y|origin|best",
-                "Where the rotation axis passes through the model (default: the middle of its bounding box)")
-        .option("--height", options.height_mm, "MM", "Scale the model, uniformly, to this height")
-        .option("--scale", options.scale, "F", "Scale the model, uniformly, by this factor")
-        .excludes("--height", "--scale")
+                "Where the rotation axis passes through the model (default: the middle of a mesh's bounding "
+                "box, the "
+                "centroid of a drawing's area)")
+        .option("--height", options.height_mm, "MM",
+                "Scale a mesh, uniformly, to this height; make a drawing's or picture's body so high")
+        .option("--scale", options.scale, "F", "Scale a mesh or a drawing, uniformly, by this factor")
+        .flag("--fit", options.fits,
+              "Scale a mesh or a drawing's body, uniformly, as large as travel and blank let it be")
+        .option("--rotate", options.rotate, "DEG|X,Y,Z",
+                "Turn the model by degrees about its upright axis, or about the file's x, y and z axis one "
+                "after another")
+        .choice("--mirror", options.mirror, {"x", "y", "z"},
+                "Mirror the model along this axis of the file, before it is turned")
         .choice("--joining", options.joining, {"continuous", "zigzag", "spiral"},
                 "How one layer follows another (default: the profile's); a spiral rises as it turns")
+        .option("--tool", options.tool, "SHAPE:MM",
+                "What both heads carve with (default: the profile's): point, ball:3, flat:2, vee:6:60; "
+                "diameter in "
+                "mm, angle between a vee's flanks in degrees")
+        .option("--blank", options.blank, "RADIUSxHEIGHT",
+                "The cylinder that is carved, in mm (default: the profile's)")
+        .option("--blank-at", options.blank_at, "X,Z",
+                "Where its axis stands off the table's, in mm towards direction 0 and 90 degrees")
+        .option("--depth-limit", options.depth_limit_mm, "MM",
+                "No tip goes deeper than this below the blank's surface")
+        .option("--stepdown", options.stepdown_mm, "MM",
+                "Rough the blank down first, by passes that go so much further in each; needs a blank "
+                "(default: the profile's, which may be none)")
+        .option_from_zero("--allowance", options.allowance_mm, "MM",
+                          "What roughing leaves for the finishing pass (default: the profile's)")
+        .option("--stepover", options.stepover_mm, "MM",
+                "Between roughing's layers (default: the profile's; where that says none, 3/4 of a flat "
+                "tool's diameter, 1/2 of a ball's, 1/4 of a "
+                "vee's; a point carves every layer)")
+        .flag("--finish-only", options.finish_only, "No roughing: the finishing pass alone")
         .option("--threads", options.thread_count, 1, kMostThreads,
                 "Threads that slice (default: one a processor); the job is the same for any number");
+    add_flat_options(syntax, options.flat);
 }
 
 Result<Profile> chosen_profile(const CommonOptions& common) {
@@ -136,17 +335,36 @@ Result<Profile> chosen_profile(const CommonOptions& common) {
     return job_profile(*job);
 }
 
-Result<PreparedJob> job_of_snapshot(Snapshot snapshot, const std::string& path, const CommonOptions& common) {
+Result<PreparedJob> job_of_snapshot(Snapshot snapshot, const std::string& path, const CommonOptions& common,
+                                    ProfileUse use) {
     auto job = cam::prepare_snapshot(std::move(snapshot), path);
     if (!job || common.profile.empty()) return job;
     auto other = chosen_profile(common);
     if (!other) return other.error();
-    const auto differing = motion_differences(job->profile, *other);
+    const auto differing = use == ProfileUse::judge ? place_differences(job->profile, *other)
+                                                    : job_differences(job->profile, *other);
     if (!differing.empty()) {
         return bad_input(path + ": made for another machine than " + common.profile + ": " +
                          joined(differing) + " differ; slice the model again with that profile");
     }
-    return cam::prepare_blob(std::move(job->blob), std::move(other).value(), path);
+    return cam::prepare_for(std::move(job).value(), std::move(other).value(), path);
+}
+
+Result<PlacedBody> place_body(const std::string& path, const ModelOptions& options,
+                              const CommonOptions& common) {
+    auto how = job_options(options);
+    if (!how) return how.error();
+    const auto profile = profile_for(options, common);
+    if (!profile) return profile.error();
+    if (cam::is_table_file(path)) return bad_input(path + ": is a table, which has no body");
+    auto body = body_of(path, options, *profile, *how);
+    if (!body) return body.error();
+    cam::SliceReport report;
+    const auto plan = cam::plan_job(**body, *profile, *how, report);
+    if (!plan) return plan.error();
+    return PlacedBody{*profile,
+                      {std::move(body).value(), plan->placement, plan->scale, profile->job.base_height_mm,
+                       profile->core_radius_mm}};
 }
 
 Result<PreparedJob> prepare_job(const std::string& path, const ModelOptions& options,

@@ -9,6 +9,8 @@
 
 #include "hmi/cam/prepared_job.hpp"
 #include "hmi/cli/command_set.hpp"
+#include "hmi/cli/flat_choice.hpp"
+#include "hmi/piece/placed_model.hpp"
 #include "shared/profile.hpp"
 #include "shared/result.hpp"
 #include "shared/snapshot_file.hpp"
@@ -23,8 +25,21 @@ struct ModelOptions {
     std::string up;
     std::string axis_at;
     std::string joining;
+    std::string tool;
+    std::string blank;
+    std::string blank_at;
+    std::optional<double> depth_limit_mm;
     std::optional<double> height_mm;
     std::optional<double> scale;
+    std::string rotate;
+    std::string mirror;
+    bool fits = false;
+    std::optional<double> stepdown_mm;
+    std::optional<double> allowance_mm;
+    std::optional<double> stepover_mm;
+    bool finish_only = false;
+    FlatChoice flat;
+    bool keeps_mesh = false;  ///< not of the command line: PreparedJob::mesh is wanted
 };
 void add_model_options(Syntax& syntax, ModelOptions& options);
 
@@ -33,8 +48,19 @@ using cam::PreparedJob;
 /// Slices a model, or loads a job or snapshot. Errors: the file is wrong, or the machine cannot carve it.
 Result<PreparedJob> prepare_job(const std::string& path, const ModelOptions& options,
                                 const CommonOptions& common);
+/// A model as it would stand, not sliced, and the machine with what the options name.
+struct PlacedBody {
+    Profile profile;
+    piece::PlacedModel model;
+};
+Result<PlacedBody> place_body(const std::string& path, const ModelOptions& options,
+                              const CommonOptions& common);
+/// What another profile than the job's own is for: a job may be judged by the limits of any machine on which
+/// its pulses mean the same.
+enum class ProfileUse : std::uint8_t { carve, judge };
 /// The job of a snapshot that was loaded.
-Result<PreparedJob> job_of_snapshot(Snapshot snapshot, const std::string& path, const CommonOptions& common);
+Result<PreparedJob> job_of_snapshot(Snapshot snapshot, const std::string& path, const CommonOptions& common,
+                                    ProfileUse use = ProfileUse::carve);
 
 /// --profile, which may be TOML or a job file; without it the built-in one.
 Result<Profile> chosen_profile(const CommonOptions& common);

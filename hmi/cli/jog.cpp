@@ -12,24 +12,24 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{
+constexpr CommandText kJogText{
     "jog", "Move one axis by a distance, or on and on until Ctrl-C",
     "DISTANCE is in mm, for psi in degrees; + or - goes on until Ctrl-C or the end of the travel. At home\n"
     "speed if no other is given. The machine must be homed and ready. A jog ends by itself when this program "
     "does.",
     "psicarve jog r1 -2.5\n  psicarve jog psi + --speed 30"};
 
-struct Options {
+struct JogOptions {
     std::string axis;
     std::string distance;
     std::optional<double> speed;
 };
 
-bool goes_on(const Options& options) {
+bool goes_on(const JogOptions& options) {
     return options.distance == "+" || options.distance == "-";
 }
 
-Result<machine::HeldJog> begin_jog(machine::MachineLink& link, const Options& options, double distance) {
+Result<machine::HeldJog> begin_jog(machine::MachineLink& link, const JogOptions& options, double distance) {
     const auto named = axis_from_name(options.axis);
     const machine::JogAxis axis = named ? machine::JogAxis{*named} : machine::JogAxis::heads();
     const double speed = options.speed.value_or(0.0);
@@ -50,7 +50,7 @@ Result<void> judge_end(const CoreStatus& status, bool may_be_released) {
     return Error{ErrorCode::machine_refused, "jog: ended early: somebody stopped the machine"};
 }
 
-Result<int> jog(const CommonOptions& common, const Options& options) {
+Result<int> jog(const CommonOptions& common, const JogOptions& options) {
     double distance = 0.0;
     if (!goes_on(options)) {
         const auto number = number_argument("DISTANCE", options.distance);
@@ -73,15 +73,15 @@ Result<int> jog(const CommonOptions& common, const Options& options) {
     const auto end = link->wait_for_state({MachineState::ready}, watch);
     if (!end) return end.error();
     if (const auto went = judge_end(*end, goes_on(options)); !went) return went.error();
-    report_motion(common, kText.name, *end);
+    report_motion(common, kJogText.name, *end);
     return kExitDone;
 }
 
 }  // namespace
 
 void add_jog(CommandSet& commands) {
-    const auto options = std::make_shared<Options>();
-    commands.add(kText, [options](const CommonOptions& common) { return jog(common, *options); })
+    const auto options = std::make_shared<JogOptions>();
+    commands.add(kJogText, [options](const CommonOptions& common) { return jog(common, *options); })
         .choice_argument("AXIS", options->axis, {"r1", "r2", "psi", "y", "heads"},
                          "The axis to move; heads: R1 and R2 together")
         .argument("DISTANCE", options->distance, "How far [mm; psi: deg], or + or - to go on")

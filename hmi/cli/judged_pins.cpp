@@ -20,9 +20,21 @@ void add_verification(RunReport& report, Result<verify::VerifyReport> verificati
     }
 }
 
+void miss(RunReport& report, const std::string& what) {
+    if (!report.failure)
+        report.failure =
+            Error{ErrorCode::machine_refused, what + ": not verified: " + report.unverified_reason};
+}
+
+void require_verification(RunReport& report) {
+    if (report.verification || report.failure || !report.figures.is_complete) return;
+    report.failure = Error{ErrorCode::machine_refused, "not verified: " + report.unverified_reason};
+}
+
 void add_picture(RunReport& report, const JobView& job, const verify::CarvedSurface& surface,
                  const std::string& picture_path) {
-    if (!report.verification || picture_path.empty()) return;
+    if (picture_path.empty()) return;
+    if (!report.verification) return miss(report, picture_path + ": the carved piece cannot be drawn");
     auto caption = verify::caption_of(job, *report.verification);
     caption.has_lost_steps = !report.lost_steps.empty();
     const auto drawn = verify::write_picture(picture_path, surface, caption);

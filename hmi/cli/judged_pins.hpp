@@ -15,6 +15,11 @@ namespace psicarve::cli {
 /// A job that was not carved to its end is neither right nor wrong. Its pins were counted all the same.
 void add_verification(RunReport& report, Result<verify::VerifyReport> verification);
 
+/// What was asked for and only a verification could give.
+void miss(RunReport& report, const std::string& what);
+/// Nobody has kept the pins of this run from being judged: where they were not, it has failed.
+void require_verification(RunReport& report);
+
 /// The carved piece, if it was judged and a picture was asked for.
 void add_picture(RunReport& report, const JobView& job, const verify::CarvedSurface& surface,
                  const std::string& picture_path);

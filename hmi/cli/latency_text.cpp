@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "shared/units.hpp"
 
@@ -35,7 +34,7 @@ std::string picture_of(const machine::LatencyResult& result) {
     if (rows.empty()) return {};
     std::uint64_t most = 1;
     for (const auto& [row, ticks] : rows) most = std::max(most, ticks);
-    std::string text = "   us late   ticks\n";
+    std::string text = "   us late   ticks   (bars are logarithmic)\n";
     for (unsigned row = rows.begin()->first; row <= rows.rbegin()->first; ++row) {
         const auto found = rows.find(row);
         const std::uint64_t ticks = found == rows.end() ? 0 : found->second;
@@ -69,32 +68,6 @@ std::string latency_text(const machine::LatencyResult& result, const machine::La
                       static_cast<unsigned long long>(result.preemptions));
     for (const std::string& step : result.refused)
         text += "refused    " + step + " (psicarve doctor says more)\n";
-    return text;
-}
-
-nlohmann::ordered_json latency_json(const machine::LatencyResult& result, const machine::LatencyWish& wish) {
-    auto histogram = nlohmann::ordered_json::array();
-    for (const auto& [late_us, ticks] : result.bins) histogram.push_back({late_us, ticks});
-    return {{"period_us", wish.period_us},
-            {"priority", result.priority},
-            {"cpu", result.cpu < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(result.cpu)},
-            {"ticks", result.ticks},
-            {"missed_ticks", result.missed},
-            {"late_us",
-             {{"p50", result.late_us(0.5)},
-              {"p99", result.late_us(0.99)},
-              {"p99_9", result.late_us(0.999)},
-              {"max", max_us(result)}}},
-            {"page_faults", result.page_faults},
-            {"preemptions", result.preemptions},
-            {"refused", result.refused},
-            {"histogram_us", histogram}};
-}
-
-std::string latency_csv(const machine::LatencyResult& result) {
-    std::string text = "late_us,ticks\n";
-    for (const auto& [late_us, ticks] : result.bins)
-        text += std::to_string(late_us) + "," + std::to_string(ticks) + "\n";
     return text;
 }
 

@@ -9,11 +9,19 @@
 #include "hmi/cli/operator_break.hpp"
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/cli/status_text.hpp"
+#include "hmi/report/status_json.hpp"
 
 namespace psicarve::cli {
 
 Result<machine::MachineLink> link_to_core(const CommonOptions& common) {
     auto link = machine::MachineLink::attach(common.segment, common.group);
+    if (!link) return link;
+    if (const auto core = link->require_core(); !core) return core.error();
+    return link;
+}
+
+Result<machine::MachineLink> link_to_stop(const CommonOptions& common) {
+    auto link = machine::MachineLink::attach_to_stop(common.segment);
     if (!link) return link;
     if (const auto core = link->require_core(); !core) return core.error();
     return link;
@@ -42,7 +50,7 @@ void report_motion(const CommonOptions& common, std::string_view name, const Cor
         return;
     }
     nlohmann::ordered_json report{{"command", name}};
-    report.update(status_json(status));
+    report.update(report::status_json(status));
     std::printf("%s\n", report.dump().c_str());
 }
 

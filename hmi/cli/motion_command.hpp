@@ -12,6 +12,8 @@ namespace psicarve::cli {
 
 /// The segment and its core; no_core when there is none of either.
 Result<machine::MachineLink> link_to_core(const CommonOptions& common);
+/// The same for orders to stop, which need no --group: whatever segment the kernel lets us write.
+Result<machine::MachineLink> link_to_stop(const CommonOptions& common);
 
 /// One command to the core, answered; then a wait for one of `wanted` (none: no wait).
 struct MotionCommand {

@@ -9,7 +9,7 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{
+constexpr CommandText kMoveText{
     "move", "Move to a position: one axis or several in a straight line",
     "Positions are in mm, for psi in degrees, which psi reaches the short way. The machine must be homed "
     "and\n"
@@ -18,7 +18,7 @@ constexpr CommandText kText{
     "--centre goes there so on an arc of a head and y, from +head towards +y unless --clockwise.",
     "psicarve move r1=30 r2=30\n  psicarve move psi=90\n  psicarve move r1=30 y=40 --centre r1=30,y=30"};
 
-struct Options {
+struct MoveOptions {
     std::vector<std::string> targets;
     std::vector<std::string> centre;
     bool stepwise = false;
@@ -46,7 +46,7 @@ Result<std::uint32_t> read_positions(const std::vector<std::string>& words, doub
     return axes;
 }
 
-Result<Command> command_of(const Options& options) {
+Result<Command> command_of(const MoveOptions& options) {
     Command command{};
     const auto axes = read_positions(options.targets, command.target);
     if (!axes) return axes.error();
@@ -66,7 +66,7 @@ Result<Command> command_of(const Options& options) {
     return command;
 }
 
-Result<int> move(const CommonOptions& common, const Options& options) {
+Result<int> move(const CommonOptions& common, const MoveOptions& options) {
     const auto command = command_of(options);
     if (!command) return command.error();
     auto link = link_to_core(common);
@@ -75,15 +75,15 @@ Result<int> move(const CommonOptions& common, const Options& options) {
     if (!end) return end.error();
     if (end->move_end != MoveEnd::reached)
         return Error{ErrorCode::machine_refused, "move: ended early: somebody stopped the machine"};
-    report_motion(common, kText.name, *end);
+    report_motion(common, kMoveText.name, *end);
     return kExitDone;
 }
 
 }  // namespace
 
 void add_move(CommandSet& commands) {
-    const auto options = std::make_shared<Options>();
-    commands.add(kText, [options](const CommonOptions& common) { return move(common, *options); })
+    const auto options = std::make_shared<MoveOptions>();
+    commands.add(kMoveText, [options](const CommonOptions& common) { return move(common, *options); })
         .arguments("AXIS=POSITION", options->targets, "Where to: r1=30 psi=90 ...")
         .flag("--stepwise", options->stepwise, "One axis at a time, point by point; one or two of r1, r2, y")
         .words("--centre", options->centre, "AXIS=POSITION,...", "Go on an arc round this place")

@@ -15,7 +15,7 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{
+constexpr CommandText kPinsText{
     "pins", "The level of every signal; with SIGNAL: test one output",
     "A test needs the drives off (before homing, or after drives-off). The one output is active until "
     "Ctrl-C,\n"
@@ -28,7 +28,7 @@ constexpr std::uint32_t kMostPulses = 10'000;
 constexpr std::uint32_t kMostRate_hz = 500;
 constexpr std::uint32_t kUsualRate_hz = 50;
 
-struct Options {
+struct PinsOptions {
     std::string signal;
     std::uint32_t pulses = 0;
     std::uint32_t rate_hz = kUsualRate_hz;
@@ -45,6 +45,13 @@ Rows rows_of(machine::MachineLink& link, const Profile& chosen) {
     return rows;
 }
 
+/// The charge pump's bit says that it toggles.
+const char* level_text(Signal signal, SignalWord levels) {
+    const bool is_active = (levels & bit_of(signal)) != 0;
+    if (signal == Signal::charge_pump) return is_active ? "toggling" : "still";
+    return is_active ? "high" : "low";
+}
+
 std::string levels_text(const Rows& rows, SignalWord levels) {
     std::string text;
     for (const session::PinRow& row : rows) {
@@ -52,7 +59,7 @@ std::string levels_text(const Rows& rows, SignalWord levels) {
         const std::string pin = row.pin == 0 ? "-" : std::to_string(row.pin);
         (void)std::snprintf(line, sizeof line, "%3s  %-12s %-3s  %s\n", pin.c_str(),
                             std::string{name_of(row.signal)}.c_str(), is_output(row.signal) ? "out" : "in",
-                            (levels & bit_of(row.signal)) != 0 ? "high" : "low");
+                            level_text(row.signal, levels));
         text += line;
     }
     return text;
@@ -73,10 +80,24 @@ std::string levels_json(const Rows& rows, const CoreStatus& status) {
                                                      {"is_output", is_output(row.signal)},
                                                      {"level", (status.signals & bit_of(row.signal)) != 0}};
     }
-    return nlohmann::ordered_json{{"state", name_of(status.state)}, {"signals", signals}}.dump() + "\n";
+    return nlohmann::ordered_json{{"state", name_of(status.state)},
+                                  {"port_silent", status.is_port_silent != 0},
+                                  {"signals", signals}}
+               .dump() +
+           "\n";
 }
 
-Result<int> test_output(const CommonOptions& common, machine::MachineLink& link, const Options& options) {
+/// How a test that is over went.
+Result<void> judge_test(const CoreStatus& status, bool was_asked) {
+    if (was_asked || status.move_end == MoveEnd::reached) return {};
+    const bool is_lease_gone = status.move_end == MoveEnd::lease_gone;
+    return Error{ErrorCode::machine_refused,
+                 is_lease_gone ? "pins: ended early, the core had not heard from us for too long; is the "
+                                 "computer busy?"
+                               : "pins: ended early: somebody stopped the machine"};
+}
+
+Result<int> test_output(const CommonOptions& common, machine::MachineLink& link, const PinsOptions& options) {
     const auto output = signal_from_name(options.signal);
     if (!output || !is_output(*output)) {
         return Error{ErrorCode::bad_usage,
@@ -100,11 +121,12 @@ Result<int> test_output(const CommonOptions& common, machine::MachineLink& link,
     };
     const auto end = link.wait_for_state({MachineState::off}, watch);
     if (!end) return end.error();
-    report_motion(common, kText.name, *end);
+    if (const auto whole = judge_test(*end, operator_break.was_asked()); !whole) return whole.error();
+    report_motion(common, kPinsText.name, *end);
     return kExitDone;
 }
 
-Result<int> pins(const CommonOptions& common, const Options& options) {
+Result<int> pins(const CommonOptions& common, const PinsOptions& options) {
     const auto chosen = chosen_profile(common);
     if (!chosen) return chosen.error();
     auto link = link_to_core(common);
@@ -115,7 +137,9 @@ Result<int> pins(const CommonOptions& common, const Options& options) {
         if (!status) return status.error();
         const Rows rows = rows_of(*link, *chosen);
         if (common.json) return levels_json(rows, *status);
-        return as_line ? levels_line(status->signals) : levels_text(rows, status->signals);
+        const std::string warning =
+            status->is_port_silent != 0 ? std::string{kSilentPortRemedy} + "\n" : std::string{};
+        return warning + (as_line ? levels_line(status->signals) : levels_text(rows, status->signals));
     };
     return show_or_watch(show, options.watch, common.json);
 }
@@ -123,8 +147,8 @@ Result<int> pins(const CommonOptions& common, const Options& options) {
 }  // namespace
 
 void add_pins(CommandSet& commands) {
-    const auto options = std::make_shared<Options>();
-    commands.add(kText, [options](const CommonOptions& common) { return pins(common, *options); })
+    const auto options = std::make_shared<PinsOptions>();
+    commands.add(kPinsText, [options](const CommonOptions& common) { return pins(common, *options); })
         .optional_argument("SIGNAL", options->signal, "The output to test, as in the profile: r1_step")
         .option("--pulses", options->pulses, 1, kMostPulses, "Send so many pulses and end")
         .option("--rate", options->rate_hz, 1, kMostRate_hz, "Pulses in a second")

@@ -10,9 +10,10 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{"check", "Whether a machine profile is right",
-                            "Unknown keys, wrong types and impossible values are refused with their line.",
-                            "psicarve profile check machine.toml"};
+constexpr CommandText kProfileCheckText{
+    "check", "Whether a machine profile is right",
+    "Unknown keys, wrong types and impossible values are refused with their line.",
+    "psicarve profile check machine.toml"};
 
 Result<int> check(const CommonOptions& common, const std::string& path) {
     const auto profile = load_profile(path);
@@ -31,7 +32,7 @@ Result<int> check(const CommonOptions& common, const std::string& path) {
 
 void add_profile_check(CommandSet& commands) {
     const auto path = std::make_shared<std::string>();
-    commands.add(kText, [path](const CommonOptions& common) { return check(common, *path); })
+    commands.add(kProfileCheckText, [path](const CommonOptions& common) { return check(common, *path); })
         .argument("FILE", *path, "A machine profile (TOML)");
 }
 

@@ -9,9 +9,10 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{"show", "Every key of a profile with its value, as TOML, and nothing else",
-                            "Without FILE the built-in profile. What it prints can be edited and read back.",
-                            "psicarve profile show > machine.toml"};
+constexpr CommandText kProfileShowText{
+    "show", "Every key of a profile with its value, as TOML, and nothing else",
+    "Without FILE the built-in profile. What it prints can be edited and read back.",
+    "psicarve profile show > machine.toml"};
 
 Result<int> show(CommonOptions common, const std::string& path) {
     if (!path.empty()) common.profile = path;
@@ -25,7 +26,7 @@ Result<int> show(CommonOptions common, const std::string& path) {
 
 void add_profile_show(CommandSet& commands) {
     const auto path = std::make_shared<std::string>();
-    commands.add_plain(kText, [path](const CommonOptions& common) { return show(common, *path); })
+    commands.add_plain(kProfileShowText, [path](const CommonOptions& common) { return show(common, *path); })
         .optional_argument("FILE", *path, "A profile (TOML), or a job file whose profile is meant");
 }
 

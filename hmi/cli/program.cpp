@@ -22,6 +22,8 @@ constexpr const char* kExitCodes =
 void add_all_commands(CommandSet& commands) {
     add_carve(commands);
     add_slice(commands);
+    add_inspect(commands);
+    add_estimate(commands);
     add_publish(commands);
     add_status(commands);
     add_home(commands);
@@ -47,6 +49,7 @@ void add_all_commands(CommandSet& commands) {
     add_snapshot_diff(snapshot);
     add_replay(commands);
     add_verify(commands);
+    add_calibrate(commands);
     add_doctor(commands);
     add_latency(commands);
     CommandSet profile = commands.group("profile", "Check and show machine profiles");

@@ -11,17 +11,17 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{
+constexpr CommandText kPublishText{
     "publish", "Put a job into the segment",
     "A core that serves the segment judges it at once; else the next one that starts will.",
     "psicarve publish figurine.job"};
 
-struct Options {
+struct PublishOptions {
     std::string path;
     ModelOptions model;
 };
 
-Result<int> publish(const CommonOptions& common, const Options& options) {
+Result<int> publish(const CommonOptions& common, const PublishOptions& options) {
     const auto job = prepare_job(options.path, options.model, common);
     if (!job) return job.error();
     SegmentOptions segment;
@@ -32,6 +32,7 @@ Result<int> publish(const CommonOptions& common, const Options& options) {
     const auto generation = link->publish(job->blob);
     if (!generation) return generation.error();
     const bool has_core = link->core_pid().has_value();
+    if (const std::string remark = link->job_remark(); !remark.empty()) print_warning(remark);
     if (!has_core)
         print_note("no core serves segment " + common.segment + " yet; the next one will judge the job");
     if (common.json) {
@@ -53,10 +54,11 @@ Result<int> publish(const CommonOptions& common, const Options& options) {
 }  // namespace
 
 void add_publish(CommandSet& commands) {
-    const auto options = std::make_shared<Options>();
-    Syntax syntax =
-        commands.add(kText, [options](const CommonOptions& common) { return publish(common, *options); });
-    syntax.argument("MODEL|JOB", options->path, "A mesh, or a job or snapshot file");
+    const auto options = std::make_shared<PublishOptions>();
+    Syntax syntax = commands.add(
+        kPublishText, [options](const CommonOptions& common) { return publish(common, *options); });
+    syntax.argument("MODEL|JOB", options->path,
+                    "A mesh, drawing, picture or table, as slice takes them, or a job or snapshot file");
     add_model_options(syntax, options->model);
 }
 

@@ -11,21 +11,21 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{"replay",
-                            "A job or a recorded snapshot again, through a private core on the virtual clock",
-                            "Begins homed at the home positions. A job is run whole; of a snapshot, what its "
-                            "flight recorder holds. The\n"
-                            "same file gives the same pins to the last bit.",
-                            "psicarve replay figurine.job --trace pins.vcd --json"};
+constexpr CommandText kReplayText{
+    "replay", "A job or a recorded snapshot again, through a private core on the virtual clock",
+    "Begins homed at the home positions. A job is run whole; of a snapshot, what its "
+    "flight recorder holds. The\n"
+    "same file gives the same pins to the last bit.",
+    "psicarve replay figurine.job --trace pins.vcd --json"};
 
-struct Options {
+struct ReplayOptions {
     std::string path;
     std::string trace;
     std::string picture;
     bool real_time = false;
 };
 
-Result<int> replay(const CommonOptions& common, const Options& options) {
+Result<int> replay(const CommonOptions& common, const ReplayOptions& options) {
     for (const std::string& path : {options.picture, options.trace}) {
         if (const auto writable = check_output_folder(path); !writable) return writable.error();
     }
@@ -33,6 +33,7 @@ Result<int> replay(const CommonOptions& common, const Options& options) {
     if (!snapshot) return snapshot.error();
     const auto job = job_of_snapshot(std::move(snapshot).value(), options.path, common);
     if (!job) return job.error();
+    for (const std::string& warning : job->warnings) print_warning(warning);
     machine::CoreLaunch launch;
     // Private: whatever runs on the named segment is not disturbed.
     machine::remove_stale_private_segments();
@@ -52,8 +53,8 @@ Result<int> replay(const CommonOptions& common, const Options& options) {
 }  // namespace
 
 void add_replay(CommandSet& commands) {
-    const auto options = std::make_shared<Options>();
-    commands.add(kText, [options](const CommonOptions& common) { return replay(common, *options); })
+    const auto options = std::make_shared<ReplayOptions>();
+    commands.add(kReplayText, [options](const CommonOptions& common) { return replay(common, *options); })
         .argument("JOB", options->path, "A job or snapshot file")
         .option("--trace", options->trace, "FILE", "Record every pin: .vcd, or compact binary")
         .picture_option(options->picture)

@@ -5,11 +5,11 @@
 namespace psicarve::cli {
 
 void add_reset_alarm(CommandSet& commands) {
-    constexpr CommandText kText{
+    constexpr CommandText kResetAlarmText{
         "reset-alarm", "Leave the alarm once its cause is gone",
         "While a limit is still tripped it cannot be left: psicarve back-off AXIS first.",
         "psicarve reset-alarm"};
-    commands.add(kText, [](const CommonOptions& common) {
+    commands.add(kResetAlarmText, [](const CommonOptions& common) {
         return motion_body(common, {CommandKind::reset_alarm, {}, {}});
     });
 }

@@ -5,9 +5,10 @@
 namespace psicarve::cli {
 
 void add_reset_height(CommandSet& commands) {
-    constexpr CommandText kText{"reset-height", "Move Y to its limit sensor, which defines its position",
-                                "Waits until that is done.", "psicarve reset-height"};
-    commands.add(kText, [](const CommonOptions& common) {
+    constexpr CommandText kResetHeightText{"reset-height",
+                                           "Move Y to its limit sensor, which defines its position",
+                                           "Waits until that is done.", "psicarve reset-height"};
+    commands.add(kResetHeightText, [](const CommonOptions& common) {
         return motion_body(common, {CommandKind::reset_height, {}, {MachineState::ready, MachineState::off}});
     });
 }

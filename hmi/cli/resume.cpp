@@ -5,9 +5,9 @@
 namespace psicarve::cli {
 
 void add_resume(CommandSet& commands) {
-    constexpr CommandText kText{"resume", "Go on after hold", "Returns when the machine moves again.",
-                                "psicarve resume"};
-    commands.add(kText, [](const CommonOptions& common) {
+    constexpr CommandText kResumeText{"resume", "Go on after hold", "Returns when the machine moves again.",
+                                      "psicarve resume"};
+    commands.add(kResumeText, [](const CommonOptions& common) {
         return motion_body(common, {CommandKind::resume, {}, {}});
     });
 }

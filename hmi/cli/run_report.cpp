@@ -1,43 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/cli/run_report.hpp"
 
-#include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/progress_bar.hpp"
-#include "hmi/cli/status_text.hpp"
 
 namespace psicarve::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-template <typename T>
-Json or_null(const std::optional<T>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
 
 template <typename... Args>
 std::string formatted(const char* format, Args... args) {
     char text[256];
     std::snprintf(text, sizeof text, format, args...);
     return text;
-}
-
-template <typename Values>
-Json by_axis(const Values& values) {
-    Json object;
-    for (const Axis axis : kAllAxes) object[std::string{name_of(axis)}] = values[index_of(axis)];
-    return object;
-}
-
-/// The simulated machine counts as long as its core lives; a report is about one run.
-std::array<std::uint64_t, kAxisCount> since_start(const std::uint64_t* before, const std::uint64_t* last) {
-    std::array<std::uint64_t, kAxisCount> counts{};
-    for (std::size_t i = 0; i < kAxisCount; ++i) counts[i] = last[i] - std::min(before[i], last[i]);
-    return counts;
 }
 
 std::string pulses_text(const std::array<std::uint64_t, kAxisCount>& pulses) {
@@ -59,21 +35,10 @@ std::string alarms_text(const machine::RunFigures& figures) {
     return text.empty() ? "none" : text;
 }
 
-std::string difference_text(const verify::VerifyReport& seen) {
-    const verify::Offence* first = seen.first_offence();
-    return first != nullptr ? first->sentence : "not every point was visited";
-}
-
-/// Right pins do not make the piece when the machine did not follow them.
-std::optional<bool> is_verified(const RunReport& report) {
-    if (!report.verification) return std::nullopt;
-    return report.verification->ok && report.lost_steps.empty();
-}
-
 std::string verification_text(const RunReport& report) {
     if (!report.verification) return "not verified: " + report.unverified_reason;
     const verify::VerifyReport& seen = *report.verification;
-    if (!seen.ok) return "NO: " + difference_text(seen);
+    if (!seen.ok) return "NO: " + report::difference_text(seen);
     if (!report.lost_steps.empty()) return "NO: the pins are right, and the simulated machine lost steps";
     std::string text = formatted("yes: %llu points visited exactly, largest deviation %lld pulses",
                                  static_cast<unsigned long long>(seen.points_visited),
@@ -85,23 +50,6 @@ std::string verification_text(const RunReport& report) {
     return text;
 }
 
-void read_slice_report(const JobView& job, RunReport& report) {
-    const Json slice = Json::parse(job.report_json(), nullptr, false);
-    if (!slice.is_object()) return;
-    if (const auto share = slice.find("undercut_share"); share != slice.end() && share->is_number()) {
-        report.undercut_share = share->get<double>();
-    }
-    if (const auto open = slice.find("open_points"); open != slice.end() && open->is_number_unsigned()) {
-        report.open_points = open->get<std::uint64_t>();
-    }
-}
-
-Json alarms_json(const machine::RunFigures& figures) {
-    auto alarms = Json::array();
-    for (const AlarmRecord& alarm : figures.alarms) alarms.push_back(alarm_json(alarm));
-    return alarms;
-}
-
 std::string model_text(const RunReport& report) {
     if (!report.undercut_share && !report.open_points) return {};
     return formatted("model      undercut %.2f %%, open points %llu\n",
@@ -109,20 +57,12 @@ std::string model_text(const RunReport& report) {
                      static_cast<unsigned long long>(report.open_points.value_or(0)));
 }
 
-/// Pulses that left the pins and did not move the simulated machine: the pins may be right and the piece
-/// ruined.
-std::string lost_steps_text(const CoreStatus& before, const CoreStatus& after) {
+std::string passes_text(const RunReport& report) {
     std::string text;
-    const auto add = [&](Axis axis, const char* what, const std::uint64_t* was, const std::uint64_t* is) {
-        const std::uint64_t count = since_start(was, is)[index_of(axis)];
-        if (count == 0) return;
-        text += (text.empty() ? "" : ", ") + std::string{name_of(axis)} + ' ' + what + ' ' +
-                std::to_string(count);
-    };
-    for (const Axis axis : kAllAxes) {
-        add(axis, "stalls", before.sim_stalls, after.sim_stalls);
-        add(axis, "pulses against the driver's timing", before.sim_timing_lost, after.sim_timing_lost);
-        add(axis, "pulses while disabled", before.sim_ignored_pulses, after.sim_ignored_pulses);
+    if (!report.verification) return text;
+    for (const verify::PassTime& pass : report.verification->passes) {
+        text += "pass       " + pass.name + ": " + std::to_string(pass.layers) + " layers, " +
+                clock_text(pass.seconds) + "\n";
     }
     return text;
 }
@@ -134,40 +74,6 @@ std::string machine_text(const RunReport& report) {
 }
 
 }  // namespace
-
-RunReport report_of(const JobView& job, const machine::JobRun& run) {
-    RunReport report;
-    report.source_name = job.source_name();
-    report.layer_count = job.layer_count();
-    report.point_count = job.point_count();
-    report.figures = machine::figures_of(run);
-    report.reference_seconds = report.figures.reference_seconds;
-    report.has_started = run.has_started;
-    report.wall_seconds = run.wall_seconds;
-    report.failure = run.failure;
-    report.before = run.before;
-    report.last = run.after;
-    report.lost_steps = lost_steps_text(run.before, run.after);
-    read_slice_report(job, report);
-    return report;
-}
-
-std::optional<Error> verdict_of(const RunReport& report) {
-    if (report.failure) return report.failure;
-    if (!report.lost_steps.empty()) {
-        return Error{ErrorCode::difference_found,
-                     "the simulated machine lost steps: " + report.lost_steps +
-                         "; the profile asks for more than its motors or drivers can do"};
-    }
-    if (!report.verification || report.verification->ok) return std::nullopt;
-    return Error{ErrorCode::difference_found,
-                 "verification found a difference: " + difference_text(*report.verification)};
-}
-
-int run_exit_code(const RunReport& report, const Error& error) {
-    const int exit_code = exit_code_of(error.code);
-    return report.has_started && exit_code == kExitBadInput ? kExitMachine : exit_code;
-}
 
 std::string run_text(const RunReport& report) {
     const machine::RunFigures& figures = report.figures;
@@ -181,6 +87,7 @@ std::string run_text(const RunReport& report) {
             (figures.carve_seconds ? clock_text(*figures.carve_seconds) + " of machine time, "
                                    : std::string{"not finished, "}) +
             clock_text(figures.total_seconds) + " with approach and retraction\n";
+    text += passes_text(report);
     if (report.reference_seconds) text += "reference  " + clock_text(*report.reference_seconds) + "\n";
     text += formatted("run        %.2f s, %llu ticks (%.2f million a second), %llu missed\n",
                       report.wall_seconds, static_cast<unsigned long long>(figures.ticks),
@@ -189,49 +96,22 @@ std::string run_text(const RunReport& report) {
     text += "verified   " + verification_text(report) + "\n";
     text += machine_text(report);
     text += model_text(report);
-    if (!report.picture_path.empty()) text += "picture    " + report.picture_path + "\n";
+    if (report.deviation) text += "deviation  " + piece::deviation_text(*report.deviation) + "\n";
+    for (const std::string* path : {&report.picture_path, &report.deviation_path}) {
+        if (!path->empty()) text += "picture    " + *path + "\n";
+    }
+    if (!report.piece_path.empty()) text += "piece      " + report.piece_path + "\n";
     return text;
-}
-
-std::string run_json(const RunReport& report) {
-    const machine::RunFigures& figures = report.figures;
-    Json object{
-        {"source", report.source_name},
-        {"layers", report.layer_count},
-        {"points", report.point_count},
-        {"pulses", by_axis(figures.pulses)},
-        {"carve_seconds", or_null(figures.carve_seconds)},
-        {"total_seconds", figures.total_seconds},
-        {"reference_seconds", or_null(report.reference_seconds)},
-        {"wall_seconds", report.wall_seconds},
-        {"ticks", figures.ticks},
-        {"missed_ticks", figures.missed_ticks},
-        {"alarms", alarms_json(figures)},
-        {"verified", or_null(is_verified(report))},
-        {"max_deviation_pulses",
-         report.verification ? Json(report.verification->max_deviation_pulses) : Json(nullptr)},
-        {"undercut_share", or_null(report.undercut_share)},
-        {"open_points", or_null(report.open_points)},
-        {"state", std::string{name_of(report.last.state)}},
-        {"sim_stalls", by_axis(since_start(report.before.sim_stalls, report.last.sim_stalls))},
-        {"sim_timing_lost", by_axis(since_start(report.before.sim_timing_lost, report.last.sim_timing_lost))},
-        {"sim_ignored_pulses",
-         by_axis(since_start(report.before.sim_ignored_pulses, report.last.sim_ignored_pulses))}};
-    if (report.verification) object["verification"] = Json::parse(verify::report_json(*report.verification));
-    if (!report.picture_path.empty()) object["picture"] = report.picture_path;
-    if (const auto error = verdict_of(report))
-        object["error"] = Json::parse(error_json(*error, run_exit_code(report, *error)));
-    return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 int print_run(const RunReport& report, bool as_json) {
     clear_progress_line();
-    std::printf("%s", (as_json ? run_json(report) + "\n" : run_text(report)).c_str());
-    const auto error = verdict_of(report);
+    std::printf("%s", (as_json ? report::run_json(report) + "\n" : run_text(report)).c_str());
+    const auto error = report::verdict_of(report);
     if (!error) return kExitDone;
     std::fflush(stdout);
     print_error(*error);
-    return run_exit_code(report, *error);
+    return report::run_exit_code(report, *error);
 }
 
 }  // namespace psicarve::cli

@@ -1,48 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 
-#include "hmi/machine/job_run.hpp"
-#include "hmi/verify/verify_report.hpp"
-#include "shared/job.hpp"
+#include "hmi/report/run_report.hpp"
 
 namespace psicarve::cli {
 
-/// What `carve` and `replay` say in the end.
-struct RunReport {
-    std::string source_name;
-    std::uint32_t layer_count = 0;
-    std::uint32_t point_count = 0;
-    machine::RunFigures figures;
-    bool has_started = false;  ///< the machine began to work on the job
-    double wall_seconds = 0.0;
-    std::optional<double> reference_seconds;
-    std::optional<verify::VerifyReport>
-        verification;  ///< nothing: not verified, `unverified_reason` says why
-    std::string unverified_reason;
-    std::optional<double> undercut_share;  ///< as the slicer saw it; nothing: the job does not say
-    std::optional<std::uint64_t> open_points;
-    std::optional<Error> failure;
-    std::string picture_path;  ///< that was written
-    CoreStatus before{};       ///< as the run found the core
-    CoreStatus last{};
-    std::string lost_steps;  ///< what the simulated machine did not do in this run, in words; empty: nothing
-};
+using report::report_of;
+using report::RunReport;
 
-/// Takes over what the job says about itself.
-RunReport report_of(const JobView& job, const machine::JobRun& run);
-
-/// The error that ends the command: the failure, else a difference that verification found.
-std::optional<Error> verdict_of(const RunReport& report);
-
-/// Its exit code. "Bad input" promises that nothing was changed, which no longer holds once a job has
-/// started: what could not be written after that ends as a machine's failure does.
-int run_exit_code(const RunReport& report, const Error& error);
-
+/// Lines for a person.
 std::string run_text(const RunReport& report);
-std::string run_json(const RunReport& report);
 
 /// Prints the report and returns the exit code; what went wrong is said on standard error too.
 int print_run(const RunReport& report, bool as_json);

@@ -3,10 +3,21 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+
+#include "hmi/cli/exit_code.hpp"
 
 namespace psicarve::cli {
 
+void RunWatch::tell_remark() {
+    const std::string remark = std::exchange(has_told_, true) ? std::string{} : link_->job_remark();
+    if (remark.empty()) return;
+    clear_progress_line();
+    print_warning(remark);
+}
+
 Result<void> RunWatch::look(const CoreStatus& status) {
+    tell_remark();
     const std::string state{name_of(status.state)};
     bar_.relabel(state);
     if (status.points_total > 0) {
@@ -14,9 +25,13 @@ Result<void> RunWatch::look(const CoreStatus& status) {
             static_cast<double>(status.points_done) / static_cast<double>(status.points_total);
         // On the virtual clock machine time says nothing about how long we wait.
         const bool is_planned = status.is_virtual_clock == 0 && status.seconds_left >= 0.0;
-        bar_.update(done_ratio,
-                    "layer " + std::to_string(status.layer) + ", point " + std::to_string(status.point),
-                    is_planned ? std::optional{status.seconds_left} : std::nullopt);
+        const bool has_passes = job_->passes().size() > 1 && status.layer < job_->layer_count();
+        const std::string pass =
+            has_passes ? pass_name(job_->passes()[job_->pass_of(status.layer)]) + ", " : std::string{};
+        bar_.update(
+            done_ratio,
+            pass + "layer " + std::to_string(status.layer) + ", point " + std::to_string(status.point),
+            is_planned ? std::optional{status.seconds_left} : std::nullopt);
     } else {
         bar_.update(0.0);
     }

@@ -4,6 +4,7 @@
 #include "hmi/cli/operator_break.hpp"
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/machine/machine_link.hpp"
+#include "shared/job.hpp"
 
 namespace psicarve::cli {
 
@@ -11,7 +12,8 @@ namespace psicarve::cli {
 /// core.
 class RunWatch {
 public:
-    explicit RunWatch(machine::MachineLink& link) : link_(&link), bar_("starting") {}
+    /// `job`: what is carved; outlives this.
+    RunWatch(machine::MachineLink& link, const JobView& job) : link_(&link), job_(&job), bar_("starting") {}
 
     /// To be handed to a wait; outlived by this.
     machine::StatusWatch watch() {
@@ -22,10 +24,13 @@ public:
 
 private:
     Result<void> look(const CoreStatus& status);
+    void tell_remark();
 
     machine::MachineLink* link_;
+    const JobView* job_;
     ProgressBar bar_;
     OperatorBreak operator_break_;
+    bool has_told_ = false;
 };
 
 }  // namespace psicarve::cli

@@ -17,8 +17,8 @@
 namespace psicarve::cli {
 namespace {
 
-machine::JobRun watched_run(machine::VerifiedCore& core, const SimulatedRun& what) {
-    RunWatch watch{core.link()};
+machine::JobRun watched_run(machine::VerifiedCore& core, const JobView& job, const SimulatedRun& what) {
+    RunWatch watch{core.link(), job};
     machine::JobRun run = what.run(core, watch.watch());
     const bool was_cut_short = run.failure || !machine::figures_of(run).is_complete;
     if (watch.was_stopped() && was_cut_short) run.failure = watch.stop_error(run.after);
@@ -47,13 +47,19 @@ void pass_on_messages(const std::string& said, const std::vector<std::string>& t
 
 Result<int> simulated_run(machine::CoreLaunch launch, const PreparedJob& job, const SimulatedRun& what) {
     const std::vector<std::string> trace_paths = launch.trace_paths;
-    auto core = machine::VerifiedCore::start(std::move(launch), job.view, job.profile);
+    // By the wall clock the pins may be too fast for this computer.
+    const bool must_be_verified = !launch.on_real_clock;
+    auto core = machine::VerifiedCore::start(
+        std::move(launch), job.view, job.profile,
+        what.piece != nullptr ? follower_of(*what.piece) : verify::Verifier::Follower{});
     if (!core) return core.error();
-    RunReport report = report_of(job.view, watched_run(*core, what));
+    RunReport report = report_of(job.view, watched_run(*core, job.view, what));
     add_verification(report, core->finish());
     pass_on_messages(core->core().messages(), trace_paths, report);
     warn_of_lost_pins(report);
     add_picture(report, job.view, core->surface(), what.picture_path);
+    if (what.piece != nullptr) add_piece(report, *what.piece);
+    if (must_be_verified) require_verification(report);
     return print_run(report, what.as_json);
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
+#include "hmi/cli/carved_piece.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/machine/core_process.hpp"
 #include "hmi/machine/job_run.hpp"
@@ -16,6 +18,7 @@ struct SimulatedRun {
     std::function<machine::JobRun(machine::VerifiedCore&, const machine::StatusWatch&)> run;
     std::string picture_path;  ///< empty: no picture
     bool as_json = false;
+    const std::unique_ptr<CarvedPiece>* piece = nullptr;  ///< nothing: none is wanted
 };
 
 /// Carves or replays on a core of our own: starts it, runs, ends it, judges its pins, draws the picture,

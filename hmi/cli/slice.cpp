@@ -7,51 +7,70 @@
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
+#include "hmi/cli/model_report.hpp"
+#include "hmi/report/job_passes.hpp"
 #include "shared/snapshot_file.hpp"
 
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{"slice", "Model to job, nothing else", "",
-                            "psicarve slice figurine.stl -o figurine.job --layers 500 --points 500"};
+constexpr CommandText kSliceText{"slice", "Model to job, nothing else", "",
+                                 "psicarve slice figurine.stl -o figurine.job --layers 500 --points 500"};
 
-struct Options {
+struct SliceOptions {
     std::string path;
     std::string output;
+    std::string preview;
     ModelOptions model;
 };
 
 std::string report_text(const PreparedJob& job, const std::string& output) {
     const auto report = nlohmann::json::parse(job.view.report_json(), nullptr, false);
-    const double undercut = report.is_object() ? report.value("undercut_share", 0.0) : 0.0;
-    const std::uint64_t open = report.is_object() ? report.value("open_points", std::uint64_t{0}) : 0;
     char line[160];
-    std::snprintf(line, sizeof line, ": %u layers x %u points, undercut %.2f %%, open points %llu",
-                  job.view.layer_count(), job.view.point_count(), 100.0 * undercut,
-                  static_cast<unsigned long long>(open));
-    return output + line;
+    int used = std::snprintf(line, sizeof line, ": %u layers x %u points", job.view.layer_count(),
+                             job.view.point_count());
+    if (report.is_object() && report.contains("undercut_share")) {
+        std::snprintf(line + used, sizeof line - static_cast<std::size_t>(used),
+                      ", undercut %.2f %%, open points %llu", 100.0 * report.value("undercut_share", 0.0),
+                      static_cast<unsigned long long>(report.value("open_points", std::uint64_t{0})));
+    }
+    const std::string passes =
+        job.view.passes().size() > 1 ? "\npasses: " + report::passes_text(job.view) : std::string{};
+    return output + line + passes;
 }
 
 std::string report_json(const PreparedJob& job, const std::string& output) {
     using Json = nlohmann::ordered_json;
     const Json slicer = Json::parse(job.view.report_json(), nullptr, false);
+    const auto told = [&slicer](const char* key) {
+        return slicer.is_object() && slicer.contains(key) ? slicer[key] : Json(nullptr);
+    };
     const Json object{{"job", output},
                       {"source", std::string{job.view.source_name()}},
                       {"layers", job.view.layer_count()},
                       {"points", job.view.point_count()},
                       {"psi_sweep_pulses", job.view.psi_sweep_pulses()},
                       {"joining", name_of(job.view.joining())},
-                      {"undercut_share", slicer.is_object() ? slicer.value("undercut_share", 0.0) : 0.0},
-                      {"open_points", slicer.is_object() ? slicer.value("open_points", std::uint64_t{0}) : 0},
+                      {"passes", report::passes_json(job.view)},
+                      {"undercut_share", told("undercut_share")},
+                      {"open_points", told("open_points")},
                       {"report", slicer.is_discarded() ? Json(nullptr) : slicer}};
     return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-Result<int> slice(const CommonOptions& common, const Options& options) {
+Result<int> slice(const CommonOptions& common, const SliceOptions& options) {
     if (const auto writable = check_output_folder(options.output); !writable) return writable.error();
+    if (const auto writable = check_preview(options.preview); !writable) return writable.error();
     if (is_snapshot_file(options.path)) return bad_input(options.path + ": is a job already, not a model");
-    auto job = prepare_job(options.path, options.model, common);
+    ModelOptions model = options.model;
+    model.keeps_mesh = !options.preview.empty();
+    auto job = prepare_job(options.path, model, common);
     if (!job) return job.error();
+    if (!options.preview.empty()) {
+        const auto report = ModelReport::make(*job);
+        if (!report) return report.error();
+        if (const auto drawn = report->write_preview(options.preview); !drawn) return drawn.error();
+    }
     // A job file is a snapshot without a status. The blob moves, the view's pointers into it stay good.
     Snapshot file;
     file.job_blob = std::move(job->blob);
@@ -65,11 +84,17 @@ Result<int> slice(const CommonOptions& common, const Options& options) {
 }  // namespace
 
 void add_slice(CommandSet& commands) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SliceOptions>();
     Syntax syntax =
-        commands.add(kText, [options](const CommonOptions& common) { return slice(common, *options); });
-    syntax.argument("MODEL", options->path, "A mesh: STL, OBJ, PLY, 3MF or OFF")
-        .required_option("-o,--output", options->output, "JOB", "The job file to write");
+        commands.add(kSliceText, [options](const CommonOptions& common) { return slice(common, *options); });
+    syntax
+        .argument("MODEL", options->path,
+                  "A mesh (STL, OBJ, PLY, 3MF, OFF), a drawing (SVG, DXF), a picture (PNG, JPEG, TIFF, BMP, "
+                  "PGM) or a table (CSV)")
+        .required_option("-o,--output", options->output, "JOB", "The job file to write")
+        .option(
+            "--preview", options->preview, "OUT.png",
+            "Draw the piece that the profile's tool would leave, from two sides, with what inspect tells");
     add_model_options(syntax, options->model);
 }
 

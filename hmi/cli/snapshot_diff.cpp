@@ -5,17 +5,17 @@
 
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
-#include "hmi/cli/snapshot_differences.hpp"
+#include "hmi/report/snapshot_differences.hpp"
 
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{"diff", "What differs between two snapshots or jobs",
-                            "Exit code 0 when nothing does, 6 when something does.",
-                            "psicarve snapshot diff before.snap after.snap"};
+constexpr CommandText kSnapshotDiffText{"diff", "What differs between two snapshots or jobs",
+                                        "Exit code 0 when nothing does, 6 when something does.",
+                                        "psicarve snapshot diff before.snap after.snap"};
 constexpr std::size_t kLongestValue = 120;
 
-struct Options {
+struct SnapshotDiffOptions {
     std::string a;
     std::string b;
 };
@@ -24,24 +24,25 @@ std::string shortened(const std::string& text) {
     return text.size() <= kLongestValue ? text : text.substr(0, kLongestValue) + "...";
 }
 
-void print_json(const std::vector<Difference>& found) {
+void print_json(const std::vector<report::Difference>& found) {
     using Json = nlohmann::ordered_json;
     auto list = Json::array();
-    for (const Difference& one : found) list.push_back({{"what", one.what}, {"a", one.a}, {"b", one.b}});
+    for (const report::Difference& one : found)
+        list.push_back({{"what", one.what}, {"a", one.a}, {"b", one.b}});
     const Json object{{"same", found.empty()}, {"differences", list}};
     std::printf("%s\n", object.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
-Result<int> diff(const CommonOptions& common, const Options& options) {
+Result<int> diff(const CommonOptions& common, const SnapshotDiffOptions& options) {
     const auto a = load_snapshot(options.a);
     if (!a) return a.error();
     const auto b = load_snapshot(options.b);
     if (!b) return b.error();
-    const std::vector<Difference> found = differences_between(*a, *b);
+    const std::vector<report::Difference> found = report::differences_between(*a, *b);
     if (common.json) {
         print_json(found);
     } else {
-        for (const Difference& one : found) {
+        for (const report::Difference& one : found) {
             std::printf("%s: %s | %s\n", one.what.c_str(), shortened(one.a).c_str(),
                         shortened(one.b).c_str());
         }
@@ -53,8 +54,8 @@ Result<int> diff(const CommonOptions& common, const Options& options) {
 }  // namespace
 
 void add_snapshot_diff(CommandSet& commands) {
-    const auto options = std::make_shared<Options>();
-    commands.add(kText, [options](const CommonOptions& common) { return diff(common, *options); })
+    const auto options = std::make_shared<SnapshotDiffOptions>();
+    commands.add(kSnapshotDiffText, [options](const CommonOptions& common) { return diff(common, *options); })
         .argument("A", options->a, "A snapshot or job file")
         .argument("B", options->b, "Another");
 }

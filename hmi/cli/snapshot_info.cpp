@@ -5,10 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "hmi/cli/checkpoint_text.hpp"
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
-#include "hmi/cli/record_text.hpp"
 #include "hmi/cli/status_text.hpp"
+#include "hmi/report/job_passes.hpp"
+#include "hmi/report/record_text.hpp"
+#include "hmi/report/status_json.hpp"
 #include "shared/job.hpp"
 #include "shared/snapshot_file.hpp"
 
@@ -17,13 +20,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr CommandText kText{
+constexpr CommandText kSnapshotInfoText{
     "info", "What a snapshot or job file holds",
     "--records says how much of the flight recorder is listed (the newest), 0 for none.",
     "psicarve snapshot info before-repair.snap --records 100"};
 constexpr std::uint32_t kMostRecords = 1'000'000;
 
-struct Options {
+struct SnapshotInfoOptions {
     std::string path;
     std::uint32_t record_count = 20;
 };
@@ -62,6 +65,7 @@ Json job_json(const JobView& job) {
             {"points", job.point_count()},
             {"psi_sweep_pulses", job.psi_sweep_pulses()},
             {"joining", name_of(job.joining())},
+            {"passes", report::passes_json(job)},
             {"feed_mm_s", job.header().feed_mm_s},
             {"y_pulses", {heights.front(), heights.back()}},
             {"r_pulses", {extent.least, extent.greatest}},
@@ -70,17 +74,22 @@ Json job_json(const JobView& job) {
             {"slice_report", slicer.is_discarded() ? Json(nullptr) : slicer}};
 }
 
+bool is_of_job(const Snapshot& snapshot) {
+    return snapshot.checkpoint && snapshot.checkpoint->job_checksum == job_checksum(snapshot.job_blob);
+}
+
 Json info_json(const Snapshot& snapshot, const std::optional<JobView>& job, std::size_t first_record) {
     auto records = Json::array();
     for (std::size_t i = first_record; i < snapshot.records.size(); ++i) {
-        records.push_back(record_json(snapshot.records[i]));
+        records.push_back(report::record_json(snapshot.records[i]));
     }
     return {{"kind", snapshot.status || !snapshot.records.empty() ? "snapshot" : "job"},
             {"generation", snapshot.generation},
             {"capacity_layers", snapshot.capacity_layers},
             {"capacity_points", snapshot.capacity_points},
             {"job", job ? job_json(*job) : Json(nullptr)},
-            {"status", snapshot.status ? status_json(*snapshot.status) : Json(nullptr)},
+            {"status", snapshot.status ? report::status_json(*snapshot.status) : Json(nullptr)},
+            {"checkpoint", checkpoint_json(snapshot.checkpoint, is_of_job(snapshot))},
             {"record_count", snapshot.records.size()},
             {"records", records}};
 }
@@ -93,6 +102,7 @@ void print_job(const JobView& job) {
                 hash_text(job.header().source_hash).c_str());
     std::printf("tables     %u layers x %u points, %s\n", job.layer_count(), job.point_count(),
                 std::string{name_of(job.joining())}.c_str());
+    if (job.passes().size() > 1) std::printf("passes     %s\n", report::passes_text(job).c_str());
     std::printf("sweep      %lld pulses of psi a layer\n", static_cast<long long>(job.psi_sweep_pulses()));
     std::printf("heights    %lld to %lld pulses\n", static_cast<long long>(heights.front()),
                 static_cast<long long>(heights.back()));
@@ -113,15 +123,16 @@ void print_info(const Snapshot& snapshot, const std::optional<JobView>& job, std
                     static_cast<unsigned long long>(snapshot.generation), snapshot.capacity_layers,
                     snapshot.capacity_points, status_text(*snapshot.status, nullptr).c_str());
     }
+    std::printf("%s", checkpoint_text(snapshot.checkpoint, is_of_job(snapshot)).c_str());
     if (snapshot.records.empty() || first_record == snapshot.records.size()) return;
     std::printf("\nflight recorder, the last %zu of %zu entries\n", snapshot.records.size() - first_record,
                 snapshot.records.size());
     for (std::size_t i = first_record; i < snapshot.records.size(); ++i) {
-        std::printf("%s\n", record_text(snapshot.records[i]).c_str());
+        std::printf("%s\n", report::record_text(snapshot.records[i]).c_str());
     }
 }
 
-Result<int> info(const CommonOptions& common, const Options& options) {
+Result<int> info(const CommonOptions& common, const SnapshotInfoOptions& options) {
     const auto snapshot = load_snapshot(options.path);
     if (!snapshot) return snapshot.error();
     std::optional<JobView> job;
@@ -144,8 +155,8 @@ Result<int> info(const CommonOptions& common, const Options& options) {
 }  // namespace
 
 void add_snapshot_info(CommandSet& commands) {
-    const auto options = std::make_shared<Options>();
-    commands.add(kText, [options](const CommonOptions& common) { return info(common, *options); })
+    const auto options = std::make_shared<SnapshotInfoOptions>();
+    commands.add(kSnapshotInfoText, [options](const CommonOptions& common) { return info(common, *options); })
         .argument("FILE", options->path, "A snapshot or job file")
         .option("--records", options->record_count, 0, kMostRecords,
                 "Entries of the flight recorder to list (default 20)");

@@ -12,7 +12,7 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{
+constexpr CommandText kSnapshotSaveText{
     "save", "Job, status and flight recorder of the segment into a file",
     "Works with a living core, a dead one or none. The old file stays intact whatever happens.",
     "psicarve snapshot save before-repair.snap"};
@@ -23,14 +23,14 @@ Result<int> save(const CommonOptions& common, const std::string& path) {
     if (!link) return link.error();
     const auto snapshot = machine::take_snapshot(*link, kLockLimit);
     if (!snapshot) return snapshot.error();
-    if (const auto saved = save_snapshot(*snapshot, path); !saved) return saved.error();
+    if (const auto saved = save_snapshot(*snapshot, path, common.group); !saved) return saved.error();
     if (common.json) {
-        using Json = nlohmann::ordered_json;
-        const Json object{{"file", path},
-                          {"generation", snapshot->generation},
-                          {"records", snapshot->records.size()},
-                          {"job_bytes", snapshot->job_blob.size()}};
-        std::printf("%s\n", object.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
+        using SavedJson = nlohmann::ordered_json;
+        const SavedJson object{{"file", path},
+                               {"generation", snapshot->generation},
+                               {"records", snapshot->records.size()},
+                               {"job_bytes", snapshot->job_blob.size()}};
+        std::printf("%s\n", object.dump(-1, ' ', false, SavedJson::error_handler_t::replace).c_str());
     } else {
         std::printf("%s: %s, %zu records of the flight recorder\n", path.c_str(),
                     snapshot->job_blob.empty() ? "no job" : "one job", snapshot->records.size());
@@ -42,7 +42,7 @@ Result<int> save(const CommonOptions& common, const std::string& path) {
 
 void add_snapshot_save(CommandSet& commands) {
     const auto path = std::make_shared<std::string>();
-    commands.add(kText, [path](const CommonOptions& common) { return save(common, *path); })
+    commands.add(kSnapshotSaveText, [path](const CommonOptions& common) { return save(common, *path); })
         .argument("FILE", *path, "The snapshot file to write");
 }
 

@@ -7,17 +7,18 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{"spindle", "Switch the spindle on or off by hand",
-                            "While the machine is ready or moves by hand; a job does it by itself, and stop "
-                            "switches it off.",
-                            "psicarve spindle on"};
+constexpr CommandText kSpindleText{
+    "spindle", "Switch the spindle on or off by hand",
+    "While the machine is ready or moves by hand; a job does it by itself, and stop "
+    "switches it off.",
+    "psicarve spindle on"};
 
 }  // namespace
 
 void add_spindle(CommandSet& commands) {
     const auto word = std::make_shared<std::string>();
     commands
-        .add(kText,
+        .add(kSpindleText,
              [word](const CommonOptions& common) {
                  MotionCommand motion{CommandKind::spindle, {}, {}, {}};
                  motion.details.value = *word == "on" ? 1.0 : 0.0;

@@ -10,43 +10,52 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{
+constexpr CommandText kStartText{
     "start", "Drives and spindle on, heads to the job's first point, wait there",
     "Waits until the machine is there. With --carve it goes on to carve and returns when "
     "carving has begun.\n"
-    "After a stop or an alarm --from-layer goes on with a layer: its pulses are those of the whole run.\n"
+    "After a stop, an alarm or a crash of the core --resume goes on behind the last finished layer, and\n"
+    "--from-layer with any other: its pulses are those of the whole run.\n"
     "With --layers it stops in order after so many layers; --from-layer goes on with the next.",
-    "psicarve start --from-layer 120 --layers 1 --carve"};
+    "psicarve start --resume --carve\n  psicarve start --from-layer 120 --layers 1 --carve"};
 
 constexpr std::uint32_t kMostLayer = kMaxJobCount - 1;
 
-struct Options {
+struct StartOptions {
     bool carve = false;
+    bool resume = false;
+    bool dry_run = false;
     std::uint32_t from_layer = 0;
     std::uint32_t layers = 0;
 };
 
-Result<int> start(const CommonOptions& common, const Options& options) {
+Result<int> start(const CommonOptions& common, const StartOptions& options) {
     auto link = link_to_core(common);
     if (!link) return link.error();
+    if (const std::string remark = link->job_remark(); !remark.empty()) print_warning(remark);
     MotionCommand command{CommandKind::start, {}, {MachineState::waiting}};
     command.details.value = options.from_layer;
     command.details.value2 = options.layers;
+    command.details.axis = (options.resume ? kStartResumes : 0) | (options.dry_run ? kStartsDry : 0);
     auto status = run_motion(*link, command);
     if (status && options.carve) status = run_motion(*link, {CommandKind::start_interpolation, {}, {}});
     if (!status) return status.error();
-    report_motion(common, kText.name, *status);
+    report_motion(common, kStartText.name, *status);
     return kExitDone;
 }
 
 }  // namespace
 
 void add_start(CommandSet& commands) {
-    const auto options = std::make_shared<Options>();
-    commands.add(kText, [options](const CommonOptions& common) { return start(common, *options); })
+    const auto options = std::make_shared<StartOptions>();
+    commands.add(kStartText, [options](const CommonOptions& common) { return start(common, *options); })
         .option("--from-layer", options->from_layer, 0, kMostLayer,
                 "Leave out the layers before N; the first is 0")
         .option("--layers", options->layers, 0, kMostLayer + 1, "Carve N layers; 0 carves all that follow")
+        .flag("--resume", options->resume, "Go on behind the last layer that was finished")
+        .excludes("--resume", "--from-layer")
+        .flag("--dry-run", options->dry_run,
+              "Heads stay outside the blank, spindle off; table and Y go as they would")
         .flag("--carve", options->carve, "Begin to carve at once");
 }
 

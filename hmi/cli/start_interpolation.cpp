@@ -5,11 +5,11 @@
 namespace psicarve::cli {
 
 void add_start_interpolation(CommandSet& commands) {
-    constexpr CommandText kText{
+    constexpr CommandText kStartInterpolationText{
         "start-interpolation", "Begin to carve the published job",
         "The machine waits at the first point (psicarve start). Returns when carving has begun.",
         "psicarve start-interpolation"};
-    commands.add(kText, [](const CommonOptions& common) {
+    commands.add(kStartInterpolationText, [](const CommonOptions& common) {
         return motion_body(common, {CommandKind::start_interpolation, {}, {}});
     });
 }

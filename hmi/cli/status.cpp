@@ -1,25 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <unistd.h>
 
+#include <chrono>
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
+#include "hmi/cli/checkpoint_text.hpp"
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/status_text.hpp"
 #include "hmi/cli/watch_loop.hpp"
 #include "hmi/machine/machine_link.hpp"
+#include "hmi/report/status_json.hpp"
+#include "shared/job.hpp"
+#include "shared/machine_state.hpp"
+#include "shared/segment.hpp"
 
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{
+constexpr CommandText kStatusText{
     "status", "What the machine is doing",
     "--watch shows it again and again until Ctrl-C: in place on a terminal, else a line for each change.",
     "psicarve status --watch"};
 
-struct Options {
+struct StatusOptions {
     bool watch = false;
 };
 
@@ -29,15 +38,45 @@ std::optional<Profile> known_profile(machine::MachineLink& link, const Profile& 
     return chosen;
 }
 
+/// In which pass a running job is, where it has several.
+class RunningPass {
+public:
+    std::string name(machine::MachineLink& link, const CoreStatus& status) {
+        if (!runs_job(status.state)) return {};
+        if (status.job_generation != generation_) look(link, status.job_generation);
+        for (const JobPass& pass : passes_)
+            if (status.layer - pass.first_layer < pass.layer_count) return pass_name(pass);
+        return {};
+    }
+
+private:
+    /// Copies the whole job, but once: as long as it runs nobody publishes another.
+    void look(machine::MachineLink& link, std::uint64_t generation) {
+        generation_ = generation;
+        passes_.clear();
+        const auto published = copy_current_job(link.segment(), kCopyLimit);
+        if (!published || published->generation != generation) return;
+        const auto job = JobView::check(published->blob);
+        if (job && job->passes().size() > 1) passes_.assign(job->passes().begin(), job->passes().end());
+    }
+
+    static constexpr std::chrono::milliseconds kCopyLimit{500};
+    std::uint64_t generation_ = 0;
+    std::vector<JobPass> passes_;  ///< none: the job has but one
+};
+
 std::string head_line(const machine::MachineLink& link) {
     return "segment    " + link.segment_name() + ", core pid " + std::to_string(link.core_pid().value_or(0)) +
            "\n";
 }
 
-std::string json_line(const machine::MachineLink& link, const CoreStatus& status) {
+std::string json_line(const machine::MachineLink& link, const CoreStatus& status, const std::string& pass) {
     nlohmann::ordered_json object{{"segment", link.segment_name()},
                                   {"core_pid", link.core_pid().value_or(0)}};
-    object.update(status_json(status));
+    const auto checkpoint = link.checkpoint();
+    object.update(report::status_json(status));
+    object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
+    object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
     return object.dump() + "\n";
 }
 
@@ -53,18 +92,22 @@ Error with_last_state(machine::MachineLink& link, Error error) {
     return error;
 }
 
-Result<int> show_status(const CommonOptions& common, const Options& options) {
+Result<int> show_status(const CommonOptions& common, const StatusOptions& options) {
     const auto chosen = chosen_profile(common);
     if (!chosen) return chosen.error();
     auto link = machine::MachineLink::attach(common.segment, common.group);
     if (!link) return link.error();
+    RunningPass running;
     const auto show = [&](bool as_line) -> Result<std::string> {
         const auto status = link->status();
         if (!status) return with_last_state(*link, status.error());
-        if (common.json) return json_line(*link, *status);
-        if (as_line) return status_line(*status);
+        const std::string pass = running.name(*link, *status);
+        if (common.json) return json_line(*link, *status, pass);
+        if (as_line) return status_line(*status, pass);
         const auto profile = known_profile(*link, *chosen);
-        return head_line(*link) + status_text(*status, profile ? &*profile : nullptr);
+        const auto checkpoint = link->checkpoint();
+        return head_line(*link) + status_text(*status, profile ? &*profile : nullptr, pass) +
+               checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));
     };
     return show_or_watch(show, options.watch, common.json);
 }
@@ -72,8 +115,9 @@ Result<int> show_status(const CommonOptions& common, const Options& options) {
 }  // namespace
 
 void add_status(CommandSet& commands) {
-    const auto options = std::make_shared<Options>();
-    commands.add(kText, [options](const CommonOptions& common) { return show_status(common, *options); })
+    const auto options = std::make_shared<StatusOptions>();
+    commands
+        .add(kStatusText, [options](const CommonOptions& common) { return show_status(common, *options); })
         .flag("--watch", options->watch, "Go on showing it until Ctrl-C");
 }
 

@@ -8,27 +8,27 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{
+constexpr CommandText kStopText{
     "stop", "Slow down on the path, retract, spindle off: the job ends",
     "Never waits behind anything and is never refused. Drives stay on. Waits until the machine is at rest.",
     "psicarve stop"};
 constexpr std::chrono::milliseconds kRestLimit{5000};
 
 Result<int> stop(const CommonOptions& common) {
-    auto link = link_to_core(common);
+    auto link = link_to_stop(common);
     if (!link) return link.error();
     link->stop();
     using S = MachineState;
     const auto rest = link->wait_after_stop({S::ready, S::off, S::alarm}, kRestLimit);
     if (!rest) return rest.error();
-    report_motion(common, kText.name, *rest);
+    report_motion(common, kStopText.name, *rest);
     return kExitDone;
 }
 
 }  // namespace
 
 void add_stop(CommandSet& commands) {
-    commands.add(kText, stop);
+    commands.add(kStopText, stop);
 }
 
 }  // namespace psicarve::cli

@@ -1,37 +1,95 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/verify/verifier.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "hmi/cli/carved_piece.hpp"
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
+#include "hmi/flat/load_model.hpp"
+#include "hmi/model/turned_mesh.hpp"
 #include "hmi/verify/picture.hpp"
 #include "shared/snapshot_file.hpp"
 
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kText{"verify", "Judge a pin trace against its job, knowing nothing else",
-                            "Replays the pins alone into positions, checks what pulses must obey, carves the "
-                            "blank in simulation and\n"
-                            "compares it with the job's surface. Exit code 6 when something differs.",
-                            "psicarve verify figurine.job pins.vcd --picture carved.png"};
+constexpr CommandText kVerifyText{
+    "verify", "Judge a pin trace against its job, knowing nothing else",
+    "Replays the pins alone into positions, checks what pulses must obey, carves the "
+    "blank in simulation and\n"
+    "compares it with the job's surface. Exit code 6 when something differs.",
+    "psicarve verify figurine.job pins.vcd --picture carved.png\n"
+    "psicarve verify figurine.job pins.vcd --model figurine.stl --deviation piece.png"};
 
-struct Options {
+struct VerifyOptions {
     std::string job;
     std::string trace;
     std::string picture;
+    std::string model;
+    PieceFiles files;
+    verify::LayerRange layers;
 };
 
-Result<int> verify_files(const CommonOptions& common, const Options& options) {
+model::MeshTurn turn_of(const nlohmann::json& report) {
+    model::MeshTurn turn;
+    const auto said = report.find("turn");
+    if (!report.is_object() || said == report.end() || !said->is_object()) return turn;
+    const auto rotate = said->find("rotate_deg");
+    for (std::size_t axis = 0; rotate != said->end() && rotate->is_array() && axis < 3; ++axis) {
+        if (axis < rotate->size() && (*rotate)[axis].is_number())
+            turn.rotate_deg[axis] = (*rotate)[axis].get<double>();
+    }
+    const auto mirror = said->find("mirror");
+    if (mirror != said->end() && mirror->is_string())
+        turn.mirror = *mirror == "x" ? 0U : *mirror == "y" ? 1U : 2U;
+    return turn;
+}
+
+/// The file that the job was sliced from, read as it was then.
+Result<std::shared_ptr<const model::Mesh>> model_of(const std::string& path, const PreparedJob& job) {
+    if (path.empty()) return std::shared_ptr<const model::Mesh>{};
+    const auto report = nlohmann::json::parse(job.view.report_json(), nullptr, false);
+    const bool has_body = report.is_object() && report.contains("body");
+    auto mesh = flat::load_model(path, flat::flat_options_from_json(has_body ? report["body"].dump() : ""));
+    if (!mesh) return mesh.error();
+    return std::make_shared<const model::Mesh>(model::turned(std::move(mesh).value(), turn_of(report)));
+}
+
+std::string json_of(const verify::VerifyReport& report, const std::unique_ptr<CarvedPiece>& piece) {
+    auto object = nlohmann::ordered_json::parse(verify::report_json(report));
+    if (piece && piece->deviation())
+        object["deviation"] = nlohmann::ordered_json::parse(piece::deviation_json(*piece->deviation()));
+    return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string text_of(const verify::VerifyReport& report, const std::unique_ptr<CarvedPiece>& piece) {
+    std::string text = verify::report_text(report);
+    if (!text.empty() && text.back() == '\n') text.pop_back();
+    if (!piece) return text;
+    if (piece->deviation()) text += "\n  piece: " + piece::deviation_text(*piece->deviation());
+    if (piece->files().mesh.empty()) return text;
+    return text + "\n" + piece->files().mesh + ": the piece; " +
+           std::to_string(std::llround(piece->removed_mm3())) + " mm3 taken off";
+}
+
+Result<int> verify_files(const CommonOptions& common, const VerifyOptions& options) {
     if (const auto writable = check_output_folder(options.picture); !writable) return writable.error();
+    if (!options.model.empty() && !options.files.any()) {
+        return Error{ErrorCode::bad_usage,
+                     "--model is what the piece is compared with: add --piece or --deviation"};
+    }
+    if (const auto writable = check_piece_files(options.files); !writable) return writable.error();
     auto snapshot = load_snapshot(options.job);
     if (!snapshot) return snapshot.error();
-    const auto job = job_of_snapshot(std::move(snapshot).value(), options.job, common);
+    const auto job = job_of_snapshot(std::move(snapshot).value(), options.job, common, ProfileUse::judge);
     if (!job) return job.error();
+    for (const std::string& warning : job->warnings) print_warning(warning);
     const auto trace = verify::open_trace(options.trace);
     if (!trace) return trace.error();
     if (!(*trace)->start().has_positions) {
@@ -40,29 +98,45 @@ Result<int> verify_files(const CommonOptions& common, const Options& options) {
             ": does not say where the axes stood at its begin, as "
             "\"$comment position_pulses r1=... r2=... psi=... y=... $end\" would; all are taken to be 0");
     }
-    auto verifier = verify::Verifier::make(job->view, job->profile);
+    auto verifier = verify::Verifier::make(job->view, job->profile, options.layers);
     if (!verifier) return bad_input(options.job + ": " + verifier.error().message);
+    auto model = model_of(options.model, *job);
+    if (!model) return model.error();
+    const auto piece = CarvedPiece::make(*job, std::move(model).value(), options.files);
+    if (!piece) return piece.error();
+    if (*piece) verifier->set_follower((*piece)->follower());
     const auto report = verify::verify_trace(*verifier, **trace);
     if (!report) return report.error();
+    if (*piece) {
+        if (const auto written = (*piece)->finish(); !written) return written.error();
+    }
     if (!options.picture.empty()) {
         const auto caption = verify::caption_of(job->view, *report);
         const auto drawn = verify::write_picture(options.picture, verifier->surface(), caption);
         if (!drawn) return drawn.error();
     }
-    std::string text = common.json ? verify::report_json(*report) : verify::report_text(*report);
-    if (text.empty() || text.back() != '\n') text += '\n';
-    std::printf("%s", text.c_str());
+    std::printf("%s\n", common.json ? json_of(*report, *piece).c_str() : text_of(*report, *piece).c_str());
     return report->ok ? kExitDone : kExitDifference;
 }
 
 }  // namespace
 
 void add_verify(CommandSet& commands) {
-    const auto options = std::make_shared<Options>();
-    commands.add(kText, [options](const CommonOptions& common) { return verify_files(common, *options); })
-        .argument("JOB", options->job, "The job or snapshot file")
+    const auto options = std::make_shared<VerifyOptions>();
+    Syntax syntax = commands.add(
+        kVerifyText, [options](const CommonOptions& common) { return verify_files(common, *options); });
+    syntax.argument("JOB", options->job, "The job or snapshot file")
         .argument("TRACE", options->trace, "The pin trace: VCD or compact binary")
-        .picture_option(options->picture);
+        .picture_option(options->picture)
+        .option(
+            "--model", options->model, "MODEL",
+            "The file that the job was sliced from: tell with --piece or --deviation how far the piece is "
+            "from it");
+    syntax
+        .option("--from-layer", options->layers.first, 0, kMaxJobCount - 1,
+                "Carving was to begin with layer N, as with psicarve start")
+        .option("--layers", options->layers.count, 0, kMaxJobCount, "And to end after N layers");
+    add_piece_options(syntax, options->files);
 }
 
 }  // namespace psicarve::cli

@@ -7,6 +7,7 @@
 
 #include "hmi/doctor/finding.hpp"
 #include "hmi/doctor/system_files.hpp"
+#include "shared/raw_access.hpp"
 
 namespace psicarve::doctor {
 
@@ -25,6 +26,9 @@ Finding check_hypervisor(const SystemFiles& files);
 Finding check_shared_memory(std::optional<std::uint64_t> free_bytes);
 // port_checks.cpp: one for each port, or one that says there is none
 std::vector<Finding> check_ports(const SystemFiles& files);
+/// What the kernel says to a core with --port io:... Nobody has to have it who has a device that can be
+/// driven.
+Finding check_raw_access(const std::optional<RawRefusal>& refusal, bool has_device);
 
 /// All of them, in the order of the report.
 std::vector<Finding> check_all(const SystemFiles& files);

@@ -7,7 +7,6 @@
 namespace psicarve::doctor {
 namespace {
 
-constexpr std::uint64_t kTickPriority = 80;
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 constexpr const char* kLatencyDevice = "/dev/cpu_dma_latency";
 
@@ -17,9 +16,11 @@ Finding check_scheduling(const SystemFiles& files) {
     const std::string name = "real-time scheduling";
     if (files.has_capability(kCapSysNice)) return fine(name, "allowed by CAP_SYS_NICE");
     const std::uint64_t most = files.limit("Max realtime priority").value_or(0);
-    if (most >= kTickPriority) return fine(name, "priority up to " + std::to_string(most));
+    if (most >= std::uint64_t{kTickPriority}) return fine(name, "priority up to " + std::to_string(most));
     return {name, Verdict::problem,
-            most == 0 ? "not allowed" : "priority up to " + std::to_string(most) + " only, the tick has 80",
+            most == 0 ? "not allowed"
+                      : "priority up to " + std::to_string(most) + " only, the tick has " +
+                            std::to_string(kTickPriority),
             "any program may keep the tick waiting; a real machine is refused",
             std::string{remedy_of(RealtimeStep::scheduling)}};
 }

@@ -15,6 +15,7 @@ class SystemFiles {
 public:
     explicit SystemFiles(std::string root = {}) : root_(std::move(root)) {}
 
+    std::string path_of(const std::string& path) const { return root_ + path; }
     /// Without white space at its ends; nothing when it cannot be read.
     std::optional<std::string> text(const std::string& path) const;
     bool exists(const std::string& path) const;

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/machine/core_process.hpp"
 
-#include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <climits>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <thread>
 #include <utility>
 
+#include "hmi/machine/child_start.hpp"
 #include "shared/command.hpp"
 
 namespace psicarve::machine {
@@ -24,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 constexpr const char* kProgramName = "psicarve-rtcore";
-constexpr milliseconds kPoll{2};
+constexpr milliseconds kProcessPoll{2};
 constexpr milliseconds kStartLimit{20'000};
 constexpr milliseconds kShutdownLimit{3'000};
 constexpr milliseconds kTerminateLimit{3'000};
@@ -49,6 +47,7 @@ std::vector<std::string> arguments_of(const CoreLaunch& launch, const std::strin
         arguments.push_back(std::to_string(launch.capacity_layers) + "x" +
                             std::to_string(launch.capacity_points));
     }
+    if (launch.no_estimate) arguments.emplace_back("--no-estimate");
     if (!launch.outlives_us) arguments.emplace_back("--exit-with-parent");
     const auto add = [&arguments](const char* option, const std::string& value) {
         if (value.empty()) return;
@@ -58,57 +57,10 @@ std::vector<std::string> arguments_of(const CoreLaunch& launch, const std::strin
     add("--profile", launch.profile_path);
     add("--replay", launch.replay_path);
     add("--group", launch.group);
+    add("--layer-times", launch.layer_times_path);
     for (const std::string& path : launch.trace_paths) add("--trace", path);
     return arguments;
 }
-
-/// What the child begins with: no input, all it says into `output`, the descriptors it inherits.
-class SpawnSetup {
-public:
-    SpawnSetup(int output, const std::vector<int>& inherited) {
-        posix_spawn_file_actions_init(&actions_);
-        posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
-        posix_spawn_file_actions_adddup2(&actions_, output, STDERR_FILENO);
-        // Onto itself: that takes close-on-exec away.
-        for (const int fd : inherited) posix_spawn_file_actions_adddup2(&actions_, fd, fd);
-        posix_spawnattr_init(&attributes_);
-        sigset_t all_by_default;
-        sigset_t none_blocked;
-        sigfillset(&all_by_default);
-        sigemptyset(&none_blocked);
-        posix_spawnattr_setsigdefault(&attributes_, &all_by_default);
-        posix_spawnattr_setsigmask(&attributes_, &none_blocked);
-        posix_spawnattr_setpgroup(&attributes_, 0);
-        posix_spawnattr_setflags(&attributes_,
-                                 POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
-    }
-    ~SpawnSetup() {
-        posix_spawn_file_actions_destroy(&actions_);
-        posix_spawnattr_destroy(&attributes_);
-    }
-    SpawnSetup(const SpawnSetup&) = delete;
-    SpawnSetup& operator=(const SpawnSetup&) = delete;
-
-    Result<pid_t> spawn(const std::vector<std::string>& arguments) const {
-        std::vector<char*> argv;
-        argv.reserve(arguments.size() + 1);
-        // posix_spawn promises not to write to them.
-        for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-        argv.push_back(nullptr);
-        pid_t pid = -1;
-        const int error =
-            posix_spawn(&pid, arguments[0].c_str(), &actions_, &attributes_, argv.data(), environ);
-        if (error != 0) {
-            return Error{ErrorCode::no_core, arguments[0] + ": cannot be started: " + std::strerror(error)};
-        }
-        return pid;
-    }
-
-private:
-    posix_spawn_file_actions_t actions_{};
-    posix_spawnattr_t attributes_{};
-};
 
 }  // namespace
 
@@ -154,7 +106,10 @@ Result<CoreProcess> CoreProcess::start(const CoreLaunch& launch) {
     }
     auto output = open_memory_file("core-output");
     if (!output) return output.error();
-    const auto pid = SpawnSetup{output->get(), launch.inherited_fds}.spawn(arguments_of(launch, *program));
+    const auto pid = start_child({.arguments = arguments_of(launch, *program),
+                                  .output = output->get(),
+                                  .errors = output->get(),
+                                  .inherited = launch.inherited_fds});
     if (!pid) return pid.error();
     CoreProcess core{*pid, std::move(output).value(), launch};
     if (const auto serving = core.wait_until_it_serves(); !serving) return serving.error();
@@ -176,7 +131,7 @@ Result<void> CoreProcess::wait_until_it_serves() {
                                                  ") did not begin to serve segment " + segment_name_ + ": " +
                                                  messages()};
         }
-        std::this_thread::sleep_for(kPoll);
+        std::this_thread::sleep_for(kProcessPoll);
     }
 }
 
@@ -200,7 +155,7 @@ std::optional<int> CoreProcess::wait_exit(milliseconds limit) {
     const auto give_up = Clock::now() + limit;
     while (!poll_exit()) {
         if (Clock::now() > give_up) return std::nullopt;
-        std::this_thread::sleep_for(kPoll);
+        std::this_thread::sleep_for(kProcessPoll);
     }
     return exit_code_;
 }
@@ -209,15 +164,26 @@ void CoreProcess::terminate() noexcept {
     if (pid_ > 0 && !poll_exit()) kill(pid_, SIGTERM);
 }
 
+bool CoreProcess::agrees_to_end() {
+    auto segment = Segment::attach(segment_name_);
+    return segment &&
+           send_command(*segment, Command{CommandKind::shutdown, 0, 0.0, 0}, kShutdownLimit).has_value();
+}
+
+bool CoreProcess::end_while(const std::function<bool()>& goes_on) {
+    if (pid_ < 0 || poll_exit()) return true;
+    if (!agrees_to_end()) return false;
+    while (!poll_exit()) {
+        if (!goes_on()) return false;
+        std::this_thread::sleep_for(kProcessPoll);
+    }
+    return true;
+}
+
 void CoreProcess::end() noexcept {
     if (pid_ < 0) return;
     if (!poll_exit()) {
-        bool has_agreed = false;
-        if (auto segment = Segment::attach(segment_name_); segment) {
-            has_agreed =
-                send_command(*segment, Command{CommandKind::shutdown, 0, 0.0, 0}, kShutdownLimit).has_value();
-        }
-        if (!has_agreed || !wait_exit(kShutdownLimit)) {
+        if (!agrees_to_end() || !wait_exit(kShutdownLimit)) {
             terminate();
             if (!wait_exit(kTerminateLimit)) {
                 kill(pid_, SIGKILL);

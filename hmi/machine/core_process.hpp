@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ struct CoreLaunch {
     std::uint32_t capacity_layers = kDefaultCapacityLayers;
     std::uint32_t capacity_points = kDefaultCapacityPoints;
     std::string group;
+    std::string layer_times_path;    ///< for the layers' planned times; empty: nobody asks
+    bool no_estimate = false;        ///< nobody asks for the time left: the processor is for the carving
     std::vector<int> inherited_fds;  ///< keep their numbers in the child
     /// Carves on and serves its segment when we are killed; else it ends when we die.
     bool outlives_us = false;
@@ -58,12 +61,15 @@ public:
     void terminate() noexcept;
     /// Ends it: by command, else SIGTERM, else SIGKILL, each with a time limit. Removes a private segment.
     void end() noexcept;
+    /// Asks it by command to end and waits as long as `goes_on` says so; false when it runs on.
+    bool end_while(const std::function<bool()>& goes_on);
     /// What it said on standard error, at most the last few kilobytes, without the final line end.
     std::string messages() const;
 
 private:
     CoreProcess(pid_t pid, UniqueFd output, const CoreLaunch& launch);
     bool poll_exit();
+    bool agrees_to_end();
     Result<void> wait_until_it_serves();
     Error failure() const;
 

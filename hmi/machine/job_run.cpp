@@ -12,7 +12,7 @@ namespace {
 using S = MachineState;
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kFollowPoll{50};
-constexpr int kExitAlarm = 4;
+constexpr int kJobRunExitAlarm = 4;
 
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -112,13 +112,13 @@ JobRun follow_replay(MachineLink& link, CoreProcess& core, const StatusWatch& wa
     run.wall_seconds = seconds_since(begin);
     run.after = link.last_status().value_or(run.after);
     if (run.failure || *exit_code == 0) return run;
-    if (*exit_code == kExitAlarm && run.after.alarm_count > 0) {
+    if (*exit_code == kJobRunExitAlarm && run.after.alarm_count > 0) {
         run.failure = alarm_error(run.after);
         return run;
     }
     const std::string said = core.messages();
     run.failure = Error{
-        *exit_code == kExitAlarm ? ErrorCode::machine_refused : ErrorCode::no_core,
+        *exit_code == kJobRunExitAlarm ? ErrorCode::machine_refused : ErrorCode::no_core,
         "the core ended with exit code " + std::to_string(*exit_code) + (said.empty() ? "" : ": " + said)};
     return run;
 }

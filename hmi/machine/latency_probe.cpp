@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/machine/latency_probe.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "hmi/machine/child_start.hpp"
 #include "hmi/machine/core_process.hpp"
 #include "hmi/machine/unique_fd.hpp"
 
@@ -23,30 +21,6 @@ constexpr int kPoll_ms = 100;
 /// The measuring core; ended and buried with the object.
 class Probe {
 public:
-    static Result<pid_t> start(std::vector<std::string> words, int output) {
-        std::vector<char*> argv;
-        argv.reserve(words.size() + 1);
-        for (std::string& word : words) argv.push_back(word.data());
-        argv.push_back(nullptr);
-        posix_spawn_file_actions_t actions;
-        posix_spawn_file_actions_init(&actions);
-        posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-        // A group of its own: Ctrl-C reaches us alone, and we tell it to end.
-        posix_spawnattr_t attributes;
-        posix_spawnattr_init(&attributes);
-        posix_spawnattr_setpgroup(&attributes, 0);
-        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-        pid_t pid = -1;
-        const int error = posix_spawn(&pid, argv[0], &actions, &attributes, argv.data(), environ);
-        posix_spawnattr_destroy(&attributes);
-        posix_spawn_file_actions_destroy(&actions);
-        if (error != 0) {
-            return Error{ErrorCode::no_core, words[0] + ": cannot be started: " + std::strerror(error)};
-        }
-        return pid;
-    }
-
     explicit Probe(pid_t pid) noexcept : pid_(pid) {}
     Probe(const Probe&) = delete;
     Probe& operator=(const Probe&) = delete;
@@ -161,7 +135,8 @@ Result<LatencyResult> measure_latency(const LatencyWish& wish,
     }
     auto pipe = open_pipe();
     if (!pipe) return pipe.error();
-    const auto pid = Probe::start(arguments_of(wish, *program), pipe->write_end.get());
+    const auto pid =
+        start_child({.arguments = arguments_of(wish, *program), .output = pipe->write_end.get()});
     if (!pid) return pid.error();
     pipe->write_end.reset();
     Probe probe{*pid};

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "shared/realtime_step.hpp"
 #include "shared/result.hpp"
 
 namespace psicarve::machine {
@@ -15,7 +16,7 @@ namespace psicarve::machine {
 struct LatencyWish {
     std::uint32_t period_us = 50;
     std::uint32_t seconds = 10;
-    std::uint32_t priority = 80;
+    std::uint32_t priority = kTickPriority;
     std::string cpu;  ///< a number or "any"; empty: as the core chooses
 };
 

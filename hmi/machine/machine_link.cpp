@@ -41,13 +41,19 @@ Error alarm_error(const CoreStatus& status) {
     if (status.alarm_axis != kNoAxis && status.alarm_axis < kAxisCount) {
         text += " of " + std::string{name_of(static_cast<Axis>(status.alarm_axis))};
     }
-    const std::string remedy{remedy_of(status.alarm_cause)};
+    const std::string remedy{remedy_of(status)};
     if (!remedy.empty()) text += "; " + remedy;
     return Error{ErrorCode::machine_refused, text};
 }
 
 Result<MachineLink> MachineLink::attach(const std::string& segment_name, const std::string& group) {
     auto segment = Segment::attach(segment_name, group);
+    if (!segment) return segment.error();
+    return MachineLink{std::move(segment).value()};
+}
+
+Result<MachineLink> MachineLink::attach_to_stop(const std::string& segment_name) {
+    auto segment = Segment::attach_to_stop(segment_name);
     if (!segment) return segment.error();
     return MachineLink{std::move(segment).value()};
 }
@@ -76,6 +82,16 @@ std::optional<CoreStatus> MachineLink::last_status() const noexcept {
     auto status = read_record(segment_.header().status);
     if (!status || status->heartbeat == 0) return std::nullopt;
     return status;
+}
+
+std::optional<Checkpoint> MachineLink::checkpoint() const noexcept {
+    const auto checkpoint = read_record(segment_.header().checkpoint);
+    if (!checkpoint || !is_checkpoint(*checkpoint)) return std::nullopt;
+    return checkpoint;
+}
+
+bool MachineLink::is_of_published_job(const Checkpoint& checkpoint) const noexcept {
+    return published_checksum(segment_) == std::optional{checkpoint.job_checksum};
 }
 
 std::optional<CoreStatus> MachineLink::next_status(std::uint64_t seen_heartbeat) {

@@ -35,6 +35,8 @@ class MachineLink {
 public:
     /// no_core when there is no such segment.
     static Result<MachineLink> attach(const std::string& segment_name, const std::string& group = {});
+    /// Segment::attach_to_stop().
+    static Result<MachineLink> attach_to_stop(const std::string& segment_name);
     static Result<MachineLink> create_or_attach(const SegmentOptions& options);
 
     Segment& segment() noexcept { return segment_; }
@@ -45,6 +47,10 @@ public:
 
     /// What the core, or a dead one, wrote last; nothing when none ever did.
     std::optional<CoreStatus> last_status() const noexcept;
+    /// How far the last carving has come, checked; nothing when there was none.
+    std::optional<Checkpoint> checkpoint() const noexcept;
+    /// Whether it is of the job that is published now.
+    bool is_of_published_job(const Checkpoint& checkpoint) const noexcept;
     /// A status that the living core wrote after this call began. no_core when none serves or it is silent.
     Result<CoreStatus> status();
 
@@ -56,6 +62,8 @@ public:
 
     /// Publishes a job and, when a core serves, waits until it has judged it. Returns the generation.
     Result<std::uint64_t> publish(std::span<const std::byte> job_blob);
+    /// What the core wants to be known of the job that it has accepted; mostly nothing.
+    std::string job_remark() const { return psicarve::job_remark(segment_); }
 
     /// After a command's answer: waits for one of `wanted`, as long as it takes. Ends early with an error
     /// when the core is gone or silent (no_core), in alarm or at rest in another state (machine_refused), or

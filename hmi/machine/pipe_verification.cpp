@@ -22,10 +22,18 @@ void drain(int fd) {
 }  // namespace
 
 Result<std::unique_ptr<PipeVerification>> PipeVerification::start(const JobView& job, const Profile& profile,
-                                                                  UniqueFd read_end) {
+                                                                  UniqueFd read_end,
+                                                                  verify::Verifier::Follower follower) {
     auto verifier = verify::Verifier::make(job, profile);
     if (!verifier) return verifier.error();
     std::unique_ptr<PipeVerification> made{new PipeVerification{std::move(verifier).value()}};
+    if (follower) {
+        made->verifier_.set_follower(
+            [self = made.get(), told = std::move(follower)](const auto& positions, bool spindle_on) {
+                self->progress_.fetch_add(1, std::memory_order_relaxed);
+                told(positions, spindle_on);
+            });
+    }
     made->thread_ =
         std::thread{[self = made.get(), fd = std::move(read_end)]() mutable { self->run(std::move(fd)); }};
     return made;
@@ -38,7 +46,12 @@ PipeVerification::~PipeVerification() {
 void PipeVerification::run(UniqueFd read_end) {
     UniqueFd kept{fcntl(read_end.get(), F_DUPFD_CLOEXEC, 0)};
     auto trace = verify::open_trace_fd(read_end.release(), "the core's trace");
-    report_ = trace ? verify::verify_trace(verifier_, **trace) : Result<verify::VerifyReport>{trace.error()};
+    const auto goes_on = [this] {
+        progress_.fetch_add(1, std::memory_order_relaxed);
+        return true;
+    };
+    report_ = trace ? verify::verify_trace(verifier_, **trace, goes_on)
+                    : Result<verify::VerifyReport>{trace.error()};
     drain(kept.get());
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -17,9 +19,10 @@ namespace psicarve::machine {
 /// file. The core waits on the pipe when the verifier is slower (virtual clock).
 class PipeVerification {
 public:
-    /// The job's blob outlives this. Takes the pipe's read end.
+    /// The job's blob outlives this. Takes the pipe's read end. The follower is told on that thread.
     static Result<std::unique_ptr<PipeVerification>> start(const JobView& job, const Profile& profile,
-                                                           UniqueFd read_end);
+                                                           UniqueFd read_end,
+                                                           verify::Verifier::Follower follower = {});
     ~PipeVerification();
     PipeVerification(const PipeVerification&) = delete;
     PipeVerification& operator=(const PipeVerification&) = delete;
@@ -27,6 +30,8 @@ public:
     /// Waits for the trace's end; every other descriptor of the pipe's write end must be closed. An error
     /// when the trace was cut off: then nothing was verified.
     Result<verify::VerifyReport> finish();
+    /// Grows as long as the trace is still read and followed.
+    std::uint64_t progress() const noexcept { return progress_.load(std::memory_order_relaxed); }
     /// After finish(): the piece as it came out of the pins, as far as they were seen.
     const verify::CarvedSurface& surface() const noexcept { return verifier_.surface(); }
 
@@ -35,6 +40,7 @@ private:
     void run(UniqueFd read_end);
 
     verify::Verifier verifier_;
+    std::atomic<std::uint64_t> progress_{0};
     std::optional<Result<verify::VerifyReport>> report_;  // written by the thread, read after join
     std::thread thread_;
 };

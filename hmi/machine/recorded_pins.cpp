@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/machine/recorded_pins.hpp"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,9 +16,10 @@
 namespace psicarve::machine {
 namespace {
 
-constexpr std::chrono::milliseconds kPoll{1};
-/// So few that the lease is renewed in between, however slow the verifier is.
+constexpr std::chrono::milliseconds kPinsPoll{1};
+/// The lease is renewed in between.
 constexpr int kMostAtOnce = 256;
+constexpr int kRenewalPause_ms = 100;
 /// What the core has put into the ring by the end of the recording is there to be read.
 constexpr std::chrono::milliseconds kEndLimit{5000};
 
@@ -27,8 +29,16 @@ std::uint32_t any_token() {
     return token != 0 ? token : 1;
 }
 
-void write_all(int fd, std::span<const std::uint8_t> bytes) {
+/// `wait` is called again and again while the verifier has no room for more.
+template <typename Wait>
+void write_all(int fd, std::span<const std::uint8_t> bytes, Wait&& wait) {
     while (!bytes.empty()) {
+        // Once there is room it is for more than a piece: that is less than PIPE_BUF.
+        pollfd room{fd, POLLOUT, 0};
+        if (poll(&room, 1, kRenewalPause_ms) == 0) {
+            wait();
+            continue;
+        }
         const ssize_t put = ::write(fd, bytes.data(), bytes.size());
         if (put < 0 && errno == EINTR) continue;
         if (put <= 0) return;  // the verifier says that its trace was cut off
@@ -43,11 +53,12 @@ RecordedPins::RecordedPins(MachineLink& link) noexcept
 
 Result<std::unique_ptr<RecordedPins>> RecordedPins::start(MachineLink& link, const JobView& job,
                                                           const Profile& profile,
-                                                          const std::string& trace_path) {
+                                                          const std::string& trace_path,
+                                                          verify::Verifier::Follower follower) {
     std::unique_ptr<RecordedPins> made{new RecordedPins{link}};
     auto pipe = open_pipe();
     if (!pipe) return pipe.error();
-    auto verification = PipeVerification::start(job, profile, std::move(pipe->read_end));
+    auto verification = PipeVerification::start(job, profile, std::move(pipe->read_end), std::move(follower));
     if (!verification) return verification.error();
     made->verification_ = std::move(verification).value();
     made->pipe_ = std::move(pipe->write_end);
@@ -123,7 +134,7 @@ void RecordedPins::read_pieces() {
         const Phase phase = phase_.load();
         const bool is_silent = Clock::now() - last_piece > kEndLimit;
         if (taken == 0 && (phase == Phase::given_up || (phase == Phase::ending && is_silent))) break;
-        std::this_thread::sleep_for(kPoll);
+        std::this_thread::sleep_for(kPinsPoll);
     }
     pipe_.reset();  // the verifier reads to the end of what there is
 }
@@ -144,7 +155,7 @@ void RecordedPins::hand_on(const RecordingPiece& piece) {
         return;
     }
     const std::size_t count = std::min<std::size_t>(piece.bytes, sizeof piece.data);
-    write_all(pipe_.get(), {piece.data, count});
+    write_all(pipe_.get(), {piece.data, count}, [this] { renew(); });
     if (file_) file_->write({reinterpret_cast<const char*>(piece.data), count});
 }
 

@@ -27,7 +27,8 @@ public:
     /// Has the core record from here on; it must be at rest. `trace_path` empty: no file. The link and the
     /// job's blob outlive this.
     static Result<std::unique_ptr<RecordedPins>> start(MachineLink& link, const JobView& job,
-                                                       const Profile& profile, const std::string& trace_path);
+                                                       const Profile& profile, const std::string& trace_path,
+                                                       verify::Verifier::Follower follower = {});
     ~RecordedPins();
     RecordedPins(const RecordedPins&) = delete;
     RecordedPins& operator=(const RecordedPins&) = delete;

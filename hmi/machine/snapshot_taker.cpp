@@ -12,6 +12,7 @@ Result<Snapshot> take_snapshot(MachineLink& link, std::chrono::milliseconds limi
     snapshot.generation = job->generation;
     snapshot.job_blob = std::move(job->blob);
     snapshot.status = link.last_status();
+    snapshot.checkpoint = link.checkpoint();
     snapshot.capacity_layers = link.segment().capacity_layers();
     snapshot.capacity_points = link.segment().capacity_points();
     RingReader reader{link.segment().header().recorder};

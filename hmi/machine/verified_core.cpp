@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/machine/verified_core.hpp"
 
+#include <chrono>
 #include <span>
 #include <utility>
 
 namespace psicarve::machine {
+namespace {
 
-Result<VerifiedCore> VerifiedCore::start(CoreLaunch launch, const JobView& job, const Profile& profile) {
+/// A verification that reads nothing for so long is not to be waited for.
+constexpr std::chrono::seconds kStandstill{10};
+
+}  // namespace
+
+Result<VerifiedCore> VerifiedCore::start(CoreLaunch launch, const JobView& job, const Profile& profile,
+                                         verify::Verifier::Follower follower) {
     const std::string toml = profile_to_toml(profile);
     const auto profile_file = open_memory_file("profile", std::as_bytes(std::span{toml}));
     if (!profile_file) return profile_file.error();
@@ -21,12 +29,22 @@ Result<VerifiedCore> VerifiedCore::start(CoreLaunch launch, const JobView& job, 
     pipe->write_end.reset();
     auto link = MachineLink::attach(launch.segment_name, launch.group);
     if (!link) return link.error();
-    auto verification = PipeVerification::start(job, profile, std::move(pipe->read_end));
+    auto verification = PipeVerification::start(job, profile, std::move(pipe->read_end), std::move(follower));
     if (!verification) return verification.error();
     return VerifiedCore{std::move(verification).value(), std::move(core).value(), std::move(link).value()};
 }
 
 Result<verify::VerifyReport> VerifiedCore::finish() {
+    using Clock = std::chrono::steady_clock;
+    std::uint64_t seen = verification_->progress();
+    auto last_progress = Clock::now();
+    // On a busy computer we ourselves may be what the core waits for.
+    (void)core_.end_while([&] {
+        const std::uint64_t before = std::exchange(seen, verification_->progress());
+        const auto now = Clock::now();
+        if (seen != before) last_progress = now;
+        return now - last_progress < kStandstill;
+    });
     core_.end();
     return verification_->finish();
 }

@@ -17,13 +17,15 @@ namespace psicarve::machine {
 class VerifiedCore {
 public:
     /// Starts the core that `launch` describes, with the profile, and a trace into our verifier besides those
-    /// that `launch` names. The job's blob outlives this.
-    static Result<VerifiedCore> start(CoreLaunch launch, const JobView& job, const Profile& profile);
+    /// that `launch` names; `follower` is told until finish(). The job's blob outlives this.
+    static Result<VerifiedCore> start(CoreLaunch launch, const JobView& job, const Profile& profile,
+                                      verify::Verifier::Follower follower = {});
 
     MachineLink& link() noexcept { return link_; }
     CoreProcess& core() noexcept { return core_; }
 
-    /// Ends the core in order and gives what its pins came to; an error when the trace was cut off.
+    /// Ends the core in order, once its trace is read however long that takes, and gives what its pins came
+    /// to; an error when the trace was cut off.
     Result<verify::VerifyReport> finish();
     /// After finish().
     const verify::CarvedSurface& surface() const noexcept { return verification_->surface(); }

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "hmi/model/file_bytes.hpp"
+#include "hmi/model/foreign_file.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/model/mesh_check.hpp"
 #include "hmi/model/stl_reader.hpp"
@@ -47,6 +48,10 @@ bool has_obj_vertex(std::string_view head) noexcept {
 }
 
 bool is_off(std::string_view lower_head) noexcept {
+    while (!lower_head.empty() && lower_head.front() == '#') {
+        lower_head.remove_prefix(std::min(lower_head.find_first_of("\r\n"), lower_head.size()));
+        lower_head.remove_prefix(std::min(lower_head.find_first_not_of(" \t\r\n"), lower_head.size()));
+    }
     const std::size_t end = lower_head.find_first_of(" \t\r\n");
     std::string_view word = lower_head.substr(0, end);
     if (word.size() < 3 || word.substr(word.size() - 3) != "off") return false;
@@ -93,26 +98,40 @@ Result<Mesh> read_as(Format format, const InputFile& file) {
         case Format::three_mf:
             return read_3mf(file);
         case Format::off:
-            return read_off(file);
         case Format::unknown:
             break;
     }
-    return bad_input(file.path() + ": not a mesh that can be read here (STL, OBJ, PLY, 3MF or OFF)");
+    return read_off(file);
+}
+
+/// What the file holds decides, then its extension; refuses what is neither.
+Result<Format> known_format(const InputFile& file) {
+    if (file.size_bytes() == 0) return bad_input(file.path() + ": the file is empty");
+    std::array<char, kHeadBytes> bytes{};
+    const std::span<char> head = std::span(bytes).first(
+        static_cast<std::size_t>(std::min<std::uint64_t>(kHeadBytes, file.size_bytes())));
+    if (auto done = file.read(0, head); !done) return done.error();
+    Format format = format_by_content({head.data(), head.size()}, file.size_bytes());
+    if (format == Format::unknown) format = format_by_extension(file.path());
+    if (format != Format::unknown) return format;
+    return bad_input(file.path() + ": " + why_not_read({head.data(), head.size()}));
 }
 
 }  // namespace
 
+Result<void> check_is_mesh(const std::string& path) {
+    const Result<InputFile> file = InputFile::open(path);
+    if (!file) return file.error();
+    const Result<Format> format = known_format(*file);
+    return format ? Result<void>{} : format.error();
+}
+
 Result<Mesh> load_mesh(const std::string& path) {
     const Result<InputFile> file = InputFile::open(path);
     if (!file) return file.error();
-    if (file->size_bytes() == 0) return bad_input(path + ": the file is empty");
-    std::array<char, kHeadBytes> bytes{};
-    const std::span<char> head = std::span(bytes).first(
-        static_cast<std::size_t>(std::min<std::uint64_t>(kHeadBytes, file->size_bytes())));
-    if (auto done = file->read(0, head); !done) return done.error();
-    Format format = format_by_content({head.data(), head.size()}, file->size_bytes());
-    if (format == Format::unknown) format = format_by_extension(path);
-    Result<Mesh> mesh = read_as(format, *file);
+    const Result<Format> format = known_format(*file);
+    if (!format) return format.error();
+    Result<Mesh> mesh = read_as(*format, *file);
     if (!mesh) return mesh.error();
     mesh->source_name = std::filesystem::path(path).filename().string();
     if (auto good = judge_mesh(*mesh, path); !good) return good.error();

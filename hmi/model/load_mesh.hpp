@@ -12,4 +12,8 @@ namespace psicarve::model {
 /// be carved is refused in one line "FILE: what, where"; what can be carved with flaws has warnings.
 Result<Mesh> load_mesh(const std::string& path);
 
+/// Whether the file is of a kind that load_mesh reads, by its beginning and name alone; refuses others as
+/// load_mesh does.
+Result<void> check_is_mesh(const std::string& path);
+
 }  // namespace psicarve::model

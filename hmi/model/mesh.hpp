@@ -2,11 +2,18 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hmi/model/large_memory.hpp"
+
+namespace psicarve::flat {
+struct Grooves;
+}
 
 namespace psicarve::model {
 
@@ -38,11 +45,29 @@ struct MeshFacts {
     std::array<double, 3> max{};
 };
 
+/// How a model was turned after it was read.
+struct MeshTurn {
+    std::array<double, 3> rotate_deg{};  ///< about the file's x, then y, then z
+    std::optional<std::size_t> mirror;   ///< the coordinate that changes its sign, before that
+
+    bool operator==(const MeshTurn&) const = default;
+    bool any() const noexcept {
+        return mirror || rotate_deg[0] != 0.0 || rotate_deg[1] != 0.0 || rotate_deg[2] != 0.0;
+    }
+};
+
 /// A triangle soup and what is known about the file it came from.
 struct Mesh {
     TriangleList triangles;
     std::array<double, 3> origin{};  ///< add to every stored coordinate; not zero only far from the origin
     MeshFacts facts;
+    /// Where the rotation axis belongs, seen from above, if the middle of the box is not its place.
+    std::optional<std::array<double, 2>> axis_hint;
+    /// How a drawing or picture became this body, for flat::flat_options_from_json; empty: it was a mesh.
+    std::string body_json;
+    /// Of line art on a cylinder: what a job's tables are made from. The triangles only show it.
+    std::shared_ptr<const flat::Grooves> grooves;
+    MeshTurn turn;                  ///< that has been done to it
     std::string format;             ///< "binary STL", "OBJ", ...
     std::string source_name;        ///< file name without folders
     std::uint64_t source_hash = 0;  ///< XXH3 of the file's bytes

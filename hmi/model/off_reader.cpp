@@ -23,10 +23,14 @@ public:
     OffReader(std::string_view text, const std::string& path) : words_(text), path_(path) {}
 
     Result<Mesh> read() {
-        const std::string_view kind = words_.next();
-        if (kind.find_first_of("4n") != std::string_view::npos)
-            return wrong("OFF in other than 3 dimensions");
-        const auto points = count_of("vertices");
+        std::string_view first = next();
+        if (!whole_number(first)) {  // the word OFF may be missing
+            if (first.find_first_of("4n") != std::string_view::npos)
+                return wrong("OFF in other than 3 dimensions");
+            first = next();
+            if (is_word(first, "binary")) return wrong("OFF that is binary; save it as text");
+        }
+        const auto points = count_from(first, "vertices");
         if (!points) return points.error();
         const auto faces = count_of("faces");
         if (!faces) return faces.error();
@@ -59,8 +63,8 @@ private:
         return word;
     }
 
-    Result<std::uint64_t> count_of(const char* kind) {
-        const std::string_view word = next();
+    Result<std::uint64_t> count_of(const char* kind) { return count_from(next(), kind); }
+    Result<std::uint64_t> count_from(std::string_view word, const char* kind) const {
         const auto count = whole_number(word);
         if (!count || *count < 0) return wrong(quoted(word) + " is not a number of " + kind);
         return static_cast<std::uint64_t>(*count);

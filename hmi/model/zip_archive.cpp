@@ -21,7 +21,7 @@ namespace psicarve::model {
 namespace {
 
 constexpr std::size_t kPieceBytes = 1U << 16U;
-constexpr std::size_t kShownPartName = 80;
+constexpr std::size_t kShownMemberName = 80;
 
 struct PartCloser {
     void operator()(zip_file_t* part) const noexcept { zip_fclose(part); }
@@ -34,7 +34,7 @@ std::int64_t index_of(struct zip* archive, const std::string& part) noexcept {
 }
 
 std::string shown(const std::string& part) {
-    return "part " + quoted(part, kShownPartName) + " of the archive";
+    return "part " + quoted(part, kShownMemberName) + " of the archive";
 }
 
 }  // namespace

@@ -37,6 +37,16 @@ Result<std::string> text_of(const std::string& path) {
     return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
 }
 
+/// Each backup becomes one older; the oldest goes.
+void age_backups(const std::string& path) {
+    std::error_code none_yet;
+    for (int age = ProfileDraft::kOlderBackups; age > 1; --age)
+        std::filesystem::rename(ProfileDraft::older_backup_path(path, age - 1),
+                                ProfileDraft::older_backup_path(path, age), none_yet);
+    std::filesystem::rename(ProfileDraft::backup_path(path), ProfileDraft::older_backup_path(path, 1),
+                            none_yet);
+}
+
 }  // namespace
 
 ProfileDraft::ProfileDraft() : entries_(profile_keys().size()) {
@@ -161,6 +171,17 @@ std::string ProfileDraft::new_file_text(const Profile& profile) const {
     return !file_text_.empty() && read && *read == profile ? text : profile_to_toml(profile);
 }
 
+namespace {
+
+/// A profile that is kept elsewhere stays there: the link to it is no file of its own.
+std::string file_behind(const std::string& path) {
+    std::error_code error;
+    const std::filesystem::path target = std::filesystem::canonical(path, error);
+    return error ? path : target.string();
+}
+
+}  // namespace
+
 Result<void> ProfileDraft::write(const std::string& path, const std::string& present_text) {
     const auto wanted = profile();
     if (!wanted) return wanted.error();
@@ -169,9 +190,10 @@ Result<void> ProfileDraft::write(const std::string& path, const std::string& pre
         return write_file_atomically(to, std::as_bytes(std::span(what)));
     };
     if (!present_text.empty()) {
+        age_backups(path);
         if (auto kept = save_text(backup_path(path), present_text); !kept) return kept.error();
     }
-    if (auto written = save_text(path, text); !written) return written.error();
+    if (auto written = save_text(file_behind(path), text); !written) return written.error();
     path_ = path;
     file_text_ = text;
     for (Entry& entry : entries_) entry.saved_toml = entry.toml;
@@ -198,12 +220,12 @@ Result<void> ProfileDraft::save_as(const std::string& path) {
     return write(path, *present);
 }
 
-Result<void> ProfileDraft::take_backup() {
-    const auto backup = open(backup_path(path_));
-    if (!backup) return backup.error();
+Result<void> ProfileDraft::take_backup(const std::string& backup) {
+    const auto old = open(backup);
+    if (!old) return old.error();
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-        entries_[i].toml = backup->entries_[i].toml;
-        entries_[i].typed = backup->entries_[i].typed;
+        entries_[i].toml = old->entries_[i].toml;
+        entries_[i].typed = old->entries_[i].typed;
     }
     check();
     return {};

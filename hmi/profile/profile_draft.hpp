@@ -24,6 +24,11 @@ public:
     /// Empty: not from a file.
     const std::string& path() const noexcept { return path_; }
     static std::string backup_path(const std::string& path) { return path + ".bak"; }
+    /// Of the backups before it: 1 is the next older one, up to kOlderBackups.
+    static std::string older_backup_path(const std::string& path, int age) {
+        return backup_path(path) + "." + std::to_string(age);
+    }
+    static constexpr int kOlderBackups = 4;
 
     const std::string& typed(std::size_t key) const { return entries_[key].typed; }
     void type(std::size_t key, std::string_view text);
@@ -48,8 +53,8 @@ public:
     Result<void> save();
     /// Under another name from now on; what stood there becomes the backup.
     Result<void> save_as(const std::string& path);
-    /// The backup's values into the draft; nothing is saved yet.
-    Result<void> take_backup();
+    /// A backup's values into the draft; nothing is saved yet.
+    Result<void> take_backup(const std::string& backup);
 
 private:
     struct Entry {

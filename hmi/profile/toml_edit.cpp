@@ -6,17 +6,10 @@
 #include <vector>
 
 #include "shared/profile_text.hpp"
+#include "shared/trimmed.hpp"
 
 namespace psicarve::profile {
 namespace {
-
-constexpr std::string_view kSpace = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(kSpace);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
 
 std::vector<std::string> lines_of(std::string_view text) {
     std::vector<std::string> lines;

@@ -6,18 +6,12 @@
 #include <cstdint>
 
 #include "shared/profile_text.hpp"
+#include "shared/trimmed.hpp"
 
 namespace psicarve::profile {
 namespace {
 
 constexpr std::string_view kBetween = " ... ";
-
-std::string_view trimmed(std::string_view text) {
-    const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
-    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-    return text;
-}
 
 /// "12", "12.5", "1e3", also "12,5" as many keyboards have it; as TOML that is no integer.
 std::optional<std::string> real_from(std::string_view typed) {

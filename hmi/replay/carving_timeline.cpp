@@ -19,10 +19,10 @@ public:
     CutWriter(CarvingTimeline& out, const JobGeometry& geometry)
         : out_(out),
           geometry_(geometry),
-          radius_mm_(std::size_t{geometry.layer_count()} * geometry.direction_count(),
+          radius_mm_(std::size_t{geometry.row_count()} * geometry.direction_count(),
                      static_cast<float>(geometry.blank_radius_mm())) {
         out_.directions_ = geometry.direction_count();
-        out_.layer_begin_.assign(geometry.layer_count(), -1);
+        out_.layer_begin_.assign(geometry.row_count(), -1);
     }
 
     void stand(const PinMoment& moment) {
@@ -32,7 +32,7 @@ public:
             if (real_mm >= geometry_.blank_radius_mm()) continue;
             const std::int64_t direction =
                 geometry_.direction(h, moment.position_pulses[index_of(Axis::psi)]);
-            const auto layer = geometry_.layer_at(
+            const auto layer = geometry_.row_at(
                 moment.position_pulses[index_of(Axis::y)] + head.height_offset_pulses, direction);
             if (!layer) continue;
             const std::uint32_t cell = *layer * out_.directions_ + geometry_.cell_of(direction);
@@ -122,14 +122,13 @@ Result<std::shared_ptr<const CarvingTimeline>> CarvingTimeline::of_job(const Job
     if (!geometry) return geometry.error();
     const std::shared_ptr<CarvingTimeline> made{new CarvingTimeline};
     CutWriter writer{*made, *geometry};
-    for (std::uint32_t layer = 0; layer < geometry->layer_count(); ++layer) {
+    for (std::uint32_t layer = 0; layer < geometry->row_count(); ++layer) {
         for (std::uint32_t cell = 0; cell < geometry->direction_count(); ++cell) {
             const auto wanted_mm = geometry->wanted_mm(layer, geometry->direction_of(cell));
             if (wanted_mm)
                 writer.cut(layer + 1, layer * made->directions_ + cell, static_cast<float>(*wanted_mm));
         }
-        if (progress && !progress(static_cast<double>(layer + 1) / geometry->layer_count()))
-            return cancelled();
+        if (progress && !progress(static_cast<double>(layer + 1) / geometry->row_count())) return cancelled();
     }
     return std::shared_ptr<const CarvingTimeline>{made};
 }

@@ -21,4 +21,8 @@ struct JobPlace {
 std::optional<JobPlace> job_place(const verify::JobGeometry& geometry,
                                   const verify::Positions& position_pulses) noexcept;
 
+/// The same in this layer, by the angle alone.
+JobPlace place_in_layer(const verify::JobGeometry& geometry, std::uint32_t layer,
+                        std::int64_t psi_pulses) noexcept;
+
 }  // namespace psicarve::replay

@@ -13,6 +13,15 @@ constexpr std::int64_t kLength_ns = std::chrono::nanoseconds{LevelHistory::kLeng
 /// Directions turn hundreds of times a second and are seen at the next look.
 constexpr SignalWord kSeldom = ~(kStepMask | kDirMask);
 
+/// A look at what is after everything up to and with this time, told from the moment of the one before.
+void add_look(PinLooks::Looks& looks, const PinMoment& last, std::int64_t time_ns, const PinMoment& moment) {
+    if (looks.empty() || looks.back().time < PinLooks::time_point(time_ns))
+        looks.push_back({PinLooks::time_point(time_ns), 0, {}});
+    LevelHistory::Look& look = looks.back();
+    look.levels = moment.levels;
+    for (std::size_t k = 0; k < kAxisCount; ++k) look.pulses[k] += moment.pulses[k] - last.pulses[k];
+}
+
 }  // namespace
 
 Result<void> PinLooks::begin_at(std::int64_t time_ns) {
@@ -27,9 +36,7 @@ Result<void> PinLooks::begin_at(std::int64_t time_ns) {
 }
 
 void PinLooks::look(std::int64_t time_ns, const PinMoment& moment) {
-    LevelHistory::Look look{time_point(time_ns), moment.levels, {}};
-    for (std::size_t k = 0; k < kAxisCount; ++k) look.pulses[k] = moment.pulses[k] - last_.pulses[k];
-    looks_.push_back(look);
+    add_look(looks_, last_, time_ns, moment);
     last_ = moment;
 }
 
@@ -40,7 +47,7 @@ Result<PinLooks::Looks> PinLooks::until(std::int64_t time_ns) {
         if (const auto begun = begin_at(from_ns); !begun) return begun.error();
     }
     const auto visit = [this](const PinMoment& before, const PinMoment& after) {
-        while (next_look_ns_ <= after.time_ns) {
+        while (next_look_ns_ < after.time_ns) {
             look(next_look_ns_, before);
             next_look_ns_ += kPause_ns;
         }
@@ -51,9 +58,7 @@ Result<PinLooks::Looks> PinLooks::until(std::int64_t time_ns) {
     for (; next_look_ns_ <= time_ns; next_look_ns_ += kPause_ns) look(next_look_ns_, *now);
     while (looks_.size() > 2 && looks_[1].time < time_point(from_ns)) looks_.pop_front();
     Looks shown = looks_;
-    LevelHistory::Look end{time_point(time_ns), now->levels, {}};
-    for (std::size_t k = 0; k < kAxisCount; ++k) end.pulses[k] = now->pulses[k] - last_.pulses[k];
-    shown.push_back(end);
+    add_look(shown, last_, time_ns, *now);
     return shown;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "shared/command.hpp"
+#include "shared/recorded_start.hpp"
 
 namespace psicarve::replay {
 namespace {
@@ -23,7 +24,7 @@ bool is_done(const FlightRecord& record) noexcept {
 }  // namespace
 
 RecordStates::RecordStates(const std::vector<FlightRecord>& records) {
-    At now{0, MachineState::off, AlarmCause::none, kNoAxis, 0, 0, 0};
+    At now{0, MachineState::off, AlarmCause::none, kNoAxis, 0, 0, 0, 0};
     for (const FlightRecord& record : records) {
         now.tick = record.tick;
         if (record.kind == RecordKind::state_change && record.code < kMachineStateCount) {
@@ -39,6 +40,9 @@ RecordStates::RecordStates(const std::vector<FlightRecord>& records) {
         } else if (record.kind == RecordKind::command && is_done(record) &&
                    record.code == static_cast<std::uint16_t>(CommandKind::override)) {
             now.override_percent = static_cast<std::uint32_t>(record.value);
+        } else if (record.kind == RecordKind::command && is_done(record) &&
+                   record.code == static_cast<std::uint16_t>(CommandKind::start)) {
+            now.is_dry = (static_cast<std::uint64_t>(record.value) & kRecordedDryRun) != 0 ? 1 : 0;
         } else {
             continue;
         }
@@ -59,6 +63,7 @@ void RecordStates::fill(CoreStatus& status, std::uint64_t tick) const noexcept {
     status.homed_mask = is_homed(state.state) ? kAllHomed : std::uint8_t{0};
     status.override_percent = state.override_percent;
     status.job_generation = state.generation;
+    status.is_dry = state.is_dry;
 }
 
 }  // namespace psicarve::replay

@@ -15,7 +15,7 @@ public:
     explicit RecordStates(const std::vector<FlightRecord>& records);
 
     bool is_empty() const noexcept { return states_.empty(); }
-    /// Fills in state, alarm, homing, override and job of that tick, as far as entries tell.
+    /// Fills in state, alarm, homing, override, job and dry run of that tick, as far as entries tell.
     void fill(CoreStatus& status, std::uint64_t tick) const noexcept;
 
 private:
@@ -27,6 +27,7 @@ private:
         std::uint32_t override_percent;
         std::uint64_t generation;
         std::uint64_t alarms;
+        std::uint16_t is_dry;
     };
     std::vector<At> states_;
 };

@@ -8,10 +8,12 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "hmi/machine/unique_fd.hpp"
 #include "hmi/replay/snapshot_recording.hpp"
 #include "hmi/replay/trace_recording.hpp"
+#include "hmi/session/error_phrase.hpp"
 #include "shared/snapshot_file.hpp"
 
 namespace psicarve::replay {
@@ -26,28 +28,58 @@ bool is_snapshot_of_a_machine(const std::string& path) {
     return header.magic == kSnapshotMagic && header.status_bytes + header.recorder_bytes != 0;
 }
 
-/// run.trace: run.job, run.psi, run.snap; a snapshot first, as it knows more.
-std::string company_beside(const std::string& path) {
+/// run.trace: run.snap, run.job, run.psi; a snapshot first, as it knows more.
+std::vector<std::string> companies_beside(const std::string& path) {
+    std::vector<std::string> found;
     std::filesystem::path beside{path};
     for (const char* extension : {".snap", ".job", ".psi"}) {
         std::error_code none;
         beside.replace_extension(extension);
-        if (std::filesystem::is_regular_file(beside, none)) return beside.string();
+        if (std::filesystem::is_regular_file(beside, none)) found.push_back(beside.string());
     }
-    return {};
+    return found;
 }
 
-Result<Company> company_of(const OpenOptions& options) {
-    const bool is_asked_for = !options.job_path.empty();
-    const std::string path = is_asked_for ? options.job_path : company_beside(options.path);
-    if (path.empty()) return Company{};
+Result<Company> company_of(const std::string& path) {
     auto snapshot = load_snapshot(path);
-    if (!snapshot) return is_asked_for ? Result<Company>{snapshot.error()} : Company{};
+    if (!snapshot) return snapshot.error();
     Company company{path, nullptr, std::move(snapshot->records)};
     auto job = cam::prepare_snapshot(std::move(*snapshot), path);
-    if (!job) return is_asked_for ? Result<Company>{job.error()} : Company{};
+    if (!job) return job.error();
     company.job = std::make_shared<const cam::PreparedJob>(std::move(*job));
     return company;
+}
+
+Result<std::unique_ptr<Recording>> as_recording(Result<std::unique_ptr<TraceRecording>> opened) {
+    if (!opened) return opened.error();
+    return std::unique_ptr<Recording>{std::move(*opened)};
+}
+
+/// With the first neighbour that is of the same run.
+Result<std::unique_ptr<Recording>> open_with_neighbour(const OpenOptions& options, const Progress& progress) {
+    std::vector<std::string> refused;
+    std::vector<session::Phrase> warnings;  // of those that cannot be read
+    std::unique_ptr<TraceRecording> made;
+    for (const std::string& path : companies_beside(options.path)) {
+        const auto company = company_of(path);
+        if (!company) {
+            warnings.push_back(session::error_phrase(company.error().message));
+            continue;
+        }
+        auto opened = TraceRecording::open(options.path, *company, options.profile, progress);
+        if (!opened) return opened.error();
+        made = std::move(*opened);
+        if (made) break;
+        refused.push_back(path);
+    }
+    if (!made) {
+        auto alone = TraceRecording::open(options.path, {}, options.profile, progress);
+        if (!alone) return alone.error();
+        made = std::move(*alone);
+    }
+    for (const std::string& path : refused) made->tell_refused(path);
+    for (session::Phrase& warning : warnings) made->warn(std::move(warning));
+    return std::unique_ptr<Recording>{std::move(made)};
 }
 
 }  // namespace
@@ -58,9 +90,11 @@ bool is_recording(const std::string& path) {
 
 Result<std::unique_ptr<Recording>> open_recording(const OpenOptions& options, const Progress& progress) {
     if (!is_binary_trace(options.path)) return SnapshotRecording::open(options.path);
-    auto company = company_of(options);
+    if (options.job_path.empty()) return open_with_neighbour(options, progress);
+    auto company = company_of(options.job_path);
     if (!company) return company.error();
-    return TraceRecording::open(options.path, *company, options.profile, progress);
+    company->is_asked_for = true;
+    return as_recording(TraceRecording::open(options.path, *company, options.profile, progress));
 }
 
 }  // namespace psicarve::replay

@@ -43,7 +43,7 @@ public:
         std::vector<Entry> entries;            ///< by time
         std::vector<float> activity;           ///< pulses by time, even parts of it; most: 1; may be empty
         std::vector<session::Check> contents;  ///< what is in it and what is not
-        std::vector<std::string> warnings;
+        std::vector<session::Phrase> warnings;
     };
 
     virtual ~Recording() = default;

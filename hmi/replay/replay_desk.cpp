@@ -42,6 +42,7 @@ void ReplayDesk::add_job(const std::string& path) {
 void ReplayDesk::post_open(const OpenOptions& options, std::int64_t from_ns) {
     if (is_opening_) return;
     is_opening_ = true;
+    refused_file_.reset();
     cancels_.store(false);
     progress_ratio_.store(0.0);
     opener_.post([this, options, from_ns]() -> WorkLane::Finish {
@@ -50,16 +51,19 @@ void ReplayDesk::post_open(const OpenOptions& options, std::int64_t from_ns) {
             return !cancels_.load();
         };
         auto opened = open_recording(options, show);
-        if (!opened) return [this, error = opened.error()] { fail(error); };
+        if (!opened) return [this, options, error = opened.error()] { fail(options, error); };
         const std::shared_ptr<Recording> recording{std::move(opened).value()};
         return [this, recording, options, from_ns] { take_opened(recording, options, from_ns); };
     });
 }
 
-void ReplayDesk::fail(const Error& error) {
+void ReplayDesk::fail(const OpenOptions& options, const Error& error) {
     is_opening_ = false;
     const bool was_cancelled = error.code == ErrorCode::cancelled;
-    log_.add(was_cancelled ? Severity::info : Severity::warning, session::error_phrase(error.message));
+    const session::Phrase why = session::error_phrase(error.message);
+    log_.add(was_cancelled ? Severity::info : Severity::warning, why);
+    if (was_cancelled) return;
+    refused_file_ = {options.job_path.empty() ? options.path : options.job_path, why};
 }
 
 void ReplayDesk::take_opened(std::shared_ptr<Recording> recording, const OpenOptions& options,
@@ -79,7 +83,7 @@ void ReplayDesk::take_opened(std::shared_ptr<Recording> recording, const OpenOpt
     log_.add(Severity::info,
              phrase("Replay: %1, %2 recorded", std::filesystem::path{options.path}.filename().string(),
                     session::clock_text(seconds_from_ns(facts_.end_ns))));
-    for (const std::string& warning : facts_.warnings) log_.add(Severity::warning, phrase("%1", warning));
+    for (const session::Phrase& warning : facts_.warnings) log_.add(Severity::warning, warning);
     prepare_carving();
 }
 

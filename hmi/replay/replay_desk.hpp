@@ -14,6 +14,7 @@
 #include "hmi/replay/replay_clock.hpp"
 #include "hmi/session/machine_sight.hpp"
 #include "hmi/session/message_log.hpp"
+#include "hmi/session/refused_file.hpp"
 #include "hmi/session/work_lane.hpp"
 
 namespace psicarve::replay {
@@ -36,6 +37,10 @@ public:
     void cancel() noexcept { cancels_.store(true); }
     /// Back to the machine.
     void leave();
+
+    /// The file that was to be opened last and could not be, until the next one is asked for.
+    const std::optional<session::RefusedFile>& refused_file() const noexcept { return refused_file_; }
+    void forget_refused_file() noexcept { refused_file_.reset(); }
 
     bool is_opening() const noexcept { return is_opening_; }
     double progress_ratio() const noexcept { return progress_ratio_.load(); }
@@ -73,7 +78,7 @@ private:
 
     void post_open(const OpenOptions& options, std::int64_t from_ns);
     void take_opened(std::shared_ptr<Recording> recording, const OpenOptions& options, std::int64_t from_ns);
-    void fail(const Error& error);
+    void fail(const OpenOptions& options, const Error& error);
     void prepare_carving();
     void take_piece(Piece& piece);
     void ask_for_moment();
@@ -96,6 +101,7 @@ private:
     std::shared_ptr<const CarvingTimeline> timeline_;
     std::size_t cuts_ = 0;  ///< of timeline_ that are in carving_
     std::uint64_t edition_ = 0;
+    std::optional<session::RefusedFile> refused_file_;
     bool is_opening_ = false;
     std::atomic<bool> cancels_{false};
     std::shared_ptr<std::atomic<bool>> drops_carving_;  ///< of the piece that is being worked out

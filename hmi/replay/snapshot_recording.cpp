@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hmi/replay/pin_looks.hpp"
+#include "hmi/session/error_phrase.hpp"
 
 namespace psicarve::replay {
 namespace {
@@ -33,7 +34,7 @@ Result<std::unique_ptr<Recording>> SnapshotRecording::open(const std::string& pa
         Snapshot with_job;
         with_job.job_blob = std::move(own.job_blob);
         auto job = cam::prepare_snapshot(std::move(with_job), path);
-        if (!job) facts.warnings.push_back(job.error().message);
+        if (!job) facts.warnings.push_back(session::error_phrase(job.error().message));
         if (job) facts.job = std::make_shared<const cam::PreparedJob>(std::move(*job));
     }
     if (facts.job) {
@@ -117,6 +118,8 @@ Result<Shown> SnapshotRecording::at(std::int64_t time_ns, bool with_looks) {
         if (geometry_ && is_at_job(shown.status.state)) shown.place = job_place(*geometry_, positions);
         if (shown.place) shown.carving_time = shown.place->layer;
     }
+    // A dry run carves nothing, however far it has come.
+    if (shown.status.is_dry != 0) shown.carving_time = 0;
     if (with_looks) look_back(shown);
     return shown;
 }

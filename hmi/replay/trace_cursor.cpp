@@ -6,12 +6,12 @@
 namespace psicarve::replay {
 namespace {
 
-constexpr std::size_t kEventsAtOnce = 1024;
+constexpr std::size_t kEventsOfAStep = 1024;
 
 }  // namespace
 
 TraceCursor::TraceCursor(std::shared_ptr<const TraceIndex> index)
-    : index_(std::move(index)), follower_(index_->keyframes().front().follower), events_(kEventsAtOnce) {}
+    : index_(std::move(index)), follower_(index_->keyframes().front().follower), events_(kEventsOfAStep) {}
 
 Result<void> TraceCursor::jump(const TraceIndex::Keyframe& keyframe) {
     auto reader = index_->read_from(keyframe);

@@ -8,11 +8,13 @@
 #include <utility>
 
 #include "hmi/session/display_text.hpp"
+#include "hmi/session/error_phrase.hpp"
 
 namespace psicarve::replay {
 namespace {
 
 using session::Check;
+using session::Phrase;
 using session::phrase;
 using V = Check::Verdict;
 
@@ -25,8 +27,9 @@ std::string name_of_file(const std::string& path) {
 
 }  // namespace
 
-Result<std::unique_ptr<Recording>> TraceRecording::open(const std::string& path, const Company& company,
-                                                        const Profile& profile, const Progress& progress) {
+Result<std::unique_ptr<TraceRecording>> TraceRecording::open(const std::string& path, const Company& company,
+                                                             const Profile& profile,
+                                                             const Progress& progress) {
     const Profile& taken = company.job ? company.job->profile : profile;
     auto index = TraceIndex::build(path, taken, progress);
     if (!index) return index.error();
@@ -39,15 +42,42 @@ Result<std::unique_ptr<Recording>> TraceRecording::open(const std::string& path,
     facts.profile = taken;
     facts.knows_every_pulse = true;
     facts.entries = entries_of(made->index_->changes());
-    if (company.job) {
-        const auto geometry = verify::JobGeometry::make(company.job->view, company.job->profile);
-        if (geometry) made->geometry_ = *geometry;
-    }
-    if (!made->index_->damage().empty()) facts.warnings.push_back(made->index_->damage());
+    const auto takes = made->takes_job(company);
+    if (!takes) return takes.error();
+    if (!*takes) return std::unique_ptr<TraceRecording>{};
+    if (!made->index_->damage().empty())
+        facts.warnings.push_back(session::error_phrase(made->index_->damage()));
     made->measure_activity();
     made->take_records(company);
     made->list_contents(company);
-    return std::unique_ptr<Recording>{std::move(made)};
+    return made;
+}
+
+/// A name beside the trace's is no proof; what the heads did is.
+Result<bool> TraceRecording::takes_job(const Company& company) {
+    if (!company.job) return true;
+    const auto geometry = verify::JobGeometry::make(company.job->view, company.job->profile);
+    if (!geometry) return company.is_asked_for;
+    geometry_ = *geometry;
+    const auto fit = job_fit(index_, *geometry_);
+    if (!fit) return fit.error();
+    fit_ = *fit;
+    if (!fit_.is_known() || fit_.is_its_job()) return true;
+    if (company.is_asked_for)
+        facts_.warnings.push_back(phrase(
+            "%1 is not this trace's job: the heads were elsewhere at %2 of %3 places that were looked at",
+            name_of_file(company.path), std::to_string(fit_.places - fit_.fitting),
+            std::to_string(fit_.places)));
+    return company.is_asked_for;
+}
+
+void TraceRecording::tell_refused(const std::string& company_path) {
+    const std::string name = name_of_file(company_path);
+    facts_.warnings.push_back(
+        phrase("%1 lies beside this trace, but is of another run: it is not used", name));
+    for (Check& row : facts_.contents) {
+        if (!facts_.job && row.name == phrase("Job")) row = {row.name, phrase("none: not %1", name), V::fail};
+    }
 }
 
 /// Whether the entries tell of this run: the axes must have stood where the entries say. Before homing the
@@ -98,8 +128,9 @@ void TraceRecording::take_records(const Company& company) {
     if (company.records.empty()) return;
     RecordStates states{company.records};
     if (!records_fit(company.records, states)) {
-        facts_.warnings.push_back(name_of_file(company.path) +
-                                  ": its flight recorder tells of another run; its entries are not shown");
+        facts_.warnings.push_back(
+            phrase("%1: its flight recorder tells of another run; its entries are not shown",
+                   name_of_file(company.path)));
         return;
     }
     states_ = std::move(states);
@@ -110,6 +141,15 @@ void TraceRecording::take_records(const Company& company) {
         facts_.entries.push_back(entry_of(record, time_of_ticks(record.tick, index_->start().period_ns)));
 }
 
+Check TraceRecording::job_row(const Company& company) const {
+    const Phrase name = phrase("Job");
+    if (!company.job) return {name, phrase("none: add it"), V::info};
+    const std::string file = name_of_file(company.path);
+    if (!fit_.is_known()) return {name, phrase("%1, not checked", file), V::info};
+    if (!fit_.is_its_job()) return {name, phrase("%1, of another run", file), V::fail};
+    return {name, phrase("%1, checked", file), V::pass};
+}
+
 void TraceRecording::list_contents(const Company& company) {
     auto& rows = facts_.contents;
     const auto count = static_cast<std::int64_t>(index_->events());
@@ -117,9 +157,7 @@ void TraceRecording::list_contents(const Company& company) {
     const bool is_whole = index_->damage().empty();
     rows.push_back(
         {phrase("End"), is_whole ? phrase("whole") : phrase("cut off"), is_whole ? V::pass : V::fail});
-    rows.push_back({phrase("Job"),
-                    company.job ? phrase("%1", name_of_file(company.path)) : phrase("none: add it"),
-                    company.job ? V::pass : V::info});
+    rows.push_back(job_row(company));
     rows.push_back({phrase("Machine profile"), company.job ? phrase("the job's") : phrase("assumed"),
                     company.job ? V::pass : V::info});
     rows.push_back(
@@ -151,6 +189,7 @@ Result<Shown> TraceRecording::at(std::int64_t time_ns, bool with_looks) {
     status.signals = moment->levels;
     status.alarm_axis = kNoAxis;
     status.seconds_left = -1.0;
+    status.reference_seconds = -1.0;
     std::copy(moment->position_pulses.begin(), moment->position_pulses.end(), status.position_pulses);
     std::copy(moment->pulses.begin(), moment->pulses.end(), status.emitted_pulses);
     guess_state(status);

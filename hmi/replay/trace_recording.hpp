@@ -3,8 +3,10 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "hmi/replay/job_fit.hpp"
 #include "hmi/replay/pin_looks.hpp"
 #include "hmi/replay/record_states.hpp"
 #include "hmi/replay/recording.hpp"
@@ -20,9 +22,14 @@ public:
         std::string path;  ///< empty: nothing was found
         JobPointer job;
         std::vector<FlightRecord> records;
+        bool is_asked_for = false;  ///< taken whatever the pins say of it, with a warning
     };
-    static Result<std::unique_ptr<Recording>> open(const std::string& path, const Company& company,
-                                                   const Profile& profile, const Progress& progress);
+    /// Null: the company is of another run, and nobody has asked for it by name.
+    static Result<std::unique_ptr<TraceRecording>> open(const std::string& path, const Company& company,
+                                                        const Profile& profile, const Progress& progress);
+    /// One that lay beside the trace and was not taken.
+    void tell_refused(const std::string& company_path);
+    void warn(session::Phrase warning) { facts_.warnings.push_back(std::move(warning)); }
 
     Result<Shown> at(std::int64_t time_ns, bool with_looks) override;
     std::shared_ptr<const TraceIndex> index() const override { return index_; }
@@ -31,8 +38,10 @@ private:
     explicit TraceRecording(std::shared_ptr<const TraceIndex> index)
         : index_(std::move(index)), cursor_(index_), looks_(index_) {}
     bool records_fit(const std::vector<FlightRecord>& records, const RecordStates& states);
+    Result<bool> takes_job(const Company& company);
     void measure_activity();
     void take_records(const Company& company);
+    session::Check job_row(const Company& company) const;
     void list_contents(const Company& company);
     void guess_state(CoreStatus& status) const noexcept;
 
@@ -40,6 +49,7 @@ private:
     TraceCursor cursor_;
     PinLooks looks_;
     std::optional<verify::JobGeometry> geometry_;
+    JobFit fit_;
     RecordStates states_;
     std::size_t record_count_ = 0;
 };

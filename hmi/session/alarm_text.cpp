@@ -15,13 +15,15 @@ Axis axis_of(const CoreStatus& status) {
 }
 
 /// "21.21 mm", or in pulses when the machine's profile is not known.
-std::string position_of(const MachineSight& machine, Axis axis) {
+std::string shown_position(const MachineSight& machine, Axis axis) {
     const AxisReadout readout = axis_readout(machine, axis);
     return readout.value + " " + readout.unit;
 }
 
 Phrase limit_title(const MachineSight& machine, Axis axis) {
-    if (!machine.profile) return phrase("Limit switch %1 closed", axis_letter(axis));
+    // A job's profile may have other pins.
+    if (!machine.profile || machine.is_profile_of_job)
+        return phrase("Limit switch %1 closed", axis_letter(axis));
     const std::string pin = std::to_string(std::abs(machine.profile->port.pins[index_of(sensor_of(axis))]));
     const HomeSensor end = axis_motion(*machine.profile, axis).home;
     if (axis == Axis::y) {
@@ -37,7 +39,7 @@ Phrase limit_detail(const MachineSight& machine, Axis axis) {
     const std::string letter = axis_letter(axis);
     if (!machine.profile) {
         return phrase("Axis %1 stopped at %2. Likely a chip or a broken wire at the switch, or lost steps.",
-                      letter, position_of(machine, axis));
+                      letter, shown_position(machine, axis));
     }
     const AxisMotion motion = axis_motion(*machine.profile, axis);
     const double switch_mm = mm_from_pulses(motion.home_position_pulses, motion.pulses_per_unit);
@@ -45,7 +47,7 @@ Phrase limit_detail(const MachineSight& machine, Axis axis) {
         "Axis %1 stopped at %2; its switch stands at %3 mm. Likely a chip or a broken wire at the switch, or "
         "%1 "
         "has lost steps.",
-        letter, position_of(machine, axis), number_text(switch_mm, 2));
+        letter, shown_position(machine, axis), number_text(switch_mm, 2));
 }
 
 /// Those whose position is not certain any more.
@@ -121,7 +123,7 @@ AlarmText gap_text(const MachineSight& machine) {
     AlarmText text{
         phrase("The computer paused while axis %1 moved", letter),
         phrase("Axis %1 stood at %2. The pause was longer than its motor coasts: it may have lost steps.",
-               letter, position_of(machine, axis_of(*machine.status))),
+               letter, shown_position(machine, axis_of(*machine.status))),
         {}};
     text.steps.push_back(phrase("Close other programs, or give the core real-time rights"));
     add_way_back(machine, text);
@@ -145,9 +147,37 @@ AlarmText other_text(const MachineSight& machine) {
     return text;
 }
 
+AlarmText silent_port_text(const MachineSight& machine) {
+    AlarmText text{phrase("The port does not answer"),
+                   phrase("Drives and spindle may still be on: the port has not taken the order to switch "
+                          "them off. It is repeated until it does."),
+                   {}};
+    text.steps.push_back(phrase("Switch the machine off by its own switch"));
+    text.steps.push_back(phrase("See to the port's card, cable and driver"));
+    add_way_back(machine, text);
+    return text;
+}
+
 }  // namespace
 
+std::vector<Axis> alarm_heads(const MachineSight& machine) {
+    const MachineState state = machine.state();
+    if (state != MachineState::alarm && state != MachineState::backing_off) return {};
+    if (machine.status->alarm_axis >= kAxisCount) return {};
+    switch (const Axis axis = axis_of(*machine.status)) {
+        case Axis::r1:
+        case Axis::r2:
+            return {axis};
+        case Axis::y:
+            return {Axis::r1, Axis::r2};
+        case Axis::psi:
+            break;
+    }
+    return {};
+}
+
 AlarmText alarm_text(const MachineSight& machine) {
+    if (machine.status->is_port_silent != 0) return silent_port_text(machine);
     switch (machine.status->alarm_cause) {
         case AlarmCause::limit:
             return limit_text(machine);

@@ -18,4 +18,8 @@ struct AlarmText {
 /// Requires a status in alarm, or backing off.
 AlarmText alarm_text(const MachineSight& machine);
 
+/// Where in space an alarm is: the heads at which it is to be looked for, R1 and R2. A limit switch of Y is
+/// on the slide that carries both. Empty: there is none, or it is of no place.
+std::vector<Axis> alarm_heads(const MachineSight& machine);
+
 }  // namespace psicarve::session

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "hmi/session/colour_map.hpp"
+#include "hmi/session/space_picture.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::session {
@@ -40,8 +41,8 @@ CarvedScene::CarvedScene(const CarvingRecord& record, const CarvedScenePlan& pla
     }
     // The lid: without it one looks into the blank.
     scene_->vertices.back() = {0.0F, 0.0F, static_cast<float>(scene_->size[2] / 2.0)};
-    make_facets(1, scene_->facets);
-    if (plan_.coarse_step > 1) make_facets(plan_.coarse_step, scene_->coarse_facets);
+    scene_->facets = lathe_facets(round_, up_, 1);
+    if (plan_.coarse_step > 1) scene_->coarse_facets = lathe_facets(round_, up_, plan_.coarse_step);
 }
 
 std::uint32_t CarvedScene::layer_of(std::size_t row) const noexcept {
@@ -74,26 +75,6 @@ void CarvedScene::fill_row(const CarvingRecord& record, std::size_t row) {
         const std::size_t place = row * round_ + column;
         scene_->vertices[place] = {radii[cell] * cosine, radii[cell] * sine, height};
         scene_->vertex_rgb[place] = colour_of(record, layer, cell);
-    }
-}
-
-void CarvedScene::make_facets(std::size_t step, std::vector<Facet>& facets) const {
-    const auto add = [&facets](std::size_t a, std::size_t b, std::size_t c) {
-        facets.push_back(
-            {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
-    };
-    // The last row and the seam are always there, however wide the steps.
-    const auto next_of = [step](std::size_t here, std::size_t end) { return std::min(here + step, end); };
-    for (std::size_t column = 0; column < round_; column += step) {
-        const std::size_t beside = next_of(column, round_) % round_;
-        for (std::size_t row = 0; row + 1 < up_; row = next_of(row, up_ - 1)) {
-            const std::size_t low = row * round_;
-            const std::size_t high = next_of(row, up_ - 1) * round_;
-            add(low + column, low + beside, high + column);
-            add(low + beside, high + beside, high + column);
-        }
-        const std::size_t top = (up_ - 1) * round_;
-        add(top + column, top + beside, up_ * round_);
     }
 }
 

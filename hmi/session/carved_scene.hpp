@@ -48,7 +48,6 @@ private:
     std::uint32_t colour_of(const CarvingRecord& record, std::uint32_t layer,
                             std::uint32_t cell) const noexcept;
     void fill_row(const CarvingRecord& record, std::size_t row);
-    void make_facets(std::size_t step, std::vector<Facet>& facets) const;
     std::uint32_t layer_of(std::size_t row) const noexcept;
 
     CarvedScenePlan plan_;

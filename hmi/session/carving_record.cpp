@@ -47,7 +47,7 @@ void CarvingRecord::take(const IncrementEntry& entry) {
         const double real_mm = head.real_mm(radii[h]);
         if (real_mm >= geometry_.blank_radius_mm()) continue;
         const std::int64_t direction = geometry_.direction(h, entry.psi_pulses);
-        const auto layer = geometry_.layer_at(entry.y_pulses + head.height_offset_pulses, direction);
+        const auto layer = geometry_.row_at(entry.y_pulses + head.height_offset_pulses, direction);
         if (!layer) continue;
         surface_.touch(*layer, geometry_.cell_of(direction), static_cast<float>(real_mm));
         note_deviation(h, *layer, entry, real_mm);
@@ -62,7 +62,7 @@ void CarvingRecord::note_deviation(std::size_t h, std::uint32_t layer, const Inc
                                    double real_mm) {
     const verify::HeadGeometry& head = geometry_.head(h);
     const std::int64_t height = entry.y_pulses + head.height_offset_pulses;
-    if (!surface_.is_spiral() && height != job_->view.layer_heights_pulses()[layer]) return;
+    if (!surface_.is_spiral() && height != geometry_.height(layer)) return;
     const double tolerance_mm = job_->profile.job.path_tolerance_mm;
     const double arc_rad = tolerance_mm / std::max(real_mm, tolerance_mm);
     const auto aside = static_cast<std::int64_t>(
@@ -85,7 +85,8 @@ void CarvingRecord::note_deviation(std::size_t h, std::uint32_t layer, const Inc
 
 void CarvingRecord::take_as_planned(std::uint32_t layers_done, std::uint64_t most_cells) {
     const std::uint64_t most_layers = std::max<std::uint64_t>(most_cells / surface_.direction_count(), 1);
-    const std::uint64_t last = std::min<std::uint64_t>(layers_done, surface_.layer_count());
+    const std::uint32_t rows_done = layers_done - std::min(layers_done, geometry_.first_row_layer());
+    const std::uint64_t last = std::min<std::uint64_t>(rows_done, surface_.layer_count());
     const std::uint64_t end = std::min(last, layers_done_ + most_layers);
     for (; layers_done_ < end; ++layers_done_) {
         bool was_seen = true;

@@ -31,9 +31,11 @@ public:
     /// Takes as long as the job is large.
     static Result<std::unique_ptr<CarvingRecord>> make(std::shared_ptr<const cam::PreparedJob> job);
 
+    // Layers are rows of the finishing pass, from 0, unless said otherwise.
+
     void take(const IncrementEntry& entry);
-    /// All layers below this one are done, seen or not. Looks at no more than `most_cells`, and goes on with
-    /// the next call.
+    /// All layers of the job below this one are done, seen or not. Looks at no more than `most_cells`, and
+    /// goes on with the next call.
     void take_as_planned(std::uint32_t layers_done, std::uint64_t most_cells = ~std::uint64_t{0});
     /// Of a recording: a cell as it was, deeper or not.
     void put(std::uint32_t layer, std::uint32_t cell, float radius_mm);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "hmi/session/lost_core.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::session {
@@ -43,6 +44,18 @@ Phrase layer_of(const MachineSight& machine, std::uint32_t layer_count) {
                   std::to_string(layer_count));
 }
 
+bool is_dry(const MachineSight& machine) {
+    return machine.status->is_dry != 0;
+}
+
+/// On the way through the job.
+Phrase place_of(const MachineSight& machine, std::uint32_t layer_count) {
+    if (!is_dry(machine)) return layer_of(machine, layer_count);
+    if (layer_count == 0) return phrase("Dry run");
+    return phrase("Dry run, layer %1 of %2", std::to_string(std::min(machine.status->layer + 1, layer_count)),
+                  std::to_string(layer_count));
+}
+
 StateText off_text(const MachineSight& machine) {
     if (machine.status->job_generation != 0)
         return {phrase("IDLE"), phrase("Not homed, job published"), Tone::idle};
@@ -57,6 +70,7 @@ StateText ready_text(const MachineSight& machine) {
 
 Phrase alarm_second(const MachineSight& machine) {
     const CoreStatus& status = *machine.status;
+    if (status.is_port_silent != 0) return phrase("The port does not answer");
     if (status.alarm_cause == AlarmCause::limit && status.alarm_axis < kAxisCount)
         return phrase("Limit switch %1", axis_letter(static_cast<Axis>(status.alarm_axis)));
     if (status.alarm_cause == AlarmCause::emergency_stop) return phrase("Emergency stop");
@@ -75,7 +89,25 @@ AxisReadout axis_readout(const MachineSight& machine, Axis axis) {
             phrase("%1 pulses", count_text(pulses))};
 }
 
+Phrase pulses_phrase(const MachineSight& machine, Axis axis) {
+    if (!machine.status) return {};
+    const CoreStatus& status = *machine.status;
+    return phrase("%1 pulses", count_text(status.position_pulses[index_of(axis)]));
+}
+
+Phrase commanded_and_actual(const MachineSight& machine, Axis axis) {
+    if (!machine.status || !machine.is_simulator()) return pulses_phrase(machine, axis);
+    const CoreStatus& status = *machine.status;
+    return phrase("%1 pulses counted; the simulated machine stands at %2",
+                  count_text(status.position_pulses[index_of(axis)]),
+                  count_text(status.sim_true_position_pulses[index_of(axis)]));
+}
+
 StateText state_text(const MachineSight& machine, std::uint32_t layer_count) {
+    if (machine.status && is_lost_at_work(machine))
+        return {phrase("NO CORE"),
+                machine.life == CoreLife::none ? phrase("Lost at work") : phrase("Silent at work"),
+                Tone::alarm};
     if (machine.life == CoreLife::none || !machine.status)
         return {phrase("NO CORE"), phrase("Start psicarve-rtcore"), Tone::idle};
     if (machine.life == CoreLife::silent)
@@ -90,15 +122,20 @@ StateText state_text(const MachineSight& machine, std::uint32_t layer_count) {
         case S::moving:
             return {phrase("MOVING"), phrase("By hand"), Tone::run};
         case S::positioning:
-            return {phrase("POSITIONING"), phrase("To the first point"), Tone::run};
+            return {phrase("POSITIONING"),
+                    is_dry(machine) ? phrase("Dry run: to its beginning") : phrase("To the first point"),
+                    Tone::run};
         case S::waiting:
-            return {phrase("WAITING"), phrase("At the first point"), Tone::run};
+            return {phrase("WAITING"),
+                    is_dry(machine) ? phrase("Dry run: at its beginning") : phrase("At the first point"),
+                    Tone::run};
         case S::carving:
-            return {phrase("CARVING"), layer_of(machine, layer_count), Tone::run};
+            return {is_dry(machine) ? phrase("DRY RUN") : phrase("CARVING"), layer_of(machine, layer_count),
+                    Tone::run};
         case S::holding:
-            return {phrase("HOLDING"), layer_of(machine, layer_count), Tone::warn};
+            return {phrase("HOLDING"), place_of(machine, layer_count), Tone::warn};
         case S::held:
-            return {phrase("HELD"), layer_of(machine, layer_count), Tone::warn};
+            return {phrase("HELD"), place_of(machine, layer_count), Tone::warn};
         case S::finishing:
             return {phrase("FINISHING"), phrase("Heads out, spindle off"), Tone::run};
         case S::stopping:
@@ -113,17 +150,56 @@ StateText state_text(const MachineSight& machine, std::uint32_t layer_count) {
     return {};
 }
 
+bool is_cut_short(const MachineSight& machine) {
+    const S state = machine.state();
+    if (!machine.status || (state != S::alarm && state != S::backing_off)) return false;
+    const CoreStatus& status = *machine.status;
+    if (status.job_start_tick == 0 || status.job_end_tick != 0 || status.points_done >= status.points_total)
+        return false;
+    // A run that an alarm has ended before is not ended once more.
+    return status.alarm_count < 2 ||
+           status.alarms[(status.alarm_count - 2) % kAlarmHistory].tick < status.job_start_tick;
+}
+
 double done_ratio(const MachineSight& machine) {
     if (!machine.status || machine.status->points_total == 0) return -1.0;
     return static_cast<double>(machine.status->points_done) /
            static_cast<double>(machine.status->points_total);
 }
 
-Phrase time_text(const MachineSight& machine) {
+bool is_left_undone(const MachineSight& machine) {
+    const S state = machine.state();
+    if (!machine.status || !machine.is_heard() || runs_job(state)) return false;
+    if (state == S::alarm || state == S::backing_off) return false;
+    const CoreStatus& status = *machine.status;
+    return status.points_done != 0 && status.points_done < status.points_total;
+}
+
+bool tells_of_run(const MachineSight& machine, const JobSight& job) {
+    const bool is_open = job.state == DeskState::empty || job.state == DeskState::published;
+    return is_open || is_cut_short(machine) || !machine.is_heard() || runs_job(machine.state());
+}
+
+std::optional<double> planned_seconds(const MachineSight& machine) {
+    if (!machine.status || !machine.is_heard() || runs_job(machine.state())) return std::nullopt;
+    const CoreStatus& status = *machine.status;
+    const bool is_whole = status.points_total != 0 && status.points_done == 0;
+    return is_whole && status.seconds_left > 0.0 ? std::optional{status.seconds_left} : std::nullopt;
+}
+
+Phrase time_text(const MachineSight& machine, std::uint32_t layer_count) {
     if (!machine.status) return {};
     const S state = machine.state();
-    if (state == S::alarm || state == S::backing_off) return phrase("stopped");
+    if (!machine.is_heard()) return {};
+    if (is_cut_short(machine)) return phrase("stopped");
+    if (is_left_undone(machine)) {
+        const CoreStatus& status = *machine.status;
+        if (layer_count == 0) return phrase("stopped");
+        return phrase("stopped in layer %1",
+                      std::to_string(status.points_done * layer_count / status.points_total + 1));
+    }
     const double left_s = machine.status->seconds_left;
+    if (is_at_rest(state) && machine.status->points_total == 0) return phrase("No job running");
     if (left_s < 0.0 || machine.status->points_total == 0) return {};
     if (!runs_job(state)) {
         if (machine.status->points_done == machine.status->points_total) return phrase("done");
@@ -132,19 +208,60 @@ Phrase time_text(const MachineSight& machine) {
     return phrase("%1 left", clock_text(left_s));
 }
 
-JobTimes job_times(const MachineSight& machine, bool is_cores_job, double least_seconds) {
+Phrase work_text(const MachineSight& machine, std::uint32_t layer_count, std::uint32_t point_count) {
+    if (!machine.status || !runs_job(machine.state()) || layer_count == 0) return {};
+    const CoreStatus& status = *machine.status;
+    const std::uint64_t ticks = status.tick - std::min(status.job_start_tick, status.tick);
+    const double elapsed_s =
+        static_cast<double>(ticks) * static_cast<double>(status.period_ns) / static_cast<double>(kNsPerS);
+    return phrase("Layer %1 / %2 · point %3 / %4 · elapsed %5 · override %6 %",
+                  std::to_string(std::min(status.layer + 1, layer_count)), std::to_string(layer_count),
+                  std::to_string(status.point + 1), std::to_string(point_count), clock_text(elapsed_s),
+                  std::to_string(status.override_percent));
+}
+
+std::optional<std::chrono::system_clock::time_point> end_time(const MachineSight& machine,
+                                                              std::chrono::system_clock::time_point now) {
+    const S state = machine.state();
+    const bool is_on_its_way = state == S::positioning || state == S::carving || state == S::finishing;
+    if (!machine.status || !machine.is_heard() || !is_on_its_way) return std::nullopt;
+    if (machine.status->is_virtual_clock != 0 || machine.status->seconds_left < 0.0) return std::nullopt;
+    const std::chrono::duration<double> left{machine.status->seconds_left};
+    return now + std::chrono::duration_cast<std::chrono::system_clock::duration>(left);
+}
+
+std::optional<std::chrono::system_clock::time_point> alarm_time(const MachineSight& machine) {
+    const S state = machine.state();
+    if (!machine.status || (state != S::alarm && state != S::backing_off)) return std::nullopt;
+    const CoreStatus& status = *machine.status;
+    const AlarmRecord& last = status.alarms[(status.alarm_count + kAlarmHistory - 1) % kAlarmHistory];
+    if (status.is_virtual_clock != 0 || status.alarm_count == 0 || last.tick > status.tick ||
+        machine.status_time.time_since_epoch().count() == 0)
+        return std::nullopt;
+    const auto ns = static_cast<double>(status.tick - last.tick) * static_cast<double>(status.period_ns);
+    return machine.status_time - std::chrono::duration_cast<std::chrono::system_clock::duration>(
+                                     std::chrono::duration<double, std::nano>{ns});
+}
+
+JobTimes job_times(const MachineSight& machine, bool is_cores_job, double least_seconds,
+                   const std::optional<machine::PlannedTime>& planned) {
     JobTimes times;
-    const bool is_told = machine.status && machine.status->points_total != 0;
+    // Of what a core that is gone had planned nothing is left.
+    const bool is_told = machine.is_heard() && machine.status && machine.status->points_total != 0;
     const bool is_running = is_told && runs_job(machine.state());
     if (is_told && machine.status->seconds_left >= 0.0 && (is_running || is_cores_job)) {
         const std::string text = clock_text(machine.status->seconds_left);
         times.time = is_running ? phrase("%1 left", text) : phrase("%1 planned", text);
+    } else if (planned) {
+        times.time = phrase("%1 planned", clock_text(planned->carve_seconds));
     } else if (!is_running && least_seconds > 0.0) {
         times.is_least = true;
         times.time = phrase("at least %1", clock_text(least_seconds));
     }
     if (is_told && is_cores_job && machine.status->reference_seconds >= 0.0)
         times.reference = phrase("%1", clock_text(machine.status->reference_seconds));
+    else if (planned && planned->reference_seconds)
+        times.reference = phrase("%1", clock_text(*planned->reference_seconds));
     return times;
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "hmi/machine/planned_time.hpp"
 #include "hmi/session/machine_sight.hpp"
 #include "hmi/session/phrase.hpp"
 
@@ -19,6 +22,10 @@ struct AxisReadout {
     Phrase second;      ///< psi: "157 turns"; "8 617 pulses"
 };
 AxisReadout axis_readout(const MachineSight& machine, Axis axis);
+/// "8 617 pulses"; nothing where nothing is known.
+Phrase pulses_phrase(const MachineSight& machine, Axis axis);
+/// Of a simulated machine also where it really stands, which it alone knows: step motors do not report.
+Phrase commanded_and_actual(const MachineSight& machine, Axis axis);
 
 struct StateText {
     Phrase word;    ///< "CARVING"
@@ -27,10 +34,29 @@ struct StateText {
 };
 StateText state_text(const MachineSight& machine, std::uint32_t layer_count);
 
+/// The alarm that is latched has ended the run of a job: not one that came after it, nor at rest.
+bool is_cut_short(const MachineSight& machine);
+
 /// How much of the job is carved; negative: there is none.
 double done_ratio(const MachineSight& machine);
-/// "12:38 left", "stopped", "" ...
-Phrase time_text(const MachineSight& machine);
+/// "12:38 left", "stopped", "stopped in layer 315" ... `layer_count`: of the core's job; 0: not known.
+Phrase time_text(const MachineSight& machine, std::uint32_t layer_count = 0);
+/// The last run has ended before its last point; an alarm tells that itself.
+bool is_left_undone(const MachineSight& machine);
+/// The run that the machine is at, or was at last, is of what is open; at work it always counts.
+bool tells_of_run(const MachineSight& machine, const JobSight& job);
+/// Of the whole accepted job that was not begun, as the core plans it [s].
+std::optional<double> planned_seconds(const MachineSight& machine);
+
+/// "Layer 315 / 500 · point 212 / 500 · elapsed 21:32 · override 100 %" while a job runs; else nothing.
+Phrase work_text(const MachineSight& machine, std::uint32_t layer_count, std::uint32_t point_count);
+/// By the computer's clock, when the running job will be done; nothing when that is not known: none runs, it
+/// is on hold, or its clock is not the wall's.
+std::optional<std::chrono::system_clock::time_point> end_time(const MachineSight& machine,
+                                                              std::chrono::system_clock::time_point now);
+/// By the computer's clock, when the alarm that is latched stopped the machine; nothing when there is none,
+/// or the core's clock is not the wall's.
+std::optional<std::chrono::system_clock::time_point> alarm_time(const MachineSight& machine);
 
 /// How long the job takes that the operator looks at.
 struct JobTimes {
@@ -38,12 +64,17 @@ struct JobTimes {
     Phrase reference;       ///< T_ref of all of it
     bool is_least = false;  ///< nobody has planned it yet: what feed and top speeds allow
 };
-/// `is_cores_job`: it is the one that the core accepted. `least_seconds`: 0 when not known.
-JobTimes job_times(const MachineSight& machine, bool is_cores_job, double least_seconds);
+/// `is_cores_job`: it is the one that the core accepted. `least_seconds`: 0 when not known. `planned`: by a
+/// core of our own; what the machine's says comes first.
+JobTimes job_times(const MachineSight& machine, bool is_cores_job, double least_seconds,
+                   const std::optional<machine::PlannedTime>& planned = {});
 
 /// With so many decimals, a point, and a thin space per thousand. Requires 0 <= decimals <= 6.
 std::string number_text(double value, int decimals);
 std::string count_text(std::int64_t value);
+inline std::string counted(std::uint64_t count) {
+    return count_text(static_cast<std::int64_t>(count));
+}
 /// "m:ss" below one hour and "h:mm:ss" above.
 std::string clock_text(double seconds);
 /// The same with milliseconds: "14:04.812". Not rounded up.

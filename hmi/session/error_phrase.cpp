@@ -6,15 +6,28 @@
 #include <utility>
 #include <vector>
 
+#include "hmi/session/calibration_phrase.hpp"
 #include "hmi/session/core_phrase.hpp"
+#include "hmi/session/flat_phrase.hpp"
 #include "hmi/session/sentence.hpp"
+#include "hmi/session/warning_phrase.hpp"
 
 namespace psicarve::session {
 namespace {
 
+/// With a file's name, or alone from the core.
+Sentence blank_too_large() {
+    return {
+        "the blank reaches out to %1, but head %2 only to %3: it would stand in the blank before the "
+        "carving begins; take a smaller blank",
+        phrase("the blank reaches out to %1, but head %2 only to %3: it would stand in the blank before the "
+               "carving begins; take a smaller blank")};
+}
+
 /// What follows the name of a file.
 std::vector<Sentence> of_a_file() {
     return {
+        blank_too_large(),
         {"no such file", phrase("no such file")},
         {"cannot be opened: %1", phrase("cannot be opened: %1")},
         {"cannot be read: %1", phrase("cannot be read: %1")},
@@ -22,8 +35,24 @@ std::vector<Sentence> of_a_file() {
         {"is not a regular file", phrase("is not a regular file")},
         {"became shorter while it was read", phrase("became shorter while it was read")},
         {"too large for this computer's memory", phrase("too large for this computer's memory")},
-        {"not a mesh that can be read here (STL, OBJ, PLY, 3MF or OFF)",
-         phrase("not a mesh that can be read here (STL, OBJ, PLY, 3MF or OFF)")},
+        {"nothing that can be read here: a mesh (STL, OBJ, PLY, 3MF, OFF), a drawing (SVG, DXF), a picture "
+         "(PNG, JPEG, "
+         "TIFF, BMP, PGM) or a table (CSV)",
+         phrase("nothing that can be read here: a mesh (STL, OBJ, PLY, 3MF, OFF), a drawing (SVG, DXF), a "
+                "picture "
+                "(PNG, JPEG, TIFF, BMP, PGM) or a table (CSV)")},
+        {"a packed file (gzip), as SVGZ is; unpack it first",
+         phrase("a packed file (gzip), as SVGZ is; unpack it first")},
+        {"a %1 picture, which is not read; save it as PNG",
+         phrase("a %1 picture, which is not read; save it as PNG")},
+        {"an %1 picture, which is not read; save it as PNG",
+         phrase("a %1 picture, which is not read; save it as PNG")},
+        {"a %1 drawing, which is not read; save it as %2",
+         phrase("a %1 drawing, which is not read; save it as %2")},
+        {"a %1 model, which is not read; save it as STL or 3MF",
+         phrase("a %1 model, which is not read; save it as STL or 3MF")},
+        {"an %1 model, which is not read; save it as STL or 3MF",
+         phrase("a %1 model, which is not read; save it as STL or 3MF")},
         {"the file is empty", phrase("the file is empty")},
         {"holds no facets (%1)", phrase("holds no facets (%1)")},
         {"%1 of %2 facets have NaN or infinite coordinates; this is not a usable mesh",
@@ -59,6 +88,14 @@ std::vector<Sentence> of_a_file() {
          "--layers %4, or make it higher with --height or --scale",
          phrase("more layers than pulses: %1 layers, but the model is only %2 mm, %3 pulses of axis Y, high: "
                 "choose at most %4 layers, or a larger height")},
+        {"the axis passes beside the model and no sample meets it: nothing but the core would be carved; "
+         "--axis-at moves the axis",
+         phrase(
+             "the axis passes beside the model and no sample meets it: nothing but the core would be carved; "
+             "choose another axis")},
+        {"stands %1 mm above the table, and the blank is only %2 mm high: nothing of it is left to be carved",
+         phrase("stands %1 mm above the table, and the blank is only %2 mm high: nothing of it is left to be "
+                "carved")},
         {"larger than the machine's travel: axis %1 would have to go to %2 mm, allowed are %3; --height or "
          "--scale make it smaller",
          phrase(
@@ -72,6 +109,8 @@ std::vector<Sentence> of_a_line() {
     return {
         {"%1 is not a number: a vertex needs three", phrase("%1 is not a number: a vertex needs three")},
         {"%1 is not a number", phrase("%1 is not a number")},
+        {"OFF in other than 3 dimensions", phrase("OFF in other than 3 dimensions")},
+        {"OFF that is binary; save it as text", phrase("OFF that is binary; save it as text")},
         {"%1 is not the number of a vertex", phrase("%1 is not the number of a vertex")},
         {"a face needs at least three vertices", phrase("a face needs at least three vertices")},
         {"the face names a vertex that is not there", phrase("the face names a vertex that is not there")},
@@ -84,6 +123,7 @@ std::vector<Sentence> of_a_line() {
 
 std::vector<Sentence> of_a_job() {
     return {
+        blank_too_large(),
         {"slicing was cancelled", phrase("slicing was cancelled")},
         {"publishing was cancelled", phrase("publishing was cancelled")},
         {"looking for the best axis was cancelled", phrase("looking for the best axis was cancelled")},
@@ -96,6 +136,20 @@ std::vector<Sentence> of_a_job() {
                 "at most %3 points")},
         {"%1 points a layer, not %2: half a turn of axis psi has no more pulses",
          phrase("%1 points a layer, not %2: half a turn of axis Ψ has no more pulses")},
+        {"in the lowest layer the tool reaches %1 mm below the table's top: the table must be narrower than "
+         "the "
+         "job, or "
+         "base_height_mm more",
+         phrase("In the lowest layer the tool reaches %1 mm below the table's top: the table must be "
+                "narrower than the "
+                "job, or base_height_mm more.")},
+        {"grooves %1 mm deep and %2 mm wide; where no point meets the line, up to %3 mm wider along the "
+         "layers and %4 mm across them",
+         phrase(
+             "grooves %1 mm deep and %2 mm wide; where no point meets the line, up to %3 mm wider along the "
+             "layers and %4 mm across them")},
+        {"the table's %1 points a circle are evened to %2",
+         phrase("the table's %1 points a circle are evened to %2")},
         {"%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis y",
          phrase("%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis Y")},
         {"the job was made for another machine: %1 differ; slice it again with the core's profile",
@@ -109,12 +163,70 @@ std::vector<Sentence> of_a_job() {
     };
 }
 
+std::vector<Sentence> of_roughing() {
+    return {
+        {"roughing: the stepdown must be more than 0 mm, and %1 at most, not %2",
+         phrase("the stepdown must be more than 0 mm, and %1 at most, not %2")},
+        {"roughing: the allowance must be 0 to %1, not %2", phrase("the allowance must be 0 to %1, not %2")},
+        {"roughing: the stepover must be more than 0 mm, not %1",
+         phrase("the stepover must be more than 0 mm, not %1")},
+        {"roughing: a point carves every layer, whatever the stepover; name the tool by --tool",
+         phrase("a point carves every layer, whatever the stepover; choose a tool")},
+        {"roughing: a stepover of %1 is more than the tool is wide, %2; ask for less by --stepover",
+         phrase("a stepover of %1 is more than the tool is wide, %2")},
+        {"roughing begins at the blank's surface: say how large it is with --blank RADIUSxHEIGHT or in the "
+         "profile's [blank], or leave roughing out with --finish-only",
+         phrase(
+             "roughing begins at the blank's surface: say how large the blank is, or choose finishing only")},
+        {"roughing: a stepdown of %1 makes more than %2 passes",
+         phrase("a stepdown of %1 makes more than %2 passes")},
+        {"no roughing passes: nothing of the blank stands further out than the allowance",
+         phrase("no roughing passes: nothing of the blank stands further out than the allowance")},
+    };
+}
+
+/// "flower.svg line 12: this is not well-formed XML".
+std::optional<Phrase> file_line_phrase(const std::string& message) {
+    constexpr std::string_view kLine = " line ";
+    // From behind: the file's name may have these letters, too.
+    for (std::size_t end = message.rfind(kLine); end != std::string::npos && end > 0;
+         end = message.rfind(kLine, end - 1)) {
+        const auto line = phrase_for({{"line %1: %2", phrase("line %1")}}, message.substr(end + 1));
+        if (!line) continue;
+        const Phrase file{"%1", {message.substr(0, end)}, {}};
+        for (const auto& sentences : {flat_line_refusals(), of_a_line()}) {
+            if (auto found = phrase_for(sentences, line->arguments.back()))
+                return Phrase{"%1: %2: %3", {}, {file, phrase("line %1", line->arguments.front()), *found}};
+        }
+    }
+    return std::nullopt;
+}
+
+/// "holds no line that can be carved (SVG): line 3: <path> is not right": the reason is one of the warnings.
+std::optional<Phrase> without_lines_phrase(const Phrase& file, const std::string& rest) {
+    const auto no_outline = phrase_for(
+        {{"holds no line that can be carved (%1): %2", phrase("holds no line that can be carved (%1)")}},
+        rest);
+    if (no_outline) {
+        return Phrase{"%1: %2: %3",
+                      {},
+                      {file, phrase("holds no line that can be carved (%1)", no_outline->arguments.front()),
+                       warning_phrase(no_outline->arguments.back())}};
+    }
+    const auto no_lines = phrase_for({{"no lines to engrave: %1", phrase("no lines to engrave")}}, rest);
+    if (!no_lines) return std::nullopt;
+    return Phrase{
+        "%1: %2: %3", {}, {file, phrase("no lines to engrave"), warning_phrase(no_lines->arguments.back())}};
+}
+
 /// "model.obj: line 12: 'x' is not a number", and files without lines.
 std::optional<Phrase> file_phrase(const std::string& message) {
     for (std::size_t end = message.find(": "); end != std::string::npos; end = message.find(": ", end + 1)) {
         const Phrase file{"%1", {message.substr(0, end)}, {}};
         const std::string rest = message.substr(end + 2);
+        if (auto found = without_lines_phrase(file, rest)) return found;
         if (auto found = phrase_for(of_a_file(), rest)) return joined(file, std::move(*found));
+        if (auto found = phrase_for(flat_refusals(), rest)) return joined(file, std::move(*found));
         const auto line = phrase_for({{"line %1: %2", phrase("line %1")}}, rest);
         if (!line) continue;
         if (auto found = phrase_for(of_a_line(), line->arguments.back()))
@@ -127,7 +239,10 @@ std::optional<Phrase> file_phrase(const std::string& message) {
 
 Phrase error_phrase(const std::string& message) {
     if (auto found = phrase_for(of_a_job(), message)) return *found;
+    if (auto found = phrase_for(of_roughing(), message)) return *found;
+    if (auto found = calibration_phrase(message)) return *found;
     if (auto found = file_phrase(message)) return *found;
+    if (auto found = file_line_phrase(message)) return *found;
     return core_phrase(message);
 }
 

@@ -7,20 +7,26 @@
 #include <optional>
 #include <utility>
 
-#include "hmi/cam/least_time.hpp"
+#include "hmi/cam/table_job.hpp"
 #include "hmi/machine/machine_link.hpp"
-#include "hmi/model/load_mesh.hpp"
+#include "hmi/model/turned_mesh.hpp"
 #include "hmi/session/error_phrase.hpp"
+#include "hmi/session/job_making.hpp"
 #include "hmi/session/warning_phrase.hpp"
-#include "shared/snapshot_file.hpp"
 
 namespace psicarve::session {
 
-/// One of them.
+/// A mesh, a job or an error.
 struct JobDesk::Opened {
     std::shared_ptr<const model::Mesh> mesh;
+    std::shared_ptr<const model::Mesh> file_mesh;  ///< before it was turned
+    flat::ModelKind kind = flat::ModelKind::mesh;
+    flat::FlatOptions shape;
+    bool is_line_art = false;  ///< open lines alone: engraved, as nothing else becomes of them
     std::shared_ptr<const MeshScene> scene;
+    std::uint64_t mesh_bytes = 0;
     JobPointer job;
+    std::optional<FileWatch::Stamp> stamp;  ///< of the file, before it was read
     std::optional<Error> error;
 };
 
@@ -32,27 +38,33 @@ using JobPointer = std::shared_ptr<const cam::PreparedJob>;
 constexpr std::chrono::milliseconds kJudgePoll{100};
 constexpr std::chrono::milliseconds kCopyLimit{2000};
 
-JobPointer shared(cam::PreparedJob&& job) {
-    job.least_seconds = cam::least_carving_seconds(job.view, job.profile);
-    return std::make_shared<const cam::PreparedJob>(std::move(job));
-}
+using MeshPointer = std::shared_ptr<const model::Mesh>;
 
-Result<JobPointer> read_job(const std::string& path) {
-    auto snapshot = load_snapshot(path);
-    if (!snapshot) return snapshot.error();
-    auto job = cam::prepare_snapshot(std::move(snapshot).value(), path);
-    if (!job) return job.error();
-    return shared(std::move(*job));
+/// The same one where nothing is turned.
+MeshPointer turned_mesh(const MeshPointer& mesh, const model::MeshTurn& turn) {
+    return turn.any() ? std::make_shared<const model::Mesh>(model::turned(*mesh, turn)) : mesh;
 }
 
 Result<JobPointer> make_job(const model::Mesh& mesh, const Profile& profile, const cam::JobOptions& options) {
     auto built = cam::build_job(mesh, profile, options);
     if (!built) return built.error();
-    auto job = cam::prepare_blob(job_blob_from_table(built->table), profile, mesh.source_name);
-    if (!job) return job.error();
-    job->warnings = std::move(built->report.warnings);
-    job->notes = std::move(built->report.notes);
-    return shared(std::move(*job));
+    return prepared(std::move(*built), profile, mesh.source_name);
+}
+
+/// Lines are cut with the machine's tool into its blank, as far as it tells of them.
+flat::FlatOptions engraved_on(const Profile& machine) {
+    flat::FlatOptions options;
+    options.engraving.emplace();
+    options.engraving->tool = machine.tool;
+    if (machine.blank.radius_mm > 0.0) options.diameter_mm = 2.0 * machine.blank.radius_mm;
+    return options;
+}
+
+/// As `psicarve slice` makes it of a table.
+Result<JobPointer> job_of_table(const std::string& path, const Profile& machine) {
+    auto built = cam::job_from_table(path, machine, std::nullopt);
+    if (!built) return built.error();
+    return prepared(std::move(*built), machine, path);
 }
 
 /// Publishes, and waits for the core's word until it comes or the wait is cancelled.
@@ -82,7 +94,7 @@ Result<JobPointer> job_in_segment(const std::string& segment, const std::string&
     if (!profile) return profile.error();
     auto job = cam::prepare_blob(std::move(published->blob), std::move(*profile), segment);
     if (!job) return job.error();
-    return shared(std::move(*job));
+    return with_least_times(std::move(*job));
 }
 
 }  // namespace
@@ -107,37 +119,155 @@ void JobDesk::open(const std::string& path) {
 void JobDesk::post_open(const std::string& path, bool may_be_recording) {
     if (sight_.is_busy()) return;
     begin(DeskState::opening);
-    lane_.post([this, path, may_be_recording]() -> WorkLane::Finish {
+    refused_file_.reset();
+    // The same file again is made as the form has it.
+    const bool is_same = path == path_;
+    const model::MeshTurn turn = is_same ? turn_ : model::MeshTurn{};
+    const std::optional<flat::FlatOptions> shape = is_same ? std::optional{shape_} : std::nullopt;
+    lane_.post([this, path, may_be_recording, turn, shape, machine = profile_()]() -> WorkLane::Finish {
         if (may_be_recording && is_recording_ && is_recording_(path))
             return [this, path] { take_recording_(path); };
-        auto opened = std::make_shared<Opened>();
-        if (is_snapshot_file(path)) {
-            auto job = read_job(path);
-            if (job) opened->job = *job;
-            if (!job) opened->error = job.error();
-        } else {
-            auto mesh = model::load_mesh(path);
-            if (mesh) opened->mesh = std::make_shared<const model::Mesh>(std::move(*mesh));
-            if (!mesh) opened->error = mesh.error();
-            if (mesh) opened->scene = std::make_shared<const MeshScene>(make_mesh_scene(*opened->mesh));
-        }
+        const auto stamp = FileWatch::stamp_of(path);
+        const auto opened = std::make_shared<Opened>(read(path, machine, shape, turn));
+        opened->stamp = stamp;
         return [this, path, opened] { take_opened(path, std::move(*opened)); };
+    });
+}
+
+JobDesk::Opened JobDesk::read(const std::string& path, const Profile& machine,
+                              const std::optional<flat::FlatOptions>& shape, const model::MeshTurn& turn) {
+    const bool is_job = is_snapshot_file(path);
+    if (!is_job && !cam::is_table_file(path)) {
+        Opened opened = read_model(path, shape.value_or(flat::FlatOptions{}), turn);
+        if (shape || !opened.error || !flat::has_only_open_lines(path)) return opened;
+        opened = read_model(path, engraved_on(machine), turn);
+        opened.is_line_art = true;
+        return opened;
+    }
+    Opened opened;
+    const auto job = is_job ? read_job(path) : job_of_table(path, machine);
+    if (job) opened.job = *job;
+    if (!job) opened.error = job.error();
+    return opened;
+}
+
+JobDesk::Opened JobDesk::read_model(const std::string& path, const flat::FlatOptions& options,
+                                    const model::MeshTurn& turn) {
+    Opened opened;
+    opened.kind = flat::kind_of_model(path);
+    opened.shape = options;
+    auto mesh = flat::load_model(path, options);
+    if (!mesh) {
+        opened.error = mesh.error();
+        return opened;
+    }
+    std::error_code unknown;
+    const auto bytes = std::filesystem::file_size(path, unknown);
+    if (!unknown) opened.mesh_bytes = bytes;
+    opened.file_mesh = std::make_shared<const model::Mesh>(std::move(*mesh));
+    opened.mesh = turned_mesh(opened.file_mesh, turn);
+    opened.scene = std::make_shared<const MeshScene>(make_mesh_scene(*opened.mesh));
+    return opened;
+}
+
+void JobDesk::reshape(const flat::FlatOptions& options) {
+    if (path_.empty() || kind_ == flat::ModelKind::mesh) return;
+    wished_ = options;
+    shape_ = options;
+    if (sight_.is_busy()) return;  // poll() comes back to it
+    wished_.reset();
+    begin(DeskState::opening);
+    lane_.post([this, path = path_, options, turn = turn_]() -> WorkLane::Finish {
+        const auto stamp = FileWatch::stamp_of(path);
+        const auto opened = std::make_shared<Opened>(read_model(path, options, turn));
+        opened->stamp = stamp;
+        return [this, opened] {
+            watch(opened->stamp);
+            take_body(std::move(*opened));
+        };
+    });
+}
+
+/// Another body of the same file, or none: never one that was not asked for.
+void JobDesk::take_body(Opened opened) {
+    if (cancels_.load()) {
+        opened = {};
+        opened.error = Error{ErrorCode::cancelled, path_ + ": opening was cancelled"};
+    }
+    if (opened.error) fail(*opened.error);
+    mesh_ = std::move(opened.mesh);
+    file_mesh_ = std::move(opened.file_mesh);
+    scene_ = std::move(opened.scene);
+    drop_job();
+    resting_state_ = mesh_ ? DeskState::model : DeskState::empty;
+    ++edition_;
+}
+
+void JobDesk::turn(const model::MeshTurn& turn) {
+    if (turn == turn_) return;
+    turn_ = turn;
+    wishes_turn_ = true;
+    if (!sight_.is_busy()) turn_again();  // else poll() comes back to it
+}
+
+void JobDesk::turn_again() {
+    wishes_turn_ = false;
+    if (!file_mesh_) return;
+    begin(DeskState::opening);
+    lane_.post([this, mesh = file_mesh_, turn = turn_]() -> WorkLane::Finish {
+        const auto opened = std::make_shared<Opened>();
+        opened->file_mesh = mesh;
+        opened->mesh = turned_mesh(mesh, turn);
+        opened->scene = std::make_shared<const MeshScene>(make_mesh_scene(*opened->mesh));
+        return [this, opened] { take_body(std::move(*opened)); };
     });
 }
 
 void JobDesk::take_opened(const std::string& path, Opened opened) {
     if (cancels_.load()) opened.error = Error{ErrorCode::cancelled, path + ": opening was cancelled"};
-    if (opened.error) return fail(*opened.error);
+    const bool is_cancelled = cancels_.load();
+    // Lines that do not fit the usual cylinder are there to be given another one.
+    const bool is_refused = opened.error && !is_cancelled && !opened.is_line_art;
+    if (is_refused) return refuse(path, error_phrase(opened.error->message));
+    if (opened.error) fail(*opened.error);
+    if (is_cancelled) return;
     if (opened_) opened_();
+    wished_.reset();
+    if (path != path_) {
+        turn_ = {};
+        wishes_turn_ = false;
+    }
+    shape_ = opened.shape;
     path_ = path;
+    watch(opened.stamp);
     mesh_ = std::move(opened.mesh);
+    file_mesh_ = std::move(opened.file_mesh);
+    kind_ = opened.kind;
     scene_ = std::move(opened.scene);
-    job_.reset();
-    resting_state_ = DeskState::model;
-    log_.add(Severity::info, phrase("Opened %1", std::filesystem::path{path}.filename().string()));
+    mesh_bytes_ = opened.mesh_bytes;
+    drop_job();
+    resting_state_ = mesh_ || opened.job ? DeskState::model : DeskState::empty;
+    const std::string name = std::filesystem::path{path}.filename().string();
+    log_.add(Severity::info, phrase("Opened %1", name));
     if (opened.job) return take_job(std::move(opened.job), 0);
-    for (const std::string& warning : mesh_->warnings) log_.add(Severity::warning, warning_phrase(warning));
     ++edition_;
+    if (opened.is_line_art)
+        log_.add(Severity::warning, phrase("%1 has no closed outline: its lines are engraved", name));
+    if (!mesh_) return;
+    for (const std::string& warning : mesh_->warnings) log_.add(Severity::warning, warning_phrase(warning));
+}
+
+void JobDesk::watch(const std::optional<FileWatch::Stamp>& opened) {
+    watch_.watch(path_, opened);
+    is_change_told_ = false;
+}
+
+void JobDesk::note_change() {
+    watch_.poll(FileWatch::Clock::now());
+    if (!watch_.has_changed() || is_change_told_) return;
+    is_change_told_ = true;
+    log_.add(Severity::warning, phrase("%1 was written since it was opened: Reload takes it as it is now",
+                                       std::filesystem::path{path_}.filename().string()));
 }
 
 void JobDesk::slice(const cam::JobOptions& options, const Profile& profile) {
@@ -153,16 +283,24 @@ void JobDesk::slice(const cam::JobOptions& options, const Profile& profile) {
     lane_.post([this, how, profile, mesh = mesh_]() -> WorkLane::Finish {
         auto job = make_job(*mesh, profile, how);
         if (!job) return [this, error = job.error()] { fail(error); };
-        return [this, made = *job] { take_job(made, 0); };
+        return [this, made = *job, mesh] { take_job(made, 0, mesh); };
     });
 }
 
-void JobDesk::take_job(JobPointer job, std::uint64_t generation) {
+void JobDesk::drop_job() {
+    job_.reset();
+    job_mesh_.reset();
+}
+
+void JobDesk::take_job(JobPointer job, std::uint64_t generation, MeshPointer mesh) {
     job_ = std::move(job);
+    job_mesh_ = std::move(mesh);
     generation_ = generation;
     resting_state_ = DeskState::job;
     ++edition_;
-    for (const std::string& warning : job_->warnings) log_.add(Severity::warning, warning_phrase(warning));
+    const auto known = job_mesh_ ? job_mesh_->warnings : std::vector<std::string>{};
+    for (const std::string& warning : other_warnings(job_->warnings, known))
+        log_.add(Severity::warning, warning_phrase(warning));
     for (const std::string& note : job_->notes) log_.add(Severity::info, error_phrase(note));
     log_.add(Severity::info, phrase("Job: %1 × %2 points", std::to_string(job_->view.layer_count()),
                                     std::to_string(job_->view.point_count())));
@@ -206,8 +344,11 @@ void JobDesk::fetch_from_core(std::uint64_t generation) {
 void JobDesk::poll(const MachineSight& machine) {
     const bool was_busy = sight_.is_busy();
     lane_.deliver();
+    note_change();
     if (was_busy && !lane_.is_idle()) return;
     sight_.state = resting_state_;
+    if (const auto wish = std::exchange(wished_, std::nullopt)) return reshape(*wish);
+    if (wishes_turn_) return turn_again();
     // A core that is silent for a moment still has its job.
     const bool is_there = machine.status && machine.life != CoreLife::none;
     const std::uint64_t accepted = is_there ? machine.status->job_generation : 0;
@@ -215,8 +356,24 @@ void JobDesk::poll(const MachineSight& machine) {
     sight_.has_mesh = mesh_ != nullptr;
     sight_.layer_count = job_ ? job_->view.layer_count() : 0;
     accepted_generation_ = accepted;
+    compare_profiles(machine);
     sight_.core_layer_count = core_job() ? core_job()->view.layer_count() : 0;
     if (accepted != 0 && accepted != fetched_generation_ && lane_.is_idle()) fetch_from_core(accepted);
+}
+
+/// Only when one of them is another: there is nothing to be found out thirty times a second.
+void JobDesk::compare_profiles(const MachineSight& machine) {
+    const std::uint64_t hash = machine.profile ? machine.core_profile_hash : 0;
+    const JobPointer job = job_ ? job_ : core_job();
+    if (compared_job_ == job && compared_hash_ == hash) return;
+    compared_job_ = job;
+    compared_hash_ = hash;
+    sight_.profile_difference.clear();
+    sight_.blank_difference.reset();
+    if (!job || !machine.profile) return;
+    sight_.blank_difference = blank_difference(job->profile.blank, machine.profile->blank);
+    const auto differences = job_differences(job->profile, *machine.profile);
+    if (!differences.empty()) sight_.profile_difference = differences.front();
 }
 
 }  // namespace psicarve::session

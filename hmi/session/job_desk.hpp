@@ -5,15 +5,19 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/cam/prepared_job.hpp"
+#include "hmi/flat/load_model.hpp"
 #include "hmi/model/mesh.hpp"
+#include "hmi/session/file_watch.hpp"
 #include "hmi/session/machine_sight.hpp"
 #include "hmi/session/mesh_scene.hpp"
 #include "hmi/session/message_log.hpp"
+#include "hmi/session/refused_file.hpp"
 #include "hmi/session/work_lane.hpp"
 
 namespace psicarve::session {
@@ -30,14 +34,33 @@ public:
         is_recording_ = std::move(is_one);
         take_recording_ = std::move(take);
     }
+    /// The machine's own, for a table, which becomes a job without slicing.
+    void set_profile(std::function<Profile()> profile) { profile_ = std::move(profile); }
     /// Called when a file was opened that is for this desk.
     void set_opened(std::function<void()> opened) { opened_ = std::move(opened); }
 
-    /// A mesh, or a job or snapshot file, or a recording for whoever takes those. What is open stays open
-    /// when it cannot be read.
+    /// A mesh, drawing, picture or table, or a job or snapshot file, or a recording for whoever takes those.
+    /// What is open stays open when it cannot be read. A drawing of open lines alone is engraved.
     void open(const std::string& path);
     /// The job in a snapshot, though it is a recording.
     void open_job(const std::string& path) { post_open(path, false); }
+    /// The file that was to be opened last and could not be, until the next one is asked for.
+    const std::optional<RefusedFile>& refused_file() const noexcept { return refused_file_; }
+    void refuse(const std::string& path, Phrase why) {
+        log_.add(Severity::warning, why);
+        refused_file_ = {path, std::move(why)};
+    }
+    void forget_refused_file() noexcept { refused_file_.reset(); }
+    /// The file that is open was written since.
+    bool has_changed() const noexcept { return watch_.has_changed(); }
+    /// Makes another body of the drawing or picture that is open; none when it cannot be made, until the next
+    /// wish: what is sliced is what was asked for.
+    void reshape(const flat::FlatOptions& options);
+    /// What the body was last asked to be made with.
+    const flat::FlatOptions& shape() const noexcept { return shape_; }
+    /// Turns and mirrors the model as it is in its file, this one and as often as it is read again; another
+    /// file is as it is.
+    void turn(const model::MeshTurn& turn);
     /// Requires a mesh.
     void slice(const cam::JobOptions& options, const Profile& profile);
     /// Requires a job.
@@ -50,9 +73,15 @@ public:
     const JobSight& sight() const noexcept { return sight_; }
     const std::string& path() const noexcept { return path_; }
     std::shared_ptr<const model::Mesh> mesh() const noexcept { return mesh_; }
+    /// What the mesh was made of.
+    flat::ModelKind kind() const noexcept { return kind_; }
+    /// Of its file; 0 when it is not known.
+    std::uint64_t mesh_bytes() const noexcept { return mesh_bytes_; }
     /// The mesh as it is drawn.
     std::shared_ptr<const MeshScene> scene() const noexcept { return scene_; }
     std::shared_ptr<const cam::PreparedJob> job() const noexcept { return job_; }
+    /// What the job was sliced from, as it was turned then; null: it was opened as a job.
+    std::shared_ptr<const model::Mesh> job_mesh() const noexcept { return job_mesh_; }
     /// The job that the core accepted last: what the machine carves, whatever is open here. Null while it is
     /// not known.
     std::shared_ptr<const cam::PreparedJob> core_job() const noexcept {
@@ -69,23 +98,47 @@ private:
 
     void begin(DeskState state);
     void post_open(const std::string& path, bool may_be_recording);
+    static Opened read(const std::string& path, const Profile& machine,
+                       const std::optional<flat::FlatOptions>& shape, const model::MeshTurn& turn);
+    static Opened read_model(const std::string& path, const flat::FlatOptions& options,
+                             const model::MeshTurn& turn);
+    void turn_again();
+    void take_body(Opened opened);
+    void compare_profiles(const MachineSight& machine);
     void take_opened(const std::string& path, Opened opened);
-    void take_job(JobPointer job, std::uint64_t generation);
+    void watch(const std::optional<FileWatch::Stamp>& opened);
+    void note_change();
+    void take_job(JobPointer job, std::uint64_t generation, std::shared_ptr<const model::Mesh> mesh = {});
+    void drop_job();
     void fail(const Error& error);
     void fetch_from_core(std::uint64_t generation);
 
     std::function<bool(const std::string&)> is_recording_;
     std::function<void(const std::string&)> take_recording_;
     std::function<void()> opened_;
+    std::function<Profile()> profile_ = [] { return Profile{}; };
     std::string segment_name_;
     std::string group_;
     MessageLog& log_;
     JobSight sight_;
     DeskState resting_state_ = DeskState::empty;  ///< without what is under way
     std::string path_;
+    std::optional<RefusedFile> refused_file_;
+    FileWatch watch_;
+    bool is_change_told_ = false;
     std::shared_ptr<const model::Mesh> mesh_;
+    std::shared_ptr<const model::Mesh> file_mesh_;  ///< before it was turned
+    model::MeshTurn turn_;
+    bool wishes_turn_ = false;  ///< once what is under way is done
+    flat::FlatOptions shape_;
+    std::shared_ptr<const cam::PreparedJob> compared_job_;  ///< whose profile was held against the core's
+    std::uint64_t compared_hash_ = 0;
+    flat::ModelKind kind_ = flat::ModelKind::mesh;
+    std::optional<flat::FlatOptions> wished_;  ///< another body, once what is under way is done
     std::shared_ptr<const MeshScene> scene_;
+    std::uint64_t mesh_bytes_ = 0;
     JobPointer job_;
+    std::shared_ptr<const model::Mesh> job_mesh_;
     std::uint64_t generation_ = 0;  ///< of job_ in the segment; 0: not published
     JobPointer core_job_;
     std::uint64_t core_job_generation_ = 0;

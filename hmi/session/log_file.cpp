@@ -38,6 +38,7 @@ std::string log_line(const Message& message) {
     char kind[16];
     std::snprintf(kind, sizeof kind, " %-8s", name_of_severity(message.severity));
     std::string line = utc_text(message.time) + kind + in_english(message.what);
+    if (!message.axes.empty()) line += " (" + message.axes + ")";
     if (!message.remedy.is_empty()) line += ": " + in_english(message.remedy);
     std::replace(line.begin(), line.end(), '\n', ' ');
     return line + "\n";

@@ -37,6 +37,14 @@ void MachineSession::offer_profile(const Profile& profile) {
     core_profile_hash_ = 0;  // look again
 }
 
+void MachineSession::take_accepted(const Profile* of_job) {
+    // What is known last of a core that is gone still counts as it did.
+    if (!sight_.is_heard() || (sight_.profile && !sight_.is_profile_of_job)) return;
+    sight_.is_profile_of_job = of_job != nullptr;
+    sight_.profile.reset();
+    if (of_job != nullptr) sight_.profile = *of_job;
+}
+
 void MachineSession::poll() {
     finder_.deliver();
     orders_.deliver();
@@ -90,21 +98,46 @@ void MachineSession::look() {
     if (status && status->heartbeat != heartbeat_) {
         heartbeat_ = status->heartbeat;
         heartbeat_changed_ = now;
-        sight_.missed_ticks_at_alarm = missed_ticks_at_alarm(sight_, *status);
-        sight_.status = status;
-        // Of what a dead core has left behind nobody knows when it was.
-        sight_.status_time = pid ? std::chrono::system_clock::now() : std::chrono::system_clock::time_point{};
+        take_status(*status, pid.has_value());
     }
     const auto silence = std::chrono::duration_cast<std::chrono::milliseconds>(now - heartbeat_changed_);
     sight_.life = core_life(pid.has_value(), silence);
     find_profile();
+    look_for_checkpoint();
+}
+
+void MachineSession::take_status(const CoreStatus& status, bool has_core) {
+    // A guard's last words come when their core is gone, and move nothing: it was heard when it was heard.
+    const bool is_of_heard_core = sight_.status && sight_.status->tick <= status.tick;
+    sight_.missed_ticks_at_alarm = missed_ticks_at_alarm(sight_, status);
+    sight_.status = status;
+    if (has_core) {
+        sight_.status_time = std::chrono::system_clock::now();
+        sight_.heard_state = status.state;
+    } else if (!is_of_heard_core) {
+        // Of what a dead core has left behind nobody knows when it was.
+        sight_.status_time = {};
+        sight_.heard_state.reset();
+    }
+}
+
+void MachineSession::look_for_checkpoint() {
+    sight_.resumable_layer.reset();
+    const auto checkpoint = link_->checkpoint();
+    if (!checkpoint || !link_->is_of_published_job(*checkpoint)) return;
+    if (checkpoint->next_layer > 0 && checkpoint->next_layer < checkpoint->layer_count)
+        sight_.resumable_layer = checkpoint->next_layer;
 }
 
 void MachineSession::find_profile() {
     const std::uint64_t hash = link_->segment().header().core_profile_hash.load();
     if (hash == core_profile_hash_) return;
     core_profile_hash_ = hash;
+    const bool is_other = hash != 0 && options_.profile && profile_hash(*options_.profile) != hash;
+    sight_.unused_profile = is_other ? options_.profile->name : std::string{};
+    sight_.core_profile_hash = hash;
     sight_.profile.reset();
+    sight_.is_profile_of_job = false;
     for (const KnownProfile& known : profiles_) {
         if (known.hash == hash) sight_.profile = known.profile;
     }
@@ -153,7 +186,9 @@ bool MachineSession::stop() noexcept {
 bool MachineSession::emergency_stop() noexcept {
     if (link_) link_->emergency_stop();
     forget_wishes();
-    return link_ && link_->core_pid().has_value();
+    const bool has_core = link_ && link_->core_pid().has_value();
+    sight_.unheard_stop = !has_core || sight_.life == CoreLife::silent;
+    return !sight_.unheard_stop;
 }
 
 void MachineSession::order(const Command& command, const Phrase& name) {
@@ -167,20 +202,26 @@ void MachineSession::order(CommandKind kind, const Phrase& name) {
     order(command, name);
 }
 
-void MachineSession::order_and_wait(CommandKind kind) {
+void MachineSession::order_and_tell(CommandKind kind, std::function<void(bool)> answered) {
     forget_wishes();
-    if (!link_) return;
-    if (const auto sent = link_->send(kind); !sent)
-        log_.add(Severity::warning, refusal_phrase(phrase("%1", name_of(kind)), sent.error().message));
+    Command command{};
+    command.kind = kind;
+    send(
+        command, phrase("%1", name_of(kind)), [answered] { answered(true); },
+        [answered] { answered(false); });
 }
 
-void MachineSession::start(std::uint32_t from_layer, std::uint32_t layers) {
+void MachineSession::start(std::uint32_t from_layer, std::uint32_t layers, RunKind kind) {
     if (sight_.state() == MachineState::waiting)
         return order(CommandKind::start_interpolation, phrase("Start"));
     Command command{};
     command.kind = CommandKind::start;
     command.value = from_layer;
     command.value2 = layers;
+    const bool is_dry = kind == RunKind::dry;
+    if (is_dry) command.axis = kStartsDry;
+    // Then the core itself looks once more how far it came.
+    if (!is_dry && layers == 0 && sight_.resumable_layer == from_layer) command.axis = kStartResumes;
     intent_.drop();
     send(command, phrase("Start"), [this] {
         const auto status = link_ ? link_->last_status() : std::nullopt;
@@ -188,17 +229,18 @@ void MachineSession::start(std::uint32_t from_layer, std::uint32_t layers) {
     });
 }
 
-void MachineSession::send(const Command& command, const Phrase& name, Then then) {
+void MachineSession::send(const Command& command, const Phrase& name, Then then, Then otherwise) {
     if (watches_only_ && command.kind != CommandKind::hold) {
         return log_.add(Severity::warning, joined(name, phrase("a recording is shown; leave replay first")));
     }
-    orders_.post([this, command, name, then = std::move(then), segment = options_.segment_name,
-                  group = options_.group]() -> WorkLane::Finish {
+    orders_.post([this, command, name, then = std::move(then), otherwise = std::move(otherwise),
+                  segment = options_.segment_name, group = options_.group]() -> WorkLane::Finish {
         auto link = MachineLink::attach(segment, group);
         const auto sent = link ? link->send(command) : Result<void>{link.error()};
         if (sent) return then;
-        return [this, name, why = sent.error().message] {
+        return [this, name, otherwise, why = sent.error().message] {
             log_.add(Severity::warning, refusal_phrase(name, why));
+            if (otherwise) otherwise();
         };
     });
 }

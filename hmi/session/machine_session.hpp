@@ -19,6 +19,12 @@
 
 namespace psicarve::session {
 
+/// What a job is started for.
+enum class RunKind : std::uint8_t {
+    carve,
+    dry,  ///< table and Y go as they would; heads outside the blank, spindle off
+};
+
 struct SessionOptions {
     std::string segment_name = kDefaultSegmentName;
     std::string group;
@@ -40,6 +46,9 @@ public:
     const SessionOptions& options() const noexcept { return options_; }
     /// A profile that may be the machine's: a job's.
     void offer_profile(const Profile& profile);
+    /// The profile of the job that the core has accepted; null: there is none, or it is not known. The core
+    /// accepts none whose motion is not its own: where nobody knows its profile mm and degrees go by this.
+    void take_accepted(const Profile* of_job);
 
     /// While a recording is shown nothing is asked of the machine but hold, stop and emergency stop; wishes
     /// that are under way are dropped.
@@ -47,17 +56,20 @@ public:
 
     // False when there is no core to take them.
     bool stop() noexcept;
+    /// Nor when the core is silent; that nobody heard it stays in sight until it is acknowledged, or another
+    /// one is heard.
     bool emergency_stop() noexcept;
+    void acknowledge_unheard_stop() noexcept { sight_.unheard_stop = false; }
 
     /// Sends a command; a refusal becomes a message that begins with `name`.
     void order(const Command& command, const Phrase& name);
     void order(CommandKind kind, const Phrase& name);
-    /// For a window that closes: the order is gone and answered, or refused, when this returns. May take
-    /// seconds when the core hangs.
-    void order_and_wait(CommandKind kind);
+    /// For a window that closes: poll() calls `answered` once the core has taken the order, or has refused it
+    /// or kept silent, which it tells. May be seconds later when the core hangs.
+    void order_and_tell(CommandKind kind, std::function<void(bool was_taken)> answered);
     /// Heads to the first point of the layer, then carve so many layers (0: all that follow). In state
     /// waiting: carve what the heads wait for.
-    void start(std::uint32_t from_layer, std::uint32_t layers = 0);
+    void start(std::uint32_t from_layer, std::uint32_t layers = 0, RunKind kind = RunKind::carve);
     /// The newest wish goes out as soon as the one before is answered.
     void set_override(std::uint32_t percent) noexcept {
         if (!watches_only_) wanted_override_percent_ = percent;
@@ -79,10 +91,12 @@ private:
     using Clock = std::chrono::steady_clock;
     using Then = std::function<void()>;
 
-    void send(const Command& command, const Phrase& name, Then then);
+    void send(const Command& command, const Phrase& name, Then then, Then otherwise = {});
     void keep_attached();
     void look();
+    void take_status(const CoreStatus& status, bool has_core);
     void find_profile();
+    void look_for_checkpoint();
     void go_on_with_start();
     void forget_wishes() noexcept;
 

@@ -35,10 +35,24 @@ struct MachineSight {
     std::optional<CoreStatus> status;  ///< the last that is known, also of a core that is no more
     /// The machine's, by which pulses become mm; nothing when it is not known.
     std::optional<Profile> profile;
+    /// `profile` is that of the job that the core accepted, in every key of motion the machine's. Pins, tick
+    /// and the computer's keys may be others.
+    bool is_profile_of_job = false;
+    std::uint64_t core_profile_hash = 0;  ///< of the one that the core counts by, known or not
+    /// Name of the profile that the user has chosen and that is not the core's: nothing counts by it. Empty:
+    /// none, or it is.
+    std::string unused_profile{};
     /// When the alarm that is latched was first seen: the computer's troubles go on, the alarm's do not.
     std::uint64_t missed_ticks_at_alarm = 0;
     /// By the computer's clock, when `status` was written; what is shown of a core that is silent is of then.
     std::chrono::system_clock::time_point status_time{};
+    /// Behind the last layer that was finished of the published job, counted from 0; nothing: none, or all
+    /// were.
+    std::optional<std::uint32_t> resumable_layer;
+    /// What the core itself said last; `status` may have its guard's word instead. Nothing: none was heard.
+    std::optional<MachineState> heard_state;
+    /// An emergency stop was asked for here and no core was there to hear it; until somebody has read that.
+    bool unheard_stop = false;
     std::string segment_problem;  ///< why a segment that is there cannot be used; else empty
 
     bool is_heard() const noexcept { return life == CoreLife::alive || life == CoreLife::late; }
@@ -81,6 +95,10 @@ struct JobSight {
     bool has_mesh = false;               ///< that can be sliced
     std::uint32_t layer_count = 0;       ///< of the job, when there is one
     std::uint32_t core_layer_count = 0;  ///< of the core's job, which may be another; 0: not known
+    /// The first key of motion in which the job's profile is not the core's; empty: none, or not known.
+    std::string profile_difference{};
+    /// In what the blank of the job, or of the core's where none is open, is not that of the core's profile.
+    std::optional<BlankDifference> blank_difference{};
     bool has_job() const noexcept {
         return state == DeskState::job || state == DeskState::publishing || state == DeskState::published;
     }

@@ -6,12 +6,30 @@
 #include <utility>
 
 #include "hmi/session/alarm_text.hpp"
+#include "hmi/session/lost_core.hpp"
 
 namespace psicarve::session {
 namespace {
 
 Message message(Severity severity, Phrase what, Phrase remedy = {}) {
     return {std::chrono::system_clock::now(), severity, std::move(what), std::move(remedy)};
+}
+
+/// What has to be done at once is an alarm, though there is no core to give one.
+Message lost_message(const MachineSight& machine) {
+    AlarmText text = lost_core_text(machine);
+    return message(Severity::alarm, std::move(text.title), std::move(text.steps.front()));
+}
+
+Message end_message(const MachineSight& before) {
+    // Where to go on from is known nowhere else once another core has begun.
+    const bool has_begun = before.status && before.status->points_done > 0 &&
+                           before.status->points_done < before.status->points_total;
+    return message(Severity::warning,
+                   has_begun
+                       ? phrase("The core has ended in layer %1", std::to_string(before.status->layer + 1))
+                       : phrase("The core has ended"),
+                   phrase("Start it again; home before carving on"));
 }
 
 void tell_core(const MachineSight& before, const MachineSight& after, std::vector<Message>& told) {
@@ -21,18 +39,14 @@ void tell_core(const MachineSight& before, const MachineSight& after, std::vecto
         told.push_back(
             message(Severity::info, phrase("Core found, process %1", std::to_string(after.core_pid))));
     } else if (was_there && !is_there) {
-        // Where to go on from is known nowhere else once another core has begun.
-        const bool has_begun = before.status && before.status->points_done > 0 &&
-                               before.status->points_done < before.status->points_total;
-        told.push_back(message(
-            Severity::warning,
-            has_begun ? phrase("The core has ended in layer %1", std::to_string(before.status->layer + 1))
-                      : phrase("The core has ended"),
-            phrase("Start it again; home before carving on")));
+        told.push_back(is_lost_at_work(after) ? lost_message(after) : end_message(before));
     } else if (before.life != CoreLife::silent && after.life == CoreLife::silent) {
-        told.push_back(message(Severity::warning, phrase("The core is silent"),
-                               phrase("Use the switch on the machine to stop it")));
+        told.push_back(is_lost_at_work(after) ? lost_message(after)
+                                              : message(Severity::warning, phrase("The core is silent"),
+                                                        phrase("Use the switch on the machine to stop it")));
     }
+    if (before.life == CoreLife::silent && after.is_heard())
+        told.push_back(message(Severity::info, phrase("The core is heard again")));
     if (!after.segment_problem.empty() && before.segment_problem != after.segment_problem)
         told.push_back(message(Severity::warning, phrase("%1", after.segment_problem)));
 }
@@ -40,6 +54,32 @@ void tell_core(const MachineSight& before, const MachineSight& after, std::vecto
 void tell_alarm(const MachineSight& after, std::vector<Message>& told) {
     const AlarmText text = alarm_text(after);
     told.push_back(message(Severity::alarm, text.title, text.steps.empty() ? Phrase{} : text.steps.front()));
+    const std::uint8_t axis = after.status->alarm_axis;
+    if (axis < kAxisCount) told.back().axes = axis_letter(static_cast<Axis>(axis));
+}
+
+/// "R1 R2": those of `mask`.
+std::string axes_text(std::uint32_t mask) {
+    std::string text;
+    for (const Axis axis : kAllAxes) {
+        if ((mask >> index_of(axis) & 1U) == 0) continue;
+        text += (text.empty() ? "" : " ") + std::string{axis_letter(axis)};
+    }
+    return text;
+}
+
+void tell_homed(const CoreStatus& before, const CoreStatus& after, std::vector<Message>& told) {
+    const std::uint32_t fresh = after.homed_mask & ~static_cast<std::uint32_t>(before.homed_mask);
+    const std::uint32_t lost = before.homed_mask & ~static_cast<std::uint32_t>(after.homed_mask);
+    const auto tell = [&told](std::uint32_t mask, Severity severity, Phrase what, Phrase remedy) {
+        if (mask == 0) return;
+        told.push_back(message(severity, std::move(what), std::move(remedy)));
+        told.back().axes = axes_text(mask);
+    };
+    tell(fresh, Severity::info, phrase("Homed"), {});
+    // Homing forgets what it is about to find; an alarm says itself what is to be done.
+    if (after.state != MachineState::homing)
+        tell(lost, Severity::info, phrase("Position not certain any more"), phrase("Home before carving"));
 }
 
 void tell_job(const CoreStatus& before, const CoreStatus& after, std::vector<Message>& told) {
@@ -53,12 +93,27 @@ void tell_job(const CoreStatus& before, const CoreStatus& after, std::vector<Mes
     }
 }
 
+void tell_profile(const MachineSight& before, const MachineSight& after, std::vector<Message>& told) {
+    const bool is_new = before.unused_profile != after.unused_profile ||
+                        before.core_profile_hash != after.core_profile_hash || !before.is_heard();
+    if (after.unused_profile.empty() || !is_new) return;
+    told.push_back(
+        message(Severity::warning,
+                after.profile && !after.is_profile_of_job
+                    ? phrase("Profile %1 of --profile is not the machine's, which counts by its own, %2",
+                             after.unused_profile, after.profile->name)
+                    : phrase("Profile %1 of --profile is not the machine's, which counts by another one",
+                             after.unused_profile),
+                phrase("Start psicarve-rtcore with that profile, or the window without it")));
+}
+
 }  // namespace
 
 std::vector<Message> changes_between(const MachineSight& before, const MachineSight& after) {
     std::vector<Message> told;
     tell_core(before, after, told);
     if (!after.status || !after.is_heard()) return told;
+    tell_profile(before, after, told);
     const bool is_alarm = after.state() == MachineState::alarm;
     if (!before.status || !before.is_heard()) {
         if (is_alarm) tell_alarm(after, told);
@@ -71,6 +126,7 @@ std::vector<Message> changes_between(const MachineSight& before, const MachineSi
     } else if (before.state() != after.state()) {
         told.push_back(message(Severity::info, phrase("Machine: %1", name_of(after.state()))));
     }
+    if (!is_alarm) tell_homed(*before.status, *after.status, told);
     tell_job(*before.status, *after.status, told);
     return told;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <string>
 #include <vector>
 
 #include "hmi/session/machine_sight.hpp"
@@ -19,6 +20,7 @@ struct Message {
     Severity severity = Severity::info;
     Phrase what;
     Phrase remedy;
+    std::string axes{};  ///< that it is of: "R2", "R1 R2"; else empty
 };
 
 /// What became of the machine between two looks at it, in the order of telling.

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
+#include "hmi/cam/blank_check.hpp"
+#include "hmi/cam/fitting_scale.hpp"
 #include "hmi/cam/job_plan.hpp"
+#include "hmi/session/space_picture.hpp"
 #include "hmi/slice/best_axis.hpp"
 #include "shared/units.hpp"
 
@@ -23,22 +27,13 @@ Result<std::array<double, 2>> axis_place(const model::Mesh& mesh, const Vec& mid
                                          const cam::JobOptions& options, double mm_per_unit) {
     if (options.axis_at == cam::AxisAt::origin) return std::array{0.0, 0.0};
     if (options.axis_at == cam::AxisAt::point) return std::array{options.axis_x, options.axis_y};
-    const std::array centre{middle[0], middle[1]};
+    const bool is_hinted = mesh.axis_hint && options.up == slice::Up::z;
+    const std::array centre = is_hinted ? *mesh.axis_hint : std::array{middle[0], middle[1]};
     if (options.axis_at == cam::AxisAt::centre) return centre;
     const auto found = slice::search_axis(
         mesh, options.up, centre, cam::reachable_radius(profile, mm_per_unit), options.search_progress);
     if (!found) return found.error();
     return found->best;
-}
-
-double undercut_share(const std::vector<slice::LayerTotals>& layers) {
-    double all = 0.0;
-    double outer = 0.0;
-    for (const slice::LayerTotals& layer : layers) {
-        all += layer.radius_sum;
-        outer += layer.outer_sum;
-    }
-    return all > 0.0 ? std::clamp((all - outer) / all, 0.0, 1.0) : 0.0;
 }
 
 /// The least of the outermost radii around a place of the map: a wall further in than all of these is hidden.
@@ -84,8 +79,16 @@ Result<ModelSight> look_at_model(const model::Mesh& mesh, const MeshScene& scene
     if (!(size[2] > 0.0)) return bad_input(mesh.source_name + ": the model has no height");
     ModelSight sight;
     sight.mm_per_unit = options.height_mm ? *options.height_mm / size[2] : options.scale.value_or(1.0);
+    // While the axis is looked for, any radius can be made to fit.
+    if (options.fits) sight.mm_per_unit = std::numeric_limits<double>::min();
     const auto axis = axis_place(mesh, middle, profile, options, sight.mm_per_unit);
     if (!axis) return axis.error();
+    if (options.fits) {
+        cam::JobPlan plan;
+        plan.placement = {options.up, (*axis)[0], (*axis)[1]};
+        cam::SliceReport report;
+        sight.mm_per_unit = cam::fitting_scale(mesh, profile, plan, report);
+    }
     sight.axis = {(*axis)[0] - middle[0], (*axis)[1] - middle[1]};
     std::vector<double> angles_rad;
     for (std::size_t i = 0; i < kRound; ++i)
@@ -95,9 +98,46 @@ Result<ModelSight> look_at_model(const model::Mesh& mesh, const MeshScene& scene
                                        slice::Directions{angles_rad}, {1, options.search_progress});
     if (!map) return map.error();
     sight.blank_radius = *std::max_element(map->radius.begin(), map->radius.end());
-    sight.undercut_share = undercut_share(map->layers);
+    sight.undercut_share = slice::undercut_share(map->layers);
+    sight.size = size;
+    sight.outermost.assign(kRound, 0.0);
+    for (std::size_t i = 0; i < map->radius.size(); ++i)
+        sight.outermost[i % kRound] = std::max(sight.outermost[i % kRound], map->radius[i]);
     sight.is_hidden = hidden_vertices(scene, options.up, sight, *map);
     return sight;
+}
+
+std::vector<std::string> blank_warnings(const ModelSight& sight, const Profile& profile) {
+    cam::SliceReport report;
+    std::vector<double> directions_rad;
+    std::vector<double> model_mm;
+    for (std::size_t i = 0; i < sight.outermost.size(); ++i) {
+        directions_rad.push_back(2.0 * kPi * static_cast<double>(i) /
+                                 static_cast<double>(sight.outermost.size()));
+        model_mm.push_back(sight.outermost[i] * sight.mm_per_unit);
+    }
+    const double top_mm = profile.job.base_height_mm + sight.size[2] * sight.mm_per_unit;
+    cam::warn_about_blank_size(profile, directions_rad, model_mm, top_mm, report);
+    return report.warnings;
+}
+
+BlankOutline blank_outline(const ModelSight& sight, const Profile& profile) {
+    const BlankProfile& blank = profile.blank;
+    BlankOutline outline{sight.axis, sight.blank_radius, -sight.size[2] / 2.0, sight.size[2] / 2.0, 0.0,
+                         false};
+    if (blank.radius_mm > 0.0) {
+        outline.is_chosen = true;
+        outline.radius = blank.radius_mm / sight.mm_per_unit;
+        outline.centre[0] += blank.offset_x_mm / sight.mm_per_unit;
+        outline.centre[1] += blank.offset_z_mm / sight.mm_per_unit;
+    }
+    if (outline.is_chosen && blank.height_mm > 0.0) {
+        // It stands on the table, the model above it.
+        outline.low -= profile.job.base_height_mm / sight.mm_per_unit;
+        outline.high = outline.low + blank.height_mm / sight.mm_per_unit;
+    }
+    outline.diameter_mm = 2.0 * outline.radius * sight.mm_per_unit;
+    return outline;
 }
 
 MeshScene painted_scene(const MeshScene& scene, const ModelSight& sight, std::uint32_t rgb,
@@ -108,6 +148,37 @@ MeshScene painted_scene(const MeshScene& scene, const ModelSight& sight, std::ui
         if (sight.is_hidden[i] != 0) painted.vertex_rgb[i] = hidden_rgb;
     }
     return painted;
+}
+
+std::optional<SceneView> view_of_hidden(const MeshScene& scene, const ModelSight& sight, slice::Up up) {
+    constexpr std::uint32_t kBlack = 0x000000;
+    constexpr std::uint32_t kRed = 0xFF0000;  // however dark its shade is
+    constexpr int kAzimuths = 16;
+    constexpr std::array kElevations_rad{0.0, 0.35, -0.35, 0.9};
+    constexpr std::size_t kSide_px = 160;
+    if (std::find(sight.is_hidden.begin(), sight.is_hidden.end(), 1) == sight.is_hidden.end())
+        return std::nullopt;
+    SpacePicture picture;
+    picture.size = scene.size;
+    picture.view.up = up;
+    picture.is_coarse = true;
+    picture.bodies.push_back(
+        {std::make_shared<const MeshScene>(painted_scene(scene, sight, kBlack, kRed)), {}});
+    SceneView best = picture.view;
+    std::uint64_t most = 0;
+    for (const double elevation_rad : kElevations_rad) {
+        for (int i = 0; i < kAzimuths; ++i) {
+            picture.view.elevation_rad = elevation_rad;
+            picture.view.azimuth_rad = 2.0 * kPi * i / kAzimuths;
+            std::uint64_t seen = 0;
+            for (const std::uint32_t pixel : draw_bodies(picture, kSide_px, kSide_px).argb)
+                seen += (pixel & kRed) != 0 ? 1 : 0;
+            if (seen <= most) continue;
+            most = seen;
+            best = picture.view;
+        }
+    }
+    return best;
 }
 
 }  // namespace psicarve::session

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/session/mesh_scene.hpp"
+#include "hmi/session/scene_camera.hpp"
 #include "hmi/slice/slicer.hpp"
 
 namespace psicarve::session {
@@ -19,14 +21,38 @@ struct ModelSight {
     std::array<double, 2> axis{};
     double blank_radius = 0.0;  ///< the least round blank that holds the model
     double mm_per_unit = 1.0;
+    std::array<double, 3> size{};   ///< of the turned model's box
+    std::vector<double> outermost;  ///< by direction, once round from 0 on: the largest radius of all heights
 };
 
 /// Slices coarsely and compares. Of the options: up, axis_at, height or scale, search_progress.
 Result<ModelSight> look_at_model(const model::Mesh& mesh, const MeshScene& scene, const Profile& profile,
                                  const cam::JobOptions& options);
 
+/// What the slicer will warn of about the profile's blank.
+std::vector<std::string> blank_warnings(const ModelSight& sight, const Profile& profile);
+
+/// A cylinder to be drawn round the model. File units, relative to the middle of the model's box.
+struct BlankOutline {
+    std::array<double, 2> centre{};
+    double radius = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+    double diameter_mm = 0.0;
+    bool is_chosen = false;  ///< else the least that holds the model
+
+    bool operator==(const BlankOutline&) const = default;
+};
+/// The profile's blank where it stands, as high as the model where its height is not known; without one the
+/// least.
+BlankOutline blank_outline(const ModelSight& sight, const Profile& profile);
+
 /// The scene with hidden vertices in a colour of their own.
 MeshScene painted_scene(const MeshScene& scene, const ModelSight& sight, std::uint32_t rgb,
                         std::uint32_t hidden_rgb);
+
+/// From where most of what is hidden is seen: behind a wall one looks past it. Nothing when nothing is
+/// hidden.
+std::optional<SceneView> view_of_hidden(const MeshScene& scene, const ModelSight& sight, slice::Up up);
 
 }  // namespace psicarve::session

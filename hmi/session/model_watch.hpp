@@ -4,6 +4,7 @@
 #include <atomic>
 #include <memory>
 
+#include "hmi/report/model_findings.hpp"
 #include "hmi/session/model_sight.hpp"
 #include "hmi/session/work_lane.hpp"
 
@@ -15,6 +16,7 @@ public:
     struct Seen {
         ModelSight sight;
         std::shared_ptr<const MeshScene> painted;
+        std::optional<SceneView> hidden_view;  ///< as view_of_hidden()
     };
 
     ModelWatch(std::uint32_t rgb, std::uint32_t hidden_rgb) : rgb_(rgb), hidden_rgb_(hidden_rgb) {}
@@ -24,16 +26,24 @@ public:
     void look(std::shared_ptr<const model::Mesh> mesh, std::shared_ptr<const MeshScene> scene,
               const Profile& profile, cam::JobOptions options);
     void forget();
-    /// At screen rate.
-    void poll() { lane_.deliver(); }
+    /// At screen rate. What the report tells is looked for when somebody wants it, once the model was seen.
+    void poll(bool wants_findings = false);
     /// Of what was asked for last; null until it is there.
     std::shared_ptr<const Seen> seen() const noexcept { return seen_; }
+    std::shared_ptr<const report::ModelFindings> findings() const noexcept { return findings_; }
 
 private:
     std::uint32_t rgb_;
     std::uint32_t hidden_rgb_;
     std::shared_ptr<std::atomic<bool>> goes_on_;  ///< shared with the task under way
     std::shared_ptr<const Seen> seen_;
+    std::shared_ptr<const model::Mesh> mesh_;  ///< that was seen
+    std::array<double, 3> middle_{};           ///< of its box, turned
+    slice::Up up_ = slice::Up::z;
+    double base_mm_ = 0.0;
+    double core_mm_ = 0.0;
+    bool is_looked_into_ = false;
+    std::shared_ptr<const report::ModelFindings> findings_;
     WorkLane lane_{WorkLane::Haste::background};
 };
 

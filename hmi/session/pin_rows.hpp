@@ -21,7 +21,16 @@ struct PinRow {
 
 Phrase name_of_signal(Signal signal);
 
+/// What stands at a pin of the connector, where there is little room: "R1 Ψ en" of a pin that enables both.
+Phrase pin_label(const std::vector<Signal>& signals);
+
 /// Outputs by pin, then inputs by pin; what is not wired comes last.
 std::vector<PinRow> pin_rows(const Profile& profile);
+
+/// The sensors that stop a machine and are tripped now: limit switches and the emergency stop.
+constexpr SignalWord tripped_stops(SignalWord levels) noexcept {
+    return levels & (bit_of(Signal::r1_limit) | bit_of(Signal::r2_limit) | bit_of(Signal::y_limit) |
+                     bit_of(Signal::estop));
+}
 
 }  // namespace psicarve::session

@@ -43,7 +43,7 @@ Check homed_check(const MachineSight& machine) {
         if (!machine.is_homed(axis)) missing += (missing.empty() ? "" : " ") + std::string{axis_letter(axis)};
     }
     const Phrase name = phrase("Axes homed");
-    if (!missing.empty()) return {name, phrase("%1 not homed", missing), V::fail};
+    if (!missing.empty()) return {name, phrase("%1", missing), V::fail};
     return {name, phrase("R1 R2 Ψ Y"), V::pass};
 }
 
@@ -66,6 +66,14 @@ Check made_check(const JobSight& job, bool core_has_job) {
     return {name, phrase("checked"), V::pass};
 }
 
+/// A job that does not keep it is never made, nor accepted by the core: what is kept is told.
+Check clearance_check(const MachineSight& machine, const Check& made) {
+    const Phrase name = phrase("Head clearance");
+    if (made.verdict != V::pass) return {name, phrase("–"), V::info};
+    if (!machine.profile) return {name, phrase("not known"), V::info};
+    return {name, phrase("≥ %1 mm", number_text(machine.profile->head_clearance_mm, 1)), V::pass};
+}
+
 Check published_check(const MachineSight& machine, const JobSight& job) {
     const Phrase name = phrase("Job published");
     const std::uint64_t generation = machine.status ? machine.status->job_generation : 0;
@@ -73,6 +81,37 @@ Check published_check(const MachineSight& machine, const JobSight& job) {
     const bool is_ours = job.state == DeskState::published || job.state == DeskState::empty;
     if (generation == 0 || !is_ours) return {name, phrase("publish first"), V::fail};
     return {name, phrase("no. %1", std::to_string(generation)), V::pass};
+}
+
+/// The core takes such a job, and says so: what stands on the table is known only to who mounted it.
+Phrase blank_detail(const BlankDifference& difference) {
+    const std::string job = number_text(difference.job_mm, 1);
+    const std::string machine = number_text(difference.machine_mm, 1);
+    switch (difference.in) {
+        case BlankDifference::In::radius:
+            return phrase("r %1 ≠ %2", job, machine);
+        case BlankDifference::In::height:
+            return phrase("h %1 ≠ %2", job, machine);
+        case BlankDifference::In::place:
+            break;
+    }
+    return phrase("%1 mm beside", machine);
+}
+
+/// The core refuses a job that was made for another machine; here it is told before.
+Check profile_check(const MachineSight& machine, const JobSight& job) {
+    const Phrase name = phrase("Profile matches job");
+    const bool has_core_job = machine.status && machine.status->job_generation != 0;
+    if (job.state == DeskState::empty && !has_core_job) return {name, phrase("no job"), V::info};
+    if (!job.profile_difference.empty()) return {name, phrase("%1", job.profile_difference), V::fail};
+    const bool is_accepted = job.state == DeskState::published || job.state == DeskState::empty;
+    if (!job.has_job() && !is_accepted) return {name, phrase("–"), V::info};
+    if (!machine.profile) return {name, phrase("not known"), V::info};
+    if (job.blank_difference) {
+        const V verdict = job.blank_difference->is_in_the_way ? V::fail : V::info;
+        return {phrase("Blank matches job"), blank_detail(*job.blank_difference), verdict};
+    }
+    return {name, phrase("%1", machine.profile->name), V::pass};
 }
 
 Check rights_check(const MachineSight& machine) {
@@ -93,6 +132,8 @@ std::vector<Check> preflight_checks(const MachineSight& machine, const JobSight&
     checks.push_back(limits_check(machine));
     checks.push_back(homed_check(machine));
     checks.push_back(made_check(shown, machine.status->job_generation != 0));
+    checks.push_back(clearance_check(machine, checks.back()));
+    checks.push_back(profile_check(machine, shown));
     checks.push_back(published_check(machine, shown));
     checks.push_back(rights_check(machine));
     return checks;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -16,8 +17,9 @@ struct Check {
     Verdict verdict = Verdict::fail;
 };
 
-/// What must be so before Start, in the order in which it is put right. Travel and head clearance need no
-/// line of their own: a job that does not keep them is never made, and never accepted by the core.
+inline constexpr std::size_t kMostChecks = 9;
+
+/// What must be so before Start, in the order in which it is put right.
 std::vector<Check> preflight_checks(const MachineSight& machine, const JobSight& job);
 
 }  // namespace psicarve::session

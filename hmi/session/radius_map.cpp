@@ -29,9 +29,15 @@ struct Head {
 
 std::array<Head, 2> heads_of(const Profile& profile) {
     constexpr double kOpposite_deg = kDegPerRev / 2.0;
-    return {Head{profile.r1.pulses_per_mm, profile.r1.tip_offset_mm, 0.0},
-            Head{profile.r2.pulses_per_mm, profile.r2.tip_offset_mm,
-                 kOpposite_deg + profile.head_r2_angle_error_deg}};
+    return {
+        Head{profile.r1.pulses_per_mm, profile.r1.tip_mm(), 0.0},
+        Head{profile.r2.pulses_per_mm, profile.r2.tip_mm(), kOpposite_deg + profile.head_r2_angle_error_deg}};
+}
+
+/// Where the table stands when a layer begins, within a turn.
+double start_of(const cam::PreparedJob& job, std::uint32_t layer) {
+    const std::int64_t per_rev = job.profile.psi.pulses_per_rev;
+    return within_turn(deg_from_pulses(job.view.psi_pulses(layer, 0) % per_rev, per_rev));
 }
 
 std::vector<RimPoint> half_rim(const cam::PreparedJob& job, std::uint32_t layer,
@@ -49,7 +55,7 @@ std::vector<RimPoint> half_rim(const cam::PreparedJob& job, std::uint32_t layer,
 void fill_row(const cam::PreparedJob& job, std::uint32_t layer, std::span<float> row) {
     const auto heads = heads_of(job.profile);
     const std::uint32_t steps = job.view.point_count() - 1;
-    const double start_deg = deg_from_pulses(job.view.psi_pulses(layer, 0), job.profile.psi.pulses_per_rev);
+    const double start_deg = start_of(job, layer);
     constexpr double kHalf_deg = kDegPerRev / 2.0;
     for (std::size_t column = 0; column < row.size(); ++column) {
         const double direction_deg =
@@ -83,20 +89,57 @@ LayerRim layer_rim(const cam::PreparedJob& job, std::uint32_t layer) {
     return rim;
 }
 
+LayerCurves layer_curves(const cam::PreparedJob& job, std::uint32_t layer) {
+    const auto heads = heads_of(job.profile);
+    const std::int64_t per_rev = job.profile.psi.pulses_per_rev;
+    const std::int64_t first_pulses = job.view.psi_pulses(layer, 0);
+    const double start_deg = start_of(job, layer);
+    LayerCurves curves;
+    for (std::uint32_t point = 0; point < job.view.point_count(); ++point) {
+        curves.psi_deg.push_back(start_deg +
+                                 deg_from_pulses(job.view.psi_pulses(layer, point) - first_pulses, per_rev));
+        curves.r1_mm.push_back(heads[0].radius_mm(job.view.r_left_pulses(layer)[point]));
+        curves.r2_mm.push_back(heads[1].radius_mm(job.view.r_right_pulses(layer)[point]));
+    }
+    return curves;
+}
+
+std::vector<HalfSpan> half_spans(const cam::PreparedJob& job, std::uint32_t layer) {
+    constexpr double kHalf_deg = kDegPerRev / 2.0;
+    const double start_deg = start_of(job, layer);
+    const bool is_late = start_deg >= kHalf_deg;  // R1's half goes on beyond direction 0
+    const double change_deg = is_late ? start_deg - kHalf_deg : start_deg;
+    std::vector<HalfSpan> spans;
+    if (change_deg > 0.0) spans.push_back({0.0, change_deg, !is_late});
+    spans.push_back({change_deg, change_deg + kHalf_deg, is_late});
+    spans.push_back({change_deg + kHalf_deg, kDegPerRev, !is_late});
+    return spans;
+}
+
 RadiusMap radius_map(const cam::PreparedJob& job, std::size_t most_columns, std::size_t most_rows) {
     RadiusMap map;
-    const std::size_t layers = job.view.layer_count();
+    const std::size_t first = job.view.finishing_layer();
+    const std::size_t layers = job.view.layer_count() - first;
     map.columns = std::min<std::size_t>(most_columns, 2 * (std::size_t{job.view.point_count()} - 1));
     map.rows = std::min(most_rows, layers);
     map.radius_mm.resize(map.columns * map.rows);
     for (std::size_t row = 0; row < map.rows; ++row) {
-        const auto layer = static_cast<std::uint32_t>((2 * row + 1) * layers / (2 * map.rows));
+        const auto layer = static_cast<std::uint32_t>(first + (2 * row + 1) * layers / (2 * map.rows));
         fill_row(job, layer, std::span{map.radius_mm}.subspan(row * map.columns, map.columns));
     }
     const auto [least, most] = std::minmax_element(map.radius_mm.begin(), map.radius_mm.end());
     map.least_mm = std::floor(*least);
     map.most_mm = std::max<double>(std::ceil(*most), map.least_mm + 1.0);
     return map;
+}
+
+double place_in_map(const JobView& job, std::uint32_t layer) {
+    const auto finishing = job.layer_heights_pulses().subspan(job.finishing_layer());
+    const auto count = static_cast<double>(finishing.size());
+    if (layer >= job.finishing_layer()) return (layer - job.finishing_layer() + 0.5) / count;
+    const auto above =
+        std::lower_bound(finishing.begin(), finishing.end(), job.layer_heights_pulses()[layer]);
+    return std::min(static_cast<double>(above - finishing.begin()) + 0.5, count) / count;
 }
 
 std::vector<std::uint32_t> radius_picture(const RadiusMap& map, bool with_hills) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,8 @@ public:
     /// The last run, also while it goes on; nothing when this core has started none.
     const std::optional<machine::JobRun>& run() const noexcept { return run_; }
     bool is_over() const noexcept { return is_over_; }
+    /// The layer, from 0, in which the run was when it was first seen; nothing: it was seen from its start.
+    std::optional<std::uint32_t> seen_from_layer() const noexcept { return seen_from_layer_; }
 
 private:
     void begin(const CoreStatus& status, Clock::time_point now);
@@ -29,6 +32,7 @@ private:
     std::optional<CoreStatus> last_;
     std::uint32_t core_pid_ = 0;
     bool is_over_ = false;
+    std::optional<std::uint32_t> seen_from_layer_;
     Clock::time_point began_{};
 };
 
@@ -37,6 +41,10 @@ struct ReportRow {
     Phrase name;
     Phrase value;
 };
-std::vector<ReportRow> run_rows(const machine::JobRun& run, bool is_over, std::uint32_t layer_count);
+/// `is_verified`: nothing when the pins of the run were not recorded. `seen_from_layer`: as RunWatch has it;
+/// what was missed before is not known.
+std::vector<ReportRow> run_rows(const machine::JobRun& run, bool is_over, std::uint32_t layer_count,
+                                std::optional<bool> is_verified = {},
+                                std::optional<std::uint32_t> seen_from_layer = {});
 
 }  // namespace psicarve::session

@@ -12,10 +12,6 @@ using Vec = std::array<double, 3>;
 
 constexpr double kMargin = 0.86;  // of the picture is used
 
-double dot(const Vec& a, const Vec& b) noexcept {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 }  // namespace
 
 SceneCamera::SceneCamera(const std::array<double, 3>& size, const SceneView& view, double width_px,

@@ -7,6 +7,10 @@
 
 namespace psicarve::session {
 
+inline double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) noexcept {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 /// From where a scene is seen, by parallel rays.
 struct SceneView {
     double azimuth_rad = 0.0;    ///< direction of the turned model that faces the viewer
@@ -34,6 +38,8 @@ public:
     double px_per_unit() const noexcept { return scale_; }
     /// The direction, in placed coordinates, that goes to the right in the picture.
     const std::array<double, 3>& right() const noexcept { return right_; }
+    const std::array<double, 3>& up() const noexcept { return up_; }
+    const std::array<double, 3>& towards() const noexcept { return towards_; }  ///< the viewer
 
 private:
     std::array<double, 3> right_{};

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "hmi/session/scene_camera.hpp"
 #include "hmi/session/space_picture.hpp"
 
 namespace psicarve::session {
@@ -12,9 +13,6 @@ namespace {
 
 using Vec = std::array<double, 3>;
 
-double dot(const Vec& a, const Vec& b) noexcept {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 Vec cross(const Vec& a, const Vec& b) noexcept {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include "hmi/session/space_picture.hpp"
@@ -12,13 +13,37 @@ constexpr double kTipLength = 0.10;  // of the rod
 constexpr double kTipRadius = 0.35;
 constexpr int kRimDashes = 36;
 constexpr int kSideDashes = 18;
-constexpr double kDash = 0.6;  // of a dash and the gap after it
+constexpr int kRingSides = 48;
+constexpr double kRingThickness = 0.03;  // of the radius: two lines beside each other
+constexpr double kRingInFront = 2.0;     // of the radius: in front of what it goes round
+constexpr double kDash = 0.6;            // of a dash and the gap after it
 
 double angle_of(double part) noexcept {
     return 2.0 * kPi * part;
 }
 
 }  // namespace
+
+std::vector<Facet> lathe_facets(std::size_t round, std::size_t up, std::size_t step) {
+    std::vector<Facet> facets;
+    const auto add = [&facets](std::size_t a, std::size_t b, std::size_t c) {
+        facets.push_back(
+            {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+    };
+    const auto next_of = [step](std::size_t here, std::size_t end) { return std::min(here + step, end); };
+    for (std::size_t column = 0; column < round; column += step) {
+        const std::size_t beside = next_of(column, round) % round;
+        for (std::size_t row = 0; row + 1 < up; row = next_of(row, up - 1)) {
+            const std::size_t low = row * round;
+            const std::size_t high = next_of(row, up - 1) * round;
+            add(low + column, low + beside, high + column);
+            add(low + beside, high + beside, high + column);
+        }
+        const std::size_t top = (up - 1) * round;
+        add(top + column, top + beside, up * round);
+    }
+    return facets;
+}
 
 MeshScene head_scene(double rod_length, double rod_radius) {
     MeshScene scene;
@@ -49,6 +74,42 @@ MeshScene head_scene(double rod_length, double rod_radius) {
         scene.facets.push_back({last, last - kSides + side, last - kSides + next});
     }
     return scene;
+}
+
+std::array<SceneLine, 3> axis_triad(const SceneCamera& camera, slice::Up up, double x_px, double y_px,
+                                    double length_px, std::uint32_t rgb) {
+    const double scale = camera.px_per_unit();
+    const auto middle = camera.project({});
+    std::array<double, 3> origin{};
+    for (std::size_t k = 0; k < origin.size(); ++k)
+        origin[k] = (camera.right()[k] * (x_px - middle[0]) - camera.up()[k] * (y_px - middle[1])) / scale;
+    std::array<SceneLine, 3> lines{};
+    for (std::size_t axis = 0; axis < lines.size(); ++axis) {
+        std::array<double, 3> along{};
+        along[axis] = length_px / scale;
+        const auto placed = slice::placed(up, along);
+        lines[axis] = {origin, origin, rgb};
+        for (std::size_t k = 0; k < origin.size(); ++k) lines[axis].to[k] += placed[k];
+    }
+    return lines;
+}
+
+std::vector<SceneLine> ring_outline(const SceneCamera& camera, const std::array<double, 3>& centre,
+                                    double radius, std::uint32_t rgb) {
+    std::vector<SceneLine> lines;
+    for (const double across : {radius, radius * (1.0 - kRingThickness)}) {
+        const auto at = [&](int side) {
+            const double angle_rad = angle_of(static_cast<double>(side) / kRingSides);
+            std::array<double, 3> place = centre;
+            for (std::size_t k = 0; k < 3; ++k)
+                place[k] += across * (std::cos(angle_rad) * camera.right()[k] +
+                                      std::sin(angle_rad) * camera.up()[k]) +
+                            kRingInFront * radius * camera.towards()[k];
+            return place;
+        };
+        for (int side = 0; side < kRingSides; ++side) lines.push_back({at(side), at(side + 1), rgb});
+    }
+    return lines;
 }
 
 std::vector<SceneLine> cylinder_outline(const std::array<double, 2>& axis, double radius, double low,

@@ -45,8 +45,20 @@ inline constexpr double kDiffuse = 0.58;
 /// The bodies shaded, the nearer before the farther; transparent around them. No lines.
 verify::PixelImage draw_bodies(const SpacePicture& picture, std::size_t width_px, std::size_t height_px);
 
+/// Facets between rows of `round` vertices each that stand one above the other, with a lid whose middle is
+/// the vertex behind the last row's; every `step`-th vertex and row, the last row and the seam always.
+std::vector<Facet> lathe_facets(std::size_t round, std::size_t up, std::size_t step);
+
 /// A head: its tip in the origin, its rod along +x (placed coordinates, so for up z).
 MeshScene head_scene(double rod_length, double rod_radius);
+
+/// A circle as the viewer sees it from any side, as lines.
+std::vector<SceneLine> ring_outline(const SceneCamera& camera, const std::array<double, 3>& centre,
+                                    double radius, std::uint32_t rgb);
+
+/// The file's x, y and z as one sees them, from a place of the picture.
+std::array<SceneLine, 3> axis_triad(const SceneCamera& camera, slice::Up up, double x_px, double y_px,
+                                    double length_px, std::uint32_t rgb);
 
 /// The outline of an upright cylinder as one sees it with `right` to the right: two dashed rims and two
 /// dashed sides.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "shared/status.hpp"
 
@@ -31,6 +32,18 @@ constexpr std::uint32_t next_layer(std::uint64_t points_done, std::uint64_t poin
                                    std::uint32_t layer_count) noexcept {
     if (layer_count == 0 || points_total < layer_count || points_done >= points_total) return 0;
     return static_cast<std::uint32_t>(points_done / (points_total / layer_count));
+}
+
+/// Where the operator would go on: behind what this core has carved, or what the checkpoint of one before
+/// says.
+constexpr std::uint32_t layer_to_go_on_with(const CoreStatus& status,
+                                            std::optional<std::uint32_t> resumable_layer,
+                                            std::uint32_t layer_count) noexcept {
+    // A dry run carves nothing: the piece is as far as it was before.
+    if (status.is_dry != 0) return resumable_layer.value_or(0);
+    const std::uint32_t next = next_layer(status.points_done, status.points_total, layer_count);
+    if (next != 0 || status.job_start_tick != 0) return next;
+    return resumable_layer.value_or(0);
 }
 
 }  // namespace psicarve::session

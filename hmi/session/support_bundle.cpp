@@ -30,7 +30,7 @@ Result<void> save_segment(const SupportBundle& bundle, const fs::path& path) {
     if (!link) return link.error();
     const auto snapshot = machine::take_snapshot(*link, kLockLimit);
     if (!snapshot) return snapshot.error();
-    return save_snapshot(*snapshot, path.string());
+    return save_snapshot(*snapshot, path.string(), bundle.group);
 }
 
 /// What could not be copied, a line each.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hmi/session/display_text.hpp"
+#include "shared/units.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -67,6 +68,12 @@ TickHealth tick_health(const CoreStatus& status) {
     return health;
 }
 
+std::int64_t late_p99_ns(const CoreStatus& status) {
+    std::uint64_t ticks = 0;
+    for (const std::uint64_t in_bin : status.lateness_histogram) ticks += in_bin;
+    return percentile_ns(status, ticks, 0.99);
+}
+
 void RateMeter::note(const CoreStatus& status, Clock::time_point now) {
     Sample sample{now, status.tick, status.missed_ticks, status.period_ns, {}};
     bool goes_on = !samples_.empty() && status.tick >= samples_.back().tick &&
@@ -99,6 +106,20 @@ void RateMeter::measure() {
         const auto pulses = static_cast<double>(last.pulses[k] - first.pulses[k]);
         pulses_per_machine_s_[k] = is_known && machine_s > 0.0 ? pulses / machine_s : 0.0;
     }
+}
+
+double surface_speed_mm_s(const RateMeter& rates, const CoreStatus& status, const Profile& profile) {
+    const auto speed_of = [&](Axis axis) {
+        return rates.pulses_per_machine_s(axis) / axis_motion(profile, axis).pulses_per_unit;
+    };
+    const double turn_rad_s = rad_from_deg(speed_of(Axis::psi));
+    double fastest_mm_s = 0.0;
+    for (const Axis head : {Axis::r1, Axis::r2}) {
+        const double radius_mm = mm_from_pulses(status.position_pulses[index_of(head)],
+                                                axis_motion(profile, head).pulses_per_unit);
+        fastest_mm_s = std::max(fastest_mm_s, std::hypot(radius_mm * turn_rad_s, speed_of(head)));
+    }
+    return fastest_mm_s;
 }
 
 }  // namespace psicarve::session

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "shared/profile.hpp"
 #include "shared/status.hpp"
 
 namespace psicarve::session {
@@ -32,9 +33,16 @@ struct TickHealth {
     std::size_t period_bar = 0;     ///< the first whose ticks may have been a whole period late
 };
 TickHealth tick_health(const CoreStatus& status);
+/// So late was 99 % of the ticks at most, as above; 0 before the first tick.
+std::int64_t late_p99_ns(const CoreStatus& status);
 
 /// "850 ns", "61 µs", "1.2 ms".
 std::string duration_text(std::int64_t duration_ns);
+
+class RateMeter;
+/// Of the faster head's tool over the surface: sqrt((r ψ')² + r'²), by the last second's mean speeds.
+/// [mm/s]
+double surface_speed_mm_s(const RateMeter& rates, const CoreStatus& status, const Profile& profile);
 
 /// Speeds of what the status counts, over about the last second.
 class RateMeter {

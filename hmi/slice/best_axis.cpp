@@ -170,4 +170,17 @@ Result<AxisSearch> search_axis(const model::Mesh& mesh, Up up, const std::array<
     }
 }
 
+double largest_radius(const model::Mesh& mesh, const Placement& placement) {
+    const auto from = source_coordinate(placement.up);
+    double largest = 0.0;
+    for (const model::Triangle& triangle : mesh.triangles) {
+        for (const auto& vertex : triangle.vertices) {
+            const double x = mesh.origin[from[0]] + double{vertex[from[0]]} - placement.axis_x;
+            const double y = mesh.origin[from[1]] + double{vertex[from[1]]} - placement.axis_y;
+            largest = std::max(largest, x * x + y * y);
+        }
+    }
+    return std::sqrt(largest);
+}
+
 }  // namespace psicarve::slice

@@ -33,4 +33,7 @@ struct AxisSearch {
 Result<AxisSearch> search_axis(const model::Mesh& mesh, Up up, const std::array<double, 2>& used,
                                double radius_limit, const Progress& progress);
 
+/// How far the model reaches from its axis, file units.
+double largest_radius(const model::Mesh& mesh, const Placement& placement);
+
 }  // namespace psicarve::slice

@@ -81,7 +81,8 @@ LayerScan::LayerScan(const Directions& directions)
     : directions_(directions),
       outer_(directions.count(), 0.0),
       walls_(directions.count(), 0U),
-      result_(directions.count(), 0.0) {}
+      result_(directions.count(), 0.0),
+      result_walls_(directions.count(), 0U) {}
 
 void LayerScan::draw(const Wall& s, std::uint32_t first, std::uint32_t end) noexcept {
     const double* cosine = directions_.cosine();
@@ -117,10 +118,11 @@ bool LayerScan::see(const SectionSegment& segment, SeenWall& seen) const noexcep
     const double q_angle = diamond_angle(qx, qy);
     const std::uint32_t p_cell = directions_.count_up_to(p_angle);
     const std::uint32_t q_cell = directions_.count_up_to(q_angle);
-    if (p_cell == q_cell) return false;
     // The short way round is the way the segment goes: opposite directions are exactly 2 apart.
     const double turn = q_angle - p_angle;
     seen.wraps = std::abs(turn) > 2.0;
+    // Round by angle 0 from a cell to the same one a segment passes all directions, if they are so few.
+    if (p_cell == q_cell && !seen.wraps) return false;
     const bool counter_clockwise = (turn > 0.0) != seen.wraps;
     seen.wall = {px, py, qx - px, qy - py, counter_clockwise ? kOutside : kInside};
     seen.from = counter_clockwise ? p_cell : q_cell;
@@ -174,6 +176,7 @@ const LayerTotals& LayerScan::finish() noexcept {
         std::size_t to = k + first;
         if (to >= count) to -= count;
         result_[to] = outer_[k];
+        result_walls_[to] = walls;
     }
     totals.has_section = totals.walls > 0;
     totals.contains_axis = 2 * odd > count;

@@ -30,7 +30,8 @@ struct LayerTotals {
 /// The section of one layer, seen from the axis.
 struct LayerSection {
     std::size_t layer = 0;
-    std::span<const double> radius;  ///< outermost wall in each direction, file units; 0: none
+    std::span<const double> radius;        ///< outermost wall in each direction, file units; 0: none
+    std::span<const std::uint32_t> walls;  ///< how many stand in each direction
     const LayerTotals* totals = nullptr;
 };
 
@@ -89,6 +90,7 @@ public:
     /// Ends the layer: its totals and radii, valid until the next segment. Clears the cells for the next.
     const LayerTotals& finish() noexcept;
     std::span<const double> radius() const noexcept { return result_; }
+    std::span<const std::uint32_t> wall_counts() const noexcept { return result_walls_; }
 
 private:
     struct Wall;
@@ -101,6 +103,7 @@ private:
     std::vector<double> outer_;
     std::vector<std::uint32_t> walls_;  ///< low half: outsides, high half: insides
     std::vector<double> result_;
+    std::vector<std::uint32_t> result_walls_;
     LayerTotals totals_;
     double radius_sum_ = 0.0;
 };

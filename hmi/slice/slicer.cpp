@@ -105,7 +105,7 @@ private:
         const std::uint32_t open_cells = rises ? spiral_->open_cells(scan_) : 0;
         work_.totals[layer] = scan_.finish();
         if (rises) work_.totals[layer].open_cells = open_cells;
-        work_.sink(LayerSection{layer, scan_.radius(), &work_.totals[layer]});
+        work_.sink(LayerSection{layer, scan_.radius(), scan_.wall_counts(), &work_.totals[layer]});
         std::erase_if(carried_, [layer](const CutFacet& t) { return t.end_layer <= layer + 1; });
         carry(layer, layer + 1);
     }
@@ -228,6 +228,18 @@ Result<RadialMap> radial_map(const model::Mesh& mesh, const Placement& placement
     if (!totals) return totals.error();
     map.layers = std::move(*totals);
     return map;
+}
+
+double undercut_share(std::span<const LayerTotals> layers) {
+    double all = 0.0;
+    double outer = 0.0;
+    bool is_any_hidden = false;
+    for (const LayerTotals& layer : layers) {
+        all += layer.radius_sum;
+        outer += layer.outer_sum;
+        is_any_hidden = is_any_hidden || layer.hidden_walls > 0;
+    }
+    return is_any_hidden && all > 0.0 ? std::clamp((all - outer) / all, 0.0, 1.0) : 0.0;
 }
 
 std::vector<double> layer_heights(double bottom, double height, std::size_t count) {

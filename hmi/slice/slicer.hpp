@@ -23,6 +23,14 @@ using LayerSink = std::function<void(const LayerSection&)>;
 struct SliceOptions {
     unsigned thread_count = 1;  ///< the result is the same, bit for bit, for any number
     Progress progress;
+
+    /// For a part of the work that is so much of the whole, from `begin` on. Outlived by this.
+    SliceOptions part(double begin, double share) const {
+        SliceOptions options{thread_count, {}};
+        if (progress)
+            options.progress = [this, begin, share](double done) { return progress(begin + share * done); };
+        return options;
+    }
 };
 
 /// r(theta, h) of a mesh at the given heights (ascending, placed file units) and directions, layer by layer.
@@ -46,6 +54,9 @@ struct RadialMap {
 Result<RadialMap> radial_map(const model::Mesh& mesh, const Placement& placement,
                              std::span<const double> heights, const Directions& directions,
                              const SliceOptions& options);
+
+/// The part of the surface, all walls, that lies behind others; 0 where no wall does.
+double undercut_share(std::span<const LayerTotals> layers);
 
 /// Heights of the layers: i at bottom + (i + 1/2) * height / count.
 std::vector<double> layer_heights(double bottom, double height, std::size_t count);

@@ -8,6 +8,10 @@
             <translation> из %1</translation>
         </message>
         <message>
+            <source> or </source>
+            <translation> или </translation>
+        </message>
+        <message>
             <source>! CORE LATE</source>
             <translation>! ЯДРО ЗАПАЗДЫВАЕТ</translation>
         </message>
@@ -16,12 +20,36 @@
             <translation>! КВ</translation>
         </message>
         <message>
+            <source>%1 % of the surface</source>
+            <translation>%1 % поверхности</translation>
+        </message>
+        <message>
+            <source>%1 MB, %2 faces</source>
+            <translation>%1 МБ, граней: %2</translation>
+        </message>
+        <message>
             <source>%1 alone finds its home position</source>
             <translation>%1 один ищет свой ноль</translation>
         </message>
         <message>
+            <source>%1 and %2: %3 differences</source>
+            <translation>%1 и %2: отличий %3</translation>
+        </message>
+        <message>
+            <source>%1 and %2: nothing differs</source>
+            <translation>%1 и %2: отличий нет</translation>
+        </message>
+        <message>
             <source>%1 cannot count so far</source>
             <translation>%1 не может отсчитать так далеко</translation>
+        </message>
+        <message>
+            <source>%1 cannot stand at %2 mm; its travel is %3 to %4 mm</source>
+            <translation>%1 не может стоять на %2 mm; её ход от %3 до %4 mm</translation>
+        </message>
+        <message>
+            <source>%1 cells</source>
+            <translation>ячеек: %1</translation>
         </message>
         <message>
             <source>%1 changes</source>
@@ -36,24 +64,76 @@
             <translation>%1 замкнут</translation>
         </message>
         <message>
+            <source>%1 cm³</source>
+            <translation>%1 см³</translation>
+        </message>
+        <message>
+            <source>%1 dir</source>
+            <translation>%1 напр.</translation>
+        </message>
+        <message>
+            <source>%1 en</source>
+            <translation>%1 вкл.</translation>
+        </message>
+        <message>
             <source>%1 entries</source>
             <translation>записей: %1</translation>
+        </message>
+        <message>
+            <source>%1 faces</source>
+            <translation>граней: %1</translation>
+        </message>
+        <message>
+            <source>%1 facets</source>
+            <translation>%1 граней</translation>
+        </message>
+        <message>
+            <source>%1 facets, %2 cm³</source>
+            <translation>%1 граней, %2 см³</translation>
         </message>
         <message>
             <source>%1 found its sensor</source>
             <translation>%1: датчик найден</translation>
         </message>
         <message>
+            <source>%1 free in /dev/shm</source>
+            <translation>свободно в /dev/shm: %1</translation>
+        </message>
+        <message>
+            <source>%1 has no closed outline: its lines are engraved</source>
+            <translation>%1: нет замкнутого контура, гравируются линии</translation>
+        </message>
+        <message>
             <source>%1 has no way left in this direction</source>
             <translation>у %1 в эту сторону больше нет хода</translation>
+        </message>
+        <message>
+            <source>%1 in use</source>
+            <translation>используется: %1</translation>
+        </message>
+        <message>
+            <source>%1 is no group code</source>
+            <translation>%1 — не код группы</translation>
+        </message>
+        <message>
+            <source>%1 is no head of a table: y_mm,r_mm or y_pulses,r_pulses, or what snapshot export writes</source>
+            <translation>%1 — не заголовок таблицы: нужен y_mm,r_mm, или y_pulses,r_pulses, или то, что пишет snapshot export</translation>
         </message>
         <message>
             <source>%1 is not a number</source>
             <translation>%1 — не число</translation>
         </message>
         <message>
+            <source>%1 is not a number that a table can hold</source>
+            <translation>%1 — не число, возможное в таблице</translation>
+        </message>
+        <message>
             <source>%1 is not a number: a vertex needs three</source>
             <translation>%1 — не число: вершине нужны три</translation>
+        </message>
+        <message>
+            <source>%1 is not a whole number</source>
+            <translation>%1 — не целое число</translation>
         </message>
         <message>
             <source>%1 is not a word of ASCII STL</source>
@@ -62,6 +142,14 @@
         <message>
             <source>%1 is not the number of a vertex</source>
             <translation>%1 — не номер вершины</translation>
+        </message>
+        <message>
+            <source>%1 is not there</source>
+            <translation>%1 отсутствует</translation>
+        </message>
+        <message>
+            <source>%1 is not this trace's job: the heads were elsewhere at %2 of %3 places that were looked at</source>
+            <translation>%1: не задание этой записи: в %2 из %3 просмотренных мест головки стояли иначе</translation>
         </message>
         <message>
             <source>%1 is not wired to any pin</source>
@@ -76,6 +164,14 @@
             <translation>осталось %1</translation>
         </message>
         <message>
+            <source>%1 lies beside this trace, but is of another run: it is not used</source>
+            <translation>%1 лежит рядом с этой записью, но от другого запуска: не используется</translation>
+        </message>
+        <message>
+            <source>%1 limit</source>
+            <translation>%1 КВ</translation>
+        </message>
+        <message>
             <source>%1 limit switch: closed</source>
             <translation>концевой выключатель %1: замкнут</translation>
         </message>
@@ -84,8 +180,20 @@
             <translation>концевой выключатель %1: разомкнут</translation>
         </message>
         <message>
+            <source>%1 may not be written</source>
+            <translation>в %1 нельзя писать</translation>
+        </message>
+        <message>
             <source>%1 mm</source>
             <translation>%1 mm</translation>
+        </message>
+        <message>
+            <source>%1 mm beside</source>
+            <translation>рядом, %1 мм</translation>
+        </message>
+        <message>
+            <source>%1 mm deep goes to the middle of a cylinder of %2 mm diameter</source>
+            <translation>глубина %1 mm доходит до середины цилиндра диаметром %2 mm</translation>
         </message>
         <message>
             <source>%1 mm, r ≤ %2</source>
@@ -96,8 +204,12 @@
             <translation>%1 mm/s</translation>
         </message>
         <message>
-            <source>%1 not homed</source>
-            <translation>нет: %1</translation>
+            <source>%1 numbers, not 6</source>
+            <translation>чисел %1, а не 6</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 из %2</translation>
         </message>
         <message>
             <source>%1 of %2 facets have no finite coordinates; this is not a usable mesh</source>
@@ -108,20 +220,36 @@
             <translation>Слоёв, не содержащих ось: %1 из %2.</translation>
         </message>
         <message>
-            <source>%1 of %2 layers do not contain the axis. With Axis at: least lost, %3 of the surface and %4 of the layers would be lost.</source>
-            <translation>Слоёв, не содержащих ось: %1 из %2. С «Ось проходит: мин. потеря» потеря составит %3 поверхности и %4 слоёв.</translation>
+            <source>%1 of %2 layers do not contain the axis. With Axis at: least lost, %3 of the surface and %4 of the layers would be lost; by the same look this axis loses %5 and %6.</source>
+            <translation>Слоёв, не содержащих ось: %1 из %2. С «Ось проходит: мин. потеря» потеря составит %3 поверхности и %4 слоёв; при таком же подсчёте эта ось теряет %5 и %6.</translation>
         </message>
         <message>
             <source>%1 of %2 pass</source>
             <translation>пройдено %1 из %2</translation>
         </message>
         <message>
+            <source>%1 of %2 s, %3 missed, at most %4 late</source>
+            <translation>%1 из %2 с, пропущено %3, опоздание не больше %4</translation>
+        </message>
+        <message>
+            <source>%1 of %2 strokes are narrower than the tool cuts, %3 mm: they become as wide as that.</source>
+            <translation>Линий уже, чем режет инструмент (%3 mm): %1 из %2; они станут такой ширины.</translation>
+        </message>
+        <message>
+            <source>%1 of %2, %3°</source>
+            <translation>%1 из %2, %3°</translation>
+        </message>
+        <message>
+            <source>%1 of %2: %3</source>
+            <translation>%1 из %2: %3</translation>
+        </message>
+        <message>
             <source>%1 of the surface lies behind another part and cannot be reached.</source>
             <translation>%1 поверхности заслонено другой частью и недостижимо.</translation>
         </message>
         <message>
-            <source>%1 of the surface lies behind another part and cannot be reached. With Axis at: least lost, %2 of the surface and %3 of the layers would be lost.</source>
-            <translation>%1 поверхности заслонено другой частью и недостижимо. С «Ось проходит: мин. потеря» потеря составит %2 поверхности и %3 слоёв.</translation>
+            <source>%1 of the surface lies behind another part and cannot be reached. With Axis at: least lost, %2 of the surface and %3 of the layers would be lost; by the same look this axis loses %4 and %5.</source>
+            <translation>%1 поверхности заслонено другой частью и недостижимо. С «Ось проходит: мин. потеря» потеря составит %2 поверхности и %3 слоёв; при таком же подсчёте эта ось теряет %4 и %5.</translation>
         </message>
         <message>
             <source>%1 planned</source>
@@ -136,6 +264,30 @@
             <translation>импульсов: %1</translation>
         </message>
         <message>
+            <source>%1 pulses counted; the simulated machine stands at %2</source>
+            <translation>сосчитано импульсов: %1; имитируемый станок стоит на %2</translation>
+        </message>
+        <message>
+            <source>%1 radii, but the layers before have %2</source>
+            <translation>радиусов %1, а в предыдущих слоях их %2</translation>
+        </message>
+        <message>
+            <source>%1 roughing, finishing</source>
+            <translation>черновых: %1, чистовой</translation>
+        </message>
+        <message>
+            <source>%1 since layer %2, when this window came</source>
+            <translation>%1 со слоя %2, когда открылось это окно</translation>
+        </message>
+        <message>
+            <source>%1 step</source>
+            <translation>%1 шаг</translation>
+        </message>
+        <message>
+            <source>%1 strokes are not closed and left out, the first from %2 to %3 mm.</source>
+            <translation>Незамкнутых линий: %1, они пропущены; первая от %2 до %3 mm.</translation>
+        </message>
+        <message>
             <source>%1 ticks missed</source>
             <translation>Пропущено тактов: %1</translation>
         </message>
@@ -144,8 +296,24 @@
             <translation>за последнюю секунду пропущено тактов: %1</translation>
         </message>
         <message>
+            <source>%1 to %2 bytes</source>
+            <translation>от %1 до %2 байт</translation>
+        </message>
+        <message>
+            <source>%1 to %2 mm</source>
+            <translation>%1–%2 mm</translation>
+        </message>
+        <message>
             <source>%1 turns</source>
             <translation>%1 об.</translation>
+        </message>
+        <message>
+            <source>%1 was not opened</source>
+            <translation>Файл %1 не открыт</translation>
+        </message>
+        <message>
+            <source>%1 was written since it was opened: Reload takes it as it is now</source>
+            <translation>Файл %1 изменён после открытия: «Перечитать» возьмёт его новым</translation>
         </message>
         <message>
             <source>%1 would bring the tips closer than head_clearance_mm, %2</source>
@@ -160,16 +328,60 @@
             <translation>%1 вышел бы за пределы хода, от %2 до %3</translation>
         </message>
         <message>
-            <source>%1 × %2 × %3, %4 facets</source>
-            <translation>%1 × %2 × %3, %4</translation>
+            <source>%1 · ends %2</source>
+            <translation>%1 · конец в %2</translation>
+        </message>
+        <message>
+            <source>%1 × %2 × %3 mm, scale %4</source>
+            <translation>%1 × %2 × %3 mm, масштаб %4</translation>
+        </message>
+        <message>
+            <source>%1, PREEMPT_RT</source>
+            <translation>%1, PREEMPT_RT</translation>
+        </message>
+        <message>
+            <source>%1, checked</source>
+            <translation>%1, проверено</translation>
+        </message>
+        <message>
+            <source>%1, facets: %2</source>
+            <translation>%1, граней: %2</translation>
+        </message>
+        <message>
+            <source>%1, held against %2</source>
+            <translation>%1, сверка с %2</translation>
+        </message>
+        <message>
+            <source>%1, not %2 of --profile</source>
+            <translation>%1, а не %2 из --profile</translation>
+        </message>
+        <message>
+            <source>%1, not PREEMPT_RT</source>
+            <translation>%1, не PREEMPT_RT</translation>
+        </message>
+        <message>
+            <source>%1, not checked</source>
+            <translation>%1, не проверено</translation>
+        </message>
+        <message>
+            <source>%1, of another run</source>
+            <translation>%1, от другого запуска</translation>
         </message>
         <message>
             <source>%1. Lose them?</source>
             <translation>%1. Отказаться от них?</translation>
         </message>
         <message>
+            <source>%1: %2 to look at</source>
+            <translation>%1: посмотреть %2</translation>
+        </message>
+        <message>
             <source>%1: homed</source>
             <translation>%1: ноль найден</translation>
+        </message>
+        <message>
+            <source>%1: its flight recorder tells of another run; its entries are not shown</source>
+            <translation>%1: его самописец рассказывает о другом запуске; его записи не показаны</translation>
         </message>
         <message>
             <source>%1: not homed</source>
@@ -180,8 +392,20 @@
             <translation>%1: найден ли ноль, не записано</translation>
         </message>
         <message>
+            <source>%1–%2 mm high (%3 %)</source>
+            <translation>на высоте %1–%2 mm (%3 %)</translation>
+        </message>
+        <message>
+            <source>--port io:ADDRESS is refused</source>
+            <translation>--port io:ADDRESS отклоняется</translation>
+        </message>
+        <message>
             <source>1 change not saved</source>
             <translation>не сохранено одно изменение</translation>
+        </message>
+        <message>
+            <source>1 stroke is not closed and left out, from %1 to %2 mm.</source>
+            <translation>Одна линия не замкнута и пропущена: от %1 до %2 mm.</translation>
         </message>
         <message>
             <source>1 turn</source>
@@ -190,6 +414,34 @@
         <message>
             <source>3 of 3</source>
             <translation>3 из 3</translation>
+        </message>
+        <message>
+            <source>99 % of the ticks were no later; page Real time tells more</source>
+            <translation>99 % тактов опаздывали не больше; подробнее на странице «Реальное время»</translation>
+        </message>
+        <message>
+            <source>&lt;%1&gt; is left out.</source>
+            <translation>&lt;%1&gt; пропущен.</translation>
+        </message>
+        <message>
+            <source>&lt;%1&gt; is not right and left out.</source>
+            <translation>&lt;%1&gt; с ошибкой и пропущен.</translation>
+        </message>
+        <message>
+            <source>&lt;%1&gt; is not right; what follows the fault is left out.</source>
+            <translation>&lt;%1&gt; с ошибкой; то, что за ней, пропущено.</translation>
+        </message>
+        <message>
+            <source>&lt;switch&gt; holds nothing for every language and is left out.</source>
+            <translation>в &lt;switch&gt; нет ничего для любого языка; пропущен.</translation>
+        </message>
+        <message>
+            <source>&lt;use&gt; of something that is not in this file is left out.</source>
+            <translation>&lt;use&gt; ссылается на то, чего нет в файле; пропущен.</translation>
+        </message>
+        <message>
+            <source>A draft of what the tool will leave, before the model is sliced</source>
+            <translation>Набросок того, что оставит инструмент, ещё до нарезки модели</translation>
         </message>
         <message>
             <source>A head moving in to its first point.</source>
@@ -208,12 +460,32 @@
             <translation>Шаговый импульс длится не меньше.</translation>
         </message>
         <message>
+            <source>A tool becomes shorter as it wears: a piece that comes out thicker on the half of %1 by so much in radius. It is counted from the head's touch-off.</source>
+            <translation>Инструмент при износе становится короче: деталь на половине %1 выходит толще на столько по радиусу. Считается от касания этой головки.</translation>
+        </message>
+        <message>
             <source>ALARM</source>
             <translation>АВАРИЯ</translation>
         </message>
         <message>
+            <source>About Psicarve</source>
+            <translation>О программе Psicarve</translation>
+        </message>
+        <message>
+            <source>About Psicarve…</source>
+            <translation>О программе Psicarve…</translation>
+        </message>
+        <message>
+            <source>Above the blank's top there is nothing to cut: %1 of %2 layers are left out.</source>
+            <translation>Выше верха заготовки резать нечего: пропущено слоёв %1 из %2.</translation>
+        </message>
+        <message>
             <source>Acceleration that the motor follows (a_k).</source>
             <translation>Ускорение, за которым поспевает двигатель (a_k).</translation>
+        </message>
+        <message>
+            <source>Acknowledge</source>
+            <translation>Прочитано</translation>
         </message>
         <message>
             <source>Active low</source>
@@ -244,6 +516,30 @@
             <translation>Все</translation>
         </message>
         <message>
+            <source>All chosen axes together; Ψ the short way. Stop and F1 end it.</source>
+            <translation>Все выбранные оси вместе; Ψ кратчайшим путём. Стоп и F1 прерывают.</translation>
+        </message>
+        <message>
+            <source>All files (*)</source>
+            <translation>Все файлы (*)</translation>
+        </message>
+        <message>
+            <source>All round</source>
+            <translation>По кругу</translation>
+        </message>
+        <message>
+            <source>All that can be opened (%1)</source>
+            <translation>Всё, что открывается (%1)</translation>
+        </message>
+        <message>
+            <source>Allowance</source>
+            <translation>Припуск</translation>
+        </message>
+        <message>
+            <source>Angle</source>
+            <translation>Угол</translation>
+        </message>
+        <message>
             <source>Arm</source>
             <translation>Включить</translation>
         </message>
@@ -258,6 +554,10 @@
         <message>
             <source>As fast as every motor can follow, or the original's acceleration segments.</source>
             <translation>Так быстро, как успевают двигатели, или участки разгона прежней машины.</translation>
+        </message>
+        <message>
+            <source>As large as the machine's travel and the blank let it be</source>
+            <translation>Настолько большая, насколько позволяют ход станка и заготовка</translation>
         </message>
         <message>
             <source>As the desktop</source>
@@ -312,6 +612,10 @@
             <translation>ОТВОД</translation>
         </message>
         <message>
+            <source>Back</source>
+            <translation>Назад</translation>
+        </message>
+        <message>
             <source>Back off</source>
             <translation>Отвести</translation>
         </message>
@@ -332,12 +636,60 @@
             <translation>Назад к станку</translation>
         </message>
         <message>
+            <source>Before</source>
+            <translation>Было</translation>
+        </message>
+        <message>
+            <source>Begins at</source>
+            <translation>Начало</translation>
+        </message>
+        <message>
             <source>Between entries</source>
             <translation>Между записями</translation>
         </message>
         <message>
+            <source>Between two points of a layer the tool goes up to %1 mm into the model; more points make that less.</source>
+            <translation>Между двумя точками слоя инструмент входит в модель до %1 mm; при большем числе точек меньше.</translation>
+        </message>
+        <message>
             <source>Between two points the path may leave the straight line by this.</source>
             <translation>Между двумя точками путь может отойти от прямой на столько.</translation>
+        </message>
+        <message>
+            <source>Black and white change places</source>
+            <translation>Чёрное и белое меняются местами</translation>
+        </message>
+        <message>
+            <source>Black, white</source>
+            <translation>Чёрн., белое</translation>
+        </message>
+        <message>
+            <source>Blank</source>
+            <translation>Заготовка</translation>
+        </message>
+        <message>
+            <source>Blank height</source>
+            <translation>H заготовки</translation>
+        </message>
+        <message>
+            <source>Blank matches job</source>
+            <translation>Заготовка подходит</translation>
+        </message>
+        <message>
+            <source>Blank off, 0°</source>
+            <translation>Смещение, 0°</translation>
+        </message>
+        <message>
+            <source>Blank off, 90°</source>
+            <translation>Смещение, 90°</translation>
+        </message>
+        <message>
+            <source>Blank radius</source>
+            <translation>R заготовки</translation>
+        </message>
+        <message>
+            <source>Bodies</source>
+            <translation>Тела</translation>
         </message>
         <message>
             <source>Both heads in</source>
@@ -348,16 +700,72 @@
             <translation>Обе головки наружу</translation>
         </message>
         <message>
-            <source>By feed and top speeds alone; the core plans it when it is published</source>
-            <translation>Только по подаче и предельным скоростям; ядро спланирует задание, когда оно будет опубликовано</translation>
+            <source>Bound by</source>
+            <translation>Предел</translation>
+        </message>
+        <message>
+            <source>Bounds</source>
+            <translation>Пределы</translation>
+        </message>
+        <message>
+            <source>Brightness to this power</source>
+            <translation>Яркость в этой степени</translation>
+        </message>
+        <message>
+            <source>Built-in profile</source>
+            <translation>Встроенный профиль</translation>
+        </message>
+        <message>
+            <source>By feed and top speeds alone; acceleration takes longer</source>
+            <translation>Только по подаче и предельным скоростям; разгон добавит времени</translation>
+        </message>
+        <message>
+            <source>By feed and top speeds alone; it is planned while the machine is at rest</source>
+            <translation>Только по подаче и предельным скоростям; план считается, пока станок стоит</translation>
         </message>
         <message>
             <source>By hand</source>
             <translation>Вручную</translation>
         </message>
         <message>
+            <source>By hand; a job does it by itself, and Stop switches it off</source>
+            <translation>Вручную; задание делает это само, а Стоп выключает</translation>
+        </message>
+        <message>
             <source>CARVING</source>
             <translation>РЕЗЬБА</translation>
+        </message>
+        <message>
+            <source>Calibrate</source>
+            <translation>Калибровка</translation>
+        </message>
+        <message>
+            <source>Calibrate the heads</source>
+            <translation>Калибровка головок</translation>
+        </message>
+        <message>
+            <source>Calibrate the heads…</source>
+            <translation>Калибровка головок…</translation>
+        </message>
+        <message>
+            <source>Calibrate: a value of the profile is wrong</source>
+            <translation>Калибровка: в профиле есть неверное значение</translation>
+        </message>
+        <message>
+            <source>Calibrate: open the machine's profile first, or save this one as a file</source>
+            <translation>Калибровка: сначала откройте профиль станка или сохраните этот в файл</translation>
+        </message>
+        <message>
+            <source>Calibrate: save the profile first, or undo what was changed</source>
+            <translation>Калибровка: сначала сохраните профиль или отмените изменения</translation>
+        </message>
+        <message>
+            <source>Calibrate…</source>
+            <translation>Калибровка…</translation>
+        </message>
+        <message>
+            <source>Calibration written: %1; the old profile is %2</source>
+            <translation>Калибровка записана: %1; старый профиль — %2</translation>
         </message>
         <message>
             <source>Cancel</source>
@@ -366,6 +774,10 @@
         <message>
             <source>Cancel reading</source>
             <translation>Прервать чтение</translation>
+        </message>
+        <message>
+            <source>Cancel verification</source>
+            <translation>Отменить сверку</translation>
         </message>
         <message>
             <source>Carved against wanted: blue too deep, brown material left</source>
@@ -388,16 +800,44 @@
             <translation>Время резьбы</translation>
         </message>
         <message>
+            <source>Centre of the arc</source>
+            <translation>Центр дуги</translation>
+        </message>
+        <message>
+            <source>Centre of the arc, %1</source>
+            <translation>Центр дуги, %1</translation>
+        </message>
+        <message>
+            <source>Changed since it was sliced: slice again to take it over.</source>
+            <translation>Изменено после нарезки: нарежьте заново, чтобы учесть.</translation>
+        </message>
+        <message>
+            <source>Charge pump</source>
+            <translation>Charge pump (генератор накачки)</translation>
+        </message>
+        <message>
             <source>Check the axis' home sensor, its wire and its pin in the profile; reset the alarm, then home again.</source>
             <translation>Проверьте датчик нуля оси, его провод и вывод в профиле; сбросьте аварию, затем снова найдите нули.</translation>
         </message>
         <message>
-            <source>Check the port's cable, device and permissions; reset the alarm, then home.</source>
-            <translation>Проверьте кабель порта, устройство и права; сбросьте аварию, затем найдите нули.</translation>
+            <source>Check the port's card, cable and driver; once it answers again, reset the alarm, then home.</source>
+            <translation>Проверьте плату порта, кабель и драйвер; когда порт снова ответит, сбросьте аварию, затем найдите нули.</translation>
         </message>
         <message>
             <source>Check the sensor of axis %1</source>
             <translation>Проверьте датчик оси %1</translation>
+        </message>
+        <message>
+            <source>Check this computer</source>
+            <translation>Проверить компьютер</translation>
+        </message>
+        <message>
+            <source>Choose a file...</source>
+            <translation>Выбрать файл...</translation>
+        </message>
+        <message>
+            <source>Circumference of the cylinder, mm</source>
+            <translation>Длина окружности цилиндра, mm</translation>
         </message>
         <message>
             <source>Clear switch %1, or Back off, until its lamp goes out</source>
@@ -420,8 +860,20 @@
             <translation>Команда: %1</translation>
         </message>
         <message>
+            <source>Compare</source>
+            <translation>Сравнить</translation>
+        </message>
+        <message>
+            <source>Compare two snapshots…</source>
+            <translation>Сравнить два снимка…</translation>
+        </message>
+        <message>
             <source>Compare with defaults</source>
             <translation>Сравнить с исходным</translation>
+        </message>
+        <message>
+            <source>Comparison</source>
+            <translation>Сравнение</translation>
         </message>
         <message>
             <source>Controlled stop above this many missed ticks a second; 0: never.</source>
@@ -436,8 +888,28 @@
             <translation>Ядро найдено, процесс %1</translation>
         </message>
         <message>
+            <source>Cutting end of the tools; jobs keep all of it out of the model. A point has no size.</source>
+            <translation>Режущий конец инструментов; задание не пускает его в модель целиком. У point нет размера.</translation>
+        </message>
+        <message>
+            <source>DRY RUN</source>
+            <translation>ХОЛОСТОЙ</translation>
+        </message>
+        <message>
             <source>Dark</source>
             <translation>Тёмная</translation>
+        </message>
+        <message>
+            <source>Default</source>
+            <translation>Исходное</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <translation>Глубина</translation>
+        </message>
+        <message>
+            <source>Depth limit</source>
+            <translation>Предел глубины</translation>
         </message>
         <message>
             <source>Deviation</source>
@@ -446,6 +918,22 @@
         <message>
             <source>Deviation: not of a recording; psicarve verify tells it</source>
             <translation>Отклонение: не для записи; его назовёт psicarve verify</translation>
+        </message>
+        <message>
+            <source>Diameter</source>
+            <translation>Диаметр</translation>
+        </message>
+        <message>
+            <source>Diameter of the blank</source>
+            <translation>Диаметр заготовки</translation>
+        </message>
+        <message>
+            <source>Diameter of the cylinder, mm</source>
+            <translation>Диаметр цилиндра, mm</translation>
+        </message>
+        <message>
+            <source>Diameter of the pin</source>
+            <translation>Диаметр штифта</translation>
         </message>
         <message>
             <source>Direction of R2 minus 180 degrees, measured once.</source>
@@ -472,12 +960,28 @@
             <translation>Готовое</translation>
         </message>
         <message>
+            <source>Draft, of samples of the model: tips are kept %1 mm further out</source>
+            <translation>Набросок по точкам модели: остриё держится на %1 mm дальше</translation>
+        </message>
+        <message>
+            <source>Drawings (%1)</source>
+            <translation>Чертежи (%1)</translation>
+        </message>
+        <message>
             <source>Drives and spindle are off. No axis moved: home only if one was turned by hand.</source>
             <translation>Приводы и шпиндель выключены. Ни одна ось не двигалась: нули нужны, только если ось повернули рукой.</translation>
         </message>
         <message>
             <source>Drives and spindle are off; the position is not certain any more.</source>
             <translation>Приводы и шпиндель выключены; положение больше не достоверно.</translation>
+        </message>
+        <message>
+            <source>Drives and spindle may still be on, and nothing here can switch them off.</source>
+            <translation>Приводы и шпиндель могут быть ещё включены, и отсюда их не выключить.</translation>
+        </message>
+        <message>
+            <source>Drives and spindle may still be on: the port has not taken the order to switch them off. It is repeated until it does.</source>
+            <translation>Приводы и шпиндель могут быть ещё включены: порт не принял команду их выключить. Она повторяется, пока порт её не примет.</translation>
         </message>
         <message>
             <source>Drives and spindle on</source>
@@ -512,6 +1016,30 @@
             <translation>Приводы включены</translation>
         </message>
         <message>
+            <source>Dry run</source>
+            <translation>Холостой прогон</translation>
+        </message>
+        <message>
+            <source>Dry run from layer %1: the heads go out and stay there, spindle off; Y goes to the layer, then table and Y go as they would.</source>
+            <translation>Холостой прогон со слоя %1: головки выходят и остаются снаружи, шпиндель выключен; Y идёт к слою, затем стол и Y движутся как при резьбе.</translation>
+        </message>
+        <message>
+            <source>Dry run, layer %1 of %2</source>
+            <translation>Холостой, слой %1 из %2</translation>
+        </message>
+        <message>
+            <source>Dry run: at its beginning</source>
+            <translation>Холостой: у начала</translation>
+        </message>
+        <message>
+            <source>Dry run: to its beginning</source>
+            <translation>Холостой: к началу</translation>
+        </message>
+        <message>
+            <source>E-stop</source>
+            <translation>Авар.</translation>
+        </message>
+        <message>
             <source>EMERGENCY STOP</source>
             <translation>АВАРИЙНЫЙ
 ОСТАНОВ (F1)</translation>
@@ -533,12 +1061,32 @@
             <translation>Аварийный выключатель отпущен</translation>
         </message>
         <message>
+            <source>Emitted since Start: the ways in and out, and back from a hold, as well</source>
+            <translation>Выданы после пуска: вместе с подходом, отходом и возвратом после паузы</translation>
+        </message>
+        <message>
             <source>End</source>
             <translation>Конец</translation>
         </message>
         <message>
             <source>End at which the limit sensor stands.</source>
             <translation>Конец, на котором стоит концевой датчик.</translation>
+        </message>
+        <message>
+            <source>End now</source>
+            <translation>Закончить</translation>
+        </message>
+        <message>
+            <source>End psicarve-rtcore, process %1</source>
+            <translation>Завершите psicarve-rtcore, процесс %1</translation>
+        </message>
+        <message>
+            <source>English</source>
+            <translation>Русский</translation>
+        </message>
+        <message>
+            <source>Engrave its lines</source>
+            <translation>Гравировать линии</translation>
         </message>
         <message>
             <source>Entries of the recording</source>
@@ -549,12 +1097,25 @@
             <translation>Запись вида %1</translation>
         </message>
         <message>
+            <source>Even with a height of its own; else the picture keeps its shape and the rest stays white</source>
+            <translation>Даже при заданной высоте; иначе изображение сохраняет пропорции, а остальное остаётся белым</translation>
+        </message>
+        <message>
+            <source>Every edge of every pin into a file, from here on; a job that is carved whole meanwhile is verified</source>
+            <translation>С этого момента каждый фронт каждого вывода в файл; целиком вырезанное задание сверяется</translation>
+        </message>
+        <message>
             <source>Every pulse</source>
             <translation>Импульсы</translation>
         </message>
         <message>
+            <source>Expected piece</source>
+            <translation>Ожидаемая деталь</translation>
+        </message>
+        <message>
             <source>F1  emergency stop, everywhere
 Esc  stop, everywhere, while the machine is at work
+Esc in Close the window  cancel
 Ctrl+Enter  start
 Pause  hold, resume
 Ctrl+Home  home all
@@ -566,15 +1127,10 @@ Ctrl+1 … 7  tabs
 Ctrl+L  layer number
 F6  next pane
 F10  menu
-F12  this list
-
-Replay: K  play, pause
-J, L  slower, faster
-N, Shift+N  next entry, entry before
-,  .  one layer
-On the timeline: arrows, Page Up, Page Down, Home, End</source>
+F12  this list</source>
             <translation>F1  аварийный останов, везде
 Esc  стоп, везде, пока станок работает
+Esc в «Закрыть окно»  отмена
 Ctrl+Enter  пуск
 Pause  пауза, продолжить
 Ctrl+Home  поиск нуля всех осей
@@ -586,13 +1142,7 @@ Ctrl+1 … 7  вкладки
 Ctrl+L  номер слоя
 F6  следующая панель
 F10  меню
-F12  этот список
-
-Воспроизведение: K  пуск, пауза
-J, L  медленнее, быстрее
-N, Shift+N  следующая, предыдущая запись
-,  .  один слой
-На шкале времени: стрелки, Page Up, Page Down, Home, End</translation>
+F12  этот список</translation>
         </message>
         <message>
             <source>F1 · the live machine</source>
@@ -627,8 +1177,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Коррекция подачи: нули не найдены</translation>
         </message>
         <message>
+            <source>File</source>
+            <translation>Файл</translation>
+        </message>
+        <message>
             <source>Find a key</source>
             <translation>Найти ключ</translation>
+        </message>
+        <message>
+            <source>First difference</source>
+            <translation>Первое отличие</translation>
+        </message>
+        <message>
+            <source>First snapshot or job</source>
+            <translation>Первый снимок или задание</translation>
         </message>
         <message>
             <source>Fit</source>
@@ -639,12 +1201,28 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Самописец</translation>
         </message>
         <message>
+            <source>Flute length</source>
+            <translation>Режущая длина</translation>
+        </message>
+        <message>
             <source>Folder for the support bundle</source>
             <translation>Папка для пакета поддержки</translation>
         </message>
         <message>
+            <source>Follow the machine</source>
+            <translation>Следить за станком</translation>
+        </message>
+        <message>
             <source>Forgets the zero of %1</source>
             <translation>Забывает отсчёт %1</translation>
+        </message>
+        <message>
+            <source>Found</source>
+            <translation>Найдено</translation>
+        </message>
+        <message>
+            <source>From R1's mark to R2's, counter-clockwise from above is +</source>
+            <translation>От метки R1 до метки R2, против часовой сверху — плюс</translation>
         </message>
         <message>
             <source>From layer</source>
@@ -655,8 +1233,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Со слоя %1</translation>
         </message>
         <message>
+            <source>From now on</source>
+            <translation>Станет</translation>
+        </message>
+        <message>
+            <source>From point to point as the job's tables have it</source>
+            <translation>От точки к точке по таблицам задания</translation>
+        </message>
+        <message>
             <source>From the flight recorder. A click goes to an entry.</source>
             <translation>Из самописца. Щелчок ведёт к записи.</translation>
+        </message>
+        <message>
+            <source>From where most of the undercut is seen</source>
+            <translation>Откуда видна большая часть поднутрения</translation>
         </message>
         <message>
             <source>From your zero of %1. The large number is the machine's own position.</source>
@@ -667,6 +1257,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Спереди</translation>
         </message>
         <message>
+            <source>Gamma, smooth</source>
+            <translation>Гамма, сглаж.</translation>
+        </message>
+        <message>
             <source>General</source>
             <translation>Общее</translation>
         </message>
@@ -675,8 +1269,48 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Передаёт задание ядру, которое его проверит</translation>
         </message>
         <message>
+            <source>Go</source>
+            <translation>Пуск</translation>
+        </message>
+        <message>
+            <source>Go to</source>
+            <translation>Переход</translation>
+        </message>
+        <message>
+            <source>Go to: an arc is of one head and Y</source>
+            <translation>Переход: дуга — только одна головка и Y</translation>
+        </message>
+        <message>
+            <source>Go to: choose an axis</source>
+            <translation>Переход: выберите ось</translation>
+        </message>
+        <message>
+            <source>Go to: two axes at most, step by step</source>
+            <translation>Переход: по шагам не более двух осей</translation>
+        </message>
+        <message>
+            <source>Go to: Ψ moves in straight lines only</source>
+            <translation>Переход: Ψ движется только по прямой</translation>
+        </message>
+        <message>
+            <source>Go to…</source>
+            <translation>Перейти…</translation>
+        </message>
+        <message>
             <source>Greatest difference at an index pass that is not the alarm steps lost.</source>
             <translation>Наибольшее расхождение на проходе нуля, ещё не вызывающее аварию «потеря шагов».</translation>
+        </message>
+        <message>
+            <source>Grooves are as wide as the strokes of an SVG drawing, at least as the tool</source>
+            <translation>Канавки шириной с линии SVG, не уже инструмента</translation>
+        </message>
+        <message>
+            <source>Grooves end at the core radius of %1 mm, less deep than asked.</source>
+            <translation>Канавки кончаются у радиуса сердцевины %1 mm, мельче заданного.</translation>
+        </message>
+        <message>
+            <source>Grooves of the tool's width in a cylinder, instead of an extruded outline</source>
+            <translation>Канавки шириной с инструмент на цилиндре вместо вытянутого контура</translation>
         </message>
         <message>
             <source>HELD</source>
@@ -684,7 +1318,7 @@ N, Shift+N  следующая, предыдущая запись
         </message>
         <message>
             <source>HOLDING</source>
-            <translation>ОСТАНОВКА НА ПАУЗУ</translation>
+            <translation>К ПАУЗЕ</translation>
         </message>
         <message>
             <source>HOMING</source>
@@ -695,12 +1329,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Головка R2</translation>
         </message>
         <message>
-            <source>Heads move out this far after the last point and on stop.</source>
-            <translation>На столько головки отходят после последней точки и при остановке.</translation>
+            <source>Head clearance</source>
+            <translation>Зазор головок</translation>
+        </message>
+        <message>
+            <source>Heads move out this far after the last point, on stop, and on hold if on_hold says so.</source>
+            <translation>На столько головки отходят после последней точки, при остановке, а также в паузе, если так задано в on_hold.</translation>
         </message>
         <message>
             <source>Heads out, spindle off</source>
-            <translation>Головки отходят, шпиндель выключается</translation>
+            <translation>Отвод головок, шпиндель выкл.</translation>
         </message>
         <message>
             <source>Heads to the first point, then carve (Ctrl+Enter)</source>
@@ -711,8 +1349,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Высота</translation>
         </message>
         <message>
+            <source>Height sets it</source>
+            <translation>Задано высотой</translation>
+        </message>
+        <message>
             <source>Height, radius</source>
             <translation>Высота, радиус</translation>
+        </message>
+        <message>
+            <source>Help</source>
+            <translation>Справка</translation>
+        </message>
+        <message>
+            <source>Here</source>
+            <translation>Здесь</translation>
+        </message>
+        <message>
+            <source>Here: no profile is open</source>
+            <translation>Здесь: профиль не открыт</translation>
         </message>
         <message>
             <source>Hold</source>
@@ -721,6 +1375,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Hold = move, click = one step.</source>
             <translation>Удерживать = двигаться, щелчок = один шаг.</translation>
+        </message>
+        <message>
+            <source>Hold asked for: the window closes once the core has taken it</source>
+            <translation>Запрошена пауза: окно закроется, когда ядро её примет</translation>
         </message>
         <message>
             <source>Hold for high</source>
@@ -739,6 +1397,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пауза: уже на паузе</translation>
         </message>
         <message>
+            <source>Holds every pulse against the job</source>
+            <translation>Сверяет каждый импульс с заданием</translation>
+        </message>
+        <message>
             <source>Home</source>
             <translation>Поиск нуля</translation>
         </message>
@@ -751,12 +1413,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Все нули</translation>
         </message>
         <message>
+            <source>Home before carving</source>
+            <translation>Перед резьбой найдите ноль</translation>
+        </message>
+        <message>
             <source>Home Ψ: home R1 and R2 first</source>
             <translation>Ноль Ψ: сначала найдите нули R1 и R2</translation>
         </message>
         <message>
+            <source>Homed</source>
+            <translation>Ноль найден</translation>
+        </message>
+        <message>
             <source>Homed, job published</source>
-            <translation>Нули найдены, задание передано</translation>
+            <translation>Нули найдены, задание есть</translation>
         </message>
         <message>
             <source>Homed, no job</source>
@@ -771,28 +1441,92 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Поиск нуля: положения заданы</translation>
         </message>
         <message>
+            <source>How deep black lies, mm</source>
+            <translation>Глубина чёрного, mm</translation>
+        </message>
+        <message>
+            <source>How deep the grooves are</source>
+            <translation>Глубина канавок</translation>
+        </message>
+        <message>
+            <source>How deep the tool can cut</source>
+            <translation>Насколько глубоко режет инструмент</translation>
+        </message>
+        <message>
+            <source>How deep the tool can cut; 0: deeper than any cut.</source>
+            <translation>На какую глубину режет инструмент; 0: глубже любого реза.</translation>
+        </message>
+        <message>
+            <source>How deep white lies, mm</source>
+            <translation>Глубина белого, mm</translation>
+        </message>
+        <message>
             <source>How far past the sensor the mechanics allow.</source>
             <translation>На сколько механика допускает ход за датчик.</translation>
+        </message>
+        <message>
+            <source>How late the core's ticks would be, beside whatever the computer does</source>
+            <translation>Насколько опаздывали бы такты ядра рядом с прочими делами компьютера</translation>
         </message>
         <message>
             <source>How late ticks were: number of ticks by lateness</source>
             <translation>Насколько запаздывали такты: число тактов по запаздыванию</translation>
         </message>
         <message>
+            <source>How long to measure</source>
+            <translation>Сколько измерять</translation>
+        </message>
+        <message>
             <source>How many pulses</source>
             <translation>Сколько импульсов</translation>
+        </message>
+        <message>
+            <source>How much further in each roughing pass goes</source>
+            <translation>На сколько глубже идёт каждый черновой проход</translation>
+        </message>
+        <message>
+            <source>How much further in each roughing pass goes; 0: the finishing pass alone.</source>
+            <translation>На сколько глубже идёт каждый черновой проход; 0: только чистовой проход.</translation>
         </message>
         <message>
             <source>How much higher R2 stands than R1, measured once.</source>
             <translation>На сколько R2 стоит выше R1, измеряется однажды.</translation>
         </message>
         <message>
+            <source>How much higher R2's mark is, lower is −</source>
+            <translation>Насколько метка R2 выше, ниже — минус</translation>
+        </message>
+        <message>
+            <source>How to go there</source>
+            <translation>Способ перехода</translation>
+        </message>
+        <message>
+            <source>Hundreds of roughing passes</source>
+            <translation>Сотни черновых проходов</translation>
+        </message>
+        <message>
             <source>IDLE</source>
             <translation>ОЖИДАНИЕ</translation>
         </message>
         <message>
+            <source>INSERT of a block that is not there is left out.</source>
+            <translation>INSERT несуществующего блока пропущен.</translation>
+        </message>
+        <message>
+            <source>INSERT of a block that is not there or holds itself is left out.</source>
+            <translation>INSERT блока, которого нет или который содержит сам себя, пропущен.</translation>
+        </message>
+        <message>
+            <source>If anything still moves, use the wired emergency stop</source>
+            <translation>Если что-то ещё движется, нажмите проводной аварийный останов</translation>
+        </message>
+        <message>
             <source>In the file: %1</source>
             <translation>В файле: %1</translation>
+        </message>
+        <message>
+            <source>In the lowest layer the tool reaches %1 mm below the table's top: the table must be narrower than the job, or base_height_mm more.</source>
+            <translation>В нижнем слое инструмент опускается на %1 mm ниже верха стола: стол должен быть уже задания, или увеличьте base_height_mm.</translation>
         </message>
         <message>
             <source>In the recording</source>
@@ -815,8 +1549,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Входы: ни один не активен</translation>
         </message>
         <message>
+            <source>Invert</source>
+            <translation>Негатив</translation>
+        </message>
+        <message>
             <source>Iso</source>
             <translation>Изометрия</translation>
+        </message>
+        <message>
+            <source>Its guard could not switch drives and spindle off: the port does not answer.</source>
+            <translation>Его сторож не смог выключить приводы и шпиндель: порт не отвечает.</translation>
+        </message>
+        <message>
+            <source>Its guard has switched drives and spindle off.</source>
+            <translation>Его сторож выключил приводы и шпиндель.</translation>
         </message>
         <message>
             <source>Its sensor was not found, or did not clear. Likely a broken wire or a sensor out of place.</source>
@@ -847,8 +1593,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Передано</translation>
         </message>
         <message>
+            <source>Job, state and flight recorder of the machine, to be looked at later</source>
+            <translation>Задание, состояние и самописец станка для просмотра позже</translation>
+        </message>
+        <message>
             <source>Job: %1 × %2 points</source>
             <translation>Задание: %1 × %2 точек</translation>
+        </message>
+        <message>
+            <source>Jobs (%1)</source>
+            <translation>Задания (%1)</translation>
+        </message>
+        <message>
+            <source>Jobs (*.job *.psi)</source>
+            <translation>Задания (*.job *.psi)</translation>
         </message>
         <message>
             <source>Jobs and snapshots (*.job *.psi *.snap);;All files (*)</source>
@@ -872,15 +1630,39 @@ N, Shift+N  следующая, предыдущая запись
         </message>
         <message>
             <source>Jog: the machine is not homed</source>
-            <translation>Ручное перемещение: нули не найдены</translation>
+            <translation>Ручной ход: нули не найдены</translation>
+        </message>
+        <message>
+            <source>Jogging</source>
+            <translation>Ручной ход</translation>
         </message>
         <message>
             <source>Joining</source>
             <translation>Связь слоёв</translation>
         </message>
         <message>
+            <source>K  play, pause
+J, L  slower, faster
+N, Shift+N  next entry, entry before
+,  .  one layer
+Arrows, PgUp, PgDn, Home, End  on the timeline</source>
+            <translation>K  пуск, пауза
+J, L  медленнее, быстрее
+N, Shift+N  следующая, предыдущая запись
+,  .  один слой
+Стрелки, PgUp, PgDn, Home, End  по шкале времени</translation>
+        </message>
+        <message>
+            <source>Key</source>
+            <translation>Ключ</translation>
+        </message>
+        <message>
             <source>Keys</source>
             <translation>Клавиши</translation>
+        </message>
+        <message>
+            <source>Keys move the machine; F9 ends it.</source>
+            <translation>Клавиши двигают станок; F9 — конец.</translation>
         </message>
         <message>
             <source>Keys…</source>
@@ -893,6 +1675,18 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Language</source>
             <translation>Язык</translation>
+        </message>
+        <message>
+            <source>Largest</source>
+            <translation>Наибольшая</translation>
+        </message>
+        <message>
+            <source>Largest deviation</source>
+            <translation>Наибольшее отклонение</translation>
+        </message>
+        <message>
+            <source>Largest sets it</source>
+            <translation>Задано выбором «Наибольшая»</translation>
         </message>
         <message>
             <source>Late: median, 99 %, 99.9 %</source>
@@ -911,6 +1705,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Слой %1</translation>
         </message>
         <message>
+            <source>Layer %1 / %2 · point %3 / %4 · elapsed %5 · override %6 %</source>
+            <translation>Слой %1 / %2 · точка %3 / %4 · прошло %5 · коррекция %6 %</translation>
+        </message>
+        <message>
             <source>Layer %1 / %2, point %3 / %4</source>
             <translation>Слой %1 / %2, точка %3 / %4</translation>
         </message>
@@ -919,12 +1717,28 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Слой %1 из %2</translation>
         </message>
         <message>
+            <source>Layer %1 was the last that was finished.</source>
+            <translation>Последний завершённый слой — %1.</translation>
+        </message>
+        <message>
+            <source>Layer and point are those of the machine, until others are chosen</source>
+            <translation>Слой и точка как у станка, пока не выбраны другие</translation>
+        </message>
+        <message>
+            <source>Layer time</source>
+            <translation>Время слоя</translation>
+        </message>
+        <message>
             <source>Layer to start from</source>
             <translation>Слой, с которого начать</translation>
         </message>
         <message>
             <source>Layers</source>
             <translation>Слои</translation>
+        </message>
+        <message>
+            <source>Layers and points lie farther from each other than the tool cuts, %1 mm: choose more of them.</source>
+            <translation>Слои и точки дальше друг от друга, чем режет инструмент (%1 mm): задайте их больше.</translation>
         </message>
         <message>
             <source>Layers × points</source>
@@ -947,8 +1761,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пропускает слои до него</translation>
         </message>
         <message>
+            <source>Leaves out the layers before it; %1 was the last that was finished</source>
+            <translation>Пропускает слои до него; последний завершённый — %1</translation>
+        </message>
+        <message>
             <source>Leaves replay and opens the job in this snapshot</source>
             <translation>Закрывает воспроизведение и открывает задание из снимка</translation>
+        </message>
+        <message>
+            <source>Left out, as they are no lines: %1.</source>
+            <translation>Пропущено, так как это не линии: %1.</translation>
+        </message>
+        <message>
+            <source>Left over %1 mm at most, at %2°, %3 mm high; %4 mm on average</source>
+            <translation>Остаётся не более %1 mm, при %2° на высоте %3 mm; в среднем %4 mm</translation>
         </message>
         <message>
             <source>Level</source>
@@ -965,18 +1791,6 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Light</source>
             <translation>Светлая</translation>
-        </message>
-        <message>
-            <source>Light: carved (%1 layers not seen: as planned). Dark: blank.</source>
-            <translation>Светлое: вырезано (слоёв не видели, показаны по плану: %1). Тёмное: заготовка.</translation>
-        </message>
-        <message>
-            <source>Light: carved, as planned. Dark: blank.</source>
-            <translation>Светлое: вырезано, по плану. Тёмное: заготовка.</translation>
-        </message>
-        <message>
-            <source>Light: carved. Dark: blank.</source>
-            <translation>Светлое: вырезано. Тёмное: заготовка.</translation>
         </message>
         <message>
             <source>Limit switch %1</source>
@@ -1015,6 +1829,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Станок: %1</translation>
         </message>
         <message>
+            <source>Load the computer meanwhile as it will be loaded: an hour says more than a minute.</source>
+            <translation>Нагружайте компьютер при этом как обычно: час скажет больше минуты.</translation>
+        </message>
+        <message>
             <source>Locked by the wiring test</source>
             <translation>Заперто: проверка проводки</translation>
         </message>
@@ -1051,8 +1869,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Журнал сохранён: %1</translation>
         </message>
         <message>
-            <source>Logical levels, looked at 30 times a second; steps by how many there were in between. A trace (--trace) holds every edge.</source>
-            <translation>Логические уровни, 30 взглядов в секунду; шаги показаны числом между взглядами. Каждый фронт есть в записи (--trace).</translation>
+            <source>Logical levels, looked at 30 times a second; steps by how many there were in between. A recording holds every edge.</source>
+            <translation>Логические уровни, 30 раз в секунду; шаги — по их числу между взглядами. В записи есть каждый фронт.</translation>
         </message>
         <message>
             <source>Look for what held the table back and lower its speed or acceleration if nothing did; reset the alarm, then home.</source>
@@ -1063,8 +1881,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Найдите, что держит стол</translation>
         </message>
         <message>
+            <source>Looking at this computer</source>
+            <translation>Проверяю компьютер</translation>
+        </message>
+        <message>
             <source>Looking for the sensors</source>
             <translation>Идёт поиск датчиков</translation>
+        </message>
+        <message>
+            <source>Lost at work</source>
+            <translation>Пропало в работе</translation>
         </message>
         <message>
             <source>Lowest and highest position.</source>
@@ -1079,6 +1905,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ДВИЖЕНИЕ</translation>
         </message>
         <message>
+            <source>Machine</source>
+            <translation>Станок</translation>
+        </message>
+        <message>
             <source>Machine profile</source>
             <translation>Профиль станка</translation>
         </message>
@@ -1091,6 +1921,22 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Составляет таблицы задания (F5)</translation>
         </message>
         <message>
+            <source>Measure</source>
+            <translation>Измерить</translation>
+        </message>
+        <message>
+            <source>Measure: the machine is at work, and would be disturbed</source>
+            <translation>Измерить: станок работает, это помешало бы ему</translation>
+        </message>
+        <message>
+            <source>Measure: under way</source>
+            <translation>Измерить: идёт</translation>
+        </message>
+        <message>
+            <source>Measured %1 ticks: 99.9 % at most %2 late, %3 missed</source>
+            <translation>Измерено тактов: %1; 99,9 % опаздывали не больше %2, пропущено %3</translation>
+        </message>
+        <message>
             <source>Menu</source>
             <translation>Меню</translation>
         </message>
@@ -1099,8 +1945,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Меню (F10)</translation>
         </message>
         <message>
+            <source>Mesh</source>
+            <translation>Сетка</translation>
+        </message>
+        <message>
+            <source>Meshes (%1)</source>
+            <translation>Сетки (%1)</translation>
+        </message>
+        <message>
             <source>Messages</source>
             <translation>Сообщения</translation>
+        </message>
+        <message>
+            <source>Mirror along</source>
+            <translation>Отразить по</translation>
         </message>
         <message>
             <source>Missed ticks</source>
@@ -1115,8 +1973,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Модель</translation>
         </message>
         <message>
-            <source>Models and jobs (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;Recordings (*.snap *.trace);;All files (*)</source>
-            <translation>Модели и задания (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;Записи (*.snap *.trace);;Все файлы (*)</translation>
+            <source>More than %1 mm on %2 % of the surface</source>
+            <translation>Более %1 mm на %2 % поверхности</translation>
         </message>
         <message>
             <source>Motor pulses for one millimetre.</source>
@@ -1131,12 +1989,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Медленно отводит ось от замкнутого выключателя</translation>
         </message>
         <message>
+            <source>NO</source>
+            <translation>НЕТ</translation>
+        </message>
+        <message>
             <source>NO CORE</source>
             <translation>НЕТ ЯДРА</translation>
         </message>
         <message>
             <source>Name of the machine, for people.</source>
             <translation>Название станка, для людей.</translation>
+        </message>
+        <message>
+            <source>Next</source>
+            <translation>Далее</translation>
         </message>
         <message>
             <source>No alarm</source>
@@ -1151,6 +2017,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Сегмент не обслуживает ни одно ядро</translation>
         </message>
         <message>
+            <source>No core took it: it has stopped nothing, and drives and spindle are as they were.</source>
+            <translation>Его не приняло ни одно ядро: он ничего не остановил, приводы и шпиндель остались как были.</translation>
+        </message>
+        <message>
             <source>No core: these are the last figures known</source>
             <translation>Нет ядра: это последние известные значения</translation>
         </message>
@@ -1159,16 +2029,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Нет ядра: это последние известные уровни.</translation>
         </message>
         <message>
-            <source>No core: use the switch on the machine</source>
-            <translation>Нет ядра: нажмите кнопку на станке</translation>
-        </message>
-        <message>
             <source>No job</source>
             <translation>Нет задания</translation>
         </message>
         <message>
             <source>No job is published.</source>
             <translation>Задание не передано.</translation>
+        </message>
+        <message>
+            <source>No job running</source>
+            <translation>Задание не выполняется</translation>
         </message>
         <message>
             <source>No job: slice a model or open a job</source>
@@ -1195,8 +2065,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>С запуска ядра тактов не пропущено</translation>
         </message>
         <message>
+            <source>No tip goes deeper than this below the blank's surface</source>
+            <translation>Острие не идёт глубже этого под поверхность заготовки</translation>
+        </message>
+        <message>
+            <source>No tip goes deeper than this below the cylinder's surface; 0: no limit.</source>
+            <translation>Острие не идёт глубже этого под поверхность цилиндра; 0: без предела.</translation>
+        </message>
+        <message>
             <source>No zero</source>
             <translation>Снять Δ</translation>
+        </message>
+        <message>
+            <source>Nobody heard the emergency stop</source>
+            <translation>Аварийный останов никто не услышал</translation>
+        </message>
+        <message>
+            <source>Nobody heard the emergency stop: it has stopped nothing</source>
+            <translation>Аварийный останов никто не услышал: он ничего не остановил</translation>
         </message>
         <message>
             <source>None yet</source>
@@ -1204,7 +2090,7 @@ N, Shift+N  следующая, предыдущая запись
         </message>
         <message>
             <source>Not homed, job published</source>
-            <translation>Нули не найдены, задание передано</translation>
+            <translation>Нули не найдены, задание есть</translation>
         </message>
         <message>
             <source>Not saved: %1</source>
@@ -1223,6 +2109,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ближе к оси ничего не вырезается.</translation>
         </message>
         <message>
+            <source>Nothing is left over</source>
+            <translation>Ничего не остаётся</translation>
+        </message>
+        <message>
             <source>Nothing is open.</source>
             <translation>Ничего не открыто.</translation>
         </message>
@@ -1231,8 +2121,52 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Всё в порядке.</translation>
         </message>
         <message>
+            <source>Nowhere too deep</source>
+            <translation>Нигде не слишком глубоко</translation>
+        </message>
+        <message>
+            <source>OFF in other than 3 dimensions</source>
+            <translation>OFF не в трёх измерениях</translation>
+        </message>
+        <message>
+            <source>OFF that is binary; save it as text</source>
+            <translation>двоичный OFF; сохраните его как текст</translation>
+        </message>
+        <message>
+            <source>Of &lt;style&gt; only rules for element names, .class and #id are followed, not %1.</source>
+            <translation>Из &lt;style&gt; учитываются только правила для имён элементов, .class и #id, но не %1.</translation>
+        </message>
+        <message>
+            <source>Of the body that becomes of it</source>
+            <translation>Высота получаемого тела</translation>
+        </message>
+        <message>
+            <source>Of the faster head's tool over the surface, in the last second</source>
+            <translation>Скорость инструмента более быстрой головки по поверхности за последнюю секунду</translation>
+        </message>
+        <message>
+            <source>Of the picture's 16 bits 8 are taken, as it is stored in tiles or turned.</source>
+            <translation>Из 16 бит изображения взято 8: оно хранится плитками или повёрнуто.</translation>
+        </message>
+        <message>
+            <source>Of the tool where it is widest.</source>
+            <translation>Диаметр инструмента в самом широком месте.</translation>
+        </message>
+        <message>
             <source>Of top speed</source>
             <translation>От предела</translation>
+        </message>
+        <message>
+            <source>On a round blank let R1 make a mark: a touch of its tip. Take it out, turn Ψ by exactly 180°, leave Y alone, and let R2 make its own. On a machine without error it falls on R1's.</source>
+            <translation>На круглой заготовке сделайте метку R1: касание острия. Отведите его, поверните Ψ ровно на 180°, Y не трогайте, и сделайте метку R2. На станке без погрешности она совпадёт с меткой R1.</translation>
+        </message>
+        <message>
+            <source>On hold the heads stay in the cut, or leave it by retract_mm and come back before it goes on.</source>
+            <translation>В паузе головки остаются в резе или отходят на retract_mm и возвращаются, прежде чем продолжить.</translation>
+        </message>
+        <message>
+            <source>On the virtual clock nothing has to be in time</source>
+            <translation>На виртуальных часах опоздать нельзя</translation>
         </message>
         <message>
             <source>One layer</source>
@@ -1251,6 +2185,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Открыть профиль станка</translation>
         </message>
         <message>
+            <source>Open in directions</source>
+            <translation>Открыта в направлениях</translation>
+        </message>
+        <message>
             <source>Open its job</source>
             <translation>Открыть задание</translation>
         </message>
@@ -1261,6 +2199,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Open model, job or recording…</source>
             <translation>Открыть модель, задание или запись…</translation>
+        </message>
+        <message>
+            <source>Open points</source>
+            <translation>Открытые точки</translation>
         </message>
         <message>
             <source>Open recent</source>
@@ -1283,6 +2225,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Открыт %1</translation>
         </message>
         <message>
+            <source>Opened without its model: there is nothing to compare the piece with</source>
+            <translation>Открыто без модели: деталь не с чем сравнить</translation>
+        </message>
+        <message>
             <source>Opened, not sliced yet: %1</source>
             <translation>Открыто, ещё не нарезано: %1</translation>
         </message>
@@ -1299,12 +2245,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ПОДВОД</translation>
         </message>
         <message>
+            <source>Page faults, preemptions of the tick</source>
+            <translation>Страничные сбои и вытеснения такта</translation>
+        </message>
+        <message>
+            <source>Panels in frames of their own</source>
+            <translation>Панели в отдельных окнах</translation>
+        </message>
+        <message>
             <source>Part of the next command</source>
             <translation>Часть следующей команды</translation>
         </message>
         <message>
             <source>Parts of the profile</source>
             <translation>Части профиля</translation>
+        </message>
+        <message>
+            <source>Pass</source>
+            <translation>Проход</translation>
         </message>
         <message>
             <source>Pause</source>
@@ -1315,12 +2273,28 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Период основного такта ядра; выводы меняются только в такты.</translation>
         </message>
         <message>
+            <source>Pictures (%1)</source>
+            <translation>Изображения (%1)</translation>
+        </message>
+        <message>
+            <source>Pictures (*.png)</source>
+            <translation>Изображения (*.png)</translation>
+        </message>
+        <message>
             <source>Pin</source>
             <translation>Вывод</translation>
         </message>
         <message>
+            <source>Pins recorded: %1</source>
+            <translation>Выводы записаны: %1</translation>
+        </message>
+        <message>
             <source>Placement and slicing</source>
             <translation>Положение и нарезка</translation>
+        </message>
+        <message>
+            <source>Planned time</source>
+            <translation>Время по плану</translation>
         </message>
         <message>
             <source>Planner angle: directions that differ by less belong to one segment.</source>
@@ -1347,8 +2321,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Люфт, выбираемый при смене направления, прежде чем стол повернётся.</translation>
         </message>
         <message>
+            <source>Point</source>
+            <translation>Точка</translation>
+        </message>
+        <message>
+            <source>Point %1</source>
+            <translation>Точка %1</translation>
+        </message>
+        <message>
+            <source>Point, Ψ</source>
+            <translation>Точка, Ψ</translation>
+        </message>
+        <message>
             <source>Points / head</source>
             <translation>Точек на головку</translation>
+        </message>
+        <message>
+            <source>Points visited</source>
+            <translation>Пройдено точек</translation>
         </message>
         <message>
             <source>Port pins</source>
@@ -1375,6 +2365,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Положение у края датчика.</translation>
         </message>
         <message>
+            <source>Position not certain any more</source>
+            <translation>Положение больше не достоверно</translation>
+        </message>
+        <message>
+            <source>Position of %1</source>
+            <translation>Положение %1</translation>
+        </message>
+        <message>
             <source>Positioning keeps the heads this far outside the blank.</source>
             <translation>При подводе головки держатся на столько вне заготовки.</translation>
         </message>
@@ -1387,8 +2385,36 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Перед пуском</translation>
         </message>
         <message>
+            <source>Present positions</source>
+            <translation>Текущие положения</translation>
+        </message>
+        <message>
+            <source>Probable unit</source>
+            <translation>Вероятная единица</translation>
+        </message>
+        <message>
+            <source>Processor</source>
+            <translation>Процессор</translation>
+        </message>
+        <message>
+            <source>Processor of the tick</source>
+            <translation>Процессор такта</translation>
+        </message>
+        <message>
             <source>Profile</source>
             <translation>Профиль</translation>
+        </message>
+        <message>
+            <source>Profile %1 of --profile is not the machine's, which counts by another one</source>
+            <translation>Профиль %1 из --profile не от этого станка: он считает по другому</translation>
+        </message>
+        <message>
+            <source>Profile %1 of --profile is not the machine's, which counts by its own, %2</source>
+            <translation>Профиль %1 из --profile не от этого станка: он считает по своему, %2</translation>
+        </message>
+        <message>
+            <source>Profile matches job</source>
+            <translation>Профиль подходит</translation>
         </message>
         <message>
             <source>Profile not saved: %1</source>
@@ -1447,12 +2473,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Импульсы %1</translation>
         </message>
         <message>
-            <source>Pulses of the job</source>
-            <translation>Импульсы задания</translation>
+            <source>Pulses of %1, with the ways in and out</source>
+            <translation>Импульсы %1 вместе с подходом и отходом</translation>
         </message>
         <message>
             <source>Pulses per second R1, R2, Ψ, Y</source>
             <translation>Импульсов в секунду R1, R2, Ψ, Y</translation>
+        </message>
+        <message>
+            <source>Pulses since start</source>
+            <translation>Импульсы с пуска</translation>
+        </message>
+        <message>
+            <source>Pulses to go</source>
+            <translation>Осталось импульсов</translation>
+        </message>
+        <message>
+            <source>Pump</source>
+            <translation>Накачка</translation>
         </message>
         <message>
             <source>R1 and R2 out, then Y, then Ψ to its index (Ctrl+Home)</source>
@@ -1465,6 +2503,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>R1 enable</source>
             <translation>R1 включение</translation>
+        </message>
+        <message>
+            <source>R1 half</source>
+            <translation>Половина R1</translation>
         </message>
         <message>
             <source>R1 in</source>
@@ -1493,6 +2535,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>R2 включение</translation>
         </message>
         <message>
+            <source>R2 half</source>
+            <translation>Половина R2</translation>
+        </message>
+        <message>
             <source>R2 in</source>
             <translation>R2
 внутрь</translation>
@@ -1507,8 +2553,20 @@ N, Shift+N  следующая, предыдущая запись
 наружу</translation>
         </message>
         <message>
+            <source>R2 stands %1 mm lower than R1 and is under the model in %2 of its layers: there it cuts what holds the model down to a radius of %3 mm.</source>
+            <translation>R2 стоит на %1 мм ниже R1 и в своих слоях (их %2) проходит под моделью: там она срезает то, на чём модель держится, до радиуса %3 мм.</translation>
+        </message>
+        <message>
             <source>R2 step</source>
             <translation>R2 шаг</translation>
+        </message>
+        <message>
+            <source>R2's height error draws the rows up to %1 mm apart, but the tool is only %2 mm wide: between them material stays, as high as the blank; zigzag joining avoids it.</source>
+            <translation>Из-за ошибки высоты R2 ряды отстоят до %1 мм, а инструмент шириной всего %2 мм: между ними остаётся материал высотой с заготовку; связь слоёв зигзагом этого избегает.</translation>
+        </message>
+        <message>
+            <source>R2's height error makes the rows uneven: up to %1 mm apart instead of %2 mm; zigzag joining avoids it.</source>
+            <translation>Из-за ошибки высоты R2 ряды неравномерны: отстоят до %1 мм вместо %2 мм; связь слоёв зигзагом этого избегает.</translation>
         </message>
         <message>
             <source>READY</source>
@@ -1523,12 +2581,28 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ЗАПИСЬ: %1</translation>
         </message>
         <message>
+            <source>Radii</source>
+            <translation>Радиусы</translation>
+        </message>
+        <message>
             <source>Radii of all layers, unrolled</source>
             <translation>Радиусы всех слоёв, развёртка</translation>
         </message>
         <message>
             <source>Radius</source>
             <translation>Радиус</translation>
+        </message>
+        <message>
+            <source>Radius along layer %1, mm over Ψ</source>
+            <translation>Радиус вдоль слоя %1, mm по Ψ</translation>
+        </message>
+        <message>
+            <source>Radius along the layer, both heads</source>
+            <translation>Радиус вдоль слоя, обе головки</translation>
+        </message>
+        <message>
+            <source>Radius of the cylinder that is carved, which the heads keep out of; 0: the job's largest.</source>
+            <translation>Радиус обрабатываемого цилиндра, вне которого движутся головки; 0: наибольший радиус задания.</translation>
         </message>
         <message>
             <source>Read off the pins: a trace has no flight recorder. A click goes to an entry.</source>
@@ -1551,12 +2625,40 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Права РВ</translation>
         </message>
         <message>
+            <source>Record pins</source>
+            <translation>Запись выводов</translation>
+        </message>
+        <message>
+            <source>Record pins: begin it while the machine is at rest</source>
+            <translation>Запись выводов: начинайте, когда станок стоит</translation>
+        </message>
+        <message>
+            <source>Record pins: publish a job first</source>
+            <translation>Запись выводов: сначала опубликуйте задание</translation>
+        </message>
+        <message>
+            <source>Record pins: the last recording is being written</source>
+            <translation>Запись выводов: прошлая запись ещё пишется</translation>
+        </message>
+        <message>
+            <source>Record pins…</source>
+            <translation>Записать выводы…</translation>
+        </message>
+        <message>
             <source>Recorded levels at the entries of the flight recorder. Steps are not in a snapshot.</source>
             <translation>Уровни при записях самописца. Шагов в снимке нет.</translation>
         </message>
         <message>
             <source>Recorded levels of the 20 seconds before this moment.</source>
             <translation>Записанные уровни за 20 секунд до этого мгновения.</translation>
+        </message>
+        <message>
+            <source>Recording the pins: %1</source>
+            <translation>Идёт запись выводов: %1</translation>
+        </message>
+        <message>
+            <source>Recordings (%1)</source>
+            <translation>Записи (%1)</translation>
         </message>
         <message>
             <source>Reference time (T_ref)</source>
@@ -1579,6 +2681,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Отпустите кнопку аварийного останова</translation>
         </message>
         <message>
+            <source>Reload</source>
+            <translation>Перечитать</translation>
+        </message>
+        <message>
+            <source>Removed %1 cm³</source>
+            <translation>Снято %1 см³</translation>
+        </message>
+        <message>
             <source>Replay moves nothing: leave replay first</source>
             <translation>Запись ничего не движет: сначала закройте её</translation>
         </message>
@@ -1599,6 +2709,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Отчёт</translation>
         </message>
         <message>
+            <source>Report on the model</source>
+            <translation>Отчёт о модели</translation>
+        </message>
+        <message>
             <source>Report saved: %1</source>
             <translation>Отчёт сохранён: %1</translation>
         </message>
@@ -1611,8 +2725,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Отчёт: ни одно задание не запускалось</translation>
         </message>
         <message>
+            <source>Report: open a model first</source>
+            <translation>Отчёт: сначала откройте модель</translation>
+        </message>
+        <message>
             <source>Report: the job is not known</source>
             <translation>Отчёт: задание неизвестно</translation>
+        </message>
+        <message>
+            <source>Report…</source>
+            <translation>Отчёт…</translation>
         </message>
         <message>
             <source>Reset alarm</source>
@@ -1627,8 +2749,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Сбросить аварию: аварии нет</translation>
         </message>
         <message>
+            <source>Reset layout</source>
+            <translation>Сбросить расположение</translation>
+        </message>
+        <message>
             <source>Reset the alarm, then home.</source>
             <translation>Сбросьте аварию, затем найдите нули.</translation>
+        </message>
+        <message>
+            <source>Restore backup</source>
+            <translation>Вернуть копию</translation>
         </message>
         <message>
             <source>Result</source>
@@ -1643,16 +2773,44 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Продолжить: паузы нет</translation>
         </message>
         <message>
+            <source>Roughing</source>
+            <translation>Черновая</translation>
+        </message>
+        <message>
+            <source>Roughing cannot keep its stepover of %1 mm: the job's layers lie %2 mm apart.</source>
+            <translation>Черновая обработка не может выдержать шаг %1 мм: слои задания отстоят на %2 мм.</translation>
+        </message>
+        <message>
+            <source>Runs the core's own tick loop with nothing in the tick; touches no machine</source>
+            <translation>Крутит цикл тактов самого ядра с пустым тактом; станка не касается</translation>
+        </message>
+        <message>
+            <source>SCHED_FIFO, priority %1</source>
+            <translation>SCHED_FIFO, приоритет %1</translation>
+        </message>
+        <message>
             <source>SIMULATOR</source>
             <translation>СИМУЛЯТОР</translation>
         </message>
         <message>
             <source>STOPPING</source>
-            <translation>ОСТАНАВЛИВАЕТСЯ</translation>
+            <translation>ОСТАНОВКА</translation>
         </message>
         <message>
             <source>Save</source>
             <translation>Сохранить</translation>
+        </message>
+        <message>
+            <source>Save CSV…</source>
+            <translation>Сохранить CSV…</translation>
+        </message>
+        <message>
+            <source>Save a snapshot</source>
+            <translation>Сохранить снимок</translation>
+        </message>
+        <message>
+            <source>Save a snapshot…</source>
+            <translation>Сохранить снимок…</translation>
         </message>
         <message>
             <source>Save as JSON…</source>
@@ -1663,12 +2821,36 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Сохранить как...</translation>
         </message>
         <message>
+            <source>Save its tables…</source>
+            <translation>Сохранить таблицы…</translation>
+        </message>
+        <message>
             <source>Save log…</source>
             <translation>Сохранить журнал…</translation>
         </message>
         <message>
+            <source>Save picture…</source>
+            <translation>Сохранить изображение…</translation>
+        </message>
+        <message>
+            <source>Save the job</source>
+            <translation>Сохранить задание</translation>
+        </message>
+        <message>
+            <source>Save the job…</source>
+            <translation>Сохранить задание…</translation>
+        </message>
+        <message>
             <source>Save the log</source>
             <translation>Сохранить журнал</translation>
+        </message>
+        <message>
+            <source>Save the measurement</source>
+            <translation>Сохранить измерение</translation>
+        </message>
+        <message>
+            <source>Save the picture</source>
+            <translation>Сохранить изображение</translation>
         </message>
         <message>
             <source>Save the profile as</source>
@@ -1677,6 +2859,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Save the report</source>
             <translation>Сохранить отчёт</translation>
+        </message>
+        <message>
+            <source>Save the tables</source>
+            <translation>Сохранить таблицы</translation>
         </message>
         <message>
             <source>Save: %1 values are wrong</source>
@@ -1691,12 +2877,48 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Сохранить: станок движется</translation>
         </message>
         <message>
+            <source>Saved: %1</source>
+            <translation>Сохранено: %1</translation>
+        </message>
+        <message>
+            <source>Scale</source>
+            <translation>Масштаб</translation>
+        </message>
+        <message>
+            <source>Scale sets it</source>
+            <translation>Задано масштабом</translation>
+        </message>
+        <message>
+            <source>Scales the drawing to go all round</source>
+            <translation>Масштабирует чертёж на полный оборот</translation>
+        </message>
+        <message>
+            <source>Scales the model, uniformly</source>
+            <translation>Масштабирует модель равномерно</translation>
+        </message>
+        <message>
             <source>Schedule two-timer: period of inputs and pulses, at most one pulse in each.</source>
             <translation>Схема two-timer: период входов и импульсов, не больше импульса за период.</translation>
         </message>
         <message>
             <source>Schedule two-timer: period of the interpolation.</source>
             <translation>Схема two-timer: период интерполяции.</translation>
+        </message>
+        <message>
+            <source>Seam</source>
+            <translation>Стык</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>Поиск</translation>
+        </message>
+        <message>
+            <source>Search the messages</source>
+            <translation>Поиск в сообщениях</translation>
+        </message>
+        <message>
+            <source>Second snapshot or job</source>
+            <translation>Второй снимок или задание</translation>
         </message>
         <message>
             <source>Section at Y %1 mm, radius in mm</source>
@@ -1707,12 +2929,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Сечение слоя, вид сверху</translation>
         </message>
         <message>
+            <source>See to the port's card, cable and driver</source>
+            <translation>Проверьте плату порта, кабель и драйвер</translation>
+        </message>
+        <message>
             <source>Select axis %1</source>
             <translation>Выбрать ось %1</translation>
         </message>
         <message>
             <source>Send pulses</source>
             <translation>Послать импульсы</translation>
+        </message>
+        <message>
+            <source>Shape vee: between the flanks.</source>
+            <translation>Форма vee: угол между боковыми сторонами.</translation>
         </message>
         <message>
             <source>Show</source>
@@ -1733,6 +2963,22 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Signal</source>
             <translation>Сигнал</translation>
+        </message>
+        <message>
+            <source>Silent at work</source>
+            <translation>Молчит в работе</translation>
+        </message>
+        <message>
+            <source>Since then the core has ended: there is none to take orders.</source>
+            <translation>После этого ядро завершилось: принимать команды некому.</translation>
+        </message>
+        <message>
+            <source>Since then the core is silent: it takes no orders.</source>
+            <translation>После этого ядро молчит: команд оно не принимает.</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Размер</translation>
         </message>
         <message>
             <source>Slice</source>
@@ -1759,6 +3005,26 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Нарезается …</translation>
         </message>
         <message>
+            <source>Smoothed over so far, mm</source>
+            <translation>Сглаживание на таком расстоянии, mm</translation>
+        </message>
+        <message>
+            <source>Snapshots (*.snap)</source>
+            <translation>Снимки (*.snap)</translation>
+        </message>
+        <message>
+            <source>Snapshots and jobs (*.snap *.job *.psi);;All files (*)</source>
+            <translation>Снимки и задания (*.snap *.job *.psi);;Все файлы (*)</translation>
+        </message>
+        <message>
+            <source>Some facets are flipped against their neighbours; carved as if they were not.</source>
+            <translation>Некоторые грани вывернуты относительно соседних; режется так, будто это не так.</translation>
+        </message>
+        <message>
+            <source>Source size</source>
+            <translation>Размер модели</translation>
+        </message>
+        <message>
             <source>Speed</source>
             <translation>Скорость</translation>
         </message>
@@ -1783,12 +3049,28 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Шпиндель выключен</translation>
         </message>
         <message>
+            <source>Spindle off. Put a pin of known diameter on the axis, home, and bring %1 to it with the Jog panel, the last steps by hundredths, until the tip just touches: a slip of paper is held.</source>
+            <translation>Шпиндель выключен. Поставьте на ось штифт известного диаметра, найдите ноль и подведите к нему %1 панелью ручного перемещения, последние шаги по сотым, пока острие не коснётся: полоска бумаги зажата.</translation>
+        </message>
+        <message>
             <source>Spindle on</source>
             <translation>Шпиндель включён</translation>
         </message>
         <message>
+            <source>Spindle on or off</source>
+            <translation>Шпиндель вкл./выкл.</translation>
+        </message>
+        <message>
             <source>Start</source>
             <translation>Пуск</translation>
+        </message>
+        <message>
+            <source>Start dry run</source>
+            <translation>Пуск вхолостую</translation>
+        </message>
+        <message>
+            <source>Start dry run from layer %1</source>
+            <translation>Пуск вхолостую со слоя %1</translation>
         </message>
         <message>
             <source>Start from layer %1</source>
@@ -1805,6 +3087,18 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Start psicarve-rtcore</source>
             <translation>Запустите psicarve-rtcore</translation>
+        </message>
+        <message>
+            <source>Start psicarve-rtcore with that profile, or the window without it</source>
+            <translation>Запустите psicarve-rtcore с этим профилем или окно без него</translation>
+        </message>
+        <message>
+            <source>Start spindle</source>
+            <translation>Вкл. шпиндель</translation>
+        </message>
+        <message>
+            <source>Start, One layer and From layer carve nothing: table and Y go as they would, heads outside the blank, spindle off</source>
+            <translation>Пуск, Один слой и Со слоя ничего не режут: стол и Y движутся как при резьбе, головки вне заготовки, шпиндель выключен</translation>
         </message>
         <message>
             <source>Start: a job is being made</source>
@@ -1825,6 +3119,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Start: no job is published</source>
             <translation>Пуск: задание не передано</translation>
+        </message>
+        <message>
+            <source>Start: no layer was finished</source>
+            <translation>Пуск: ни один слой не закончен</translation>
         </message>
         <message>
             <source>Start: on hold; resume or stop</source>
@@ -1875,12 +3173,32 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Шаг %1 %2</translation>
         </message>
         <message>
+            <source>Stepdown</source>
+            <translation>Шаг вглубь</translation>
+        </message>
+        <message>
+            <source>Stepover</source>
+            <translation>Шаг слоёв</translation>
+        </message>
+        <message>
+            <source>Still open: %1</source>
+            <translation>По-прежнему открыто: %1</translation>
+        </message>
+        <message>
             <source>Stop</source>
             <translation>Стоп</translation>
         </message>
         <message>
             <source>Stop asked for</source>
             <translation>Запрошен стоп</translation>
+        </message>
+        <message>
+            <source>Stop recording</source>
+            <translation>Остановить запись</translation>
+        </message>
+        <message>
+            <source>Stop spindle</source>
+            <translation>Выкл. шпиндель</translation>
         </message>
         <message>
             <source>Stop: all axes are at rest</source>
@@ -1895,6 +3213,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Стоп: ничего не движется</translation>
         </message>
         <message>
+            <source>Stroke widths</source>
+            <translation>Ширина линий</translation>
+        </message>
+        <message>
             <source>Support bundle: %1</source>
             <translation>Пакет поддержки: %1</translation>
         </message>
@@ -1903,8 +3225,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пакет поддержки…</translation>
         </message>
         <message>
+            <source>Surface</source>
+            <translation>Поверхность</translation>
+        </message>
+        <message>
+            <source>Surface closed, all facets turned alike</source>
+            <translation>Поверхность замкнута, все грани повёрнуты одинаково</translation>
+        </message>
+        <message>
+            <source>Surface that no tip reached</source>
+            <translation>Поверхность, не тронутая резцом</translation>
+        </message>
+        <message>
             <source>Switch %1 is still closed</source>
             <translation>Выключатель %1 всё ещё замкнут</translation>
+        </message>
+        <message>
+            <source>Switch the machine off by its own switch</source>
+            <translation>Выключите станок его собственным выключателем</translation>
         </message>
         <message>
             <source>Switches one output at a time. Home again afterwards.</source>
@@ -1919,16 +3257,64 @@ N, Shift+N  следующая, предыдущая запись
             <translation>T_ref</translation>
         </message>
         <message>
-            <source>Take backup</source>
-            <translation>Взять копию</translation>
+            <source>Table and Y go as they would, heads outside the blank, spindle off (Ctrl+Enter)</source>
+            <translation>Стол и Y движутся как при резьбе, головки вне заготовки, шпиндель выключен (Ctrl+Enter)</translation>
+        </message>
+        <message>
+            <source>Tables (%1)</source>
+            <translation>Таблицы (%1)</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv *.json)</source>
+            <translation>Таблицы (*.csv *.json)</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv)</source>
+            <translation>Таблицы (*.csv)</translation>
+        </message>
+        <message>
+            <source>Takes the position that the core counts now</source>
+            <translation>Берёт положение, которое сейчас считает ядро</translation>
+        </message>
+        <message>
+            <source>Takes this away once it was read; it moves and stops nothing</source>
+            <translation>Убирает сообщение, когда оно прочитано; ничего не двигает и не останавливает</translation>
         </message>
         <message>
             <source>Text (*.log *.txt)</source>
             <translation>Текст (*.log *.txt)</translation>
         </message>
         <message>
+            <source>Text is left out: convert it to paths in the drawing program.</source>
+            <translation>Текст пропущен: преобразуйте его в контуры в графической программе.</translation>
+        </message>
+        <message>
+            <source>The axis of the file that changes its sign, before the model is turned</source>
+            <translation>Ось файла, меняющая знак до поворота модели</translation>
+        </message>
+        <message>
             <source>The blank as carved so far</source>
             <translation>Заготовка, как она вырезана сейчас</translation>
+        </message>
+        <message>
+            <source>The blank reaches out to %1 mm, which is more than the heads can clear, %2 mm.</source>
+            <translation>Заготовка доходит до %1 mm, это больше, чем могут обойти головки, %2 mm.</translation>
+        </message>
+        <message>
+            <source>The blank's radius of %1 mm is less than the model's, %2 mm.</source>
+            <translation>Радиус заготовки %1 mm меньше радиуса модели, %2 mm.</translation>
+        </message>
+        <message>
+            <source>The blank's radius of %1 mm is more than the heads can clear, %2 mm.</source>
+            <translation>Радиус заготовки %1 mm больше, чем могут обойти головки, %2 mm.</translation>
+        </message>
+        <message>
+            <source>The blank's top stands %1 mm above the table, the model's %2 mm.</source>
+            <translation>Верх заготовки на %1 mm над столом, верх модели — на %2 mm.</translation>
+        </message>
+        <message>
+            <source>The blank, the passes' depths and the tool, to scale</source>
+            <translation>Заготовка, глубины проходов и инструмент в масштабе</translation>
         </message>
         <message>
             <source>The built-in profile has no file: save it as one.</source>
@@ -1971,20 +3357,56 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ядро завершилось в слое %1</translation>
         </message>
         <message>
+            <source>The core has ended in layer %1, point %2</source>
+            <translation>Ядро завершилось в слое %1, точке %2</translation>
+        </message>
+        <message>
+            <source>The core has ended in the middle of its work</source>
+            <translation>Ядро завершилось посреди работы</translation>
+        </message>
+        <message>
             <source>The core has this job.</source>
             <translation>Это задание есть у ядра.</translation>
+        </message>
+        <message>
+            <source>The core heard no command for a second, no stop either: free the computer of other work, look after its memory and disks; reset the alarm, then start again.</source>
+            <translation>Секунду ядро не слышало ни одной команды, даже стопа: освободите компьютер от другой работы, проверьте его память и диски; сбросьте аварию, затем запустите снова.</translation>
+        </message>
+        <message>
+            <source>The core is heard again</source>
+            <translation>Ядро снова отвечает</translation>
         </message>
         <message>
             <source>The core is silent</source>
             <translation>Ядро молчит</translation>
         </message>
         <message>
-            <source>The core is silent: use the switch on the machine</source>
-            <translation>Ядро молчит: нажмите кнопку на станке</translation>
+            <source>The core is silent in the middle of its work</source>
+            <translation>Ядро замолчало посреди работы</translation>
+        </message>
+        <message>
+            <source>The core is silent, in layer %1, point %2</source>
+            <translation>Ядро замолчало в слое %1, точке %2</translation>
         </message>
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>
             <translation>Ядро идёт по виртуальным часам: такты не запаздывают</translation>
+        </message>
+        <message>
+            <source>The core's tick</source>
+            <translation>Такт ядра</translation>
+        </message>
+        <message>
+            <source>The depth limit of %1 mm below the blank's surface keeps the heads out of %2 of the points, by up to %3 mm.</source>
+            <translation>Предел глубины %1 mm под поверхностью заготовки не пускает головки в %2 точек, недорез до %3 mm.</translation>
+        </message>
+        <message>
+            <source>The drawing does not say how large it is: its units are taken as 1/96 inch (0.26 mm).</source>
+            <translation>В чертеже не указан размер: единица принята за 1/96 дюйма (0.26 mm).</translation>
+        </message>
+        <message>
+            <source>The drawing does not say its units: they are taken as millimetres.</source>
+            <translation>В чертеже не указаны единицы: приняты миллиметры.</translation>
         </message>
         <message>
             <source>The emergency stop switch is still pressed</source>
@@ -1995,12 +3417,28 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Файл кончается без endsolid.</translation>
         </message>
         <message>
+            <source>The file was written since it was opened</source>
+            <translation>Файл изменён после открытия</translation>
+        </message>
+        <message>
+            <source>The finishing pass alone</source>
+            <translation>Только чистовой проход</translation>
+        </message>
+        <message>
             <source>The gap between two step pulses lasts at least this long.</source>
             <translation>Промежуток между шаговыми импульсами длится не меньше.</translation>
         </message>
         <message>
             <source>The guard process ended: start the core again.</source>
             <translation>Сторожевой процесс завершился: запустите ядро снова.</translation>
+        </message>
+        <message>
+            <source>The heads can go only %1 mm out of the blank before they begin, not the %2 mm of job.clearance_mm.</source>
+            <translation>До начала головки могут отойти от заготовки только на %1 мм, а не на %2 мм, как требует job.clearance_mm.</translation>
+        </message>
+        <message>
+            <source>The heads may stand in the piece.</source>
+            <translation>Головки могут стоять в заготовке.</translation>
         </message>
         <message>
             <source>The heads wait at the first point; start or stop</source>
@@ -2019,6 +3457,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Язык сменится при следующем открытии окна</translation>
         </message>
         <message>
+            <source>The layers lie %1 mm apart, but the tool is only %2 mm wide: between them material stays, as high as the blank; more layers leave less.</source>
+            <translation>Слои отстоят на %1 мм, а инструмент шириной всего %2 мм: между ними остаётся материал высотой с заготовку; чем больше слоёв, тем его меньше.</translation>
+        </message>
+        <message>
             <source>The least time that the motors' limits allow for the whole job</source>
             <translation>Наименьшее время всего задания, которое допускают пределы двигателей</translation>
         </message>
@@ -2031,12 +3473,28 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Журнал не ведётся: %1</translation>
         </message>
         <message>
+            <source>The machine is at work no more: the window can be closed</source>
+            <translation>Станок больше не работает: окно можно закрыть</translation>
+        </message>
+        <message>
             <source>The machine is at work. It does not need this window: what is to become of it?</source>
             <translation>Станок работает. Это окно ему не нужно: что с ним делать?</translation>
         </message>
         <message>
+            <source>The machine still has its job of before: Start carves %1.</source>
+            <translation>У станка прежнее задание: «Пуск» вырезает %1.</translation>
+        </message>
+        <message>
             <source>The machine's profile is not known here: pins are those of the built-in profile.</source>
             <translation>Профиль станка здесь неизвестен: выводы взяты из встроенного профиля.</translation>
+        </message>
+        <message>
+            <source>The mesh has holes, which are carved down to what lies behind them, or to the core.</source>
+            <translation>В сетке есть дыры: в них режется до того, что лежит за ними, или до сердцевины.</translation>
+        </message>
+        <message>
+            <source>The mesh is inside out; carved as if it were not.</source>
+            <translation>Сетка вывернута наизнанку; режется так, будто это не так.</translation>
         </message>
         <message>
             <source>The mesh is open at %1 of the samples; what is missing there is carved down to what lies behind it, or to the core.</source>
@@ -2051,12 +3509,44 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Высота модели всего %1 mm: её единицы — дюймы или метры? Увеличьте её через «Высота».</translation>
         </message>
         <message>
+            <source>The model stands out of the blank, which is off the table's axis, by up to %1 mm in direction %2°.</source>
+            <translation>Заготовка смещена от оси стола, и модель выступает из неё до %1 mm в направлении %2°.</translation>
+        </message>
+        <message>
             <source>The model stands so far from its file's origin that its coordinates are rounded to %1 mm, more than a pulse (%2 mm): move it to the origin before it is exported.</source>
             <translation>Модель стоит так далеко от начала координат файла, что её координаты округлены до %1 mm, больше импульса (%2 mm): перенесите её к началу перед экспортом.</translation>
         </message>
         <message>
+            <source>The most between two of roughing's layers; 0: as the tool allows.</source>
+            <translation>Наибольшее расстояние между слоями черновой обработки; 0: сколько допускает инструмент.</translation>
+        </message>
+        <message>
+            <source>The most between two of roughing's layers; auto: as the tool allows</source>
+            <translation>Наибольшее расстояние между слоями черновой обработки; авто: сколько допускает инструмент</translation>
+        </message>
+        <message>
             <source>The old file is kept as a backup. A core takes a profile when it starts.</source>
             <translation>Старый файл остаётся копией. Ядро берёт профиль при запуске.</translation>
+        </message>
+        <message>
+            <source>The old file is kept as a backup. Then start the core with the new one, and slice models anew: a job is made for one calibration.</source>
+            <translation>Старый файл остаётся резервной копией. Затем запустите ядро с новым и нарежьте модели заново: задание делается для одной калибровки.</translation>
+        </message>
+        <message>
+            <source>The picture is in colour; its brightness is taken.</source>
+            <translation>Изображение цветное; взята его яркость.</translation>
+        </message>
+        <message>
+            <source>The picture's %1 x %2 pixels are averaged to %3 x %4.</source>
+            <translation>Пиксели изображения %1 x %2 усреднены до %3 x %4.</translation>
+        </message>
+        <message>
+            <source>The picture's left and right edges do not meet: a step of up to %1 mm at direction 0. Seam: blended makes it smooth.</source>
+            <translation>Левый и правый края изображения не сходятся: уступ до %1 mm у направления 0. Выбор «Стык: плавный» сгладит его.</translation>
+        </message>
+        <message>
+            <source>The port does not answer</source>
+            <translation>Порт не отвечает</translation>
         </message>
         <message>
             <source>The shared memory was removed or damaged from outside: reset the alarm and publish the job again.</source>
@@ -2067,8 +3557,40 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Стол потерял шаги</translation>
         </message>
         <message>
+            <source>The table is taken as it stands: R2's angle and height errors stay in it.</source>
+            <translation>Таблица берётся как есть: ошибки угла и высоты R2 остаются в ней.</translation>
+        </message>
+        <message>
             <source>The table keeps turning, runs to and fro, or the heads rise as it turns, without links; a job carries its own.</source>
             <translation>Стол вращается дальше, ходит туда и обратно, или головки поднимаются по ходу вращения без переходов; у задания это своё.</translation>
+        </message>
+        <message>
+            <source>The tool alone: no blank is chosen</source>
+            <translation>Только инструмент: заготовка не выбрана</translation>
+        </message>
+        <message>
+            <source>The tool cuts %1 mm deep, but the job goes %2 mm into the blank.</source>
+            <translation>Инструмент режет на глубину %1 mm, а задание идёт на %2 mm в заготовку.</translation>
+        </message>
+        <message>
+            <source>The tool has become this much shorter since the touch-off; added to the tip offset.</source>
+            <translation>На столько инструмент укоротился после касания; прибавляется к смещению острия.</translation>
+        </message>
+        <message>
+            <source>The tool is a point, which leaves no width: grooves are as wide as the real tool cuts them.</source>
+            <translation>Инструмент — точка без ширины: канавки будут шириной с настоящий инструмент.</translation>
+        </message>
+        <message>
+            <source>The tool leaves</source>
+            <translation>Инструмент оставит</translation>
+        </message>
+        <message>
+            <source>The tool leaves (draft)</source>
+            <translation>Инструмент оставит (набросок)</translation>
+        </message>
+        <message>
+            <source>The window stays open: the core has not taken the hold</source>
+            <translation>Окно остаётся открытым: ядро не приняло паузу</translation>
         </message>
         <message>
             <source>The Ψ index did not come where it was expected.</source>
@@ -2091,8 +3613,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Тогда выходы можно переключать по одному</translation>
         </message>
         <message>
+            <source>This computer</source>
+            <translation>Этот компьютер</translation>
+        </message>
+        <message>
+            <source>Thread</source>
+            <translation>Поток</translation>
+        </message>
+        <message>
             <source>Tick</source>
             <translation>Такт</translation>
+        </message>
+        <message>
+            <source>Tick to measure with</source>
+            <translation>Такт для измерения</translation>
         </message>
         <message>
             <source>Ticks by how late they were (logarithmic)</source>
@@ -2101,6 +3635,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Ticks in which a step waited for its pin</source>
             <translation>Такты с ожиданием вывода</translation>
+        </message>
+        <message>
+            <source>Ticks measured, missed</source>
+            <translation>Тактов измерено, пропущено</translation>
         </message>
         <message>
             <source>Ticks per second</source>
@@ -2123,6 +3661,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Шкала времени записи</translation>
         </message>
         <message>
+            <source>To a position: one axis or several, straight or on an arc</source>
+            <translation>В положение: одна или несколько осей, по прямой или по дуге</translation>
+        </message>
+        <message>
             <source>To the begin</source>
             <translation>К началу</translation>
         </message>
@@ -2143,12 +3685,28 @@ N, Shift+N  следующая, предыдущая запись
             <translation>К следующей записи (N)</translation>
         </message>
         <message>
+            <source>Too deep by %1 mm at most, at %2°, %3 mm high</source>
+            <translation>Слишком глубоко не более чем на %1 mm, при %2° на высоте %3 mm</translation>
+        </message>
+        <message>
+            <source>Tool</source>
+            <translation>Инструмент</translation>
+        </message>
+        <message>
             <source>Tool over surface; a job carries its own.</source>
             <translation>Скорость инструмента по поверхности; у задания она своя.</translation>
         </message>
         <message>
+            <source>Tools</source>
+            <translation>Инструменты</translation>
+        </message>
+        <message>
             <source>Top</source>
             <translation>Сверху</translation>
+        </message>
+        <message>
+            <source>Top of the cylinder above the table; 0: not known.</source>
+            <translation>Верх цилиндра над столом; 0: неизвестен.</translation>
         </message>
         <message>
             <source>Top speed that the motor follows (v_k).</source>
@@ -2159,12 +3717,72 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Общее время</translation>
         </message>
         <message>
+            <source>Touch-off of %1</source>
+            <translation>Касание %1</translation>
+        </message>
+        <message>
+            <source>Touch-off, two marks and tool wear become values of the profile, step by step</source>
+            <translation>Касание, две метки и износ инструмента шаг за шагом становятся значениями профиля</translation>
+        </message>
+        <message>
             <source>Touch-off: the real tip stands this much further out than counted.</source>
             <translation>Касание: настоящее остриё стоит на столько дальше наружу, чем по счёту.</translation>
         </message>
         <message>
+            <source>Touches no machine. Measure does so at length.</source>
+            <translation>Станка не касается. «Измерить» проверяет дольше.</translation>
+        </message>
+        <message>
+            <source>Trace to verify</source>
+            <translation>Трасса для сверки</translation>
+        </message>
+        <message>
+            <source>Traces (*.trace *.vcd);;All files (*)</source>
+            <translation>Трассы (*.trace *.vcd);;Все файлы (*)</translation>
+        </message>
+        <message>
+            <source>Turn about X</source>
+            <translation>Повернуть вокруг X</translation>
+        </message>
+        <message>
+            <source>Turn, mirror</source>
+            <translation>Поворот</translation>
+        </message>
+        <message>
+            <source>Turns or mirrors the model before it is placed</source>
+            <translation>Поворачивает или отражает модель до размещения</translation>
+        </message>
+        <message>
+            <source>Two marks</source>
+            <translation>Две метки</translation>
+        </message>
+        <message>
+            <source>Undercut</source>
+            <translation>Поднутрение</translation>
+        </message>
+        <message>
+            <source>Undercut: choose Model first</source>
+            <translation>Поднутрение: сначала выберите «Модель»</translation>
+        </message>
+        <message>
+            <source>Undercut: it is being looked for</source>
+            <translation>Поднутрение: идёт поиск</translation>
+        </message>
+        <message>
+            <source>Undercut: open a model first</source>
+            <translation>Поднутрение: сначала откройте модель</translation>
+        </message>
+        <message>
+            <source>Undercut: there is none</source>
+            <translation>Поднутрение: его нет</translation>
+        </message>
+        <message>
             <source>Undo all</source>
             <translation>Вернуть всё</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
         </message>
         <message>
             <source>Unrolled Ψ–Y map of radii</source>
@@ -2175,12 +3793,68 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ось вверх</translation>
         </message>
         <message>
+            <source>Up to %1 roughing passes of all layers</source>
+            <translation>До %1 черновых проходов по всем слоям</translation>
+        </message>
+        <message>
+            <source>Up to %1 roughing passes, layers %2 mm apart</source>
+            <translation>До %1 черновых проходов, слои через %2 mm</translation>
+        </message>
+        <message>
             <source>Use the switch on the machine to stop it</source>
             <translation>Остановите станок его кнопкой</translation>
         </message>
         <message>
+            <source>Use the wired emergency stop, or the machine's own switch</source>
+            <translation>Нажмите проводной аварийный останов или выключатель станка</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Verification</source>
+            <translation>Сверка</translation>
+        </message>
+        <message>
+            <source>Verification found a difference</source>
+            <translation>Сверка нашла отличие</translation>
+        </message>
+        <message>
+            <source>Verification found a difference: %1</source>
+            <translation>Сверка нашла отличие: %1</translation>
+        </message>
+        <message>
             <source>Verified</source>
             <translation>Проверено</translation>
+        </message>
+        <message>
+            <source>Verified: the pins carve the job, largest deviation %1 pulses</source>
+            <translation>Сверено: выводы режут задание, наибольшее отклонение %1 имп.</translation>
+        </message>
+        <message>
+            <source>Verify</source>
+            <translation>Сверить</translation>
+        </message>
+        <message>
+            <source>Verify a trace…</source>
+            <translation>Сверить трассу…</translation>
+        </message>
+        <message>
+            <source>Verify: add its job first</source>
+            <translation>Сверка: сначала добавьте задание</translation>
+        </message>
+        <message>
+            <source>Verifying %1</source>
+            <translation>Сверяю %1</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>Вид</translation>
+        </message>
+        <message>
+            <source>Volume</source>
+            <translation>Объём</translation>
         </message>
         <message>
             <source>WAITING</source>
@@ -2203,12 +3877,76 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Предупреждения и аварии</translation>
         </message>
         <message>
+            <source>Wear of the tool of %1</source>
+            <translation>Износ инструмента %1</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>Что</translation>
+        </message>
+        <message>
+            <source>What becomes of it</source>
+            <translation>Что получится</translation>
+        </message>
+        <message>
             <source>What happened</source>
             <translation>Что произошло</translation>
         </message>
         <message>
+            <source>What keeps ticks in time</source>
+            <translation>От чего зависят такты</translation>
+        </message>
+        <message>
+            <source>What roughing leaves for the finishing pass</source>
+            <translation>Что черновая обработка оставляет чистовому проходу</translation>
+        </message>
+        <message>
+            <source>What roughing leaves for the finishing pass, along the radius.</source>
+            <translation>Что черновая обработка оставляет чистовому проходу, по радиусу.</translation>
+        </message>
+        <message>
+            <source>What the job and its tool will leave, and how far it is from the model</source>
+            <translation>Что оставят задание и его инструмент и насколько это далеко от модели</translation>
+        </message>
+        <message>
+            <source>What the mesh is made of, what is wrong with it and what no tool reaches</source>
+            <translation>Из чего состоит сетка, что с ней не так и куда не достаёт ни один инструмент</translation>
+        </message>
+        <message>
             <source>What to do</source>
             <translation>Что делать</translation>
+        </message>
+        <message>
+            <source>What was measured so far is the result</source>
+            <translation>Измеренное до сих пор и есть результат</translation>
+        </message>
+        <message>
+            <source>Where %1 is shown to stand</source>
+            <translation>Показанное положение %1</translation>
+        </message>
+        <message>
+            <source>Where the blank's axis stands off the table's, towards direction 0°</source>
+            <translation>Смещение оси заготовки от оси стола в сторону 0°</translation>
+        </message>
+        <message>
+            <source>Where the blank's axis stands off the table's, towards direction 90°</source>
+            <translation>Смещение оси заготовки от оси стола в сторону 90°</translation>
+        </message>
+        <message>
+            <source>Where the cylinder's axis stands off the table's, towards direction 0.</source>
+            <translation>Смещение оси цилиндра от оси стола в сторону направления 0.</translation>
+        </message>
+        <message>
+            <source>Where the cylinder's axis stands off the table's, towards direction 90.</source>
+            <translation>Смещение оси цилиндра от оси стола в сторону направления 90.</translation>
+        </message>
+        <message>
+            <source>Where the leftmost of the drawing's lines stands</source>
+            <translation>Где стоит самое левое место линий чертежа</translation>
+        </message>
+        <message>
+            <source>Where the picture's left and right edges meet</source>
+            <translation>Где сходятся левый и правый края изображения</translation>
         </message>
         <message>
             <source>Whether the table has an index sensor.</source>
@@ -2219,8 +3957,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Какие сообщения показаны</translation>
         </message>
         <message>
+            <source>While a recording is shown</source>
+            <translation>При показе записи</translation>
+        </message>
+        <message>
+            <source>While keys are armed (F9)</source>
+            <translation>Когда клавиши включены (F9)</translation>
+        </message>
+        <message>
             <source>Wiring test</source>
             <translation>Проверка проводки</translation>
+        </message>
+        <message>
+            <source>Wiring test, recording pins…</source>
+            <translation>Проверка проводки, запись выводов…</translation>
         </message>
         <message>
             <source>Wiring test: arm it first</source>
@@ -2231,8 +3981,40 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Проверка проводки: сначала отключите приводы</translation>
         </message>
         <message>
+            <source>With those before</source>
+            <translation>С предыдущими</translation>
+        </message>
+        <message>
+            <source>Within a pulse %1 % of the surface, removed %2 cm³</source>
+            <translation>С точностью до импульса %1 % поверхности, снято %2 см³</translation>
+        </message>
+        <message>
+            <source>Working the expected piece out</source>
+            <translation>Расчёт ожидаемой детали</translation>
+        </message>
+        <message>
+            <source>Working the piece out was cancelled</source>
+            <translation>Расчёт детали отменён</translation>
+        </message>
+        <message>
             <source>Working the piece out: %1 %</source>
             <translation>Деталь вычисляется: %1 %</translation>
+        </message>
+        <message>
+            <source>Write</source>
+            <translation>Записать</translation>
+        </message>
+        <message>
+            <source>Write: nothing was measured</source>
+            <translation>Записать: ничего не измерено</translation>
+        </message>
+        <message>
+            <source>Write: step %1 cannot be</source>
+            <translation>Записать: шаг %1 невозможен</translation>
+        </message>
+        <message>
+            <source>Write: the machine moves</source>
+            <translation>Записать: станок движется</translation>
         </message>
         <message>
             <source>Y direction</source>
@@ -2273,6 +4055,58 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Отсчёт: профиль станка здесь неизвестен</translation>
         </message>
         <message>
+            <source>a %1 drawing, which is not read; save it as %2</source>
+            <translation>чертёж %1, который не читается; сохраните его как %2</translation>
+        </message>
+        <message>
+            <source>a %1 model, which is not read; save it as STL or 3MF</source>
+            <translation>модель %1, которая не читается; сохраните её как STL или 3MF</translation>
+        </message>
+        <message>
+            <source>a %1 picture, which is not read; save it as PNG</source>
+            <translation>изображение %1, которое не читается; сохраните его как PNG</translation>
+        </message>
+        <message>
+            <source>a BMP picture of OS/2's kind, which is not read</source>
+            <translation>изображение BMP типа OS/2, такие не читаются</translation>
+        </message>
+        <message>
+            <source>a BMP picture of a kind that is not read (%1 bits, compression %2); save it as PNG</source>
+            <translation>изображение BMP такого вида не читается (%1 бит, сжатие %2); сохраните его как PNG</translation>
+        </message>
+        <message>
+            <source>a SPLINE whose knots and points do not belong together is left out.</source>
+            <translation>SPLINE, узлы и точки которого не подходят друг другу, пропущен.</translation>
+        </message>
+        <message>
+            <source>a TIFF picture of signed or floating numbers; save it with 8 or 16 bits</source>
+            <translation>изображение TIFF со знаковыми или дробными числами; сохраните его с 8 или 16 битами</translation>
+        </message>
+        <message>
+            <source>a binary DXF drawing; save it as text (ASCII DXF)</source>
+            <translation>двоичный чертёж DXF; сохраните его текстом (ASCII DXF)</translation>
+        </message>
+        <message>
+            <source>a coordinate is not a finite number</source>
+            <translation>координата — не конечное число</translation>
+        </message>
+        <message>
+            <source>a damaged %1 picture</source>
+            <translation>повреждённое изображение %1</translation>
+        </message>
+        <message>
+            <source>a damaged %1 picture: %2</source>
+            <translation>повреждённое изображение %1: %2</translation>
+        </message>
+        <message>
+            <source>a damaged %1 picture: the file ends too early</source>
+            <translation>повреждённое изображение %1: файл обрывается</translation>
+        </message>
+        <message>
+            <source>a drawing without a width goes not all round</source>
+            <translation>чертёж без ширины не обойдёт весь оборот</translation>
+        </message>
+        <message>
             <source>a face needs at least three vertices</source>
             <translation>грани нужны не меньше трёх вершин</translation>
         </message>
@@ -2285,12 +4119,92 @@ N, Shift+N  следующая, предыдущая запись
             <translation>facet без endfacet</translation>
         </message>
         <message>
+            <source>a layer needs its height and at least two radii</source>
+            <translation>слою нужны высота и не менее двух радиусов</translation>
+        </message>
+        <message>
+            <source>a packed file (gzip), as SVGZ is; unpack it first</source>
+            <translation>сжатый файл (gzip), как SVGZ; сначала распакуйте его</translation>
+        </message>
+        <message>
+            <source>a page that was taken away stops the tick until it is back; a real machine is refused</source>
+            <translation>вытесненная страница останавливает такт до возврата; настоящий станок не запускается</translation>
+        </message>
+        <message>
+            <source>a picture %1 mm high would be %2 mm wide, and once round are only %3 mm: choose at most %4 mm of height, a larger diameter, or all round, which changes its shape</source>
+            <translation>изображение высотой %1 mm имело бы ширину %2 mm, а окружность всего %3 mm: выберите высоту не более %4 mm, больший диаметр или полный оборот, который меняет пропорции</translation>
+        </message>
+        <message>
+            <source>a picture of %1 x %2 pixels; at most 100 million can be read, and 65535 a side</source>
+            <translation>изображение %1 x %2 пикселей; читается не более 100 миллионов и 65535 по стороне</translation>
+        </message>
+        <message>
+            <source>a picture without pixels</source>
+            <translation>изображение без пикселей</translation>
+        </message>
+        <message>
+            <source>a place</source>
+            <translation>место</translation>
+        </message>
+        <message>
+            <source>a point</source>
+            <translation>остриё</translation>
+        </message>
+        <message>
+            <source>a point carves every layer, whatever the stepover; choose a tool</source>
+            <translation>остриё режет каждый слой, каким бы ни был шаг слоёв; выберите инструмент</translation>
+        </message>
+        <message>
+            <source>a point leaves nothing, so there is no draft; slice first</source>
+            <translation>остриё ничего не оставляет, наброска нет; сначала нарежьте</translation>
+        </message>
+        <message>
+            <source>a processor that first speeds up makes ticks late</source>
+            <translation>процессор, который сначала разгоняется, задерживает такты</translation>
+        </message>
+        <message>
+            <source>a published job is being looked at; start once it is accepted</source>
+            <translation>опубликованное задание ещё проверяется; запускайте, когда оно будет принято</translation>
+        </message>
+        <message>
             <source>a recorded run is being replayed</source>
             <translation>повторяется записанный прогон</translation>
         </message>
         <message>
             <source>a recording is shown; leave replay first</source>
             <translation>показана запись; сначала выйдите из воспроизведения</translation>
+        </message>
+        <message>
+            <source>a stepdown of %1 makes more than %2 passes</source>
+            <translation>шаг вглубь %1 даёт больше %2 проходов</translation>
+        </message>
+        <message>
+            <source>a stepover of %1 is more than the tool is wide, %2</source>
+            <translation>шаг слоёв %1 больше ширины инструмента, %2</translation>
+        </message>
+        <message>
+            <source>a table of layers is no spiral: choose Joining continuous or zigzag in the profile</source>
+            <translation>таблица слоёв — не спираль: выберите в профиле непрерывную связь слоёв или зигзаг</translation>
+        </message>
+        <message>
+            <source>a tool does not become %1 mm shorter; 0 to %2 mm, else touch the head off anew</source>
+            <translation>инструмент не становится короче на %1 mm; от 0 до %2 mm, иначе сделайте касание заново</translation>
+        </message>
+        <message>
+            <source>a transform that cannot be read; the element is left out.</source>
+            <translation>преобразование не читается; элемент пропущен.</translation>
+        </message>
+        <message>
+            <source>a virtual machine</source>
+            <translation>виртуальная машина</translation>
+        </message>
+        <message>
+            <source>about %1</source>
+            <translation>около %1</translation>
+        </message>
+        <message>
+            <source>about %1 % of the surface</source>
+            <translation>около %1 % поверхности</translation>
         </message>
         <message>
             <source>alarm</source>
@@ -2305,8 +4219,48 @@ N, Shift+N  следующая, предыдущая запись
             <translation>авария: %1, ось %2</translation>
         </message>
         <message>
+            <source>allow it: a line "@GROUP - rtprio 90" in /etc/security/limits.d and a new login, or the capability CAP_SYS_NICE; in a container, real-time time for its control group</source>
+            <translation>разрешите: строка "@GROUP - rtprio 90" в /etc/security/limits.d и новый вход, или право CAP_SYS_NICE; в контейнере — время реального времени для его группы</translation>
+        </message>
+        <message>
+            <source>allow writing to /dev/cpu_dma_latency: a udev rule KERNEL=="cpu_dma_latency", GROUP="GROUP", MODE="0660", and be in that group</source>
+            <translation>разрешите запись в /dev/cpu_dma_latency: правило udev KERNEL=="cpu_dma_latency", GROUP="GROUP", MODE="0660" и членство в этой группе</translation>
+        </message>
+        <message>
+            <source>allowed by CAP_IPC_LOCK</source>
+            <translation>разрешено CAP_IPC_LOCK</translation>
+        </message>
+        <message>
+            <source>allowed by CAP_SYS_NICE</source>
+            <translation>разрешено CAP_SYS_NICE</translation>
+        </message>
+        <message>
+            <source>allowed by CAP_SYS_RAWIO</source>
+            <translation>разрешено CAP_SYS_RAWIO</translation>
+        </message>
+        <message>
             <source>an output is being tested; end the test first</source>
             <translation>проверяется выход; сначала закончите проверку</translation>
+        </message>
+        <message>
+            <source>another job was carved last</source>
+            <translation>в последний раз вырезалось другое задание</translation>
+        </message>
+        <message>
+            <source>any processor</source>
+            <translation>любой процессор</translation>
+        </message>
+        <message>
+            <source>any program may keep the tick waiting; a real machine is refused</source>
+            <translation>любая программа может задержать такт; настоящий станок не запускается</translation>
+        </message>
+        <message>
+            <source>arc, from the head's + to Y's +</source>
+            <translation>дуга, от + головки к + Y</translation>
+        </message>
+        <message>
+            <source>arc, the other way</source>
+            <translation>дуга, в другую сторону</translation>
         </message>
         <message>
             <source>as at the last</source>
@@ -2317,8 +4271,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>как в файле</translation>
         </message>
         <message>
+            <source>as it is</source>
+            <translation>как есть</translation>
+        </message>
+        <message>
+            <source>as its shape</source>
+            <translation>по форме</translation>
+        </message>
+        <message>
             <source>as planned</source>
             <translation>по плану</translation>
+        </message>
+        <message>
+            <source>as the blank</source>
+            <translation>по заготовке</translation>
+        </message>
+        <message>
+            <source>as the profile</source>
+            <translation>по профилю</translation>
         </message>
         <message>
             <source>assumed</source>
@@ -2329,6 +4299,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>не меньше %1</translation>
         </message>
         <message>
+            <source>at most %1 KiB</source>
+            <translation>не больше %1 КиБ</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <translation>авто</translation>
+        </message>
+        <message>
             <source>back-off</source>
             <translation>отвод</translation>
         </message>
@@ -2337,16 +4315,44 @@ N, Shift+N  следующая, предыдущая запись
             <translation>отводится</translation>
         </message>
         <message>
+            <source>ball</source>
+            <translation>шаровой</translation>
+        </message>
+        <message>
+            <source>be in the group that owns it: adduser USER %1, and a new login</source>
+            <translation>войдите в группу-владельца: adduser USER %1, и новый вход</translation>
+        </message>
+        <message>
             <source>became shorter while it was read</source>
             <translation>стал короче во время чтения</translation>
+        </message>
+        <message>
+            <source>before finishing</source>
+            <translation>перед чистовой</translation>
         </message>
         <message>
             <source>being made</source>
             <translation>составляется</translation>
         </message>
         <message>
-            <source>blank ⌀ %1</source>
-            <translation>заготовка ⌀ %1</translation>
+            <source>blank</source>
+            <translation>заготовка</translation>
+        </message>
+        <message>
+            <source>blank ⌀ %1 mm</source>
+            <translation>заготовка ⌀ %1 mm</translation>
+        </message>
+        <message>
+            <source>blended</source>
+            <translation>плавный</translation>
+        </message>
+        <message>
+            <source>bodies inside out: %1</source>
+            <translation>тел наизнанку: %1</translation>
+        </message>
+        <message>
+            <source>both ways between the marks are needed</source>
+            <translation>нужны оба расстояния между метками</translation>
         </message>
         <message>
             <source>box centre</source>
@@ -2357,6 +4363,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>встроенный профиль</translation>
         </message>
         <message>
+            <source>can be kept shallow</source>
+            <translation>можно держать неглубоким</translation>
+        </message>
+        <message>
             <source>cannot be opened: %1</source>
             <translation>не открывается: %1</translation>
         </message>
@@ -2365,20 +4375,68 @@ N, Shift+N  следующая, предыдущая запись
             <translation>не читается: %1</translation>
         </message>
         <message>
+            <source>carved</source>
+            <translation>вырезано</translation>
+        </message>
+        <message>
+            <source>carved (%1 layers not seen: as planned)</source>
+            <translation>вырезано (слоёв не видно: %1, по плану)</translation>
+        </message>
+        <message>
             <source>carved to the last point</source>
             <translation>вырезано до последней точки</translation>
+        </message>
+        <message>
+            <source>carved, as planned</source>
+            <translation>вырезано, по плану</translation>
         </message>
         <message>
             <source>carving</source>
             <translation>резьба</translation>
         </message>
         <message>
+            <source>centroid</source>
+            <translation>центроид</translation>
+        </message>
+        <message>
             <source>checked</source>
             <translation>проверено</translation>
         </message>
         <message>
+            <source>clipping and masks are not followed: &lt;%1&gt; is carved whole.</source>
+            <translation>обрезка и маски не учитываются: &lt;%1&gt; вырезается целиком.</translation>
+        </message>
+        <message>
+            <source>clock</source>
+            <translation>часы</translation>
+        </message>
+        <message>
+            <source>closed, all facets turned alike</source>
+            <translation>замкнута, все грани повёрнуты одинаково</translation>
+        </message>
+        <message>
+            <source>computer</source>
+            <translation>компьютер</translation>
+        </message>
+        <message>
+            <source>content of the model's file</source>
+            <translation>содержимое файла модели</translation>
+        </message>
+        <message>
+            <source>continuous</source>
+            <translation>непрерывно</translation>
+        </message>
+        <message>
             <source>core lost</source>
             <translation>ядро потеряно</translation>
+        </message>
+        <message>
+            <source>counter-clockwise, seen from the axis' positive end</source>
+            <translation>против часовой стрелки, если смотреть с положительного конца оси</translation>
+        </message>
+        <message>
+            <source>cpupower frequency-set --governor performance (package linux-cpupower)</source>
+            <translation>cpupower frequency-set --governor performance (пакет linux-cpupower)</translation>
         </message>
         <message>
             <source>cut off</source>
@@ -2417,12 +4475,32 @@ N, Shift+N  следующая, предыдущая запись
             <translation>готово</translation>
         </message>
         <message>
+            <source>doubled: %1</source>
+            <translation>повторов: %1</translation>
+        </message>
+        <message>
+            <source>drive a real machine from a real computer</source>
+            <translation>управляйте настоящим станком с настоящего компьютера</translation>
+        </message>
+        <message>
             <source>drives-off</source>
             <translation>выключить приводы</translation>
         </message>
         <message>
+            <source>dry run to the last point: nothing was carved</source>
+            <translation>холостой прогон до последней точки: ничего не вырезано</translation>
+        </message>
+        <message>
+            <source>edges between flipped facets: %1</source>
+            <translation>рёбер между вывернутыми гранями: %1</translation>
+        </message>
+        <message>
             <source>emergency stop</source>
             <translation>аварийный останов</translation>
+        </message>
+        <message>
+            <source>end the program that holds it; psicarve status shows a core</source>
+            <translation>завершите программу, которая его держит; psicarve status показывает ядро</translation>
         </message>
         <message>
             <source>ended at layer %1 of %2</source>
@@ -2431,6 +4509,22 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>ended by an alarm</source>
             <translation>прервано аварией</translation>
+        </message>
+        <message>
+            <source>entries of the flight recorder</source>
+            <translation>записей самописца</translation>
+        </message>
+        <message>
+            <source>feed %1 %</source>
+            <translation>подача %1 %</translation>
+        </message>
+        <message>
+            <source>feed %1 mm/s</source>
+            <translation>подача %1 mm/s</translation>
+        </message>
+        <message>
+            <source>feed [mm/s]</source>
+            <translation>подача [mm/s]</translation>
         </message>
         <message>
             <source>file version %1, this program knows %2: make the file anew</source>
@@ -2445,6 +4539,30 @@ N, Shift+N  следующая, предыдущая запись
             <translation>завершение</translation>
         </message>
         <message>
+            <source>finishing only</source>
+            <translation>только чистовая</translation>
+        </message>
+        <message>
+            <source>finishing pass</source>
+            <translation>чистовой</translation>
+        </message>
+        <message>
+            <source>fit a parallel port; modprobe parport_pc ppdev</source>
+            <translation>установите параллельный порт; modprobe parport_pc ppdev</translation>
+        </message>
+        <message>
+            <source>flat</source>
+            <translation>плоский</translation>
+        </message>
+        <message>
+            <source>flight recorder, entry %1, counted from 0</source>
+            <translation>самописец, запись %1, счёт с 0</translation>
+        </message>
+        <message>
+            <source>free</source>
+            <translation>свободен</translation>
+        </message>
+        <message>
             <source>from here on a tick may have been missed</source>
             <translation>отсюда такт мог быть пропущен</translation>
         </message>
@@ -2453,8 +4571,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>с выводов</translation>
         </message>
         <message>
+            <source>give --cpu the number of a processor that this process may use, or any</source>
+            <translation>задайте --cpu номер доступного процессора или any</translation>
+        </message>
+        <message>
             <source>granted</source>
             <translation>есть</translation>
+        </message>
+        <message>
+            <source>grooves %1 mm deep and %2 mm wide; where no point meets the line, up to %3 mm wider along the layers and %4 mm across them</source>
+            <translation>канавки глубиной %1 mm и шириной %2 mm; где точки не попадают на линию, до %3 mm шире вдоль слоёв и до %4 mm поперёк</translation>
+        </message>
+        <message>
+            <source>grooves %1 mm deep; they must be deeper than 0, and less deep than the cylinder's radius of %2 mm</source>
+            <translation>канавки глубиной %1 mm; нужно больше 0 и меньше радиуса цилиндра %2 mm</translation>
         </message>
         <message>
             <source>ground</source>
@@ -2465,12 +4595,28 @@ N, Shift+N  следующая, предыдущая запись
             <translation>потерян сторож</translation>
         </message>
         <message>
+            <source>has no closed outline; the longest stroke goes from %1 to %2 mm, %3 apart; close it in the drawing program</source>
+            <translation>нет замкнутого контура; самая длинная линия от %1 до %2 mm, разрыв %3; замкните её в графической программе</translation>
+        </message>
+        <message>
+            <source>heap kept</source>
+            <translation>куча удержана</translation>
+        </message>
+        <message>
             <source>height</source>
             <translation>высота</translation>
         </message>
         <message>
+            <source>heights: %1 layers differ, the first is layer %2, counted from 0</source>
+            <translation>высоты: отличаются слоёв %1, первый — %2, счёт с 0</translation>
+        </message>
+        <message>
             <source>held</source>
             <translation>пауза</translation>
+        </message>
+        <message>
+            <source>held by %1</source>
+            <translation>занято: %1</translation>
         </message>
         <message>
             <source>high</source>
@@ -2491,6 +4637,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>holds no job</source>
             <translation>не содержит задания</translation>
+        </message>
+        <message>
+            <source>holds no line that can be carved (%1)</source>
+            <translation>нет линий, которые можно вырезать (%1)</translation>
+        </message>
+        <message>
+            <source>holes: %1, open edges: %2</source>
+            <translation>дыр: %1, открытых рёбер: %2</translation>
         </message>
         <message>
             <source>home</source>
@@ -2521,12 +4675,28 @@ N, Shift+N  следующая, предыдущая запись
             <translation>вход</translation>
         </message>
         <message>
+            <source>in force</source>
+            <translation>действует</translation>
+        </message>
+        <message>
             <source>in it</source>
             <translation>в записи</translation>
         </message>
         <message>
+            <source>inches</source>
+            <translation>дюймы</translation>
+        </message>
+        <message>
             <source>info</source>
             <translation>сведения</translation>
+        </message>
+        <message>
+            <source>inside out</source>
+            <translation>вывернута наизнанку</translation>
+        </message>
+        <message>
+            <source>install a real-time kernel: apt install linux-image-rt-amd64</source>
+            <translation>установите ядро реального времени: apt install linux-image-rt-amd64</translation>
         </message>
         <message>
             <source>is a folder, not a model file</source>
@@ -2549,8 +4719,48 @@ N, Shift+N  следующая, предыдущая запись
             <translation>не обычный файл</translation>
         </message>
         <message>
+            <source>isolated: %1; the tick takes %2</source>
+            <translation>изолированы: %1; такт берёт %2</translation>
+        </message>
+        <message>
+            <source>its &lt;use&gt; elements draw more than two million elements</source>
+            <translation>элементы &lt;use&gt; рисуют более двух миллионов элементов</translation>
+        </message>
+        <message>
+            <source>its blocks draw more than a million elements</source>
+            <translation>блоки рисуют более миллиона элементов</translation>
+        </message>
+        <message>
+            <source>its grooves are of another tool</source>
+            <translation>его канавки для другого инструмента</translation>
+        </message>
+        <message>
+            <source>its host takes the processor away when it likes, and nothing here can prevent that</source>
+            <translation>хост забирает процессор когда хочет, и здесь этому не помешать</translation>
+        </message>
+        <message>
+            <source>its outlines cannot be joined: %1</source>
+            <translation>контуры не удаётся объединить: %1</translation>
+        </message>
+        <message>
+            <source>its outlines enclose no area; there is nothing to carve</source>
+            <translation>контуры не охватывают площади; вырезать нечего</translation>
+        </message>
+        <message>
+            <source>job</source>
+            <translation>задание</translation>
+        </message>
+        <message>
             <source>jog</source>
             <translation>ручное перемещение</translation>
+        </message>
+        <message>
+            <source>joining</source>
+            <translation>соединение</translation>
+        </message>
+        <message>
+            <source>kernel</source>
+            <translation>ядро ОС</translation>
         </message>
         <message>
             <source>larger than the machine's travel: axis %1 would have to go to %2 mm, allowed are %3; choose a smaller height</source>
@@ -2565,8 +4775,40 @@ N, Shift+N  следующая, предыдущая запись
             <translation>последнее от %1</translation>
         </message>
         <message>
+            <source>layer %1 lies no higher than the one before</source>
+            <translation>слой %1 лежит не выше предыдущего</translation>
+        </message>
+        <message>
+            <source>layer %1 lies no higher than the one before: a table of several passes does not say where each begins and cannot be read back; keep the job file</source>
+            <translation>слой %1 не выше предыдущего: таблица нескольких проходов не говорит, где начинается каждый, и прочесть её обратно нельзя; сохраните файл задания</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: a radius of %3 mm, less than core_radius_mm, %4 mm</source>
+            <translation>слой %1, точка %2: радиус %3 mm меньше core_radius_mm, %4 mm</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: another height than the layer's first point: tables of spirals cannot be read back; keep the job file</source>
+            <translation>слой %1, точка %2: высота не та, что у первой точки слоя: таблицы спиралей обратно не читаются; сохраняйте файл задания</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: axis %3 would have to go to %4 mm, but goes from %5 mm to %6 mm</source>
+            <translation>слой %1, точка %2: оси %3 пришлось бы идти до %4 mm, а её ход от %5 mm до %6 mm</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: psi is not where a continuous or zigzag job has it</source>
+            <translation>слой %1, точка %2: Ψ не там, где у непрерывного задания или зигзага</translation>
+        </message>
+        <message>
             <source>layer %1, point %2: the radius of %3, %4, is inside the core radius of %5; carve less deep, or lower core_radius_mm</source>
             <translation>слой %1, точка %2: радиус %3, %4, внутри радиуса сердцевины %5; режьте мельче или уменьшите core_radius_mm</translation>
+        </message>
+        <message>
+            <source>layers</source>
+            <translation>слои</translation>
+        </message>
+        <message>
+            <source>least blank ⌀ %1 mm</source>
+            <translation>наименьшая заготовка ⌀ %1 mm</translation>
         </message>
         <message>
             <source>least lost</source>
@@ -2575,6 +4817,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>left</source>
             <translation>левая</translation>
+        </message>
+        <message>
+            <source>left out: %1</source>
+            <translation>отброшено: %1</translation>
         </message>
         <message>
             <source>limit</source>
@@ -2589,8 +4835,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>лин.</translation>
         </message>
         <message>
+            <source>lines are engraved once they are sliced</source>
+            <translation>линии гравируются после нарезки</translation>
+        </message>
+        <message>
+            <source>loaded</source>
+            <translation>загружен</translation>
+        </message>
+        <message>
             <source>locked</source>
             <translation>заперто</translation>
+        </message>
+        <message>
+            <source>locked memory</source>
+            <translation>закреплённая память</translation>
         </message>
         <message>
             <source>looking for the best axis was cancelled</source>
@@ -2599,6 +4857,26 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>low</source>
             <translation>низкий</translation>
+        </message>
+        <message>
+            <source>marks %1 mm apart in height; more than %2 mm is no error of mounting. Was Y left alone?</source>
+            <translation>метки по высоте в %1 mm друг от друга; больше %2 mm — не погрешность монтажа. Y не трогали?</translation>
+        </message>
+        <message>
+            <source>marks %1 mm apart on a blank of %2 mm would be %3°; more than %4° is no error of mounting. Was the table turned by exactly half a turn?</source>
+            <translation>метки в %1 mm друг от друга на заготовке %2 mm — это %3°; больше %4° — не погрешность монтажа. Стол повёрнут ровно на пол-оборота?</translation>
+        </message>
+        <message>
+            <source>may not be written</source>
+            <translation>нельзя писать</translation>
+        </message>
+        <message>
+            <source>memory locked</source>
+            <translation>память закреплена</translation>
+        </message>
+        <message>
+            <source>memory touched</source>
+            <translation>память занята заранее</translation>
         </message>
         <message>
             <source>missed %1</source>
@@ -2613,6 +4891,22 @@ N, Shift+N  следующая, предыдущая запись
             <translation>нет</translation>
         </message>
         <message>
+            <source>mm for each unit of the file</source>
+            <translation>mm на единицу файла</translation>
+        </message>
+        <message>
+            <source>model</source>
+            <translation>модель</translation>
+        </message>
+        <message>
+            <source>modprobe ppdev</source>
+            <translation>modprobe ppdev</translation>
+        </message>
+        <message>
+            <source>module lp</source>
+            <translation>модуль lp</translation>
+        </message>
+        <message>
             <source>more layers than pulses: %1 layers, but the model is only %2 mm, %3 pulses of axis Y, high: choose at most %4 layers, or a larger height</source>
             <translation>слоёв больше, чем импульсов: %1, а высота модели лишь %2 mm, %3 импульсов оси Y: выберите не больше %4 слоёв или большую высоту</translation>
         </message>
@@ -2621,12 +4915,44 @@ N, Shift+N  следующая, предыдущая запись
             <translation>точек больше, чем импульсов: %1 в слое, а в половине оборота оси Ψ их %2: выберите не больше %3 точек</translation>
         </message>
         <message>
+            <source>more points than pulses: %1 points in half a turn of %2 pulses</source>
+            <translation>точек больше, чем импульсов: %1 точек на полоборота из %2 импульсов</translation>
+        </message>
+        <message>
+            <source>more than %1 points when its curves are cut into straight pieces; nobody can carve that</source>
+            <translation>более %1 точек после разбиения кривых на отрезки; такое не вырезать</translation>
+        </message>
+        <message>
+            <source>more than 512 MiB, which no drawing or picture needs</source>
+            <translation>более 512 MiB: чертежу или изображению столько не нужно</translation>
+        </message>
+        <message>
+            <source>more than a gigabyte, which no table needs</source>
+            <translation>более гигабайта: таблице столько не нужно</translation>
+        </message>
+        <message>
+            <source>more than four million values in one element</source>
+            <translation>более четырёх миллионов значений в одном элементе</translation>
+        </message>
+        <message>
+            <source>mount -o remount,size=1G /dev/shm, or psicarve-rtcore --capacity for smaller jobs</source>
+            <translation>mount -o remount,size=1G /dev/shm или psicarve-rtcore --capacity для меньших заданий</translation>
+        </message>
+        <message>
+            <source>mount a tmpfs there</source>
+            <translation>смонтируйте там tmpfs</translation>
+        </message>
+        <message>
             <source>move</source>
             <translation>перемещение</translation>
         </message>
         <message>
             <source>moving</source>
             <translation>движется</translation>
+        </message>
+        <message>
+            <source>no blank has %1 mm; %2 to %3 mm can be</source>
+            <translation>заготовки в %1 mm не бывает; возможно от %2 до %3 mm</translation>
         </message>
         <message>
             <source>no core</source>
@@ -2645,36 +4971,96 @@ N, Shift+N  следующая, предыдущая запись
             <translation>задание не опубликовано; сначала опубликуйте</translation>
         </message>
         <message>
+            <source>no layer was finished</source>
+            <translation>ни один слой не закончен</translation>
+        </message>
+        <message>
+            <source>no lines to engrave</source>
+            <translation>нет линий для гравировки</translation>
+        </message>
+        <message>
             <source>no pin</source>
             <translation>нет вывода</translation>
+        </message>
+        <message>
+            <source>no pin has %1 mm; %2 to %3 mm can be</source>
+            <translation>штифта в %1 mm не бывает; возможно от %2 до %3 mm</translation>
+        </message>
+        <message>
+            <source>no right to addresses</source>
+            <translation>нет права на адреса портов</translation>
+        </message>
+        <message>
+            <source>no right to addresses; --port ppdev:/dev/parport0 needs no such right</source>
+            <translation>нет права на адреса портов; для --port ppdev:/dev/parport0 такое право не нужно</translation>
+        </message>
+        <message>
+            <source>no roughing passes: nothing of the blank stands further out than the allowance</source>
+            <translation>черновых проходов нет: ничто от заготовки не выступает за припуск</translation>
         </message>
         <message>
             <source>no such file</source>
             <translation>нет такого файла</translation>
         </message>
         <message>
+            <source>no virtual machine</source>
+            <translation>не виртуальная машина</translation>
+        </message>
+        <message>
             <source>no. %1</source>
             <translation>№ %1</translation>
+        </message>
+        <message>
+            <source>no: a dry run carves nothing</source>
+            <translation>нет: холостой прогон ничего не режет</translation>
+        </message>
+        <message>
+            <source>no: its pins were not recorded (page Ports)</source>
+            <translation>нет: выводы не записаны (страница «Порты»)</translation>
+        </message>
+        <message>
+            <source>nobody knows how far it was carved; look at the piece and choose the layer</source>
+            <translation>неизвестно, докуда вырезано; осмотрите заготовку и выберите слой</translation>
         </message>
         <message>
             <source>none</source>
             <translation>нет</translation>
         </message>
         <message>
+            <source>none is kept free</source>
+            <translation>ни один не оставлен свободным</translation>
+        </message>
+        <message>
             <source>none: add it</source>
             <translation>нет: добавьте</translation>
+        </message>
+        <message>
+            <source>none: not %1</source>
+            <translation>нет: не %1</translation>
         </message>
         <message>
             <source>none: ticks may be late</source>
             <translation>нет: такты могут запаздывать</translation>
         </message>
         <message>
-            <source>not a mesh that can be read here (STL, OBJ, PLY, 3MF or OFF)</source>
-            <translation>не сетка, которую можно здесь прочесть (STL, OBJ, PLY, 3MF или OFF)</translation>
+            <source>not</source>
+            <translation>нет</translation>
         </message>
         <message>
-            <source>not by the window; psicarve carve does</source>
-            <translation>не окном; это делает psicarve carve</translation>
+            <source>not a picture that can be read here (PNG, JPEG, TIFF, BMP, PGM)</source>
+            <translation>не изображение, которое здесь читается (PNG, JPEG, TIFF, BMP, PGM)</translation>
+        </message>
+        <message>
+            <source>not allowed</source>
+            <translation>не разрешено</translation>
+        </message>
+        <message>
+            <source>not asked for</source>
+            <translation>не запрошено</translation>
+        </message>
+        <message>
+            <source>not changed by the kernel</source>
+            <translation>ядро ОС не меняет</translation>
         </message>
         <message>
             <source>not enough memory for so many layers and points</source>
@@ -2693,8 +5079,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>неизвестно</translation>
         </message>
         <message>
+            <source>not known: the surface is not closed, or turned both ways</source>
+            <translation>неизвестен: поверхность не замкнута или повёрнута по-разному</translation>
+        </message>
+        <message>
             <source>not needed</source>
             <translation>не нужны</translation>
+        </message>
+        <message>
+            <source>not needed on the virtual clock</source>
+            <translation>при виртуальных часах не нужны</translation>
         </message>
         <message>
             <source>not recorded</source>
@@ -2709,6 +5103,18 @@ N, Shift+N  следующая, предыдущая запись
             <translation>нельзя в состоянии «%1»; %2</translation>
         </message>
         <message>
+            <source>nothing is open</source>
+            <translation>ничего не открыто</translation>
+        </message>
+        <message>
+            <source>nothing that can be read here: a mesh (STL, OBJ, PLY, 3MF, OFF), a drawing (SVG, DXF), a picture (PNG, JPEG, TIFF, BMP, PGM) or a table (CSV)</source>
+            <translation>ничего, что здесь читается: сетки (STL, OBJ, PLY, 3MF, OFF), чертежа (SVG, DXF), изображения (PNG, JPEG, TIFF, BMP, PGM) или таблицы (CSV)</translation>
+        </message>
+        <message>
+            <source>nothing was carved yet</source>
+            <translation>ещё ничего не вырезано</translation>
+        </message>
+        <message>
             <source>of %1</source>
             <translation>из %1</translation>
         </message>
@@ -2721,6 +5127,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>только в трассе</translation>
         </message>
         <message>
+            <source>only the simulated machine can be driven</source>
+            <translation>управлять можно только симулированным станком</translation>
+        </message>
+        <message>
             <source>only with the drives off</source>
             <translation>только при выключенных приводах</translation>
         </message>
@@ -2729,8 +5139,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>откройте модель</translation>
         </message>
         <message>
+            <source>open edges</source>
+            <translation>открытые рёбра</translation>
+        </message>
+        <message>
+            <source>open edges: %1</source>
+            <translation>открытых рёбер: %1</translation>
+        </message>
+        <message>
             <source>opening was cancelled</source>
             <translation>открытие отменено</translation>
+        </message>
+        <message>
+            <source>ordinary scheduling</source>
+            <translation>обычное планирование</translation>
+        </message>
+        <message>
+            <source>other programs and interrupts run where the tick does</source>
+            <translation>другие программы и прерывания работают там же, где такт</translation>
         </message>
         <message>
             <source>out</source>
@@ -2741,12 +5167,32 @@ N, Shift+N  следующая, предыдущая запись
             <translation>коррекция</translation>
         </message>
         <message>
+            <source>parallel port</source>
+            <translation>параллельный порт</translation>
+        </message>
+        <message>
             <source>passed</source>
             <translation>пройдено</translation>
         </message>
         <message>
+            <source>performance</source>
+            <translation>производительность</translation>
+        </message>
+        <message>
+            <source>pins</source>
+            <translation>проверка контакта</translation>
+        </message>
+        <message>
             <source>plan starved</source>
             <translation>расчёт не успел</translation>
+        </message>
+        <message>
+            <source>points</source>
+            <translation>точки</translation>
+        </message>
+        <message>
+            <source>points do not follow each other from 0 on, as many in each layer</source>
+            <translation>точки должны идти подряд от 0, поровну в каждом слое</translation>
         </message>
         <message>
             <source>port error</source>
@@ -2757,12 +5203,60 @@ N, Shift+N  следующая, предыдущая запись
             <translation>выход на точку</translation>
         </message>
         <message>
+            <source>priority up to %1</source>
+            <translation>приоритет до %1</translation>
+        </message>
+        <message>
+            <source>priority up to %1 only, the tick has %2</source>
+            <translation>приоритет только до %1, у такта %2</translation>
+        </message>
+        <message>
+            <source>processor %1</source>
+            <translation>процессор %1</translation>
+        </message>
+        <message>
+            <source>processor of the tick</source>
+            <translation>процессор такта</translation>
+        </message>
+        <message>
+            <source>processor sleep</source>
+            <translation>сон процессора</translation>
+        </message>
+        <message>
+            <source>processor speed</source>
+            <translation>частота процессора</translation>
+        </message>
+        <message>
+            <source>processor: as the core</source>
+            <translation>процессор: как у ядра</translation>
+        </message>
+        <message>
+            <source>processors kept awake</source>
+            <translation>процессоры не засыпают</translation>
+        </message>
+        <message>
+            <source>processors that sleep deeply wake up late</source>
+            <translation>глубоко спящий процессор просыпается поздно</translation>
+        </message>
+        <message>
+            <source>profile</source>
+            <translation>профиль</translation>
+        </message>
+        <message>
             <source>profile %1</source>
             <translation>профиль %1</translation>
         </message>
         <message>
+            <source>profile as the job's</source>
+            <translation>профиль как у задания</translation>
+        </message>
+        <message>
             <source>profile unknown</source>
             <translation>профиль неизвестен</translation>
+        </message>
+        <message>
+            <source>profile: %1</source>
+            <translation>профиль: %1</translation>
         </message>
         <message>
             <source>psicarve-hmi --opengl tries it again</source>
@@ -2785,12 +5279,32 @@ N, Shift+N  следующая, предыдущая запись
             <translation>имп.</translation>
         </message>
         <message>
-            <source>radius %1 to %2 mm</source>
-            <translation>радиус от %1 до %2 mm</translation>
+            <source>pulses and counts are whole numbers</source>
+            <translation>импульсы и счётчики — целые числа</translation>
+        </message>
+        <message>
+            <source>radii of R1: %1 points differ, the first in layer %2, point %3, counted from 0</source>
+            <translation>радиусы R1: отличаются точек %1, первая в слое %2, точка %3, счёт с 0</translation>
+        </message>
+        <message>
+            <source>radii of R2: %1 points differ, the first in layer %2, point %3, counted from 0</source>
+            <translation>радиусы R2: отличаются точек %1, первая в слое %2, точка %3, счёт с 0</translation>
+        </message>
+        <message>
+            <source>raise the limit: a line "@GROUP - memlock unlimited" in /etc/security/limits.d and a new login, or the capability CAP_IPC_LOCK</source>
+            <translation>поднимите предел: строка "@GROUP - memlock unlimited" в /etc/security/limits.d и новый вход, или право CAP_IPC_LOCK</translation>
+        </message>
+        <message>
+            <source>raw addresses</source>
+            <translation>прямые адреса портов</translation>
         </message>
         <message>
             <source>reachable</source>
             <translation>достижимо</translation>
+        </message>
+        <message>
+            <source>reading it takes about a microsecond, several times a tick</source>
+            <translation>чтение занимает около микросекунды, несколько раз за такт</translation>
         </message>
         <message>
             <source>ready</source>
@@ -2801,12 +5315,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>настоящие часы</translation>
         </message>
         <message>
+            <source>real-time scheduling</source>
+            <translation>планирование реального времени</translation>
+        </message>
+        <message>
             <source>record</source>
             <translation>запись</translation>
         </message>
         <message>
             <source>recorded</source>
             <translation>записано</translation>
+        </message>
+        <message>
+            <source>refused</source>
+            <translation>отказано</translation>
+        </message>
+        <message>
+            <source>report of the slicer</source>
+            <translation>отчёт нарезки</translation>
         </message>
         <message>
             <source>reset first</source>
@@ -2837,12 +5363,36 @@ N, Shift+N  следующая, предыдущая запись
             <translation>правая</translation>
         </message>
         <message>
+            <source>rmmod lp, and keep it out: a line "blacklist lp" in /etc/modprobe.d</source>
+            <translation>rmmod lp, и чтобы не вернулся: строка "blacklist lp" в /etc/modprobe.d</translation>
+        </message>
+        <message>
+            <source>roughing %1 of %2</source>
+            <translation>черновой %1 из %2</translation>
+        </message>
+        <message>
+            <source>roughing begins at the blank's surface: say how large the blank is, or choose finishing only</source>
+            <translation>черновая обработка начинается с поверхности заготовки: укажите её размер или выберите «только чистовая»</translation>
+        </message>
+        <message>
+            <source>run with CAP_SYS_RAWIO, or use --port ppdev:/dev/parport0</source>
+            <translation>запустите с CAP_SYS_RAWIO или используйте --port ppdev:/dev/parport0</translation>
+        </message>
+        <message>
+            <source>see in the kernel's messages why the tsc is not trusted; often the firmware is to blame</source>
+            <translation>посмотрите в сообщениях ядра ОС, почему tsc не доверяют; часто виновата прошивка</translation>
+        </message>
+        <message>
             <source>segment %1</source>
             <translation>сегмент %1</translation>
         </message>
         <message>
             <source>segment lost</source>
             <translation>сегмент потерян</translation>
+        </message>
+        <message>
+            <source>shared memory</source>
+            <translation>разделяемая память</translation>
         </message>
         <message>
             <source>shutdown</source>
@@ -2865,6 +5415,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>шпиндель</translation>
         </message>
         <message>
+            <source>spiral</source>
+            <translation>спираль</translation>
+        </message>
+        <message>
+            <source>stands %1 mm above the table, and the blank is only %2 mm high: nothing of it is left to be carved</source>
+            <translation>стоит на %1 mm выше стола, а заготовка высотой лишь %2 mm: вырезать нечего</translation>
+        </message>
+        <message>
             <source>start</source>
             <translation>пуск</translation>
         </message>
@@ -2873,12 +5431,32 @@ N, Shift+N  следующая, предыдущая запись
             <translation>сначала запустите</translation>
         </message>
         <message>
+            <source>start the kernel with isolcpus=N nohz_full=N rcu_nocbs=N, N the last processor</source>
+            <translation>запустите ядро ОС с isolcpus=N nohz_full=N rcu_nocbs=N, N — последний процессор</translation>
+        </message>
+        <message>
+            <source>start the kernel with processor.max_cstate=1, or one that has that device</source>
+            <translation>запустите ядро ОС с processor.max_cstate=1 или ядро с этим устройством</translation>
+        </message>
+        <message>
             <source>start, or stop</source>
             <translation>запустите или остановите</translation>
         </message>
         <message>
             <source>start-interpolation</source>
             <translation>начать резьбу</translation>
+        </message>
+        <message>
+            <source>status</source>
+            <translation>состояние</translation>
+        </message>
+        <message>
+            <source>status: %1</source>
+            <translation>состояние: %1</translation>
+        </message>
+        <message>
+            <source>step by step</source>
+            <translation>по шагам</translation>
         </message>
         <message>
             <source>steps lost</source>
@@ -2893,16 +5471,56 @@ N, Shift+N  следующая, предыдущая запись
             <translation>остановлено</translation>
         </message>
         <message>
+            <source>stopped %1</source>
+            <translation>остановлено в %1</translation>
+        </message>
+        <message>
+            <source>stopped in layer %1</source>
+            <translation>остановлено в слое %1</translation>
+        </message>
+        <message>
             <source>stopping</source>
             <translation>останавливается</translation>
         </message>
         <message>
-            <source>test-pin</source>
-            <translation>проверка контакта</translation>
+            <source>straight line</source>
+            <translation>прямая</translation>
+        </message>
+        <message>
+            <source>supervisor stalled</source>
+            <translation>ядро не слышало команд</translation>
+        </message>
+        <message>
+            <source>swap</source>
+            <translation>подкачка</translation>
+        </message>
+        <message>
+            <source>swapoff --all while carving, or more memory</source>
+            <translation>swapoff --all во время резьбы или больше памяти</translation>
+        </message>
+        <message>
+            <source>takes %1, with those before %2</source>
+            <translation>%1, с предыдущими %2</translation>
+        </message>
+        <message>
+            <source>takes about %1, with those before %2</source>
+            <translation>занимает около %1, вместе с предыдущими %2</translation>
+        </message>
+        <message>
+            <source>takes at least %1, with those before %2</source>
+            <translation>не менее %1, с предыдущими %2</translation>
         </message>
         <message>
             <source>testing</source>
             <translation>проверка</translation>
+        </message>
+        <message>
+            <source>the XML ends too early</source>
+            <translation>XML обрывается</translation>
+        </message>
+        <message>
+            <source>the allowance must be 0 to %1, not %2</source>
+            <translation>припуск должен быть от 0 до %1, а не %2</translation>
         </message>
         <message>
             <source>the archive unpacks to far more than a model needs</source>
@@ -2911,6 +5529,22 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the axis has no sensor</source>
             <translation>у оси нет датчика</translation>
+        </message>
+        <message>
+            <source>the axis passes beside the model and no sample meets it: nothing but the core would be carved; choose another axis</source>
+            <translation>ось проходит мимо модели, и ни один отсчёт её не встречает: вырезан был бы один сердечник; выберите другую ось</translation>
+        </message>
+        <message>
+            <source>the blank reaches out to %1, but head %2 only to %3: it would stand in the blank before the carving begins; take a smaller blank</source>
+            <translation>заготовка доходит до %1, а головка %2 только до %3: она стояла бы в заготовке ещё до начала; возьмите заготовку меньше</translation>
+        </message>
+        <message>
+            <source>the computer has too little free memory: end other programs</source>
+            <translation>мало свободной памяти: завершите другие программы</translation>
+        </message>
+        <message>
+            <source>the core cannot drive it</source>
+            <translation>ядро не может им управлять</translation>
         </message>
         <message>
             <source>the core did not answer within %1 ms</source>
@@ -2925,6 +5559,38 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ядро сегмента %1 (процесс %2) молчит</translation>
         </message>
         <message>
+            <source>the core runs with another profile than %1; start it with that one</source>
+            <translation>ядро работает с другим профилем, не с %1; запустите его с этим</translation>
+        </message>
+        <message>
+            <source>the core's memory is locked, but a computer that swaps is late with everything else</source>
+            <translation>память ядра закреплена, но компьютер с подкачкой опаздывает во всём остальном</translation>
+        </message>
+        <message>
+            <source>the diameter of the blank is needed</source>
+            <translation>нужен диаметр заготовки</translation>
+        </message>
+        <message>
+            <source>the diameter of the pin is needed</source>
+            <translation>нужен диаметр штифта</translation>
+        </message>
+        <message>
+            <source>the drawing is %1 mm high, and the cylinder only %2 mm: choose a larger height or a smaller scale</source>
+            <translation>высота чертежа %1 mm, а цилиндра всего %2 mm: выберите большую высоту или меньший масштаб</translation>
+        </message>
+        <message>
+            <source>the drawing is %1 mm wide, and once round the cylinder are only %2 mm: choose a scale of at most %3, a larger diameter, or all round</source>
+            <translation>ширина чертежа %1 mm, а окружность цилиндра всего %2 mm: выберите масштаб не более %3, больший диаметр или по кругу</translation>
+        </message>
+        <message>
+            <source>the drawing would be more than ten metres wide or high</source>
+            <translation>чертёж был бы больше десяти метров в ширину или высоту</translation>
+        </message>
+        <message>
+            <source>the drawing's width or height is not more than 0</source>
+            <translation>ширина или высота чертежа не больше 0</translation>
+        </message>
+        <message>
             <source>the face names a vertex that is not there</source>
             <translation>грань называет вершину, которой нет</translation>
         </message>
@@ -2933,12 +5599,28 @@ N, Shift+N  следующая, предыдущая запись
             <translation>файл кончается посреди треугольника</translation>
         </message>
         <message>
+            <source>the file ends too early: there is no EOF</source>
+            <translation>файл обрывается: нет EOF</translation>
+        </message>
+        <message>
             <source>the file is empty</source>
             <translation>файл пуст</translation>
         </message>
         <message>
+            <source>the first element is not &lt;svg&gt;</source>
+            <translation>первый элемент не &lt;svg&gt;</translation>
+        </message>
+        <message>
+            <source>the guard process ended; start the core again</source>
+            <translation>сторожевой процесс завершился; запустите ядро снова</translation>
+        </message>
+        <message>
             <source>the job has not so many layers</source>
             <translation>в задании нет столько слоёв</translation>
+        </message>
+        <message>
+            <source>the job is carved to its end</source>
+            <translation>задание вырезано до конца</translation>
         </message>
         <message>
             <source>the job was made for another machine (%1 differ); slice it again with the machine's profile</source>
@@ -2949,8 +5631,28 @@ N, Shift+N  следующая, предыдущая запись
             <translation>из задания</translation>
         </message>
         <message>
+            <source>the kernel has one, but /dev/parport0 is not there</source>
+            <translation>у ядра ОС он есть, но /dev/parport0 нет</translation>
+        </message>
+        <message>
+            <source>the kernel itself keeps the tick waiting, at times for milliseconds; they are skipped and counted</source>
+            <translation>ядро ОС само задерживает такт, иногда на миллисекунды; такие такты пропускаются и считаются</translation>
+        </message>
+        <message>
+            <source>the largest job takes %1</source>
+            <translation>самое большое задание занимает %1</translation>
+        </message>
+        <message>
+            <source>the largest job takes %1, two may be there</source>
+            <translation>самое большое задание занимает %1, их может быть два</translation>
+        </message>
+        <message>
             <source>the machine came to rest (%1), somebody stopped it</source>
             <translation>станок остановился (%1), его кто-то остановил</translation>
+        </message>
+        <message>
+            <source>the machine is %1; home it, jog %2 to the pin, and let it rest</source>
+            <translation>станок: %1; найдите ноль, подведите %2 к штифту и дайте остановиться</translation>
         </message>
         <message>
             <source>the machine is not homed; home first</source>
@@ -2961,16 +5663,92 @@ N, Shift+N  следующая, предыдущая запись
             <translation>у сетки нет объёма (вся плоская); резать нечего</translation>
         </message>
         <message>
+            <source>the port does not answer: switch the machine off by its own switch</source>
+            <translation>порт не отвечает: выключите станок его собственным выключателем</translation>
+        </message>
+        <message>
+            <source>the port has failed; reset the alarm, then home</source>
+            <translation>порт дал сбой; сбросьте аварию, затем найдите нули</translation>
+        </message>
+        <message>
+            <source>the printer driver may take the port</source>
+            <translation>драйвер принтера может занять порт</translation>
+        </message>
+        <message>
+            <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>
+            <translation>шаг вглубь должен быть больше 0 mm и не больше %1, а не %2</translation>
+        </message>
+        <message>
+            <source>the stepover must be more than 0 mm, not %1</source>
+            <translation>шаг слоёв должен быть больше 0 mm, а не %1</translation>
+        </message>
+        <message>
             <source>the switch of the axis is open; there is nothing to back off from</source>
             <translation>выключатель оси разомкнут; отводить не от чего</translation>
+        </message>
+        <message>
+            <source>the table has no layers</source>
+            <translation>в таблице нет слоёв</translation>
+        </message>
+        <message>
+            <source>the table's %1 points a circle are evened to %2</source>
+            <translation>точки таблицы, %1 на круг, выровнены до %2</translation>
+        </message>
+        <message>
+            <source>the table's last layer is not whole, or there is none</source>
+            <translation>последний слой таблицы не полон, или слоёв нет</translation>
+        </message>
+        <message>
+            <source>the tip of %1 would stand %2 mm further out than counted; is the pin's diameter %3 mm, and does the tip touch it at %4 mm?</source>
+            <translation>острие %1 стояло бы на %2 mm дальше, чем считается; диаметр штифта %3 mm, и острие касается его на %4 mm?</translation>
         </message>
         <message>
             <source>the zip archive is cut off or damaged</source>
             <translation>архив zip обрезан или повреждён</translation>
         </message>
         <message>
+            <source>then about Y</source>
+            <translation>затем вокруг Y</translation>
+        </message>
+        <message>
+            <source>then about Z</source>
+            <translation>затем вокруг Z</translation>
+        </message>
+        <message>
+            <source>there</source>
+            <translation>есть</translation>
+        </message>
+        <message>
+            <source>there is no &lt;svg&gt; element</source>
+            <translation>нет элемента &lt;svg&gt;</translation>
+        </message>
+        <message>
             <source>there is no alarm</source>
             <translation>аварии нет</translation>
+        </message>
+        <message>
+            <source>this is no DXF file: it does not begin with a section</source>
+            <translation>это не файл DXF: он не начинается с раздела</translation>
+        </message>
+        <message>
+            <source>this is not well-formed XML</source>
+            <translation>XML составлен неверно</translation>
+        </message>
+        <message>
+            <source>this kernel lets nobody at addresses</source>
+            <translation>это ядро никого не допускает к адресам портов</translation>
+        </message>
+        <message>
+            <source>this kernel lets nobody at addresses: it is locked down (Secure Boot), or this is a container</source>
+            <translation>это ядро никого не допускает к адресам портов: оно заблокировано (Secure Boot) или это контейнер</translation>
+        </message>
+        <message>
+            <source>this kernel lets nobody at addresses: it is locked down (Secure Boot), or this is a container; --port ppdev:/dev/parport0 needs no such right</source>
+            <translation>это ядро никого не допускает к адресам портов: оно заблокировано (Secure Boot) или это контейнер; для --port ppdev:/dev/parport0 такое право не нужно</translation>
+        </message>
+        <message>
+            <source>this kernel lets nobody at addresses; --port ppdev:/dev/parport0 needs no such right</source>
+            <translation>это ядро никого не допускает к адресам портов; для --port ppdev:/dev/parport0 такое право не нужно</translation>
         </message>
         <message>
             <source>tick %1 µs</source>
@@ -2993,6 +5771,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слишком много команд сразу; подождите остальные</translation>
         </message>
         <message>
+            <source>turn of the table in a layer [pulses]</source>
+            <translation>поворот стола в слое [импульсы]</translation>
+        </message>
+        <message>
+            <source>two programs on one port move motors by accident</source>
+            <translation>две программы на одном порту двигают моторы случайно</translation>
+        </message>
+        <message>
             <source>under way</source>
             <translation>выполняется</translation>
         </message>
@@ -3001,8 +5787,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>поднутрение %1 %</translation>
         </message>
         <message>
+            <source>undercut about %1 %</source>
+            <translation>поднутрение около %1 %</translation>
+        </message>
+        <message>
             <source>unknown</source>
             <translation>неизвестно</translation>
+        </message>
+        <message>
+            <source>unlimited</source>
+            <translation>без ограничения</translation>
+        </message>
+        <message>
+            <source>use --port ppdev:/dev/parport0</source>
+            <translation>используйте --port ppdev:/dev/parport0</translation>
+        </message>
+        <message>
+            <source>use the GNU C library's allocator</source>
+            <translation>используйте распределитель памяти библиотеки GNU C</translation>
         </message>
         <message>
             <source>virtual clock</source>
@@ -3025,8 +5827,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>записан другой сборкой psicarve</translation>
         </message>
         <message>
+            <source>where %1 stands is needed</source>
+            <translation>нужно положение %1</translation>
+        </message>
+        <message>
             <source>whole</source>
             <translation>цела</translation>
+        </message>
+        <message>
+            <source>without area: %1</source>
+            <translation>без площади: %1</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>да</translation>
+        </message>
+        <message>
+            <source>zigzag</source>
+            <translation>зигзаг</translation>
         </message>
         <message>
             <source>× NO CORE</source>
@@ -3065,14 +5883,34 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ψ шаг</translation>
         </message>
         <message>
+            <source>← →  Ψ
+↑ ↓  Y
+PgUp PgDn  R1 out, in
+Ctrl+PgUp PgDn  R2 out, in
+Shift with these  one step</source>
+            <translation>← →  Ψ
+↑ ↓  Y
+PgUp PgDn  R1 наружу, внутрь
+Ctrl+PgUp PgDn  R2 наружу, внутрь
+Shift вместе с ними  один шаг</translation>
+        </message>
+        <message>
             <source>← → Ψ   ↑ ↓ Y   PgUp PgDn R1
 Ctrl+PgUp PgDn R2   Shift one step</source>
             <translation>← → Ψ   ↑ ↓ Y   PgUp PgDn R1
 Ctrl+PgUp PgDn R2   Shift один шаг</translation>
         </message>
         <message>
+            <source>≥ %1 mm</source>
+            <translation>≥ %1 mm</translation>
+        </message>
+        <message>
+            <source>⌀, round</source>
+            <translation>⌀, обвод</translation>
+        </message>
+        <message>
             <source>○ index</source>
-            <translation>○ ноль</translation>
+            <translation>○ метка</translation>
         </message>
         <message>
             <source>○ limit</source>
@@ -3080,7 +5918,7 @@ Ctrl+PgUp PgDn R2   Shift один шаг</translation>
         </message>
         <message>
             <source>● index</source>
-            <translation>● ноль</translation>
+            <translation>● метка</translation>
         </message>
         <message>
             <source>✓ CORE ALIVE</source>

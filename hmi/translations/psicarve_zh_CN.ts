@@ -8,6 +8,10 @@
             <translation> / %1</translation>
         </message>
         <message>
+            <source> or </source>
+            <translation> 或 </translation>
+        </message>
+        <message>
             <source>! CORE LATE</source>
             <translation>! 内核迟滞</translation>
         </message>
@@ -16,12 +20,36 @@
             <translation>! 限位</translation>
         </message>
         <message>
+            <source>%1 % of the surface</source>
+            <translation>表面的 %1 %</translation>
+        </message>
+        <message>
+            <source>%1 MB, %2 faces</source>
+            <translation>%1 MB，%2 个面</translation>
+        </message>
+        <message>
             <source>%1 alone finds its home position</source>
             <translation>%1 单独回零</translation>
         </message>
         <message>
+            <source>%1 and %2: %3 differences</source>
+            <translation>%1 与 %2：%3 处不同</translation>
+        </message>
+        <message>
+            <source>%1 and %2: nothing differs</source>
+            <translation>%1 与 %2：没有不同</translation>
+        </message>
+        <message>
             <source>%1 cannot count so far</source>
             <translation>%1 无法计数到那么远</translation>
+        </message>
+        <message>
+            <source>%1 cannot stand at %2 mm; its travel is %3 to %4 mm</source>
+            <translation>%1 不可能在 %2 mm；其行程为 %3 至 %4 mm</translation>
+        </message>
+        <message>
+            <source>%1 cells</source>
+            <translation>%1 个单元</translation>
         </message>
         <message>
             <source>%1 changes</source>
@@ -36,24 +64,76 @@
             <translation>%1 已闭合</translation>
         </message>
         <message>
+            <source>%1 cm³</source>
+            <translation>%1 cm³</translation>
+        </message>
+        <message>
+            <source>%1 dir</source>
+            <translation>%1 方向</translation>
+        </message>
+        <message>
+            <source>%1 en</source>
+            <translation>%1 使能</translation>
+        </message>
+        <message>
             <source>%1 entries</source>
             <translation>%1 条记录</translation>
+        </message>
+        <message>
+            <source>%1 faces</source>
+            <translation>%1 个面</translation>
+        </message>
+        <message>
+            <source>%1 facets</source>
+            <translation>%1 个面</translation>
+        </message>
+        <message>
+            <source>%1 facets, %2 cm³</source>
+            <translation>%1 个面，%2 cm³</translation>
         </message>
         <message>
             <source>%1 found its sensor</source>
             <translation>%1 找到传感器</translation>
         </message>
         <message>
+            <source>%1 free in /dev/shm</source>
+            <translation>/dev/shm 中空闲 %1</translation>
+        </message>
+        <message>
+            <source>%1 has no closed outline: its lines are engraved</source>
+            <translation>%1 没有闭合轮廓：改为雕刻其线条</translation>
+        </message>
+        <message>
             <source>%1 has no way left in this direction</source>
             <translation>%1 在此方向已无行程</translation>
+        </message>
+        <message>
+            <source>%1 in use</source>
+            <translation>%1 个在用</translation>
+        </message>
+        <message>
+            <source>%1 is no group code</source>
+            <translation>%1 不是组码</translation>
+        </message>
+        <message>
+            <source>%1 is no head of a table: y_mm,r_mm or y_pulses,r_pulses, or what snapshot export writes</source>
+            <translation>%1 不是表格的表头：应为 y_mm,r_mm 或 y_pulses,r_pulses，或 snapshot export 所写的表头</translation>
         </message>
         <message>
             <source>%1 is not a number</source>
             <translation>%1 不是数字</translation>
         </message>
         <message>
+            <source>%1 is not a number that a table can hold</source>
+            <translation>%1 不是表格可用的数</translation>
+        </message>
+        <message>
             <source>%1 is not a number: a vertex needs three</source>
             <translation>%1 不是数字：一个顶点需要三个数字</translation>
+        </message>
+        <message>
+            <source>%1 is not a whole number</source>
+            <translation>%1 不是整数</translation>
         </message>
         <message>
             <source>%1 is not a word of ASCII STL</source>
@@ -62,6 +142,14 @@
         <message>
             <source>%1 is not the number of a vertex</source>
             <translation>%1 不是顶点编号</translation>
+        </message>
+        <message>
+            <source>%1 is not there</source>
+            <translation>没有 %1</translation>
+        </message>
+        <message>
+            <source>%1 is not this trace's job: the heads were elsewhere at %2 of %3 places that were looked at</source>
+            <translation>%1 不是此记录的作业：查看的 %3 处中有 %2 处刀头位置不同</translation>
         </message>
         <message>
             <source>%1 is not wired to any pin</source>
@@ -76,6 +164,14 @@
             <translation>剩余 %1</translation>
         </message>
         <message>
+            <source>%1 lies beside this trace, but is of another run: it is not used</source>
+            <translation>%1 与此记录放在一起，但属于另一次运行：未使用</translation>
+        </message>
+        <message>
+            <source>%1 limit</source>
+            <translation>%1 限位</translation>
+        </message>
+        <message>
             <source>%1 limit switch: closed</source>
             <translation>%1 限位开关：闭合</translation>
         </message>
@@ -84,8 +180,20 @@
             <translation>%1 限位开关：断开</translation>
         </message>
         <message>
+            <source>%1 may not be written</source>
+            <translation>%1 不可写</translation>
+        </message>
+        <message>
             <source>%1 mm</source>
             <translation>%1 mm</translation>
+        </message>
+        <message>
+            <source>%1 mm beside</source>
+            <translation>偏 %1 mm</translation>
+        </message>
+        <message>
+            <source>%1 mm deep goes to the middle of a cylinder of %2 mm diameter</source>
+            <translation>深度 %1 mm 已到达直径 %2 mm 圆柱的中心</translation>
         </message>
         <message>
             <source>%1 mm, r ≤ %2</source>
@@ -96,8 +204,12 @@
             <translation>%1 mm/s</translation>
         </message>
         <message>
-            <source>%1 not homed</source>
-            <translation>%1 未回零</translation>
+            <source>%1 numbers, not 6</source>
+            <translation>有 %1 个数，应为 6 个</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 / %2</translation>
         </message>
         <message>
             <source>%1 of %2 facets have no finite coordinates; this is not a usable mesh</source>
@@ -108,20 +220,36 @@
             <translation>%2 层中有 %1 层不包含轴心。</translation>
         </message>
         <message>
-            <source>%1 of %2 layers do not contain the axis. With Axis at: least lost, %3 of the surface and %4 of the layers would be lost.</source>
-            <translation>%2 层中有 %1 层不包含轴心。若“轴心位于”选“损失最少”，将损失 %3 的表面和 %4 的层。</translation>
+            <source>%1 of %2 layers do not contain the axis. With Axis at: least lost, %3 of the surface and %4 of the layers would be lost; by the same look this axis loses %5 and %6.</source>
+            <translation>%2 层中有 %1 层不包含轴心。若“轴心位于”选“损失最少”，将损失 %3 的表面和 %4 的层；按同样的估算，当前轴心损失 %5 和 %6。</translation>
         </message>
         <message>
             <source>%1 of %2 pass</source>
             <translation>%2 项中 %1 项通过</translation>
         </message>
         <message>
+            <source>%1 of %2 s, %3 missed, at most %4 late</source>
+            <translation>%1 / %2 s，错过 %3，最多迟 %4</translation>
+        </message>
+        <message>
+            <source>%1 of %2 strokes are narrower than the tool cuts, %3 mm: they become as wide as that.</source>
+            <translation>%2 条线中有 %1 条比刀具切宽 %3 mm 窄：按刀具宽度雕刻。</translation>
+        </message>
+        <message>
+            <source>%1 of %2, %3°</source>
+            <translation>%1 / %2，%3°</translation>
+        </message>
+        <message>
+            <source>%1 of %2: %3</source>
+            <translation>第 %1 步，共 %2 步：%3</translation>
+        </message>
+        <message>
             <source>%1 of the surface lies behind another part and cannot be reached.</source>
             <translation>%1 的表面位于其他部分之后，无法到达。</translation>
         </message>
         <message>
-            <source>%1 of the surface lies behind another part and cannot be reached. With Axis at: least lost, %2 of the surface and %3 of the layers would be lost.</source>
-            <translation>%1 的表面位于其他部分之后，无法到达。若“轴心位于”选“损失最少”，将损失 %2 的表面和 %3 的层。</translation>
+            <source>%1 of the surface lies behind another part and cannot be reached. With Axis at: least lost, %2 of the surface and %3 of the layers would be lost; by the same look this axis loses %4 and %5.</source>
+            <translation>%1 的表面位于其他部分之后，无法到达。若“轴心位于”选“损失最少”，将损失 %2 的表面和 %3 的层；按同样的估算，当前轴心损失 %4 和 %5。</translation>
         </message>
         <message>
             <source>%1 planned</source>
@@ -136,6 +264,30 @@
             <translation>%1 脉冲</translation>
         </message>
         <message>
+            <source>%1 pulses counted; the simulated machine stands at %2</source>
+            <translation>已计 %1 个脉冲；仿真机床位于 %2</translation>
+        </message>
+        <message>
+            <source>%1 radii, but the layers before have %2</source>
+            <translation>有 %1 个半径，而前面各层有 %2 个</translation>
+        </message>
+        <message>
+            <source>%1 roughing, finishing</source>
+            <translation>粗加工 %1 遍，精加工</translation>
+        </message>
+        <message>
+            <source>%1 since layer %2, when this window came</source>
+            <translation>%1（自第 %2 层、本窗口打开时起）</translation>
+        </message>
+        <message>
+            <source>%1 step</source>
+            <translation>%1 步进</translation>
+        </message>
+        <message>
+            <source>%1 strokes are not closed and left out, the first from %2 to %3 mm.</source>
+            <translation>%1 条线未闭合，已略去；第一条从 %2 到 %3 mm。</translation>
+        </message>
+        <message>
             <source>%1 ticks missed</source>
             <translation>漏掉 %1 个节拍</translation>
         </message>
@@ -144,8 +296,24 @@
             <translation>最近一秒丢失 %1 个节拍</translation>
         </message>
         <message>
+            <source>%1 to %2 bytes</source>
+            <translation>%1 至 %2 字节</translation>
+        </message>
+        <message>
+            <source>%1 to %2 mm</source>
+            <translation>%1 至 %2 mm</translation>
+        </message>
+        <message>
             <source>%1 turns</source>
             <translation>%1 圈</translation>
+        </message>
+        <message>
+            <source>%1 was not opened</source>
+            <translation>未能打开 %1</translation>
+        </message>
+        <message>
+            <source>%1 was written since it was opened: Reload takes it as it is now</source>
+            <translation>%1 在打开后被改写：点“重新载入”读取现在的内容</translation>
         </message>
         <message>
             <source>%1 would bring the tips closer than head_clearance_mm, %2</source>
@@ -160,16 +328,60 @@
             <translation>%1 会超出行程 %2 至 %3</translation>
         </message>
         <message>
-            <source>%1 × %2 × %3, %4 facets</source>
-            <translation>%1 × %2 × %3，%4 个面片</translation>
+            <source>%1 · ends %2</source>
+            <translation>%1 · %2 结束</translation>
+        </message>
+        <message>
+            <source>%1 × %2 × %3 mm, scale %4</source>
+            <translation>%1 × %2 × %3 mm，比例 %4</translation>
+        </message>
+        <message>
+            <source>%1, PREEMPT_RT</source>
+            <translation>%1，PREEMPT_RT</translation>
+        </message>
+        <message>
+            <source>%1, checked</source>
+            <translation>%1，已核对</translation>
+        </message>
+        <message>
+            <source>%1, facets: %2</source>
+            <translation>%1，面数：%2</translation>
+        </message>
+        <message>
+            <source>%1, held against %2</source>
+            <translation>%1，对照 %2</translation>
+        </message>
+        <message>
+            <source>%1, not %2 of --profile</source>
+            <translation>%1，而非 --profile 的 %2</translation>
+        </message>
+        <message>
+            <source>%1, not PREEMPT_RT</source>
+            <translation>%1，非 PREEMPT_RT</translation>
+        </message>
+        <message>
+            <source>%1, not checked</source>
+            <translation>%1，未核对</translation>
+        </message>
+        <message>
+            <source>%1, of another run</source>
+            <translation>%1，属于另一次运行</translation>
         </message>
         <message>
             <source>%1. Lose them?</source>
             <translation>%1。要放弃吗？</translation>
         </message>
         <message>
+            <source>%1: %2 to look at</source>
+            <translation>%1：有 %2 条需要查看</translation>
+        </message>
+        <message>
             <source>%1: homed</source>
             <translation>%1：已回零</translation>
+        </message>
+        <message>
+            <source>%1: its flight recorder tells of another run; its entries are not shown</source>
+            <translation>%1：其运行记录属于另一次运行；不显示其条目</translation>
         </message>
         <message>
             <source>%1: not homed</source>
@@ -180,8 +392,20 @@
             <translation>%1：是否回零未记录</translation>
         </message>
         <message>
+            <source>%1–%2 mm high (%3 %)</source>
+            <translation>高 %1–%2 mm（%3 %）</translation>
+        </message>
+        <message>
+            <source>--port io:ADDRESS is refused</source>
+            <translation>--port io:ADDRESS 会被拒绝</translation>
+        </message>
+        <message>
             <source>1 change not saved</source>
             <translation>1 处修改未保存</translation>
+        </message>
+        <message>
+            <source>1 stroke is not closed and left out, from %1 to %2 mm.</source>
+            <translation>1 条线未闭合，已略去：从 %1 到 %2 mm。</translation>
         </message>
         <message>
             <source>1 turn</source>
@@ -190,6 +414,34 @@
         <message>
             <source>3 of 3</source>
             <translation>3/3</translation>
+        </message>
+        <message>
+            <source>99 % of the ticks were no later; page Real time tells more</source>
+            <translation>99 % 的节拍不比这更迟；详见实时页</translation>
+        </message>
+        <message>
+            <source>&lt;%1&gt; is left out.</source>
+            <translation>&lt;%1&gt; 已略去。</translation>
+        </message>
+        <message>
+            <source>&lt;%1&gt; is not right and left out.</source>
+            <translation>&lt;%1&gt; 有误，已略去。</translation>
+        </message>
+        <message>
+            <source>&lt;%1&gt; is not right; what follows the fault is left out.</source>
+            <translation>&lt;%1&gt; 有误；错误之后的内容已略去。</translation>
+        </message>
+        <message>
+            <source>&lt;switch&gt; holds nothing for every language and is left out.</source>
+            <translation>&lt;switch&gt; 中没有适用于所有语言的内容，已略去。</translation>
+        </message>
+        <message>
+            <source>&lt;use&gt; of something that is not in this file is left out.</source>
+            <translation>&lt;use&gt; 引用的内容不在此文件中，已略去。</translation>
+        </message>
+        <message>
+            <source>A draft of what the tool will leave, before the model is sliced</source>
+            <translation>刀具会留下什么的草图，在模型切片之前</translation>
         </message>
         <message>
             <source>A head moving in to its first point.</source>
@@ -208,12 +460,32 @@
             <translation>步进脉冲至少持续这么久。</translation>
         </message>
         <message>
+            <source>A tool becomes shorter as it wears: a piece that comes out thicker on the half of %1 by so much in radius. It is counted from the head's touch-off.</source>
+            <translation>刀具磨损后变短：工件在 %1 的一半半径会大出这么多。自该刀头对刀时算起。</translation>
+        </message>
+        <message>
             <source>ALARM</source>
             <translation>报警</translation>
         </message>
         <message>
+            <source>About Psicarve</source>
+            <translation>关于 Psicarve</translation>
+        </message>
+        <message>
+            <source>About Psicarve…</source>
+            <translation>关于 Psicarve…</translation>
+        </message>
+        <message>
+            <source>Above the blank's top there is nothing to cut: %1 of %2 layers are left out.</source>
+            <translation>毛坯顶面以上无可切削：%2 层中略去 %1 层。</translation>
+        </message>
+        <message>
             <source>Acceleration that the motor follows (a_k).</source>
             <translation>电机能跟上的加速度（a_k）。</translation>
+        </message>
+        <message>
+            <source>Acknowledge</source>
+            <translation>确认</translation>
         </message>
         <message>
             <source>Active low</source>
@@ -244,6 +516,30 @@
             <translation>全部</translation>
         </message>
         <message>
+            <source>All chosen axes together; Ψ the short way. Stop and F1 end it.</source>
+            <translation>所选各轴同时运动；Ψ 走近路。停止和 F1 可中止。</translation>
+        </message>
+        <message>
+            <source>All files (*)</source>
+            <translation>所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>All round</source>
+            <translation>整周</translation>
+        </message>
+        <message>
+            <source>All that can be opened (%1)</source>
+            <translation>所有可打开的文件 (%1)</translation>
+        </message>
+        <message>
+            <source>Allowance</source>
+            <translation>余量</translation>
+        </message>
+        <message>
+            <source>Angle</source>
+            <translation>角度</translation>
+        </message>
+        <message>
             <source>Arm</source>
             <translation>启用</translation>
         </message>
@@ -258,6 +554,10 @@
         <message>
             <source>As fast as every motor can follow, or the original's acceleration segments.</source>
             <translation>以各电机能跟上的最快速度，或采用原机的加减速段。</translation>
+        </message>
+        <message>
+            <source>As large as the machine's travel and the blank let it be</source>
+            <translation>在机床行程和毛坯允许范围内尽可能大</translation>
         </message>
         <message>
             <source>As the desktop</source>
@@ -312,6 +612,10 @@
             <translation>退离中</translation>
         </message>
         <message>
+            <source>Back</source>
+            <translation>上一步</translation>
+        </message>
+        <message>
             <source>Back off</source>
             <translation>退离</translation>
         </message>
@@ -332,12 +636,60 @@
             <translation>回到机床</translation>
         </message>
         <message>
+            <source>Before</source>
+            <translation>原值</translation>
+        </message>
+        <message>
+            <source>Begins at</source>
+            <translation>起始方向</translation>
+        </message>
+        <message>
             <source>Between entries</source>
             <translation>记录之间</translation>
         </message>
         <message>
+            <source>Between two points of a layer the tool goes up to %1 mm into the model; more points make that less.</source>
+            <translation>在一层的两点之间，刀具切入模型最深 %1 mm；增加点数可减小。</translation>
+        </message>
+        <message>
             <source>Between two points the path may leave the straight line by this.</source>
             <translation>两点之间轨迹可偏离直线这么多。</translation>
+        </message>
+        <message>
+            <source>Black and white change places</source>
+            <translation>黑白互换</translation>
+        </message>
+        <message>
+            <source>Black, white</source>
+            <translation>黑、白</translation>
+        </message>
+        <message>
+            <source>Blank</source>
+            <translation>毛坯</translation>
+        </message>
+        <message>
+            <source>Blank height</source>
+            <translation>毛坯高度</translation>
+        </message>
+        <message>
+            <source>Blank matches job</source>
+            <translation>毛坯与作业相符</translation>
+        </message>
+        <message>
+            <source>Blank off, 0°</source>
+            <translation>毛坯偏移，0°</translation>
+        </message>
+        <message>
+            <source>Blank off, 90°</source>
+            <translation>毛坯偏移，90°</translation>
+        </message>
+        <message>
+            <source>Blank radius</source>
+            <translation>毛坯半径</translation>
+        </message>
+        <message>
+            <source>Bodies</source>
+            <translation>实体</translation>
         </message>
         <message>
             <source>Both heads in</source>
@@ -348,16 +700,72 @@
             <translation>两刀头向外</translation>
         </message>
         <message>
-            <source>By feed and top speeds alone; the core plans it when it is published</source>
-            <translation>仅按进给和最高速度估算；发布后由内核规划</translation>
+            <source>Bound by</source>
+            <translation>限制因素</translation>
+        </message>
+        <message>
+            <source>Bounds</source>
+            <translation>范围</translation>
+        </message>
+        <message>
+            <source>Brightness to this power</source>
+            <translation>亮度取此次幂</translation>
+        </message>
+        <message>
+            <source>Built-in profile</source>
+            <translation>内置配置</translation>
+        </message>
+        <message>
+            <source>By feed and top speeds alone; acceleration takes longer</source>
+            <translation>仅按进给和最高速度；加速需要更多时间</translation>
+        </message>
+        <message>
+            <source>By feed and top speeds alone; it is planned while the machine is at rest</source>
+            <translation>仅按进给和最高速度；机床静止时进行规划</translation>
         </message>
         <message>
             <source>By hand</source>
             <translation>手动</translation>
         </message>
         <message>
+            <source>By hand; a job does it by itself, and Stop switches it off</source>
+            <translation>手动；任务会自动控制，停止会关闭主轴</translation>
+        </message>
+        <message>
             <source>CARVING</source>
             <translation>雕刻中</translation>
+        </message>
+        <message>
+            <source>Calibrate</source>
+            <translation>校准</translation>
+        </message>
+        <message>
+            <source>Calibrate the heads</source>
+            <translation>校准刀头</translation>
+        </message>
+        <message>
+            <source>Calibrate the heads…</source>
+            <translation>校准刀头…</translation>
+        </message>
+        <message>
+            <source>Calibrate: a value of the profile is wrong</source>
+            <translation>校准：配置中有一个值不正确</translation>
+        </message>
+        <message>
+            <source>Calibrate: open the machine's profile first, or save this one as a file</source>
+            <translation>校准：请先打开机床配置，或将此配置存为文件</translation>
+        </message>
+        <message>
+            <source>Calibrate: save the profile first, or undo what was changed</source>
+            <translation>校准：请先保存配置，或撤销更改</translation>
+        </message>
+        <message>
+            <source>Calibrate…</source>
+            <translation>校准…</translation>
+        </message>
+        <message>
+            <source>Calibration written: %1; the old profile is %2</source>
+            <translation>校准已写入：%1；原配置为 %2</translation>
         </message>
         <message>
             <source>Cancel</source>
@@ -366,6 +774,10 @@
         <message>
             <source>Cancel reading</source>
             <translation>取消读取</translation>
+        </message>
+        <message>
+            <source>Cancel verification</source>
+            <translation>取消校验</translation>
         </message>
         <message>
             <source>Carved against wanted: blue too deep, brown material left</source>
@@ -388,16 +800,44 @@
             <translation>雕刻时间</translation>
         </message>
         <message>
+            <source>Centre of the arc</source>
+            <translation>圆弧中心</translation>
+        </message>
+        <message>
+            <source>Centre of the arc, %1</source>
+            <translation>圆弧中心，%1</translation>
+        </message>
+        <message>
+            <source>Changed since it was sliced: slice again to take it over.</source>
+            <translation>切片之后有更改：请重新切片以采用。</translation>
+        </message>
+        <message>
+            <source>Charge pump</source>
+            <translation>电荷泵</translation>
+        </message>
+        <message>
             <source>Check the axis' home sensor, its wire and its pin in the profile; reset the alarm, then home again.</source>
             <translation>检查该轴的回零传感器、接线和配置中的引脚；复位报警，然后重新回零。</translation>
         </message>
         <message>
-            <source>Check the port's cable, device and permissions; reset the alarm, then home.</source>
-            <translation>检查端口的电缆、设备和权限；复位报警，然后回零。</translation>
+            <source>Check the port's card, cable and driver; once it answers again, reset the alarm, then home.</source>
+            <translation>检查端口的板卡、电缆和驱动程序；端口恢复应答后，复位报警，然后回零。</translation>
         </message>
         <message>
             <source>Check the sensor of axis %1</source>
             <translation>检查轴 %1 的传感器</translation>
+        </message>
+        <message>
+            <source>Check this computer</source>
+            <translation>检查本机</translation>
+        </message>
+        <message>
+            <source>Choose a file...</source>
+            <translation>选择文件...</translation>
+        </message>
+        <message>
+            <source>Circumference of the cylinder, mm</source>
+            <translation>圆柱周长，mm</translation>
         </message>
         <message>
             <source>Clear switch %1, or Back off, until its lamp goes out</source>
@@ -420,8 +860,20 @@
             <translation>命令：%1</translation>
         </message>
         <message>
+            <source>Compare</source>
+            <translation>比较</translation>
+        </message>
+        <message>
+            <source>Compare two snapshots…</source>
+            <translation>比较两个快照…</translation>
+        </message>
+        <message>
             <source>Compare with defaults</source>
             <translation>与默认值比较</translation>
+        </message>
+        <message>
+            <source>Comparison</source>
+            <translation>比较</translation>
         </message>
         <message>
             <source>Controlled stop above this many missed ticks a second; 0: never.</source>
@@ -436,8 +888,28 @@
             <translation>找到内核，进程 %1</translation>
         </message>
         <message>
+            <source>Cutting end of the tools; jobs keep all of it out of the model. A point has no size.</source>
+            <translation>刀具的切削端；加工任务使整个切削端不进入模型。point 没有尺寸。</translation>
+        </message>
+        <message>
+            <source>DRY RUN</source>
+            <translation>空运行</translation>
+        </message>
+        <message>
             <source>Dark</source>
             <translation>深色</translation>
+        </message>
+        <message>
+            <source>Default</source>
+            <translation>默认值</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <translation>深度</translation>
+        </message>
+        <message>
+            <source>Depth limit</source>
+            <translation>深度限制</translation>
         </message>
         <message>
             <source>Deviation</source>
@@ -446,6 +918,22 @@
         <message>
             <source>Deviation: not of a recording; psicarve verify tells it</source>
             <translation>偏差：不适用于记录；请用 psicarve verify</translation>
+        </message>
+        <message>
+            <source>Diameter</source>
+            <translation>直径</translation>
+        </message>
+        <message>
+            <source>Diameter of the blank</source>
+            <translation>毛坯直径</translation>
+        </message>
+        <message>
+            <source>Diameter of the cylinder, mm</source>
+            <translation>圆柱直径，mm</translation>
+        </message>
+        <message>
+            <source>Diameter of the pin</source>
+            <translation>销的直径</translation>
         </message>
         <message>
             <source>Direction of R2 minus 180 degrees, measured once.</source>
@@ -472,12 +960,28 @@
             <translation>完成</translation>
         </message>
         <message>
+            <source>Draft, of samples of the model: tips are kept %1 mm further out</source>
+            <translation>草图，按模型的采样：刀尖向外多留 %1 mm</translation>
+        </message>
+        <message>
+            <source>Drawings (%1)</source>
+            <translation>图形 (%1)</translation>
+        </message>
+        <message>
             <source>Drives and spindle are off. No axis moved: home only if one was turned by hand.</source>
             <translation>驱动和主轴已关闭。没有轴移动：只有被手动转动过才需回零。</translation>
         </message>
         <message>
             <source>Drives and spindle are off; the position is not certain any more.</source>
             <translation>驱动和主轴已关闭；位置不再可靠。</translation>
+        </message>
+        <message>
+            <source>Drives and spindle may still be on, and nothing here can switch them off.</source>
+            <translation>驱动和主轴可能仍然开着，这里无法将其关闭。</translation>
+        </message>
+        <message>
+            <source>Drives and spindle may still be on: the port has not taken the order to switch them off. It is repeated until it does.</source>
+            <translation>驱动和主轴可能仍然开启：端口没有接受关断命令。该命令会一直重复，直到端口接受。</translation>
         </message>
         <message>
             <source>Drives and spindle on</source>
@@ -512,6 +1016,30 @@
             <translation>驱动开</translation>
         </message>
         <message>
+            <source>Dry run</source>
+            <translation>空运行</translation>
+        </message>
+        <message>
+            <source>Dry run from layer %1: the heads go out and stay there, spindle off; Y goes to the layer, then table and Y go as they would.</source>
+            <translation>从第 %1 层空运行：刀头退出并停在外面，主轴关闭；Y 移到该层，然后转台和 Y 按作业运动。</translation>
+        </message>
+        <message>
+            <source>Dry run, layer %1 of %2</source>
+            <translation>空运行，第 %1 层，共 %2 层</translation>
+        </message>
+        <message>
+            <source>Dry run: at its beginning</source>
+            <translation>空运行：在起点</translation>
+        </message>
+        <message>
+            <source>Dry run: to its beginning</source>
+            <translation>空运行：移到起点</translation>
+        </message>
+        <message>
+            <source>E-stop</source>
+            <translation>急停</translation>
+        </message>
+        <message>
             <source>EMERGENCY STOP</source>
             <translation>急停</translation>
         </message>
@@ -532,12 +1060,32 @@
             <translation>急停开关松开</translation>
         </message>
         <message>
+            <source>Emitted since Start: the ways in and out, and back from a hold, as well</source>
+            <translation>自启动起发出的脉冲：包括进刀、退刀和暂停后的返回</translation>
+        </message>
+        <message>
             <source>End</source>
             <translation>结尾</translation>
         </message>
         <message>
             <source>End at which the limit sensor stands.</source>
             <translation>限位传感器所在的一端。</translation>
+        </message>
+        <message>
+            <source>End now</source>
+            <translation>立即结束</translation>
+        </message>
+        <message>
+            <source>End psicarve-rtcore, process %1</source>
+            <translation>结束 psicarve-rtcore，进程 %1</translation>
+        </message>
+        <message>
+            <source>English</source>
+            <translation>简体中文</translation>
+        </message>
+        <message>
+            <source>Engrave its lines</source>
+            <translation>雕刻线条</translation>
         </message>
         <message>
             <source>Entries of the recording</source>
@@ -548,12 +1096,25 @@
             <translation>第 %1 类记录</translation>
         </message>
         <message>
+            <source>Even with a height of its own; else the picture keeps its shape and the rest stays white</source>
+            <translation>即使指定了高度也绕满整周；否则图片保持比例，其余部分为白色</translation>
+        </message>
+        <message>
+            <source>Every edge of every pin into a file, from here on; a job that is carved whole meanwhile is verified</source>
+            <translation>从现在起把每个引脚的每次跳变写入文件；期间完整雕刻的任务会被校验</translation>
+        </message>
+        <message>
             <source>Every pulse</source>
             <translation>每个脉冲</translation>
         </message>
         <message>
+            <source>Expected piece</source>
+            <translation>预期工件</translation>
+        </message>
+        <message>
             <source>F1  emergency stop, everywhere
 Esc  stop, everywhere, while the machine is at work
+Esc in Close the window  cancel
 Ctrl+Enter  start
 Pause  hold, resume
 Ctrl+Home  home all
@@ -565,15 +1126,10 @@ Ctrl+1 … 7  tabs
 Ctrl+L  layer number
 F6  next pane
 F10  menu
-F12  this list
-
-Replay: K  play, pause
-J, L  slower, faster
-N, Shift+N  next entry, entry before
-,  .  one layer
-On the timeline: arrows, Page Up, Page Down, Home, End</source>
+F12  this list</source>
             <translation>F1  急停，任何地方有效
 Esc  停止，机床工作时任何地方有效
+“关闭窗口”中的 Esc  取消
 Ctrl+Enter  启动
 Pause  暂停、继续
 Ctrl+Home  全部回零
@@ -585,13 +1141,7 @@ Ctrl+1 … 7  页面
 Ctrl+L  层号
 F6  下一窗格
 F10  菜单
-F12  本列表
-
-回放：K  播放、暂停
-J、L  慢、快
-N、Shift+N  下一条、上一条记录
-,  .  一层
-在时间轴上：方向键、Page Up、Page Down、Home、End</translation>
+F12  本列表</translation>
         </message>
         <message>
             <source>F1 · the live machine</source>
@@ -626,8 +1176,20 @@ N、Shift+N  下一条、上一条记录
             <translation>进给倍率：机床未回零</translation>
         </message>
         <message>
+            <source>File</source>
+            <translation>文件</translation>
+        </message>
+        <message>
             <source>Find a key</source>
             <translation>查找参数</translation>
+        </message>
+        <message>
+            <source>First difference</source>
+            <translation>第一处差异</translation>
+        </message>
+        <message>
+            <source>First snapshot or job</source>
+            <translation>第一个快照或作业</translation>
         </message>
         <message>
             <source>Fit</source>
@@ -638,12 +1200,28 @@ N、Shift+N  下一条、上一条记录
             <translation>飞行记录</translation>
         </message>
         <message>
+            <source>Flute length</source>
+            <translation>刃长</translation>
+        </message>
+        <message>
             <source>Folder for the support bundle</source>
             <translation>支持包的文件夹</translation>
         </message>
         <message>
+            <source>Follow the machine</source>
+            <translation>跟随机床</translation>
+        </message>
+        <message>
             <source>Forgets the zero of %1</source>
             <translation>清除 %1 的显示零点</translation>
+        </message>
+        <message>
+            <source>Found</source>
+            <translation>检查结果</translation>
+        </message>
+        <message>
+            <source>From R1's mark to R2's, counter-clockwise from above is +</source>
+            <translation>从 R1 的标记到 R2 的标记，俯视逆时针为 +</translation>
         </message>
         <message>
             <source>From layer</source>
@@ -654,8 +1232,20 @@ N、Shift+N  下一条、上一条记录
             <translation>从第 %1 层开始</translation>
         </message>
         <message>
+            <source>From now on</source>
+            <translation>新值</translation>
+        </message>
+        <message>
+            <source>From point to point as the job's tables have it</source>
+            <translation>按任务表逐点计算</translation>
+        </message>
+        <message>
             <source>From the flight recorder. A click goes to an entry.</source>
             <translation>来自飞行记录。单击转到该条。</translation>
+        </message>
+        <message>
+            <source>From where most of the undercut is seen</source>
+            <translation>从看得到最多倒扣的方向</translation>
         </message>
         <message>
             <source>From your zero of %1. The large number is the machine's own position.</source>
@@ -666,6 +1256,10 @@ N、Shift+N  下一条、上一条记录
             <translation>前</translation>
         </message>
         <message>
+            <source>Gamma, smooth</source>
+            <translation>伽马、平滑</translation>
+        </message>
+        <message>
             <source>General</source>
             <translation>常规</translation>
         </message>
@@ -674,8 +1268,48 @@ N、Shift+N  下一条、上一条记录
             <translation>把作业交给内核检查</translation>
         </message>
         <message>
+            <source>Go</source>
+            <translation>移动</translation>
+        </message>
+        <message>
+            <source>Go to</source>
+            <translation>移动到</translation>
+        </message>
+        <message>
+            <source>Go to: an arc is of one head and Y</source>
+            <translation>移动到：圆弧只用于一个刀头和 Y</translation>
+        </message>
+        <message>
+            <source>Go to: choose an axis</source>
+            <translation>移动到：请选择轴</translation>
+        </message>
+        <message>
+            <source>Go to: two axes at most, step by step</source>
+            <translation>移动到：逐步方式最多两个轴</translation>
+        </message>
+        <message>
+            <source>Go to: Ψ moves in straight lines only</source>
+            <translation>移动到：Ψ 只能直线运动</translation>
+        </message>
+        <message>
+            <source>Go to…</source>
+            <translation>移动到…</translation>
+        </message>
+        <message>
             <source>Greatest difference at an index pass that is not the alarm steps lost.</source>
             <translation>经过零位时不触发“丢步”报警的最大偏差。</translation>
+        </message>
+        <message>
+            <source>Grooves are as wide as the strokes of an SVG drawing, at least as the tool</source>
+            <translation>刻槽与 SVG 线条同宽，至少为刀具宽度</translation>
+        </message>
+        <message>
+            <source>Grooves end at the core radius of %1 mm, less deep than asked.</source>
+            <translation>刻槽止于芯半径 %1 mm，浅于要求的深度。</translation>
+        </message>
+        <message>
+            <source>Grooves of the tool's width in a cylinder, instead of an extruded outline</source>
+            <translation>在圆柱上刻出刀具宽度的槽，而不是拉伸轮廓</translation>
         </message>
         <message>
             <source>HELD</source>
@@ -694,8 +1328,12 @@ N、Shift+N  下一条、上一条记录
             <translation>刀头 R2</translation>
         </message>
         <message>
-            <source>Heads move out this far after the last point and on stop.</source>
-            <translation>最后一点之后及停止时刀头退出的距离。</translation>
+            <source>Head clearance</source>
+            <translation>刀头间距</translation>
+        </message>
+        <message>
+            <source>Heads move out this far after the last point, on stop, and on hold if on_hold says so.</source>
+            <translation>最后一点之后、停止时，以及 on_hold 要求时暂停中，刀头退出这么远。</translation>
         </message>
         <message>
             <source>Heads out, spindle off</source>
@@ -710,8 +1348,24 @@ N、Shift+N  下一条、上一条记录
             <translation>高度</translation>
         </message>
         <message>
+            <source>Height sets it</source>
+            <translation>由高度决定</translation>
+        </message>
+        <message>
             <source>Height, radius</source>
             <translation>高度，半径</translation>
+        </message>
+        <message>
+            <source>Help</source>
+            <translation>帮助</translation>
+        </message>
+        <message>
+            <source>Here</source>
+            <translation>此处</translation>
+        </message>
+        <message>
+            <source>Here: no profile is open</source>
+            <translation>此处：未打开配置</translation>
         </message>
         <message>
             <source>Hold</source>
@@ -720,6 +1374,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Hold = move, click = one step.</source>
             <translation>按住 = 移动，单击 = 一步。</translation>
+        </message>
+        <message>
+            <source>Hold asked for: the window closes once the core has taken it</source>
+            <translation>已请求暂停：内核接受后窗口将关闭</translation>
         </message>
         <message>
             <source>Hold for high</source>
@@ -738,6 +1396,10 @@ N、Shift+N  下一条、上一条记录
             <translation>暂停：已经暂停</translation>
         </message>
         <message>
+            <source>Holds every pulse against the job</source>
+            <translation>用任务核对每个脉冲</translation>
+        </message>
+        <message>
             <source>Home</source>
             <translation>回零</translation>
         </message>
@@ -750,8 +1412,16 @@ N、Shift+N  下一条、上一条记录
             <translation>全部回零</translation>
         </message>
         <message>
+            <source>Home before carving</source>
+            <translation>雕刻前请先回零</translation>
+        </message>
+        <message>
             <source>Home Ψ: home R1 and R2 first</source>
             <translation>Ψ 回零：请先将 R1 和 R2 回零</translation>
+        </message>
+        <message>
+            <source>Homed</source>
+            <translation>已回零</translation>
         </message>
         <message>
             <source>Homed, job published</source>
@@ -770,28 +1440,92 @@ N、Shift+N  下一条、上一条记录
             <translation>回零：位置已确定</translation>
         </message>
         <message>
+            <source>How deep black lies, mm</source>
+            <translation>黑色的深度，mm</translation>
+        </message>
+        <message>
+            <source>How deep the grooves are</source>
+            <translation>刻槽深度</translation>
+        </message>
+        <message>
+            <source>How deep the tool can cut</source>
+            <translation>刀具能切多深</translation>
+        </message>
+        <message>
+            <source>How deep the tool can cut; 0: deeper than any cut.</source>
+            <translation>刀具能切多深；0：比任何切深都深。</translation>
+        </message>
+        <message>
+            <source>How deep white lies, mm</source>
+            <translation>白色的深度，mm</translation>
+        </message>
+        <message>
             <source>How far past the sensor the mechanics allow.</source>
             <translation>机械结构允许越过传感器的距离。</translation>
+        </message>
+        <message>
+            <source>How late the core's ticks would be, beside whatever the computer does</source>
+            <translation>在计算机做其他事的同时，内核节拍会迟多少</translation>
         </message>
         <message>
             <source>How late ticks were: number of ticks by lateness</source>
             <translation>节拍迟滞：按迟滞量统计的节拍数</translation>
         </message>
         <message>
+            <source>How long to measure</source>
+            <translation>测量时长</translation>
+        </message>
+        <message>
             <source>How many pulses</source>
             <translation>脉冲数</translation>
+        </message>
+        <message>
+            <source>How much further in each roughing pass goes</source>
+            <translation>每道粗加工比上一道深多少</translation>
+        </message>
+        <message>
+            <source>How much further in each roughing pass goes; 0: the finishing pass alone.</source>
+            <translation>每道粗加工比上一道深多少；0：只做精加工。</translation>
         </message>
         <message>
             <source>How much higher R2 stands than R1, measured once.</source>
             <translation>R2 比 R1 高出多少，一次性测得。</translation>
         </message>
         <message>
+            <source>How much higher R2's mark is, lower is −</source>
+            <translation>R2 的标记高出多少，低为 −</translation>
+        </message>
+        <message>
+            <source>How to go there</source>
+            <translation>移动方式</translation>
+        </message>
+        <message>
+            <source>Hundreds of roughing passes</source>
+            <translation>数百道粗加工</translation>
+        </message>
+        <message>
             <source>IDLE</source>
             <translation>空闲</translation>
         </message>
         <message>
+            <source>INSERT of a block that is not there is left out.</source>
+            <translation>INSERT 引用的块不存在，已略去。</translation>
+        </message>
+        <message>
+            <source>INSERT of a block that is not there or holds itself is left out.</source>
+            <translation>INSERT 引用的块不存在或包含自身，已略去。</translation>
+        </message>
+        <message>
+            <source>If anything still moves, use the wired emergency stop</source>
+            <translation>如仍有运动，请按硬接线急停</translation>
+        </message>
+        <message>
             <source>In the file: %1</source>
             <translation>文件中为：%1</translation>
+        </message>
+        <message>
+            <source>In the lowest layer the tool reaches %1 mm below the table's top: the table must be narrower than the job, or base_height_mm more.</source>
+            <translation>在最低层，刀具低于转台台面 %1 mm：台面必须比作业窄，或者增大 base_height_mm。</translation>
         </message>
         <message>
             <source>In the recording</source>
@@ -814,8 +1548,20 @@ N、Shift+N  下一条、上一条记录
             <translation>输入：均无效</translation>
         </message>
         <message>
+            <source>Invert</source>
+            <translation>反相</translation>
+        </message>
+        <message>
             <source>Iso</source>
             <translation>轴测</translation>
+        </message>
+        <message>
+            <source>Its guard could not switch drives and spindle off: the port does not answer.</source>
+            <translation>其守护进程未能关闭驱动和主轴：端口无响应。</translation>
+        </message>
+        <message>
+            <source>Its guard has switched drives and spindle off.</source>
+            <translation>其守护进程已关闭驱动和主轴。</translation>
         </message>
         <message>
             <source>Its sensor was not found, or did not clear. Likely a broken wire or a sensor out of place.</source>
@@ -846,8 +1592,20 @@ N、Shift+N  下一条、上一条记录
             <translation>作业已发布</translation>
         </message>
         <message>
+            <source>Job, state and flight recorder of the machine, to be looked at later</source>
+            <translation>机床的任务、状态和运行记录，供以后查看</translation>
+        </message>
+        <message>
             <source>Job: %1 × %2 points</source>
             <translation>作业：%1 × %2 点</translation>
+        </message>
+        <message>
+            <source>Jobs (%1)</source>
+            <translation>作业 (%1)</translation>
+        </message>
+        <message>
+            <source>Jobs (*.job *.psi)</source>
+            <translation>任务 (*.job *.psi)</translation>
         </message>
         <message>
             <source>Jobs and snapshots (*.job *.psi *.snap);;All files (*)</source>
@@ -874,12 +1632,36 @@ N、Shift+N  下一条、上一条记录
             <translation>点动：机床未回零</translation>
         </message>
         <message>
+            <source>Jogging</source>
+            <translation>点动</translation>
+        </message>
+        <message>
             <source>Joining</source>
             <translation>层间连接</translation>
         </message>
         <message>
+            <source>K  play, pause
+J, L  slower, faster
+N, Shift+N  next entry, entry before
+,  .  one layer
+Arrows, PgUp, PgDn, Home, End  on the timeline</source>
+            <translation>K  播放、暂停
+J、L  慢、快
+N、Shift+N  下一条、上一条记录
+,  .  一层
+方向键、PgUp、PgDn、Home、End  在时间轴上</translation>
+        </message>
+        <message>
+            <source>Key</source>
+            <translation>键</translation>
+        </message>
+        <message>
             <source>Keys</source>
             <translation>按键</translation>
+        </message>
+        <message>
+            <source>Keys move the machine; F9 ends it.</source>
+            <translation>按键正在移动机床；F9 结束。</translation>
         </message>
         <message>
             <source>Keys…</source>
@@ -892,6 +1674,18 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Language</source>
             <translation>语言</translation>
+        </message>
+        <message>
+            <source>Largest</source>
+            <translation>最大</translation>
+        </message>
+        <message>
+            <source>Largest deviation</source>
+            <translation>最大偏差</translation>
+        </message>
+        <message>
+            <source>Largest sets it</source>
+            <translation>由“最大”决定</translation>
         </message>
         <message>
             <source>Late: median, 99 %, 99.9 %</source>
@@ -910,6 +1704,10 @@ N、Shift+N  下一条、上一条记录
             <translation>第 %1 层</translation>
         </message>
         <message>
+            <source>Layer %1 / %2 · point %3 / %4 · elapsed %5 · override %6 %</source>
+            <translation>层 %1 / %2 · 点 %3 / %4 · 已用 %5 · 倍率 %6 %</translation>
+        </message>
+        <message>
             <source>Layer %1 / %2, point %3 / %4</source>
             <translation>层 %1 / %2，点 %3 / %4</translation>
         </message>
@@ -918,12 +1716,28 @@ N、Shift+N  下一条、上一条记录
             <translation>第 %1 层，共 %2 层</translation>
         </message>
         <message>
+            <source>Layer %1 was the last that was finished.</source>
+            <translation>第 %1 层是最后完成的层。</translation>
+        </message>
+        <message>
+            <source>Layer and point are those of the machine, until others are chosen</source>
+            <translation>层和点随机床变化，直到另选为止</translation>
+        </message>
+        <message>
+            <source>Layer time</source>
+            <translation>本层时间</translation>
+        </message>
+        <message>
             <source>Layer to start from</source>
             <translation>起始层</translation>
         </message>
         <message>
             <source>Layers</source>
             <translation>层</translation>
+        </message>
+        <message>
+            <source>Layers and points lie farther from each other than the tool cuts, %1 mm: choose more of them.</source>
+            <translation>层距和点距大于刀具切宽 %1 mm：请增加层数或点数。</translation>
         </message>
         <message>
             <source>Layers × points</source>
@@ -946,8 +1760,20 @@ N、Shift+N  下一条、上一条记录
             <translation>跳过它之前的层</translation>
         </message>
         <message>
+            <source>Leaves out the layers before it; %1 was the last that was finished</source>
+            <translation>跳过此前的层；最后完成的是第 %1 层</translation>
+        </message>
+        <message>
             <source>Leaves replay and opens the job in this snapshot</source>
             <translation>退出回放并打开快照中的作业</translation>
+        </message>
+        <message>
+            <source>Left out, as they are no lines: %1.</source>
+            <translation>非线条，已略去：%1。</translation>
+        </message>
+        <message>
+            <source>Left over %1 mm at most, at %2°, %3 mm high; %4 mm on average</source>
+            <translation>余料最多 %1 mm，在 %2°、高 %3 mm 处；平均 %4 mm</translation>
         </message>
         <message>
             <source>Level</source>
@@ -964,18 +1790,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Light</source>
             <translation>浅色</translation>
-        </message>
-        <message>
-            <source>Light: carved (%1 layers not seen: as planned). Dark: blank.</source>
-            <translation>浅：已雕刻（%1 层未见到：按计划显示）。深：毛坯。</translation>
-        </message>
-        <message>
-            <source>Light: carved, as planned. Dark: blank.</source>
-            <translation>浅：已雕刻，按计划。深：毛坯。</translation>
-        </message>
-        <message>
-            <source>Light: carved. Dark: blank.</source>
-            <translation>浅：已雕刻。深：毛坯。</translation>
         </message>
         <message>
             <source>Limit switch %1</source>
@@ -1014,6 +1828,10 @@ N、Shift+N  下一条、上一条记录
             <translation>实际机床：%1</translation>
         </message>
         <message>
+            <source>Load the computer meanwhile as it will be loaded: an hour says more than a minute.</source>
+            <translation>测量时请让计算机承受实际负载：一小时比一分钟更说明问题。</translation>
+        </message>
+        <message>
             <source>Locked by the wiring test</source>
             <translation>接线测试中，已锁定</translation>
         </message>
@@ -1050,8 +1868,8 @@ N、Shift+N  下一条、上一条记录
             <translation>日志已保存：%1</translation>
         </message>
         <message>
-            <source>Logical levels, looked at 30 times a second; steps by how many there were in between. A trace (--trace) holds every edge.</source>
-            <translation>逻辑电平，每秒查看 30 次；步进按其间的数量显示。轨迹文件（--trace）记录每个边沿。</translation>
+            <source>Logical levels, looked at 30 times a second; steps by how many there were in between. A recording holds every edge.</source>
+            <translation>逻辑电平，每秒查看 30 次；步进按其间的脉冲数显示。记录文件含每次跳变。</translation>
         </message>
         <message>
             <source>Look for what held the table back and lower its speed or acceleration if nothing did; reset the alarm, then home.</source>
@@ -1062,8 +1880,16 @@ N、Shift+N  下一条、上一条记录
             <translation>查找卡住转台的原因</translation>
         </message>
         <message>
+            <source>Looking at this computer</source>
+            <translation>正在检查本机</translation>
+        </message>
+        <message>
             <source>Looking for the sensors</source>
             <translation>正在寻找传感器</translation>
+        </message>
+        <message>
+            <source>Lost at work</source>
+            <translation>工作中丢失</translation>
         </message>
         <message>
             <source>Lowest and highest position.</source>
@@ -1078,6 +1904,10 @@ N、Shift+N  下一条、上一条记录
             <translation>移动中</translation>
         </message>
         <message>
+            <source>Machine</source>
+            <translation>机床</translation>
+        </message>
+        <message>
             <source>Machine profile</source>
             <translation>机床配置</translation>
         </message>
@@ -1090,6 +1920,22 @@ N、Shift+N  下一条、上一条记录
             <translation>生成作业的数据表（F5）</translation>
         </message>
         <message>
+            <source>Measure</source>
+            <translation>测量</translation>
+        </message>
+        <message>
+            <source>Measure: the machine is at work, and would be disturbed</source>
+            <translation>测量：机床在工作，会受到干扰</translation>
+        </message>
+        <message>
+            <source>Measure: under way</source>
+            <translation>测量：进行中</translation>
+        </message>
+        <message>
+            <source>Measured %1 ticks: 99.9 % at most %2 late, %3 missed</source>
+            <translation>已测量 %1 个节拍：99.9 % 最多迟 %2，错过 %3</translation>
+        </message>
+        <message>
             <source>Menu</source>
             <translation>菜单</translation>
         </message>
@@ -1098,8 +1944,20 @@ N、Shift+N  下一条、上一条记录
             <translation>菜单（F10）</translation>
         </message>
         <message>
+            <source>Mesh</source>
+            <translation>网格</translation>
+        </message>
+        <message>
+            <source>Meshes (%1)</source>
+            <translation>网格 (%1)</translation>
+        </message>
+        <message>
             <source>Messages</source>
             <translation>消息</translation>
+        </message>
+        <message>
+            <source>Mirror along</source>
+            <translation>镜像轴</translation>
         </message>
         <message>
             <source>Missed ticks</source>
@@ -1114,8 +1972,8 @@ N、Shift+N  下一条、上一条记录
             <translation>模型</translation>
         </message>
         <message>
-            <source>Models and jobs (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;Recordings (*.snap *.trace);;All files (*)</source>
-            <translation>模型和作业 (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;记录 (*.snap *.trace);;所有文件 (*)</translation>
+            <source>More than %1 mm on %2 % of the surface</source>
+            <translation>超过 %1 mm 的占表面 %2 %</translation>
         </message>
         <message>
             <source>Motor pulses for one millimetre.</source>
@@ -1130,12 +1988,20 @@ N、Shift+N  下一条、上一条记录
             <translation>把轴缓慢移离闭合的开关</translation>
         </message>
         <message>
+            <source>NO</source>
+            <translation>否</translation>
+        </message>
+        <message>
             <source>NO CORE</source>
             <translation>无内核</translation>
         </message>
         <message>
             <source>Name of the machine, for people.</source>
             <translation>机床名称，供人识别。</translation>
+        </message>
+        <message>
+            <source>Next</source>
+            <translation>下一步</translation>
         </message>
         <message>
             <source>No alarm</source>
@@ -1150,6 +2016,10 @@ N、Shift+N  下一条、上一条记录
             <translation>没有内核服务此共享段</translation>
         </message>
         <message>
+            <source>No core took it: it has stopped nothing, and drives and spindle are as they were.</source>
+            <translation>没有内核接收：未停止任何动作，驱动和主轴保持原状。</translation>
+        </message>
+        <message>
             <source>No core: these are the last figures known</source>
             <translation>无内核：这些是最后已知的数值</translation>
         </message>
@@ -1158,16 +2028,16 @@ N、Shift+N  下一条、上一条记录
             <translation>无内核：这些是最后已知的电平。</translation>
         </message>
         <message>
-            <source>No core: use the switch on the machine</source>
-            <translation>无内核：请使用机床上的开关</translation>
-        </message>
-        <message>
             <source>No job</source>
             <translation>无作业</translation>
         </message>
         <message>
             <source>No job is published.</source>
             <translation>没有已发布的作业。</translation>
+        </message>
+        <message>
+            <source>No job running</source>
+            <translation>没有正在运行的作业</translation>
         </message>
         <message>
             <source>No job: slice a model or open a job</source>
@@ -1194,8 +2064,24 @@ N、Shift+N  下一条、上一条记录
             <translation>内核启动以来未丢节拍</translation>
         </message>
         <message>
+            <source>No tip goes deeper than this below the blank's surface</source>
+            <translation>刀尖在毛坯表面以下不超过此深度</translation>
+        </message>
+        <message>
+            <source>No tip goes deeper than this below the cylinder's surface; 0: no limit.</source>
+            <translation>刀尖在圆柱表面以下不超过此深度；0：不限。</translation>
+        </message>
+        <message>
             <source>No zero</source>
             <translation>清除 Δ</translation>
+        </message>
+        <message>
+            <source>Nobody heard the emergency stop</source>
+            <translation>急停无人响应</translation>
+        </message>
+        <message>
+            <source>Nobody heard the emergency stop: it has stopped nothing</source>
+            <translation>急停无人响应：未停止任何动作</translation>
         </message>
         <message>
             <source>None yet</source>
@@ -1222,6 +2108,10 @@ N、Shift+N  下一条、上一条记录
             <translation>不会雕刻到比此更靠近轴心处。</translation>
         </message>
         <message>
+            <source>Nothing is left over</source>
+            <translation>没有余料</translation>
+        </message>
+        <message>
             <source>Nothing is open.</source>
             <translation>没有打开的文件。</translation>
         </message>
@@ -1230,8 +2120,52 @@ N、Shift+N  下一条、上一条记录
             <translation>一切正常。</translation>
         </message>
         <message>
+            <source>Nowhere too deep</source>
+            <translation>没有过深之处</translation>
+        </message>
+        <message>
+            <source>OFF in other than 3 dimensions</source>
+            <translation>不是三维的 OFF</translation>
+        </message>
+        <message>
+            <source>OFF that is binary; save it as text</source>
+            <translation>二进制 OFF；请另存为文本</translation>
+        </message>
+        <message>
+            <source>Of &lt;style&gt; only rules for element names, .class and #id are followed, not %1.</source>
+            <translation>&lt;style&gt; 中只采用针对元素名、.class 和 #id 的规则，不采用 %1。</translation>
+        </message>
+        <message>
+            <source>Of the body that becomes of it</source>
+            <translation>由此生成的实体的高度</translation>
+        </message>
+        <message>
+            <source>Of the faster head's tool over the surface, in the last second</source>
+            <translation>较快刀头的刀具相对工件表面的速度，最近一秒</translation>
+        </message>
+        <message>
+            <source>Of the picture's 16 bits 8 are taken, as it is stored in tiles or turned.</source>
+            <translation>图片以分块或旋转方式存储，16 位中只取 8 位。</translation>
+        </message>
+        <message>
+            <source>Of the tool where it is widest.</source>
+            <translation>刀具最宽处的直径。</translation>
+        </message>
+        <message>
             <source>Of top speed</source>
             <translation>占最高速度</translation>
+        </message>
+        <message>
+            <source>On a round blank let R1 make a mark: a touch of its tip. Take it out, turn Ψ by exactly 180°, leave Y alone, and let R2 make its own. On a machine without error it falls on R1's.</source>
+            <translation>在圆毛坯上让 R1 的刀尖轻触，做一个标记。退出后将 Ψ 正好转 180°，Y 不动，再让 R2 做标记。无误差的机床上两者重合。</translation>
+        </message>
+        <message>
+            <source>On hold the heads stay in the cut, or leave it by retract_mm and come back before it goes on.</source>
+            <translation>暂停时刀头留在切口中，或退出 retract_mm，继续之前再返回。</translation>
+        </message>
+        <message>
+            <source>On the virtual clock nothing has to be in time</source>
+            <translation>虚拟时钟下没有准时要求</translation>
         </message>
         <message>
             <source>One layer</source>
@@ -1250,6 +2184,10 @@ N、Shift+N  下一条、上一条记录
             <translation>打开机床配置</translation>
         </message>
         <message>
+            <source>Open in directions</source>
+            <translation>开口方向</translation>
+        </message>
+        <message>
             <source>Open its job</source>
             <translation>打开其作业</translation>
         </message>
@@ -1260,6 +2198,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Open model, job or recording…</source>
             <translation>打开模型、作业或记录…</translation>
+        </message>
+        <message>
+            <source>Open points</source>
+            <translation>开口点</translation>
         </message>
         <message>
             <source>Open recent</source>
@@ -1282,6 +2224,10 @@ N、Shift+N  下一条、上一条记录
             <translation>已打开 %1</translation>
         </message>
         <message>
+            <source>Opened without its model: there is nothing to compare the piece with</source>
+            <translation>打开时没有模型：工件无可比较</translation>
+        </message>
+        <message>
             <source>Opened, not sliced yet: %1</source>
             <translation>已打开、尚未切片：%1</translation>
         </message>
@@ -1298,12 +2244,24 @@ N、Shift+N  下一条、上一条记录
             <translation>定位中</translation>
         </message>
         <message>
+            <source>Page faults, preemptions of the tick</source>
+            <translation>节拍的缺页和被抢占次数</translation>
+        </message>
+        <message>
+            <source>Panels in frames of their own</source>
+            <translation>面板独立成窗</translation>
+        </message>
+        <message>
             <source>Part of the next command</source>
             <translation>下一命令的一部分</translation>
         </message>
         <message>
             <source>Parts of the profile</source>
             <translation>配置的各部分</translation>
+        </message>
+        <message>
+            <source>Pass</source>
+            <translation>走刀</translation>
         </message>
         <message>
             <source>Pause</source>
@@ -1314,12 +2272,28 @@ N、Shift+N  下一条、上一条记录
             <translation>内核基本节拍的周期；引脚只在节拍处变化。</translation>
         </message>
         <message>
+            <source>Pictures (%1)</source>
+            <translation>图片 (%1)</translation>
+        </message>
+        <message>
+            <source>Pictures (*.png)</source>
+            <translation>图片 (*.png)</translation>
+        </message>
+        <message>
             <source>Pin</source>
             <translation>引脚</translation>
         </message>
         <message>
+            <source>Pins recorded: %1</source>
+            <translation>引脚已记录：%1</translation>
+        </message>
+        <message>
             <source>Placement and slicing</source>
             <translation>摆放与切片</translation>
+        </message>
+        <message>
+            <source>Planned time</source>
+            <translation>计划时间</translation>
         </message>
         <message>
             <source>Planner angle: directions that differ by less belong to one segment.</source>
@@ -1346,8 +2320,24 @@ N、Shift+N  下一条、上一条记录
             <translation>换向后转台转动前要走完的间隙。</translation>
         </message>
         <message>
+            <source>Point</source>
+            <translation>点</translation>
+        </message>
+        <message>
+            <source>Point %1</source>
+            <translation>点 %1</translation>
+        </message>
+        <message>
+            <source>Point, Ψ</source>
+            <translation>点，Ψ</translation>
+        </message>
+        <message>
             <source>Points / head</source>
             <translation>点数 / 刀头</translation>
+        </message>
+        <message>
+            <source>Points visited</source>
+            <translation>到达的点</translation>
         </message>
         <message>
             <source>Port pins</source>
@@ -1374,6 +2364,14 @@ N、Shift+N  下一条、上一条记录
             <translation>传感器边沿处的位置。</translation>
         </message>
         <message>
+            <source>Position not certain any more</source>
+            <translation>位置不再确定</translation>
+        </message>
+        <message>
+            <source>Position of %1</source>
+            <translation>%1 的位置</translation>
+        </message>
+        <message>
             <source>Positioning keeps the heads this far outside the blank.</source>
             <translation>定位时刀头与毛坯保持的距离。</translation>
         </message>
@@ -1386,8 +2384,36 @@ N、Shift+N  下一条、上一条记录
             <translation>启动前检查</translation>
         </message>
         <message>
+            <source>Present positions</source>
+            <translation>当前位置</translation>
+        </message>
+        <message>
+            <source>Probable unit</source>
+            <translation>可能的单位</translation>
+        </message>
+        <message>
+            <source>Processor</source>
+            <translation>处理器</translation>
+        </message>
+        <message>
+            <source>Processor of the tick</source>
+            <translation>节拍的处理器</translation>
+        </message>
+        <message>
             <source>Profile</source>
             <translation>配置</translation>
+        </message>
+        <message>
+            <source>Profile %1 of --profile is not the machine's, which counts by another one</source>
+            <translation>--profile 的配置 %1 不是机床的配置，机床按另一个配置计数</translation>
+        </message>
+        <message>
+            <source>Profile %1 of --profile is not the machine's, which counts by its own, %2</source>
+            <translation>--profile 的配置 %1 不是机床的配置，机床按自己的配置 %2 计数</translation>
+        </message>
+        <message>
+            <source>Profile matches job</source>
+            <translation>配置与作业相符</translation>
         </message>
         <message>
             <source>Profile not saved: %1</source>
@@ -1446,12 +2472,24 @@ N、Shift+N  下一条、上一条记录
             <translation>%1 的脉冲</translation>
         </message>
         <message>
-            <source>Pulses of the job</source>
-            <translation>作业脉冲</translation>
+            <source>Pulses of %1, with the ways in and out</source>
+            <translation>%1 的脉冲（含进刀和退刀）</translation>
         </message>
         <message>
             <source>Pulses per second R1, R2, Ψ, Y</source>
             <translation>每秒脉冲 R1、R2、Ψ、Y</translation>
+        </message>
+        <message>
+            <source>Pulses since start</source>
+            <translation>启动后脉冲</translation>
+        </message>
+        <message>
+            <source>Pulses to go</source>
+            <translation>剩余脉冲</translation>
+        </message>
+        <message>
+            <source>Pump</source>
+            <translation>电荷泵</translation>
         </message>
         <message>
             <source>R1 and R2 out, then Y, then Ψ to its index (Ctrl+Home)</source>
@@ -1464,6 +2502,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>R1 enable</source>
             <translation>R1 使能</translation>
+        </message>
+        <message>
+            <source>R1 half</source>
+            <translation>R1 半周</translation>
         </message>
         <message>
             <source>R1 in</source>
@@ -1490,6 +2532,10 @@ N、Shift+N  下一条、上一条记录
             <translation>R2 使能</translation>
         </message>
         <message>
+            <source>R2 half</source>
+            <translation>R2 半周</translation>
+        </message>
+        <message>
             <source>R2 in</source>
             <translation>R2 进</translation>
         </message>
@@ -1502,8 +2548,20 @@ N、Shift+N  下一条、上一条记录
             <translation>R2 退</translation>
         </message>
         <message>
+            <source>R2 stands %1 mm lower than R1 and is under the model in %2 of its layers: there it cuts what holds the model down to a radius of %3 mm.</source>
+            <translation>R2 比 R1 低 %1 mm，有 %2 层位于模型下方：它会在那里把支撑模型的部分切到半径 %3 mm。</translation>
+        </message>
+        <message>
             <source>R2 step</source>
             <translation>R2 步进</translation>
+        </message>
+        <message>
+            <source>R2's height error draws the rows up to %1 mm apart, but the tool is only %2 mm wide: between them material stays, as high as the blank; zigzag joining avoids it.</source>
+            <translation>R2 的高度误差使各行相距达 %1 mm，而刀具宽仅 %2 mm：行间会留下与毛坯等高的材料；改用往复连接可避免。</translation>
+        </message>
+        <message>
+            <source>R2's height error makes the rows uneven: up to %1 mm apart instead of %2 mm; zigzag joining avoids it.</source>
+            <translation>R2 的高度误差使各行间距不均：最大相距 %1 mm，而不是 %2 mm；改用往复连接可避免。</translation>
         </message>
         <message>
             <source>READY</source>
@@ -1518,12 +2576,28 @@ N、Shift+N  下一条、上一条记录
             <translation>回放：%1</translation>
         </message>
         <message>
+            <source>Radii</source>
+            <translation>半径</translation>
+        </message>
+        <message>
             <source>Radii of all layers, unrolled</source>
             <translation>所有层的半径展开图</translation>
         </message>
         <message>
             <source>Radius</source>
             <translation>半径</translation>
+        </message>
+        <message>
+            <source>Radius along layer %1, mm over Ψ</source>
+            <translation>第 %1 层的半径（mm，沿 Ψ）</translation>
+        </message>
+        <message>
+            <source>Radius along the layer, both heads</source>
+            <translation>沿层的半径，两个刀头</translation>
+        </message>
+        <message>
+            <source>Radius of the cylinder that is carved, which the heads keep out of; 0: the job's largest.</source>
+            <translation>被雕刻圆柱的半径，刀头在其外移动；0：取任务中的最大半径。</translation>
         </message>
         <message>
             <source>Read off the pins: a trace has no flight recorder. A click goes to an entry.</source>
@@ -1546,12 +2620,40 @@ N、Shift+N  下一条、上一条记录
             <translation>实时权限</translation>
         </message>
         <message>
+            <source>Record pins</source>
+            <translation>记录引脚</translation>
+        </message>
+        <message>
+            <source>Record pins: begin it while the machine is at rest</source>
+            <translation>记录引脚：请在机床静止时开始</translation>
+        </message>
+        <message>
+            <source>Record pins: publish a job first</source>
+            <translation>记录引脚：请先发布任务</translation>
+        </message>
+        <message>
+            <source>Record pins: the last recording is being written</source>
+            <translation>记录引脚：上一次记录正在写入</translation>
+        </message>
+        <message>
+            <source>Record pins…</source>
+            <translation>记录引脚…</translation>
+        </message>
+        <message>
             <source>Recorded levels at the entries of the flight recorder. Steps are not in a snapshot.</source>
             <translation>飞行记录各条时的电平。快照中没有步进。</translation>
         </message>
         <message>
             <source>Recorded levels of the 20 seconds before this moment.</source>
             <translation>此刻之前 20 秒的记录电平。</translation>
+        </message>
+        <message>
+            <source>Recording the pins: %1</source>
+            <translation>正在记录引脚：%1</translation>
+        </message>
+        <message>
+            <source>Recordings (%1)</source>
+            <translation>记录 (%1)</translation>
         </message>
         <message>
             <source>Reference time (T_ref)</source>
@@ -1574,6 +2676,14 @@ N、Shift+N  下一条、上一条记录
             <translation>松开急停开关</translation>
         </message>
         <message>
+            <source>Reload</source>
+            <translation>重新载入</translation>
+        </message>
+        <message>
+            <source>Removed %1 cm³</source>
+            <translation>去除 %1 cm³</translation>
+        </message>
+        <message>
             <source>Replay moves nothing: leave replay first</source>
             <translation>回放不驱动机床：请先退出回放</translation>
         </message>
@@ -1594,6 +2704,10 @@ N、Shift+N  下一条、上一条记录
             <translation>报告</translation>
         </message>
         <message>
+            <source>Report on the model</source>
+            <translation>模型报告</translation>
+        </message>
+        <message>
             <source>Report saved: %1</source>
             <translation>报告已保存：%1</translation>
         </message>
@@ -1606,8 +2720,16 @@ N、Shift+N  下一条、上一条记录
             <translation>报告：尚未启动作业</translation>
         </message>
         <message>
+            <source>Report: open a model first</source>
+            <translation>报告：请先打开模型</translation>
+        </message>
+        <message>
             <source>Report: the job is not known</source>
             <translation>报告：作业未知</translation>
+        </message>
+        <message>
+            <source>Report…</source>
+            <translation>报告…</translation>
         </message>
         <message>
             <source>Reset alarm</source>
@@ -1622,8 +2744,16 @@ N、Shift+N  下一条、上一条记录
             <translation>复位报警：没有报警</translation>
         </message>
         <message>
+            <source>Reset layout</source>
+            <translation>恢复布局</translation>
+        </message>
+        <message>
             <source>Reset the alarm, then home.</source>
             <translation>复位报警，然后回零。</translation>
+        </message>
+        <message>
+            <source>Restore backup</source>
+            <translation>恢复备份</translation>
         </message>
         <message>
             <source>Result</source>
@@ -1638,6 +2768,22 @@ N、Shift+N  下一条、上一条记录
             <translation>继续：未暂停</translation>
         </message>
         <message>
+            <source>Roughing</source>
+            <translation>粗加工</translation>
+        </message>
+        <message>
+            <source>Roughing cannot keep its stepover of %1 mm: the job's layers lie %2 mm apart.</source>
+            <translation>粗加工无法保持 %1 mm 的步距：作业各层相距 %2 mm。</translation>
+        </message>
+        <message>
+            <source>Runs the core's own tick loop with nothing in the tick; touches no machine</source>
+            <translation>运行内核自身的空节拍循环；不接触机床</translation>
+        </message>
+        <message>
+            <source>SCHED_FIFO, priority %1</source>
+            <translation>SCHED_FIFO，优先级 %1</translation>
+        </message>
+        <message>
             <source>SIMULATOR</source>
             <translation>仿真</translation>
         </message>
@@ -1650,6 +2796,18 @@ N、Shift+N  下一条、上一条记录
             <translation>保存</translation>
         </message>
         <message>
+            <source>Save CSV…</source>
+            <translation>保存 CSV…</translation>
+        </message>
+        <message>
+            <source>Save a snapshot</source>
+            <translation>保存快照</translation>
+        </message>
+        <message>
+            <source>Save a snapshot…</source>
+            <translation>保存快照…</translation>
+        </message>
+        <message>
             <source>Save as JSON…</source>
             <translation>另存为 JSON…</translation>
         </message>
@@ -1658,12 +2816,36 @@ N、Shift+N  下一条、上一条记录
             <translation>另存为...</translation>
         </message>
         <message>
+            <source>Save its tables…</source>
+            <translation>保存任务表…</translation>
+        </message>
+        <message>
             <source>Save log…</source>
             <translation>保存日志…</translation>
         </message>
         <message>
+            <source>Save picture…</source>
+            <translation>保存图片…</translation>
+        </message>
+        <message>
+            <source>Save the job</source>
+            <translation>保存任务</translation>
+        </message>
+        <message>
+            <source>Save the job…</source>
+            <translation>保存任务…</translation>
+        </message>
+        <message>
             <source>Save the log</source>
             <translation>保存日志</translation>
+        </message>
+        <message>
+            <source>Save the measurement</source>
+            <translation>保存测量结果</translation>
+        </message>
+        <message>
+            <source>Save the picture</source>
+            <translation>保存图片</translation>
         </message>
         <message>
             <source>Save the profile as</source>
@@ -1672,6 +2854,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Save the report</source>
             <translation>保存报告</translation>
+        </message>
+        <message>
+            <source>Save the tables</source>
+            <translation>保存任务表</translation>
         </message>
         <message>
             <source>Save: %1 values are wrong</source>
@@ -1686,12 +2872,48 @@ N、Shift+N  下一条、上一条记录
             <translation>保存：机床在运动</translation>
         </message>
         <message>
+            <source>Saved: %1</source>
+            <translation>已保存：%1</translation>
+        </message>
+        <message>
+            <source>Scale</source>
+            <translation>比例</translation>
+        </message>
+        <message>
+            <source>Scale sets it</source>
+            <translation>由比例决定</translation>
+        </message>
+        <message>
+            <source>Scales the drawing to go all round</source>
+            <translation>缩放图形使其绕满一周</translation>
+        </message>
+        <message>
+            <source>Scales the model, uniformly</source>
+            <translation>等比缩放模型</translation>
+        </message>
+        <message>
             <source>Schedule two-timer: period of inputs and pulses, at most one pulse in each.</source>
             <translation>two-timer 方案：输入与脉冲的周期，每周期至多一个脉冲。</translation>
         </message>
         <message>
             <source>Schedule two-timer: period of the interpolation.</source>
             <translation>two-timer 方案：插补周期。</translation>
+        </message>
+        <message>
+            <source>Seam</source>
+            <translation>接缝</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>搜索</translation>
+        </message>
+        <message>
+            <source>Search the messages</source>
+            <translation>搜索消息</translation>
+        </message>
+        <message>
+            <source>Second snapshot or job</source>
+            <translation>第二个快照或作业</translation>
         </message>
         <message>
             <source>Section at Y %1 mm, radius in mm</source>
@@ -1702,12 +2924,20 @@ N、Shift+N  下一条、上一条记录
             <translation>层截面，俯视</translation>
         </message>
         <message>
+            <source>See to the port's card, cable and driver</source>
+            <translation>检查端口的板卡、电缆和驱动程序</translation>
+        </message>
+        <message>
             <source>Select axis %1</source>
             <translation>选择轴 %1</translation>
         </message>
         <message>
             <source>Send pulses</source>
             <translation>发送脉冲</translation>
+        </message>
+        <message>
+            <source>Shape vee: between the flanks.</source>
+            <translation>形状 vee：两侧面之间的夹角。</translation>
         </message>
         <message>
             <source>Show</source>
@@ -1728,6 +2958,22 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Signal</source>
             <translation>信号</translation>
+        </message>
+        <message>
+            <source>Silent at work</source>
+            <translation>工作中无响应</translation>
+        </message>
+        <message>
+            <source>Since then the core has ended: there is none to take orders.</source>
+            <translation>此后内核已结束：没有内核接收指令。</translation>
+        </message>
+        <message>
+            <source>Since then the core is silent: it takes no orders.</source>
+            <translation>此后内核无响应：不接收指令。</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>尺寸</translation>
         </message>
         <message>
             <source>Slice</source>
@@ -1754,6 +3000,26 @@ N、Shift+N  下一条、上一条记录
             <translation>正在切片 …</translation>
         </message>
         <message>
+            <source>Smoothed over so far, mm</source>
+            <translation>平滑范围，mm</translation>
+        </message>
+        <message>
+            <source>Snapshots (*.snap)</source>
+            <translation>快照 (*.snap)</translation>
+        </message>
+        <message>
+            <source>Snapshots and jobs (*.snap *.job *.psi);;All files (*)</source>
+            <translation>快照和作业 (*.snap *.job *.psi);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Some facets are flipped against their neighbours; carved as if they were not.</source>
+            <translation>有些面与相邻面朝向相反；按朝向正确雕刻。</translation>
+        </message>
+        <message>
+            <source>Source size</source>
+            <translation>模型大小</translation>
+        </message>
+        <message>
             <source>Speed</source>
             <translation>速度</translation>
         </message>
@@ -1778,12 +3044,28 @@ N、Shift+N  下一条、上一条记录
             <translation>主轴关</translation>
         </message>
         <message>
+            <source>Spindle off. Put a pin of known diameter on the axis, home, and bring %1 to it with the Jog panel, the last steps by hundredths, until the tip just touches: a slip of paper is held.</source>
+            <translation>主轴关闭。在轴线上放一根已知直径的销，回零，用点动面板将 %1 移向它，最后按百分之一毫米移动，直到刀尖刚好接触：纸条被夹住。</translation>
+        </message>
+        <message>
             <source>Spindle on</source>
             <translation>主轴开</translation>
         </message>
         <message>
+            <source>Spindle on or off</source>
+            <translation>主轴开或关</translation>
+        </message>
+        <message>
             <source>Start</source>
             <translation>启动</translation>
+        </message>
+        <message>
+            <source>Start dry run</source>
+            <translation>启动空运行</translation>
+        </message>
+        <message>
+            <source>Start dry run from layer %1</source>
+            <translation>从第 %1 层启动空运行</translation>
         </message>
         <message>
             <source>Start from layer %1</source>
@@ -1800,6 +3082,18 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Start psicarve-rtcore</source>
             <translation>启动 psicarve-rtcore</translation>
+        </message>
+        <message>
+            <source>Start psicarve-rtcore with that profile, or the window without it</source>
+            <translation>请用该配置启动 psicarve-rtcore，或不带该配置启动窗口</translation>
+        </message>
+        <message>
+            <source>Start spindle</source>
+            <translation>启动主轴</translation>
+        </message>
+        <message>
+            <source>Start, One layer and From layer carve nothing: table and Y go as they would, heads outside the blank, spindle off</source>
+            <translation>启动、一层和从层均不雕刻：转台和 Y 按作业运动，刀头在毛坯外，主轴关闭</translation>
         </message>
         <message>
             <source>Start: a job is being made</source>
@@ -1820,6 +3114,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Start: no job is published</source>
             <translation>启动：没有已发布的作业</translation>
+        </message>
+        <message>
+            <source>Start: no layer was finished</source>
+            <translation>启动：没有完成的层</translation>
         </message>
         <message>
             <source>Start: on hold; resume or stop</source>
@@ -1870,12 +3168,32 @@ N、Shift+N  下一条、上一条记录
             <translation>步长 %1 %2</translation>
         </message>
         <message>
+            <source>Stepdown</source>
+            <translation>下切步距</translation>
+        </message>
+        <message>
+            <source>Stepover</source>
+            <translation>层距</translation>
+        </message>
+        <message>
+            <source>Still open: %1</source>
+            <translation>仍打开着：%1</translation>
+        </message>
+        <message>
             <source>Stop</source>
             <translation>停止</translation>
         </message>
         <message>
             <source>Stop asked for</source>
             <translation>已请求停止</translation>
+        </message>
+        <message>
+            <source>Stop recording</source>
+            <translation>停止记录</translation>
+        </message>
+        <message>
+            <source>Stop spindle</source>
+            <translation>停止主轴</translation>
         </message>
         <message>
             <source>Stop: all axes are at rest</source>
@@ -1890,6 +3208,10 @@ N、Shift+N  下一条、上一条记录
             <translation>停止：没有运动</translation>
         </message>
         <message>
+            <source>Stroke widths</source>
+            <translation>按线宽</translation>
+        </message>
+        <message>
             <source>Support bundle: %1</source>
             <translation>支持包：%1</translation>
         </message>
@@ -1898,8 +3220,24 @@ N、Shift+N  下一条、上一条记录
             <translation>支持包…</translation>
         </message>
         <message>
+            <source>Surface</source>
+            <translation>表面</translation>
+        </message>
+        <message>
+            <source>Surface closed, all facets turned alike</source>
+            <translation>表面封闭，所有面朝向一致</translation>
+        </message>
+        <message>
+            <source>Surface that no tip reached</source>
+            <translation>刀尖未到达的表面</translation>
+        </message>
+        <message>
             <source>Switch %1 is still closed</source>
             <translation>开关 %1 仍闭合</translation>
+        </message>
+        <message>
+            <source>Switch the machine off by its own switch</source>
+            <translation>用机床自身的开关关断机床</translation>
         </message>
         <message>
             <source>Switches one output at a time. Home again afterwards.</source>
@@ -1914,16 +3252,64 @@ N、Shift+N  下一条、上一条记录
             <translation>T_ref</translation>
         </message>
         <message>
-            <source>Take backup</source>
-            <translation>恢复备份</translation>
+            <source>Table and Y go as they would, heads outside the blank, spindle off (Ctrl+Enter)</source>
+            <translation>转台和 Y 按作业运动，刀头在毛坯外，主轴关闭（Ctrl+Enter）</translation>
+        </message>
+        <message>
+            <source>Tables (%1)</source>
+            <translation>表格 (%1)</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv *.json)</source>
+            <translation>表格 (*.csv *.json)</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv)</source>
+            <translation>表格 (*.csv)</translation>
+        </message>
+        <message>
+            <source>Takes the position that the core counts now</source>
+            <translation>取内核当前计数的位置</translation>
+        </message>
+        <message>
+            <source>Takes this away once it was read; it moves and stops nothing</source>
+            <translation>读后移除此消息；不移动也不停止任何东西</translation>
         </message>
         <message>
             <source>Text (*.log *.txt)</source>
             <translation>文本 (*.log *.txt)</translation>
         </message>
         <message>
+            <source>Text is left out: convert it to paths in the drawing program.</source>
+            <translation>文字已略去：请在绘图软件中将其转换为路径。</translation>
+        </message>
+        <message>
+            <source>The axis of the file that changes its sign, before the model is turned</source>
+            <translation>在旋转模型之前，文件中改变符号的轴</translation>
+        </message>
+        <message>
             <source>The blank as carved so far</source>
             <translation>目前雕刻到的毛坯</translation>
+        </message>
+        <message>
+            <source>The blank reaches out to %1 mm, which is more than the heads can clear, %2 mm.</source>
+            <translation>毛坯最远伸到 %1 mm，大于刀头能避开的 %2 mm。</translation>
+        </message>
+        <message>
+            <source>The blank's radius of %1 mm is less than the model's, %2 mm.</source>
+            <translation>毛坯半径 %1 mm 小于模型半径 %2 mm。</translation>
+        </message>
+        <message>
+            <source>The blank's radius of %1 mm is more than the heads can clear, %2 mm.</source>
+            <translation>毛坯半径 %1 mm 大于刀头能避开的 %2 mm。</translation>
+        </message>
+        <message>
+            <source>The blank's top stands %1 mm above the table, the model's %2 mm.</source>
+            <translation>毛坯顶面高出转台 %1 mm，模型顶面高出 %2 mm。</translation>
+        </message>
+        <message>
+            <source>The blank, the passes' depths and the tool, to scale</source>
+            <translation>毛坯、各道深度和刀具（按比例）</translation>
         </message>
         <message>
             <source>The built-in profile has no file: save it as one.</source>
@@ -1966,20 +3352,56 @@ N、Shift+N  下一条、上一条记录
             <translation>内核在第 %1 层结束</translation>
         </message>
         <message>
+            <source>The core has ended in layer %1, point %2</source>
+            <translation>内核在第 %1 层、第 %2 点结束</translation>
+        </message>
+        <message>
+            <source>The core has ended in the middle of its work</source>
+            <translation>内核在工作中途结束</translation>
+        </message>
+        <message>
             <source>The core has this job.</source>
             <translation>内核已有此作业。</translation>
+        </message>
+        <message>
+            <source>The core heard no command for a second, no stop either: free the computer of other work, look after its memory and disks; reset the alarm, then start again.</source>
+            <translation>内核有一秒钟听不到任何命令，停止命令也听不到：请减轻计算机的其他负担，检查内存和磁盘；复位报警，然后重新启动。</translation>
+        </message>
+        <message>
+            <source>The core is heard again</source>
+            <translation>内核恢复响应</translation>
         </message>
         <message>
             <source>The core is silent</source>
             <translation>内核无响应</translation>
         </message>
         <message>
-            <source>The core is silent: use the switch on the machine</source>
-            <translation>内核无响应：请使用机床上的开关</translation>
+            <source>The core is silent in the middle of its work</source>
+            <translation>内核在工作中途无响应</translation>
+        </message>
+        <message>
+            <source>The core is silent, in layer %1, point %2</source>
+            <translation>内核无响应，在第 %1 层、第 %2 点</translation>
         </message>
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>
             <translation>内核使用虚拟时钟：节拍从不迟滞</translation>
+        </message>
+        <message>
+            <source>The core's tick</source>
+            <translation>内核节拍</translation>
+        </message>
+        <message>
+            <source>The depth limit of %1 mm below the blank's surface keeps the heads out of %2 of the points, by up to %3 mm.</source>
+            <translation>毛坯表面以下 %1 mm 的深度限制使刀头在 %2 的点上未切到位，最多差 %3 mm。</translation>
+        </message>
+        <message>
+            <source>The drawing does not say how large it is: its units are taken as 1/96 inch (0.26 mm).</source>
+            <translation>图形未注明大小：其单位按 1/96 英寸（0.26 mm）计。</translation>
+        </message>
+        <message>
+            <source>The drawing does not say its units: they are taken as millimetres.</source>
+            <translation>图形未注明单位：按毫米计。</translation>
         </message>
         <message>
             <source>The emergency stop switch is still pressed</source>
@@ -1990,12 +3412,28 @@ N、Shift+N  下一条、上一条记录
             <translation>文件结尾缺少 endsolid。</translation>
         </message>
         <message>
+            <source>The file was written since it was opened</source>
+            <translation>文件在打开后被改写</translation>
+        </message>
+        <message>
+            <source>The finishing pass alone</source>
+            <translation>只做精加工</translation>
+        </message>
+        <message>
             <source>The gap between two step pulses lasts at least this long.</source>
             <translation>两个步进脉冲之间的间隔至少这么久。</translation>
         </message>
         <message>
             <source>The guard process ended: start the core again.</source>
             <translation>守护进程已结束：请重新启动内核。</translation>
+        </message>
+        <message>
+            <source>The heads can go only %1 mm out of the blank before they begin, not the %2 mm of job.clearance_mm.</source>
+            <translation>开始前刀头只能退到毛坯外 %1 mm，达不到 job.clearance_mm 的 %2 mm。</translation>
+        </message>
+        <message>
+            <source>The heads may stand in the piece.</source>
+            <translation>刀头可能停在工件中。</translation>
         </message>
         <message>
             <source>The heads wait at the first point; start or stop</source>
@@ -2014,6 +3452,10 @@ N、Shift+N  下一条、上一条记录
             <translation>下次打开窗口时更换语言</translation>
         </message>
         <message>
+            <source>The layers lie %1 mm apart, but the tool is only %2 mm wide: between them material stays, as high as the blank; more layers leave less.</source>
+            <translation>各层相距 %1 mm，而刀具仅宽 %2 mm：层间会留下与毛坯等高的材料；层数越多，残留越少。</translation>
+        </message>
+        <message>
             <source>The least time that the motors' limits allow for the whole job</source>
             <translation>在电机限值内完成整个任务的最短时间</translation>
         </message>
@@ -2026,12 +3468,28 @@ N、Shift+N  下一条、上一条记录
             <translation>日志未保存：%1</translation>
         </message>
         <message>
+            <source>The machine is at work no more: the window can be closed</source>
+            <translation>机床已不在工作：可以关闭窗口</translation>
+        </message>
+        <message>
             <source>The machine is at work. It does not need this window: what is to become of it?</source>
             <translation>机床正在工作。它不需要此窗口：要如何处理？</translation>
         </message>
         <message>
+            <source>The machine still has its job of before: Start carves %1.</source>
+            <translation>机床仍是原来的作业：“启动”将雕刻 %1。</translation>
+        </message>
+        <message>
             <source>The machine's profile is not known here: pins are those of the built-in profile.</source>
             <translation>此处不知道机床配置：引脚按内置配置显示。</translation>
+        </message>
+        <message>
+            <source>The mesh has holes, which are carved down to what lies behind them, or to the core.</source>
+            <translation>网格有孔洞：孔洞处会雕到其后的表面或芯部。</translation>
+        </message>
+        <message>
+            <source>The mesh is inside out; carved as if it were not.</source>
+            <translation>网格内外翻转；按未翻转雕刻。</translation>
         </message>
         <message>
             <source>The mesh is open at %1 of the samples; what is missing there is carved down to what lies behind it, or to the core.</source>
@@ -2046,12 +3504,44 @@ N、Shift+N  下一条、上一条记录
             <translation>模型只有 %1 mm 高：单位是英寸或米吗？用“高度”放大。</translation>
         </message>
         <message>
+            <source>The model stands out of the blank, which is off the table's axis, by up to %1 mm in direction %2°.</source>
+            <translation>毛坯偏离转台轴线，模型在 %2° 方向最多伸出毛坯 %1 mm。</translation>
+        </message>
+        <message>
             <source>The model stands so far from its file's origin that its coordinates are rounded to %1 mm, more than a pulse (%2 mm): move it to the origin before it is exported.</source>
             <translation>模型离文件原点太远，坐标被舍入到 %1 mm，超过一个脉冲（%2 mm）：导出前请移到原点。</translation>
         </message>
         <message>
+            <source>The most between two of roughing's layers; 0: as the tool allows.</source>
+            <translation>粗加工相邻两层的最大间距；0：按刀具允许。</translation>
+        </message>
+        <message>
+            <source>The most between two of roughing's layers; auto: as the tool allows</source>
+            <translation>粗加工相邻两层的最大间距；自动：按刀具允许</translation>
+        </message>
+        <message>
             <source>The old file is kept as a backup. A core takes a profile when it starts.</source>
             <translation>旧文件保留为备份。内核在启动时读取配置。</translation>
+        </message>
+        <message>
+            <source>The old file is kept as a backup. Then start the core with the new one, and slice models anew: a job is made for one calibration.</source>
+            <translation>旧文件保留为备份。之后用新文件启动内核，并重新切片：作业只对应一次校准。</translation>
+        </message>
+        <message>
+            <source>The picture is in colour; its brightness is taken.</source>
+            <translation>图片是彩色的；取其亮度。</translation>
+        </message>
+        <message>
+            <source>The picture's %1 x %2 pixels are averaged to %3 x %4.</source>
+            <translation>图片的 %1 x %2 像素已平均为 %3 x %4。</translation>
+        </message>
+        <message>
+            <source>The picture's left and right edges do not meet: a step of up to %1 mm at direction 0. Seam: blended makes it smooth.</source>
+            <translation>图片左右边缘不相接：在方向 0 处有最大 %1 mm 的台阶。将“接缝”选为“平滑”可消除。</translation>
+        </message>
+        <message>
+            <source>The port does not answer</source>
+            <translation>端口没有应答</translation>
         </message>
         <message>
             <source>The shared memory was removed or damaged from outside: reset the alarm and publish the job again.</source>
@@ -2062,8 +3552,40 @@ N、Shift+N  下一条、上一条记录
             <translation>转台丢步</translation>
         </message>
         <message>
+            <source>The table is taken as it stands: R2's angle and height errors stay in it.</source>
+            <translation>表格按原样采用：R2 的角度和高度误差仍在其中。</translation>
+        </message>
+        <message>
             <source>The table keeps turning, runs to and fro, or the heads rise as it turns, without links; a job carries its own.</source>
             <translation>转台持续转动、往复转动，或刀头随转动上升而无层间连接；作业自带此设置。</translation>
+        </message>
+        <message>
+            <source>The tool alone: no blank is chosen</source>
+            <translation>只有刀具：未选毛坯</translation>
+        </message>
+        <message>
+            <source>The tool cuts %1 mm deep, but the job goes %2 mm into the blank.</source>
+            <translation>刀具切深 %1 mm，而作业切入毛坯 %2 mm。</translation>
+        </message>
+        <message>
+            <source>The tool has become this much shorter since the touch-off; added to the tip offset.</source>
+            <translation>对刀之后刀具变短了这么多；加到刀尖偏移上。</translation>
+        </message>
+        <message>
+            <source>The tool is a point, which leaves no width: grooves are as wide as the real tool cuts them.</source>
+            <translation>刀具为点，没有宽度：刻槽与实际刀具切出的同宽。</translation>
+        </message>
+        <message>
+            <source>The tool leaves</source>
+            <translation>刀具留下</translation>
+        </message>
+        <message>
+            <source>The tool leaves (draft)</source>
+            <translation>刀具留下（草图）</translation>
+        </message>
+        <message>
+            <source>The window stays open: the core has not taken the hold</source>
+            <translation>窗口保持打开：内核未接受暂停</translation>
         </message>
         <message>
             <source>The Ψ index did not come where it was expected.</source>
@@ -2086,8 +3608,20 @@ N、Shift+N  下一条、上一条记录
             <translation>之后可逐个切换输出</translation>
         </message>
         <message>
+            <source>This computer</source>
+            <translation>本机</translation>
+        </message>
+        <message>
+            <source>Thread</source>
+            <translation>线程</translation>
+        </message>
+        <message>
             <source>Tick</source>
             <translation>节拍</translation>
+        </message>
+        <message>
+            <source>Tick to measure with</source>
+            <translation>测量所用节拍</translation>
         </message>
         <message>
             <source>Ticks by how late they were (logarithmic)</source>
@@ -2096,6 +3630,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Ticks in which a step waited for its pin</source>
             <translation>步进等待引脚的节拍</translation>
+        </message>
+        <message>
+            <source>Ticks measured, missed</source>
+            <translation>测量的节拍，错过的</translation>
         </message>
         <message>
             <source>Ticks per second</source>
@@ -2118,6 +3656,10 @@ N、Shift+N  下一条、上一条记录
             <translation>记录时间轴</translation>
         </message>
         <message>
+            <source>To a position: one axis or several, straight or on an arc</source>
+            <translation>移动到某位置：一个或多个轴，直线或圆弧</translation>
+        </message>
+        <message>
             <source>To the begin</source>
             <translation>到开头</translation>
         </message>
@@ -2138,12 +3680,28 @@ N、Shift+N  下一条、上一条记录
             <translation>到下一条 (N)</translation>
         </message>
         <message>
+            <source>Too deep by %1 mm at most, at %2°, %3 mm high</source>
+            <translation>最多过深 %1 mm，在 %2°、高 %3 mm 处</translation>
+        </message>
+        <message>
+            <source>Tool</source>
+            <translation>刀具</translation>
+        </message>
+        <message>
             <source>Tool over surface; a job carries its own.</source>
             <translation>刀具相对表面的速度；作业自带此设置。</translation>
         </message>
         <message>
+            <source>Tools</source>
+            <translation>工具</translation>
+        </message>
+        <message>
             <source>Top</source>
             <translation>上</translation>
+        </message>
+        <message>
+            <source>Top of the cylinder above the table; 0: not known.</source>
+            <translation>圆柱顶面距工作台的高度；0：未知。</translation>
         </message>
         <message>
             <source>Top speed that the motor follows (v_k).</source>
@@ -2154,12 +3712,72 @@ N、Shift+N  下一条、上一条记录
             <translation>总时间</translation>
         </message>
         <message>
+            <source>Touch-off of %1</source>
+            <translation>%1 对刀</translation>
+        </message>
+        <message>
+            <source>Touch-off, two marks and tool wear become values of the profile, step by step</source>
+            <translation>对刀、两个标记和刀具磨损逐步成为配置中的值</translation>
+        </message>
+        <message>
             <source>Touch-off: the real tip stands this much further out than counted.</source>
             <translation>对刀：实际刀尖比计数位置更靠外的量。</translation>
         </message>
         <message>
+            <source>Touches no machine. Measure does so at length.</source>
+            <translation>不接触机床。“测量”可长时间检查。</translation>
+        </message>
+        <message>
+            <source>Trace to verify</source>
+            <translation>要校验的轨迹</translation>
+        </message>
+        <message>
+            <source>Traces (*.trace *.vcd);;All files (*)</source>
+            <translation>轨迹 (*.trace *.vcd);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Turn about X</source>
+            <translation>绕 X 旋转</translation>
+        </message>
+        <message>
+            <source>Turn, mirror</source>
+            <translation>旋转、镜像</translation>
+        </message>
+        <message>
+            <source>Turns or mirrors the model before it is placed</source>
+            <translation>在放置模型之前旋转或镜像</translation>
+        </message>
+        <message>
+            <source>Two marks</source>
+            <translation>两个标记</translation>
+        </message>
+        <message>
+            <source>Undercut</source>
+            <translation>倒扣</translation>
+        </message>
+        <message>
+            <source>Undercut: choose Model first</source>
+            <translation>倒扣：请先选择“模型”</translation>
+        </message>
+        <message>
+            <source>Undercut: it is being looked for</source>
+            <translation>倒扣：正在查找</translation>
+        </message>
+        <message>
+            <source>Undercut: open a model first</source>
+            <translation>倒扣：请先打开模型</translation>
+        </message>
+        <message>
+            <source>Undercut: there is none</source>
+            <translation>倒扣：没有</translation>
+        </message>
+        <message>
             <source>Undo all</source>
             <translation>全部撤销</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>单位</translation>
         </message>
         <message>
             <source>Unrolled Ψ–Y map of radii</source>
@@ -2170,12 +3788,68 @@ N、Shift+N  下一条、上一条记录
             <translation>向上的轴</translation>
         </message>
         <message>
+            <source>Up to %1 roughing passes of all layers</source>
+            <translation>最多 %1 道粗加工，走全部层</translation>
+        </message>
+        <message>
+            <source>Up to %1 roughing passes, layers %2 mm apart</source>
+            <translation>最多 %1 道粗加工，层距 %2 mm</translation>
+        </message>
+        <message>
             <source>Use the switch on the machine to stop it</source>
             <translation>请用机床上的开关停机</translation>
         </message>
         <message>
+            <source>Use the wired emergency stop, or the machine's own switch</source>
+            <translation>请按硬接线急停或机床自身的开关</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>数值</translation>
+        </message>
+        <message>
+            <source>Verification</source>
+            <translation>校验</translation>
+        </message>
+        <message>
+            <source>Verification found a difference</source>
+            <translation>校验发现差异</translation>
+        </message>
+        <message>
+            <source>Verification found a difference: %1</source>
+            <translation>校验发现差异：%1</translation>
+        </message>
+        <message>
             <source>Verified</source>
             <translation>已校验</translation>
+        </message>
+        <message>
+            <source>Verified: the pins carve the job, largest deviation %1 pulses</source>
+            <translation>已校验：引脚雕出该任务，最大偏差 %1 个脉冲</translation>
+        </message>
+        <message>
+            <source>Verify</source>
+            <translation>校验</translation>
+        </message>
+        <message>
+            <source>Verify a trace…</source>
+            <translation>校验轨迹…</translation>
+        </message>
+        <message>
+            <source>Verify: add its job first</source>
+            <translation>校验：请先添加其任务</translation>
+        </message>
+        <message>
+            <source>Verifying %1</source>
+            <translation>正在校验 %1</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>视图</translation>
+        </message>
+        <message>
+            <source>Volume</source>
+            <translation>体积</translation>
         </message>
         <message>
             <source>WAITING</source>
@@ -2198,12 +3872,76 @@ N、Shift+N  下一条、上一条记录
             <translation>警告和报警</translation>
         </message>
         <message>
+            <source>Wear of the tool of %1</source>
+            <translation>%1 的刀具磨损</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>内容</translation>
+        </message>
+        <message>
+            <source>What becomes of it</source>
+            <translation>结果</translation>
+        </message>
+        <message>
             <source>What happened</source>
             <translation>发生了什么</translation>
         </message>
         <message>
+            <source>What keeps ticks in time</source>
+            <translation>节拍准时的条件</translation>
+        </message>
+        <message>
+            <source>What roughing leaves for the finishing pass</source>
+            <translation>粗加工留给精加工的量</translation>
+        </message>
+        <message>
+            <source>What roughing leaves for the finishing pass, along the radius.</source>
+            <translation>粗加工沿半径留给精加工的量。</translation>
+        </message>
+        <message>
+            <source>What the job and its tool will leave, and how far it is from the model</source>
+            <translation>作业及其刀具会留下什么，与模型相差多少</translation>
+        </message>
+        <message>
+            <source>What the mesh is made of, what is wrong with it and what no tool reaches</source>
+            <translation>网格由什么组成、有什么问题、哪些地方刀具够不到</translation>
+        </message>
+        <message>
             <source>What to do</source>
             <translation>如何处理</translation>
+        </message>
+        <message>
+            <source>What was measured so far is the result</source>
+            <translation>以目前测得的为结果</translation>
+        </message>
+        <message>
+            <source>Where %1 is shown to stand</source>
+            <translation>显示的 %1 位置</translation>
+        </message>
+        <message>
+            <source>Where the blank's axis stands off the table's, towards direction 0°</source>
+            <translation>毛坯轴线相对转台轴线的偏移，朝 0° 方向</translation>
+        </message>
+        <message>
+            <source>Where the blank's axis stands off the table's, towards direction 90°</source>
+            <translation>毛坯轴线相对转台轴线的偏移，朝 90° 方向</translation>
+        </message>
+        <message>
+            <source>Where the cylinder's axis stands off the table's, towards direction 0.</source>
+            <translation>圆柱轴线相对转台轴线的偏移，朝 0° 方向。</translation>
+        </message>
+        <message>
+            <source>Where the cylinder's axis stands off the table's, towards direction 90.</source>
+            <translation>圆柱轴线相对转台轴线的偏移，朝 90° 方向。</translation>
+        </message>
+        <message>
+            <source>Where the leftmost of the drawing's lines stands</source>
+            <translation>图形中最左边的线所在的方向</translation>
+        </message>
+        <message>
+            <source>Where the picture's left and right edges meet</source>
+            <translation>图片左右边缘相接处</translation>
         </message>
         <message>
             <source>Whether the table has an index sensor.</source>
@@ -2214,8 +3952,20 @@ N、Shift+N  下一条、上一条记录
             <translation>显示哪些消息</translation>
         </message>
         <message>
+            <source>While a recording is shown</source>
+            <translation>显示记录时</translation>
+        </message>
+        <message>
+            <source>While keys are armed (F9)</source>
+            <translation>键盘点动启用时（F9）</translation>
+        </message>
+        <message>
             <source>Wiring test</source>
             <translation>接线测试</translation>
+        </message>
+        <message>
+            <source>Wiring test, recording pins…</source>
+            <translation>接线测试、记录引脚…</translation>
         </message>
         <message>
             <source>Wiring test: arm it first</source>
@@ -2226,8 +3976,40 @@ N、Shift+N  下一条、上一条记录
             <translation>接线测试：请先关闭驱动</translation>
         </message>
         <message>
+            <source>With those before</source>
+            <translation>含前面各层</translation>
+        </message>
+        <message>
+            <source>Within a pulse %1 % of the surface, removed %2 cm³</source>
+            <translation>一个脉冲以内占表面 %1 %，去除 %2 cm³</translation>
+        </message>
+        <message>
+            <source>Working the expected piece out</source>
+            <translation>正在计算预期工件</translation>
+        </message>
+        <message>
+            <source>Working the piece out was cancelled</source>
+            <translation>工件计算已取消</translation>
+        </message>
+        <message>
             <source>Working the piece out: %1 %</source>
             <translation>正在计算工件：%1 %</translation>
+        </message>
+        <message>
+            <source>Write</source>
+            <translation>写入</translation>
+        </message>
+        <message>
+            <source>Write: nothing was measured</source>
+            <translation>写入：没有测量值</translation>
+        </message>
+        <message>
+            <source>Write: step %1 cannot be</source>
+            <translation>写入：第 %1 步的值不可能</translation>
+        </message>
+        <message>
+            <source>Write: the machine moves</source>
+            <translation>写入：机床在运动</translation>
         </message>
         <message>
             <source>Y direction</source>
@@ -2266,6 +4048,58 @@ N、Shift+N  下一条、上一条记录
             <translation>设零：此处不知道机床配置</translation>
         </message>
         <message>
+            <source>a %1 drawing, which is not read; save it as %2</source>
+            <translation>%1 图纸，无法读取；请另存为 %2</translation>
+        </message>
+        <message>
+            <source>a %1 model, which is not read; save it as STL or 3MF</source>
+            <translation>%1 模型，无法读取；请另存为 STL 或 3MF</translation>
+        </message>
+        <message>
+            <source>a %1 picture, which is not read; save it as PNG</source>
+            <translation>%1 图片，无法读取；请另存为 PNG</translation>
+        </message>
+        <message>
+            <source>a BMP picture of OS/2's kind, which is not read</source>
+            <translation>OS/2 类型的 BMP 图片，无法读取</translation>
+        </message>
+        <message>
+            <source>a BMP picture of a kind that is not read (%1 bits, compression %2); save it as PNG</source>
+            <translation>无法读取此类 BMP 图片（%1 位，压缩 %2）；请存为 PNG</translation>
+        </message>
+        <message>
+            <source>a SPLINE whose knots and points do not belong together is left out.</source>
+            <translation>SPLINE 的节点与控制点不匹配，已略去。</translation>
+        </message>
+        <message>
+            <source>a TIFF picture of signed or floating numbers; save it with 8 or 16 bits</source>
+            <translation>TIFF 图片为有符号数或浮点数；请以 8 或 16 位保存</translation>
+        </message>
+        <message>
+            <source>a binary DXF drawing; save it as text (ASCII DXF)</source>
+            <translation>二进制 DXF 图形；请存为文本（ASCII DXF）</translation>
+        </message>
+        <message>
+            <source>a coordinate is not a finite number</source>
+            <translation>某坐标不是有限数</translation>
+        </message>
+        <message>
+            <source>a damaged %1 picture</source>
+            <translation>%1 图片已损坏</translation>
+        </message>
+        <message>
+            <source>a damaged %1 picture: %2</source>
+            <translation>%1 图片已损坏：%2</translation>
+        </message>
+        <message>
+            <source>a damaged %1 picture: the file ends too early</source>
+            <translation>%1 图片已损坏：文件过早结束</translation>
+        </message>
+        <message>
+            <source>a drawing without a width goes not all round</source>
+            <translation>没有宽度的图形无法绕满一周</translation>
+        </message>
+        <message>
             <source>a face needs at least three vertices</source>
             <translation>一个面至少需要三个顶点</translation>
         </message>
@@ -2278,12 +4112,92 @@ N、Shift+N  下一条、上一条记录
             <translation>有 facet 缺少 endfacet</translation>
         </message>
         <message>
+            <source>a layer needs its height and at least two radii</source>
+            <translation>每层需要高度和至少两个半径</translation>
+        </message>
+        <message>
+            <source>a packed file (gzip), as SVGZ is; unpack it first</source>
+            <translation>压缩文件（gzip），例如 SVGZ；请先解压</translation>
+        </message>
+        <message>
+            <source>a page that was taken away stops the tick until it is back; a real machine is refused</source>
+            <translation>被换出的内存页会使节拍停住直到取回；拒绝驱动真实机床</translation>
+        </message>
+        <message>
+            <source>a picture %1 mm high would be %2 mm wide, and once round are only %3 mm: choose at most %4 mm of height, a larger diameter, or all round, which changes its shape</source>
+            <translation>图片高 %1 mm 时宽 %2 mm，而一周只有 %3 mm：高度最多选 %4 mm，或加大直径，或选整周（会改变形状）</translation>
+        </message>
+        <message>
+            <source>a picture of %1 x %2 pixels; at most 100 million can be read, and 65535 a side</source>
+            <translation>图片为 %1 x %2 像素；最多可读 1 亿像素，每边 65535</translation>
+        </message>
+        <message>
+            <source>a picture without pixels</source>
+            <translation>没有像素的图片</translation>
+        </message>
+        <message>
+            <source>a place</source>
+            <translation>指定位置</translation>
+        </message>
+        <message>
+            <source>a point</source>
+            <translation>尖点</translation>
+        </message>
+        <message>
+            <source>a point carves every layer, whatever the stepover; choose a tool</source>
+            <translation>尖点总是走每一层，与层距无关；请选择刀具</translation>
+        </message>
+        <message>
+            <source>a point leaves nothing, so there is no draft; slice first</source>
+            <translation>尖点不留余料，没有草图；请先切片</translation>
+        </message>
+        <message>
+            <source>a processor that first speeds up makes ticks late</source>
+            <translation>需要先升频的处理器会使节拍迟到</translation>
+        </message>
+        <message>
+            <source>a published job is being looked at; start once it is accepted</source>
+            <translation>已发布的作业正在检查；接受之后再启动</translation>
+        </message>
+        <message>
             <source>a recorded run is being replayed</source>
             <translation>正在重放已记录的运行</translation>
         </message>
         <message>
             <source>a recording is shown; leave replay first</source>
             <translation>正在显示记录；请先退出回放</translation>
+        </message>
+        <message>
+            <source>a stepdown of %1 makes more than %2 passes</source>
+            <translation>下切步距 %1 会超过 %2 道</translation>
+        </message>
+        <message>
+            <source>a stepover of %1 is more than the tool is wide, %2</source>
+            <translation>层距 %1 大于刀具宽度 %2</translation>
+        </message>
+        <message>
+            <source>a table of layers is no spiral: choose Joining continuous or zigzag in the profile</source>
+            <translation>分层表格不是螺旋：请在配置中将层间连接选为连续或往复</translation>
+        </message>
+        <message>
+            <source>a tool does not become %1 mm shorter; 0 to %2 mm, else touch the head off anew</source>
+            <translation>刀具不会短 %1 mm；可为 0 至 %2 mm，否则请重新对刀</translation>
+        </message>
+        <message>
+            <source>a transform that cannot be read; the element is left out.</source>
+            <translation>变换无法读取；该元素已略去。</translation>
+        </message>
+        <message>
+            <source>a virtual machine</source>
+            <translation>虚拟机</translation>
+        </message>
+        <message>
+            <source>about %1</source>
+            <translation>约 %1</translation>
+        </message>
+        <message>
+            <source>about %1 % of the surface</source>
+            <translation>约占表面的 %1 %</translation>
         </message>
         <message>
             <source>alarm</source>
@@ -2298,8 +4212,48 @@ N、Shift+N  下一条、上一条记录
             <translation>报警：%1，%2 轴</translation>
         </message>
         <message>
+            <source>allow it: a line "@GROUP - rtprio 90" in /etc/security/limits.d and a new login, or the capability CAP_SYS_NICE; in a container, real-time time for its control group</source>
+            <translation>请允许：在 /etc/security/limits.d 中加入一行 "@GROUP - rtprio 90" 并重新登录，或授予 CAP_SYS_NICE 能力；在容器中，为其控制组分配实时时间</translation>
+        </message>
+        <message>
+            <source>allow writing to /dev/cpu_dma_latency: a udev rule KERNEL=="cpu_dma_latency", GROUP="GROUP", MODE="0660", and be in that group</source>
+            <translation>允许写 /dev/cpu_dma_latency：udev 规则 KERNEL=="cpu_dma_latency", GROUP="GROUP", MODE="0660"，并加入该组</translation>
+        </message>
+        <message>
+            <source>allowed by CAP_IPC_LOCK</source>
+            <translation>由 CAP_IPC_LOCK 允许</translation>
+        </message>
+        <message>
+            <source>allowed by CAP_SYS_NICE</source>
+            <translation>由 CAP_SYS_NICE 允许</translation>
+        </message>
+        <message>
+            <source>allowed by CAP_SYS_RAWIO</source>
+            <translation>由 CAP_SYS_RAWIO 允许</translation>
+        </message>
+        <message>
             <source>an output is being tested; end the test first</source>
             <translation>正在测试一个输出；请先结束测试</translation>
+        </message>
+        <message>
+            <source>another job was carved last</source>
+            <translation>上次雕刻的是另一个作业</translation>
+        </message>
+        <message>
+            <source>any processor</source>
+            <translation>任意处理器</translation>
+        </message>
+        <message>
+            <source>any program may keep the tick waiting; a real machine is refused</source>
+            <translation>任何程序都可能让节拍等待；拒绝驱动真实机床</translation>
+        </message>
+        <message>
+            <source>arc, from the head's + to Y's +</source>
+            <translation>圆弧，从刀头正向到 Y 正向</translation>
+        </message>
+        <message>
+            <source>arc, the other way</source>
+            <translation>圆弧，反方向</translation>
         </message>
         <message>
             <source>as at the last</source>
@@ -2310,8 +4264,24 @@ N、Shift+N  下一条、上一条记录
             <translation>与文件相同</translation>
         </message>
         <message>
+            <source>as it is</source>
+            <translation>原样</translation>
+        </message>
+        <message>
+            <source>as its shape</source>
+            <translation>按比例</translation>
+        </message>
+        <message>
             <source>as planned</source>
             <translation>按计划</translation>
+        </message>
+        <message>
+            <source>as the blank</source>
+            <translation>按毛坯</translation>
+        </message>
+        <message>
+            <source>as the profile</source>
+            <translation>按配置</translation>
         </message>
         <message>
             <source>assumed</source>
@@ -2322,6 +4292,14 @@ N、Shift+N  下一条、上一条记录
             <translation>至少 %1</translation>
         </message>
         <message>
+            <source>at most %1 KiB</source>
+            <translation>最多 %1 KiB</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <translation>自动</translation>
+        </message>
+        <message>
             <source>back-off</source>
             <translation>退离开关</translation>
         </message>
@@ -2330,16 +4308,44 @@ N、Shift+N  下一条、上一条记录
             <translation>退离开关中</translation>
         </message>
         <message>
+            <source>ball</source>
+            <translation>球头</translation>
+        </message>
+        <message>
+            <source>be in the group that owns it: adduser USER %1, and a new login</source>
+            <translation>加入其所属的组：adduser USER %1，然后重新登录</translation>
+        </message>
+        <message>
             <source>became shorter while it was read</source>
             <translation>读取时文件变短</translation>
+        </message>
+        <message>
+            <source>before finishing</source>
+            <translation>精加工之前</translation>
         </message>
         <message>
             <source>being made</source>
             <translation>正在生成</translation>
         </message>
         <message>
-            <source>blank ⌀ %1</source>
-            <translation>毛坯 ⌀ %1</translation>
+            <source>blank</source>
+            <translation>毛坯</translation>
+        </message>
+        <message>
+            <source>blank ⌀ %1 mm</source>
+            <translation>毛坯 ⌀ %1 mm</translation>
+        </message>
+        <message>
+            <source>blended</source>
+            <translation>平滑</translation>
+        </message>
+        <message>
+            <source>bodies inside out: %1</source>
+            <translation>内外翻转的实体：%1</translation>
+        </message>
+        <message>
+            <source>both ways between the marks are needed</source>
+            <translation>需要两个标记间的两个距离</translation>
         </message>
         <message>
             <source>box centre</source>
@@ -2350,6 +4356,10 @@ N、Shift+N  下一条、上一条记录
             <translation>内置配置</translation>
         </message>
         <message>
+            <source>can be kept shallow</source>
+            <translation>可保持浅休眠</translation>
+        </message>
+        <message>
             <source>cannot be opened: %1</source>
             <translation>无法打开：%1</translation>
         </message>
@@ -2358,20 +4368,68 @@ N、Shift+N  下一条、上一条记录
             <translation>无法读取：%1</translation>
         </message>
         <message>
+            <source>carved</source>
+            <translation>已雕刻</translation>
+        </message>
+        <message>
+            <source>carved (%1 layers not seen: as planned)</source>
+            <translation>已雕刻（%1 层未观察到：按计划）</translation>
+        </message>
+        <message>
             <source>carved to the last point</source>
             <translation>已雕刻到最后一点</translation>
+        </message>
+        <message>
+            <source>carved, as planned</source>
+            <translation>已雕刻，按计划</translation>
         </message>
         <message>
             <source>carving</source>
             <translation>雕刻中</translation>
         </message>
         <message>
+            <source>centroid</source>
+            <translation>形心</translation>
+        </message>
+        <message>
             <source>checked</source>
             <translation>已检查</translation>
         </message>
         <message>
+            <source>clipping and masks are not followed: &lt;%1&gt; is carved whole.</source>
+            <translation>裁剪和蒙版不起作用：&lt;%1&gt; 将整体加工。</translation>
+        </message>
+        <message>
+            <source>clock</source>
+            <translation>时钟</translation>
+        </message>
+        <message>
+            <source>closed, all facets turned alike</source>
+            <translation>封闭，所有面朝向一致</translation>
+        </message>
+        <message>
+            <source>computer</source>
+            <translation>计算机</translation>
+        </message>
+        <message>
+            <source>content of the model's file</source>
+            <translation>模型文件内容</translation>
+        </message>
+        <message>
+            <source>continuous</source>
+            <translation>连续</translation>
+        </message>
+        <message>
             <source>core lost</source>
             <translation>内核丢失</translation>
+        </message>
+        <message>
+            <source>counter-clockwise, seen from the axis' positive end</source>
+            <translation>逆时针，从轴的正端看</translation>
+        </message>
+        <message>
+            <source>cpupower frequency-set --governor performance (package linux-cpupower)</source>
+            <translation>cpupower frequency-set --governor performance（软件包 linux-cpupower）</translation>
         </message>
         <message>
             <source>cut off</source>
@@ -2410,12 +4468,32 @@ N、Shift+N  下一条、上一条记录
             <translation>完成</translation>
         </message>
         <message>
+            <source>doubled: %1</source>
+            <translation>重复：%1</translation>
+        </message>
+        <message>
+            <source>drive a real machine from a real computer</source>
+            <translation>请用真实计算机驱动真实机床</translation>
+        </message>
+        <message>
             <source>drives-off</source>
             <translation>关闭驱动</translation>
         </message>
         <message>
+            <source>dry run to the last point: nothing was carved</source>
+            <translation>空运行到最后一点：未雕刻</translation>
+        </message>
+        <message>
+            <source>edges between flipped facets: %1</source>
+            <translation>翻转面之间的边：%1</translation>
+        </message>
+        <message>
             <source>emergency stop</source>
             <translation>急停</translation>
+        </message>
+        <message>
+            <source>end the program that holds it; psicarve status shows a core</source>
+            <translation>结束占用它的程序；psicarve status 可显示内核</translation>
         </message>
         <message>
             <source>ended at layer %1 of %2</source>
@@ -2424,6 +4502,22 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>ended by an alarm</source>
             <translation>因报警结束</translation>
+        </message>
+        <message>
+            <source>entries of the flight recorder</source>
+            <translation>飞行记录条目数</translation>
+        </message>
+        <message>
+            <source>feed %1 %</source>
+            <translation>进给 %1 %</translation>
+        </message>
+        <message>
+            <source>feed %1 mm/s</source>
+            <translation>进给 %1 mm/s</translation>
+        </message>
+        <message>
+            <source>feed [mm/s]</source>
+            <translation>进给 [mm/s]</translation>
         </message>
         <message>
             <source>file version %1, this program knows %2: make the file anew</source>
@@ -2438,6 +4532,30 @@ N、Shift+N  下一条、上一条记录
             <translation>收尾中</translation>
         </message>
         <message>
+            <source>finishing only</source>
+            <translation>只做精加工</translation>
+        </message>
+        <message>
+            <source>finishing pass</source>
+            <translation>精加工</translation>
+        </message>
+        <message>
+            <source>fit a parallel port; modprobe parport_pc ppdev</source>
+            <translation>装上并口；modprobe parport_pc ppdev</translation>
+        </message>
+        <message>
+            <source>flat</source>
+            <translation>平头</translation>
+        </message>
+        <message>
+            <source>flight recorder, entry %1, counted from 0</source>
+            <translation>飞行记录第 %1 条（从 0 计）</translation>
+        </message>
+        <message>
+            <source>free</source>
+            <translation>空闲</translation>
+        </message>
+        <message>
             <source>from here on a tick may have been missed</source>
             <translation>从此处起可能丢失节拍</translation>
         </message>
@@ -2446,8 +4564,20 @@ N、Shift+N  下一条、上一条记录
             <translation>由引脚得出</translation>
         </message>
         <message>
+            <source>give --cpu the number of a processor that this process may use, or any</source>
+            <translation>给 --cpu 指定本进程可用的处理器编号，或 any</translation>
+        </message>
+        <message>
             <source>granted</source>
             <translation>已授予</translation>
+        </message>
+        <message>
+            <source>grooves %1 mm deep and %2 mm wide; where no point meets the line, up to %3 mm wider along the layers and %4 mm across them</source>
+            <translation>刻槽深 %1 mm，宽 %2 mm；没有点落在线上处，沿层方向最多宽出 %3 mm，跨层方向最多宽出 %4 mm</translation>
+        </message>
+        <message>
+            <source>grooves %1 mm deep; they must be deeper than 0, and less deep than the cylinder's radius of %2 mm</source>
+            <translation>刻槽深 %1 mm；必须大于 0，且小于圆柱半径 %2 mm</translation>
         </message>
         <message>
             <source>ground</source>
@@ -2458,12 +4588,28 @@ N、Shift+N  下一条、上一条记录
             <translation>守护丢失</translation>
         </message>
         <message>
+            <source>has no closed outline; the longest stroke goes from %1 to %2 mm, %3 apart; close it in the drawing program</source>
+            <translation>没有闭合轮廓；最长的线从 %1 到 %2 mm，相距 %3；请在绘图软件中闭合</translation>
+        </message>
+        <message>
+            <source>heap kept</source>
+            <translation>堆内存保留</translation>
+        </message>
+        <message>
             <source>height</source>
             <translation>高度</translation>
         </message>
         <message>
+            <source>heights: %1 layers differ, the first is layer %2, counted from 0</source>
+            <translation>高度：%1 层不同，首个为第 %2 层（从 0 计）</translation>
+        </message>
+        <message>
             <source>held</source>
             <translation>已暂停</translation>
+        </message>
+        <message>
+            <source>held by %1</source>
+            <translation>被 %1 占用</translation>
         </message>
         <message>
             <source>high</source>
@@ -2484,6 +4630,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>holds no job</source>
             <translation>不含作业</translation>
+        </message>
+        <message>
+            <source>holds no line that can be carved (%1)</source>
+            <translation>没有可雕刻的线条（%1）</translation>
+        </message>
+        <message>
+            <source>holes: %1, open edges: %2</source>
+            <translation>孔洞：%1，开放边：%2</translation>
         </message>
         <message>
             <source>home</source>
@@ -2514,12 +4668,28 @@ N、Shift+N  下一条、上一条记录
             <translation>入</translation>
         </message>
         <message>
+            <source>in force</source>
+            <translation>已生效</translation>
+        </message>
+        <message>
             <source>in it</source>
             <translation>已包含</translation>
         </message>
         <message>
+            <source>inches</source>
+            <translation>英寸</translation>
+        </message>
+        <message>
             <source>info</source>
             <translation>信息</translation>
+        </message>
+        <message>
+            <source>inside out</source>
+            <translation>内外翻转</translation>
+        </message>
+        <message>
+            <source>install a real-time kernel: apt install linux-image-rt-amd64</source>
+            <translation>安装实时内核：apt install linux-image-rt-amd64</translation>
         </message>
         <message>
             <source>is a folder, not a model file</source>
@@ -2542,8 +4712,48 @@ N、Shift+N  下一条、上一条记录
             <translation>不是普通文件</translation>
         </message>
         <message>
+            <source>isolated: %1; the tick takes %2</source>
+            <translation>已隔离：%1；节拍使用 %2</translation>
+        </message>
+        <message>
+            <source>its &lt;use&gt; elements draw more than two million elements</source>
+            <translation>其 &lt;use&gt; 元素绘出超过两百万个元素</translation>
+        </message>
+        <message>
+            <source>its blocks draw more than a million elements</source>
+            <translation>其块绘出超过一百万个元素</translation>
+        </message>
+        <message>
+            <source>its grooves are of another tool</source>
+            <translation>其刻槽属于另一把刀具</translation>
+        </message>
+        <message>
+            <source>its host takes the processor away when it likes, and nothing here can prevent that</source>
+            <translation>宿主机随时会取走处理器，此处无法阻止</translation>
+        </message>
+        <message>
+            <source>its outlines cannot be joined: %1</source>
+            <translation>其轮廓无法合并：%1</translation>
+        </message>
+        <message>
+            <source>its outlines enclose no area; there is nothing to carve</source>
+            <translation>其轮廓不围成面积；没有可雕刻的内容</translation>
+        </message>
+        <message>
+            <source>job</source>
+            <translation>作业</translation>
+        </message>
+        <message>
             <source>jog</source>
             <translation>点动</translation>
+        </message>
+        <message>
+            <source>joining</source>
+            <translation>连接方式</translation>
+        </message>
+        <message>
+            <source>kernel</source>
+            <translation>操作系统内核</translation>
         </message>
         <message>
             <source>larger than the machine's travel: axis %1 would have to go to %2 mm, allowed are %3; choose a smaller height</source>
@@ -2558,8 +4768,40 @@ N、Shift+N  下一条、上一条记录
             <translation>最后已知 %1</translation>
         </message>
         <message>
+            <source>layer %1 lies no higher than the one before</source>
+            <translation>第 %1 层不高于前一层</translation>
+        </message>
+        <message>
+            <source>layer %1 lies no higher than the one before: a table of several passes does not say where each begins and cannot be read back; keep the job file</source>
+            <translation>第 %1 层不高于前一层：多道加工的表格没有写明每一道从哪里开始，无法读回；请保留作业文件</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: a radius of %3 mm, less than core_radius_mm, %4 mm</source>
+            <translation>第 %1 层第 %2 点：半径 %3 mm，小于 core_radius_mm（%4 mm）</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: another height than the layer's first point: tables of spirals cannot be read back; keep the job file</source>
+            <translation>第 %1 层第 %2 点：高度与该层第一点不同：螺旋的数据表无法读回；请保留任务文件</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: axis %3 would have to go to %4 mm, but goes from %5 mm to %6 mm</source>
+            <translation>第 %1 层第 %2 点：%3 轴须移至 %4 mm，而行程为 %5 mm 至 %6 mm</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: psi is not where a continuous or zigzag job has it</source>
+            <translation>第 %1 层，第 %2 点：Ψ 不在连续或往复作业应在的位置</translation>
+        </message>
+        <message>
             <source>layer %1, point %2: the radius of %3, %4, is inside the core radius of %5; carve less deep, or lower core_radius_mm</source>
             <translation>第 %1 层第 %2 点：%3 的半径 %4 在芯半径 %5 之内；请雕浅一些，或减小 core_radius_mm</translation>
+        </message>
+        <message>
+            <source>layers</source>
+            <translation>层数</translation>
+        </message>
+        <message>
+            <source>least blank ⌀ %1 mm</source>
+            <translation>最小毛坯 ⌀ %1 mm</translation>
         </message>
         <message>
             <source>least lost</source>
@@ -2568,6 +4810,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>left</source>
             <translation>左</translation>
+        </message>
+        <message>
+            <source>left out: %1</source>
+            <translation>舍去：%1</translation>
         </message>
         <message>
             <source>limit</source>
@@ -2582,8 +4828,20 @@ N、Shift+N  下一条、上一条记录
             <translation>直线</translation>
         </message>
         <message>
+            <source>lines are engraved once they are sliced</source>
+            <translation>线条切片后才会雕刻</translation>
+        </message>
+        <message>
+            <source>loaded</source>
+            <translation>已加载</translation>
+        </message>
+        <message>
             <source>locked</source>
             <translation>锁定</translation>
+        </message>
+        <message>
+            <source>locked memory</source>
+            <translation>锁定内存</translation>
         </message>
         <message>
             <source>looking for the best axis was cancelled</source>
@@ -2592,6 +4850,26 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>low</source>
             <translation>低</translation>
+        </message>
+        <message>
+            <source>marks %1 mm apart in height; more than %2 mm is no error of mounting. Was Y left alone?</source>
+            <translation>标记高度相差 %1 mm；超过 %2 mm 不是安装误差。Y 是否没有动过？</translation>
+        </message>
+        <message>
+            <source>marks %1 mm apart on a blank of %2 mm would be %3°; more than %4° is no error of mounting. Was the table turned by exactly half a turn?</source>
+            <translation>标记相距 %1 mm，毛坯 %2 mm，即 %3°；超过 %4° 不是安装误差。转台是否正好转了半圈？</translation>
+        </message>
+        <message>
+            <source>may not be written</source>
+            <translation>不可写</translation>
+        </message>
+        <message>
+            <source>memory locked</source>
+            <translation>内存已锁定</translation>
+        </message>
+        <message>
+            <source>memory touched</source>
+            <translation>内存已预占</translation>
         </message>
         <message>
             <source>missed %1</source>
@@ -2606,6 +4884,22 @@ N、Shift+N  下一条、上一条记录
             <translation>缺少</translation>
         </message>
         <message>
+            <source>mm for each unit of the file</source>
+            <translation>文件每单位对应的 mm</translation>
+        </message>
+        <message>
+            <source>model</source>
+            <translation>模型</translation>
+        </message>
+        <message>
+            <source>modprobe ppdev</source>
+            <translation>modprobe ppdev</translation>
+        </message>
+        <message>
+            <source>module lp</source>
+            <translation>模块 lp</translation>
+        </message>
+        <message>
             <source>more layers than pulses: %1 layers, but the model is only %2 mm, %3 pulses of axis Y, high: choose at most %4 layers, or a larger height</source>
             <translation>层数多于脉冲：%1 层，但模型只有 %2 mm 高，即 Y 轴 %3 个脉冲：最多选 %4 层，或选更大的高度</translation>
         </message>
@@ -2614,12 +4908,44 @@ N、Shift+N  下一条、上一条记录
             <translation>点数多于脉冲：每层 %1 点，但 Ψ 轴半圈只有 %2 个脉冲：最多选 %3 点</translation>
         </message>
         <message>
+            <source>more points than pulses: %1 points in half a turn of %2 pulses</source>
+            <translation>点多于脉冲：半转有 %1 点，而只有 %2 个脉冲</translation>
+        </message>
+        <message>
+            <source>more than %1 points when its curves are cut into straight pieces; nobody can carve that</source>
+            <translation>曲线分成直线段后超过 %1 个点；无法雕刻</translation>
+        </message>
+        <message>
+            <source>more than 512 MiB, which no drawing or picture needs</source>
+            <translation>超过 512 MiB，图形或图片不需要这么大</translation>
+        </message>
+        <message>
+            <source>more than a gigabyte, which no table needs</source>
+            <translation>超过 1 GB，表格不需要这么大</translation>
+        </message>
+        <message>
+            <source>more than four million values in one element</source>
+            <translation>一个元素中超过四百万个值</translation>
+        </message>
+        <message>
+            <source>mount -o remount,size=1G /dev/shm, or psicarve-rtcore --capacity for smaller jobs</source>
+            <translation>mount -o remount,size=1G /dev/shm，或用 psicarve-rtcore --capacity 限制作业大小</translation>
+        </message>
+        <message>
+            <source>mount a tmpfs there</source>
+            <translation>请在那里挂载 tmpfs</translation>
+        </message>
+        <message>
             <source>move</source>
             <translation>移动</translation>
         </message>
         <message>
             <source>moving</source>
             <translation>移动中</translation>
+        </message>
+        <message>
+            <source>no blank has %1 mm; %2 to %3 mm can be</source>
+            <translation>没有 %1 mm 的毛坯；可为 %2 至 %3 mm</translation>
         </message>
         <message>
             <source>no core</source>
@@ -2638,36 +4964,96 @@ N、Shift+N  下一条、上一条记录
             <translation>没有已发布的作业；请先发布</translation>
         </message>
         <message>
+            <source>no layer was finished</source>
+            <translation>没有一层已雕刻完成</translation>
+        </message>
+        <message>
+            <source>no lines to engrave</source>
+            <translation>没有可雕刻的线条</translation>
+        </message>
+        <message>
             <source>no pin</source>
             <translation>无引脚</translation>
+        </message>
+        <message>
+            <source>no pin has %1 mm; %2 to %3 mm can be</source>
+            <translation>没有 %1 mm 的销；可为 %2 至 %3 mm</translation>
+        </message>
+        <message>
+            <source>no right to addresses</source>
+            <translation>没有访问端口地址的权限</translation>
+        </message>
+        <message>
+            <source>no right to addresses; --port ppdev:/dev/parport0 needs no such right</source>
+            <translation>没有访问端口地址的权限；--port ppdev:/dev/parport0 不需要此权限</translation>
+        </message>
+        <message>
+            <source>no roughing passes: nothing of the blank stands further out than the allowance</source>
+            <translation>无粗加工：毛坯没有超出余量的部分</translation>
         </message>
         <message>
             <source>no such file</source>
             <translation>没有此文件</translation>
         </message>
         <message>
+            <source>no virtual machine</source>
+            <translation>不是虚拟机</translation>
+        </message>
+        <message>
             <source>no. %1</source>
             <translation>%1 号</translation>
+        </message>
+        <message>
+            <source>no: a dry run carves nothing</source>
+            <translation>否：空运行不雕刻</translation>
+        </message>
+        <message>
+            <source>no: its pins were not recorded (page Ports)</source>
+            <translation>否：未记录引脚（端口页）</translation>
+        </message>
+        <message>
+            <source>nobody knows how far it was carved; look at the piece and choose the layer</source>
+            <translation>无法得知已雕刻到哪里；请查看工件并选择层</translation>
         </message>
         <message>
             <source>none</source>
             <translation>无</translation>
         </message>
         <message>
+            <source>none is kept free</source>
+            <translation>没有保留空闲的</translation>
+        </message>
+        <message>
             <source>none: add it</source>
             <translation>无：请添加</translation>
+        </message>
+        <message>
+            <source>none: not %1</source>
+            <translation>无：非 %1</translation>
         </message>
         <message>
             <source>none: ticks may be late</source>
             <translation>无：节拍可能迟滞</translation>
         </message>
         <message>
-            <source>not a mesh that can be read here (STL, OBJ, PLY, 3MF or OFF)</source>
-            <translation>不是此处可读的网格（STL、OBJ、PLY、3MF 或 OFF）</translation>
+            <source>not</source>
+            <translation>不镜像</translation>
         </message>
         <message>
-            <source>not by the window; psicarve carve does</source>
-            <translation>窗口不校验；psicarve carve 会校验</translation>
+            <source>not a picture that can be read here (PNG, JPEG, TIFF, BMP, PGM)</source>
+            <translation>不是可读取的图片（PNG、JPEG、TIFF、BMP、PGM）</translation>
+        </message>
+        <message>
+            <source>not allowed</source>
+            <translation>不允许</translation>
+        </message>
+        <message>
+            <source>not asked for</source>
+            <translation>未请求</translation>
+        </message>
+        <message>
+            <source>not changed by the kernel</source>
+            <translation>内核不改变</translation>
         </message>
         <message>
             <source>not enough memory for so many layers and points</source>
@@ -2686,8 +5072,16 @@ N、Shift+N  下一条、上一条记录
             <translation>未知</translation>
         </message>
         <message>
+            <source>not known: the surface is not closed, or turned both ways</source>
+            <translation>未知：表面不封闭或朝向不一</translation>
+        </message>
+        <message>
             <source>not needed</source>
             <translation>不需要</translation>
+        </message>
+        <message>
+            <source>not needed on the virtual clock</source>
+            <translation>虚拟时钟下不需要</translation>
         </message>
         <message>
             <source>not recorded</source>
@@ -2702,6 +5096,18 @@ N、Shift+N  下一条、上一条记录
             <translation>当前状态（%1）下不可用；%2</translation>
         </message>
         <message>
+            <source>nothing is open</source>
+            <translation>没有打开任何文件</translation>
+        </message>
+        <message>
+            <source>nothing that can be read here: a mesh (STL, OBJ, PLY, 3MF, OFF), a drawing (SVG, DXF), a picture (PNG, JPEG, TIFF, BMP, PGM) or a table (CSV)</source>
+            <translation>无法读取的文件：可读取网格（STL、OBJ、PLY、3MF、OFF）、图纸（SVG、DXF）、图片（PNG、JPEG、TIFF、BMP、PGM）或表格（CSV）</translation>
+        </message>
+        <message>
+            <source>nothing was carved yet</source>
+            <translation>尚未雕刻任何内容</translation>
+        </message>
+        <message>
             <source>of %1</source>
             <translation>共 %1</translation>
         </message>
@@ -2714,6 +5120,10 @@ N、Shift+N  下一条、上一条记录
             <translation>仅在轨迹中</translation>
         </message>
         <message>
+            <source>only the simulated machine can be driven</source>
+            <translation>只能驱动仿真机床</translation>
+        </message>
+        <message>
             <source>only with the drives off</source>
             <translation>仅在驱动关闭时可用</translation>
         </message>
@@ -2722,8 +5132,24 @@ N、Shift+N  下一条、上一条记录
             <translation>打开模型</translation>
         </message>
         <message>
+            <source>open edges</source>
+            <translation>开放边</translation>
+        </message>
+        <message>
+            <source>open edges: %1</source>
+            <translation>开放边：%1</translation>
+        </message>
+        <message>
             <source>opening was cancelled</source>
             <translation>已取消打开</translation>
+        </message>
+        <message>
+            <source>ordinary scheduling</source>
+            <translation>普通调度</translation>
+        </message>
+        <message>
+            <source>other programs and interrupts run where the tick does</source>
+            <translation>其他程序和中断与节拍在同一处理器上运行</translation>
         </message>
         <message>
             <source>out</source>
@@ -2734,12 +5160,32 @@ N、Shift+N  下一条、上一条记录
             <translation>倍率</translation>
         </message>
         <message>
+            <source>parallel port</source>
+            <translation>并口</translation>
+        </message>
+        <message>
             <source>passed</source>
             <translation>通过</translation>
         </message>
         <message>
+            <source>performance</source>
+            <translation>性能模式</translation>
+        </message>
+        <message>
+            <source>pins</source>
+            <translation>引脚测试</translation>
+        </message>
+        <message>
             <source>plan starved</source>
             <translation>规划供不应求</translation>
+        </message>
+        <message>
+            <source>points</source>
+            <translation>点数</translation>
+        </message>
+        <message>
+            <source>points do not follow each other from 0 on, as many in each layer</source>
+            <translation>各点须从 0 起依次排列，且每层点数相同</translation>
         </message>
         <message>
             <source>port error</source>
@@ -2750,12 +5196,60 @@ N、Shift+N  下一条、上一条记录
             <translation>定位中</translation>
         </message>
         <message>
+            <source>priority up to %1</source>
+            <translation>优先级最高 %1</translation>
+        </message>
+        <message>
+            <source>priority up to %1 only, the tick has %2</source>
+            <translation>优先级最高仅 %1，节拍需要 %2</translation>
+        </message>
+        <message>
+            <source>processor %1</source>
+            <translation>处理器 %1</translation>
+        </message>
+        <message>
+            <source>processor of the tick</source>
+            <translation>节拍的处理器</translation>
+        </message>
+        <message>
+            <source>processor sleep</source>
+            <translation>处理器休眠</translation>
+        </message>
+        <message>
+            <source>processor speed</source>
+            <translation>处理器频率</translation>
+        </message>
+        <message>
+            <source>processor: as the core</source>
+            <translation>处理器：同内核</translation>
+        </message>
+        <message>
+            <source>processors kept awake</source>
+            <translation>处理器保持唤醒</translation>
+        </message>
+        <message>
+            <source>processors that sleep deeply wake up late</source>
+            <translation>深度休眠的处理器醒得晚</translation>
+        </message>
+        <message>
+            <source>profile</source>
+            <translation>配置</translation>
+        </message>
+        <message>
             <source>profile %1</source>
             <translation>配置 %1</translation>
         </message>
         <message>
+            <source>profile as the job's</source>
+            <translation>配置同作业</translation>
+        </message>
+        <message>
             <source>profile unknown</source>
             <translation>配置未知</translation>
+        </message>
+        <message>
+            <source>profile: %1</source>
+            <translation>配置：%1</translation>
         </message>
         <message>
             <source>psicarve-hmi --opengl tries it again</source>
@@ -2778,12 +5272,32 @@ N、Shift+N  下一条、上一条记录
             <translation>脉冲</translation>
         </message>
         <message>
-            <source>radius %1 to %2 mm</source>
-            <translation>半径 %1 到 %2 mm</translation>
+            <source>pulses and counts are whole numbers</source>
+            <translation>脉冲和计数须为整数</translation>
+        </message>
+        <message>
+            <source>radii of R1: %1 points differ, the first in layer %2, point %3, counted from 0</source>
+            <translation>R1 半径：%1 点不同，首个在第 %2 层第 %3 点（从 0 计）</translation>
+        </message>
+        <message>
+            <source>radii of R2: %1 points differ, the first in layer %2, point %3, counted from 0</source>
+            <translation>R2 半径：%1 点不同，首个在第 %2 层第 %3 点（从 0 计）</translation>
+        </message>
+        <message>
+            <source>raise the limit: a line "@GROUP - memlock unlimited" in /etc/security/limits.d and a new login, or the capability CAP_IPC_LOCK</source>
+            <translation>提高限额：在 /etc/security/limits.d 中加入一行 "@GROUP - memlock unlimited" 并重新登录，或授予 CAP_IPC_LOCK 能力</translation>
+        </message>
+        <message>
+            <source>raw addresses</source>
+            <translation>直接端口地址</translation>
         </message>
         <message>
             <source>reachable</source>
             <translation>可到达</translation>
+        </message>
+        <message>
+            <source>reading it takes about a microsecond, several times a tick</source>
+            <translation>读取一次约一微秒，每个节拍读取数次</translation>
         </message>
         <message>
             <source>ready</source>
@@ -2794,12 +5308,24 @@ N、Shift+N  下一条、上一条记录
             <translation>实时时钟</translation>
         </message>
         <message>
+            <source>real-time scheduling</source>
+            <translation>实时调度</translation>
+        </message>
+        <message>
             <source>record</source>
             <translation>记录</translation>
         </message>
         <message>
             <source>recorded</source>
             <translation>已记录</translation>
+        </message>
+        <message>
+            <source>refused</source>
+            <translation>被拒绝</translation>
+        </message>
+        <message>
+            <source>report of the slicer</source>
+            <translation>切片报告</translation>
         </message>
         <message>
             <source>reset first</source>
@@ -2830,12 +5356,36 @@ N、Shift+N  下一条、上一条记录
             <translation>右</translation>
         </message>
         <message>
+            <source>rmmod lp, and keep it out: a line "blacklist lp" in /etc/modprobe.d</source>
+            <translation>rmmod lp，并在 /etc/modprobe.d 中写 "blacklist lp" 以防再次加载</translation>
+        </message>
+        <message>
+            <source>roughing %1 of %2</source>
+            <translation>粗加工第 %1 遍，共 %2 遍</translation>
+        </message>
+        <message>
+            <source>roughing begins at the blank's surface: say how large the blank is, or choose finishing only</source>
+            <translation>粗加工从毛坯表面开始：请给出毛坯尺寸，或选择“只做精加工”</translation>
+        </message>
+        <message>
+            <source>run with CAP_SYS_RAWIO, or use --port ppdev:/dev/parport0</source>
+            <translation>请以 CAP_SYS_RAWIO 权限运行，或使用 --port ppdev:/dev/parport0</translation>
+        </message>
+        <message>
+            <source>see in the kernel's messages why the tsc is not trusted; often the firmware is to blame</source>
+            <translation>查看内核消息，了解为何不信任 tsc；常为固件原因</translation>
+        </message>
+        <message>
             <source>segment %1</source>
             <translation>共享段 %1</translation>
         </message>
         <message>
             <source>segment lost</source>
             <translation>共享段丢失</translation>
+        </message>
+        <message>
+            <source>shared memory</source>
+            <translation>共享内存</translation>
         </message>
         <message>
             <source>shutdown</source>
@@ -2858,6 +5408,14 @@ N、Shift+N  下一条、上一条记录
             <translation>主轴</translation>
         </message>
         <message>
+            <source>spiral</source>
+            <translation>螺旋</translation>
+        </message>
+        <message>
+            <source>stands %1 mm above the table, and the blank is only %2 mm high: nothing of it is left to be carved</source>
+            <translation>距工作台 %1 mm，而毛坯仅高 %2 mm：没有可加工的部分</translation>
+        </message>
+        <message>
             <source>start</source>
             <translation>启动</translation>
         </message>
@@ -2866,12 +5424,32 @@ N、Shift+N  下一条、上一条记录
             <translation>请先启动</translation>
         </message>
         <message>
+            <source>start the kernel with isolcpus=N nohz_full=N rcu_nocbs=N, N the last processor</source>
+            <translation>用 isolcpus=N nohz_full=N rcu_nocbs=N 启动内核，N 为最后一个处理器</translation>
+        </message>
+        <message>
+            <source>start the kernel with processor.max_cstate=1, or one that has that device</source>
+            <translation>用 processor.max_cstate=1 启动内核，或使用带该设备的内核</translation>
+        </message>
+        <message>
             <source>start, or stop</source>
             <translation>请启动或停止</translation>
         </message>
         <message>
             <source>start-interpolation</source>
             <translation>开始雕刻</translation>
+        </message>
+        <message>
+            <source>status</source>
+            <translation>状态</translation>
+        </message>
+        <message>
+            <source>status: %1</source>
+            <translation>状态：%1</translation>
+        </message>
+        <message>
+            <source>step by step</source>
+            <translation>逐步</translation>
         </message>
         <message>
             <source>steps lost</source>
@@ -2886,16 +5464,56 @@ N、Shift+N  下一条、上一条记录
             <translation>已停止</translation>
         </message>
         <message>
+            <source>stopped %1</source>
+            <translation>停止于 %1</translation>
+        </message>
+        <message>
+            <source>stopped in layer %1</source>
+            <translation>停在第 %1 层</translation>
+        </message>
+        <message>
             <source>stopping</source>
             <translation>停止中</translation>
         </message>
         <message>
-            <source>test-pin</source>
-            <translation>引脚测试</translation>
+            <source>straight line</source>
+            <translation>直线</translation>
+        </message>
+        <message>
+            <source>supervisor stalled</source>
+            <translation>内核听不到命令</translation>
+        </message>
+        <message>
+            <source>swap</source>
+            <translation>交换区</translation>
+        </message>
+        <message>
+            <source>swapoff --all while carving, or more memory</source>
+            <translation>雕刻时执行 swapoff --all，或增加内存</translation>
+        </message>
+        <message>
+            <source>takes %1, with those before %2</source>
+            <translation>需 %1，连同之前各层 %2</translation>
+        </message>
+        <message>
+            <source>takes about %1, with those before %2</source>
+            <translation>约需 %1，连同之前的层 %2</translation>
+        </message>
+        <message>
+            <source>takes at least %1, with those before %2</source>
+            <translation>至少需 %1，连同之前各层 %2</translation>
         </message>
         <message>
             <source>testing</source>
             <translation>测试中</translation>
+        </message>
+        <message>
+            <source>the XML ends too early</source>
+            <translation>XML 过早结束</translation>
+        </message>
+        <message>
+            <source>the allowance must be 0 to %1, not %2</source>
+            <translation>余量必须为 0 到 %1，而不是 %2</translation>
         </message>
         <message>
             <source>the archive unpacks to far more than a model needs</source>
@@ -2904,6 +5522,22 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the axis has no sensor</source>
             <translation>此轴没有传感器</translation>
+        </message>
+        <message>
+            <source>the axis passes beside the model and no sample meets it: nothing but the core would be carved; choose another axis</source>
+            <translation>轴线在模型之外，没有采样点碰到模型：只会加工出芯轴；请另选轴线</translation>
+        </message>
+        <message>
+            <source>the blank reaches out to %1, but head %2 only to %3: it would stand in the blank before the carving begins; take a smaller blank</source>
+            <translation>毛坯伸到 %1，而刀头 %2 只能到 %3：雕刻开始前刀头就会处在毛坯里；请用较小的毛坯</translation>
+        </message>
+        <message>
+            <source>the computer has too little free memory: end other programs</source>
+            <translation>本机空闲内存太少：请结束其他程序</translation>
+        </message>
+        <message>
+            <source>the core cannot drive it</source>
+            <translation>内核无法驱动它</translation>
         </message>
         <message>
             <source>the core did not answer within %1 ms</source>
@@ -2918,6 +5552,38 @@ N、Shift+N  下一条、上一条记录
             <translation>共享段 %1 的内核（进程 %2）没有响应</translation>
         </message>
         <message>
+            <source>the core runs with another profile than %1; start it with that one</source>
+            <translation>内核使用的配置不是 %1；请用它启动内核</translation>
+        </message>
+        <message>
+            <source>the core's memory is locked, but a computer that swaps is late with everything else</source>
+            <translation>内核进程的内存已锁定，但使用交换区的计算机其他一切都会迟到</translation>
+        </message>
+        <message>
+            <source>the diameter of the blank is needed</source>
+            <translation>需要毛坯直径</translation>
+        </message>
+        <message>
+            <source>the diameter of the pin is needed</source>
+            <translation>需要销的直径</translation>
+        </message>
+        <message>
+            <source>the drawing is %1 mm high, and the cylinder only %2 mm: choose a larger height or a smaller scale</source>
+            <translation>图形高 %1 mm，而圆柱只有 %2 mm：请加大高度或减小比例</translation>
+        </message>
+        <message>
+            <source>the drawing is %1 mm wide, and once round the cylinder are only %2 mm: choose a scale of at most %3, a larger diameter, or all round</source>
+            <translation>图形宽 %1 mm，而圆柱一周只有 %2 mm：比例最多选 %3，或加大直径，或选整周</translation>
+        </message>
+        <message>
+            <source>the drawing would be more than ten metres wide or high</source>
+            <translation>图形的宽或高将超过十米</translation>
+        </message>
+        <message>
+            <source>the drawing's width or height is not more than 0</source>
+            <translation>图形的宽或高不大于 0</translation>
+        </message>
+        <message>
             <source>the face names a vertex that is not there</source>
             <translation>该面引用了不存在的顶点</translation>
         </message>
@@ -2926,12 +5592,28 @@ N、Shift+N  下一条、上一条记录
             <translation>文件在一个三角面中间结束</translation>
         </message>
         <message>
+            <source>the file ends too early: there is no EOF</source>
+            <translation>文件过早结束：没有 EOF</translation>
+        </message>
+        <message>
             <source>the file is empty</source>
             <translation>文件为空</translation>
         </message>
         <message>
+            <source>the first element is not &lt;svg&gt;</source>
+            <translation>第一个元素不是 &lt;svg&gt;</translation>
+        </message>
+        <message>
+            <source>the guard process ended; start the core again</source>
+            <translation>看护进程已结束；请重新启动核心</translation>
+        </message>
+        <message>
             <source>the job has not so many layers</source>
             <translation>作业没有这么多层</translation>
+        </message>
+        <message>
+            <source>the job is carved to its end</source>
+            <translation>作业已雕刻到最后</translation>
         </message>
         <message>
             <source>the job was made for another machine (%1 differ); slice it again with the machine's profile</source>
@@ -2942,8 +5624,28 @@ N、Shift+N  下一条、上一条记录
             <translation>作业自带</translation>
         </message>
         <message>
+            <source>the kernel has one, but /dev/parport0 is not there</source>
+            <translation>内核有并口，但没有 /dev/parport0</translation>
+        </message>
+        <message>
+            <source>the kernel itself keeps the tick waiting, at times for milliseconds; they are skipped and counted</source>
+            <translation>内核本身会让节拍等待，有时达数毫秒；这些节拍被跳过并计数</translation>
+        </message>
+        <message>
+            <source>the largest job takes %1</source>
+            <translation>最大的作业需要 %1</translation>
+        </message>
+        <message>
+            <source>the largest job takes %1, two may be there</source>
+            <translation>最大的作业需要 %1，可能同时有两个</translation>
+        </message>
+        <message>
             <source>the machine came to rest (%1), somebody stopped it</source>
             <translation>机床已停下（%1），有人停止了它</translation>
+        </message>
+        <message>
+            <source>the machine is %1; home it, jog %2 to the pin, and let it rest</source>
+            <translation>机床状态：%1；请回零，将 %2 点动到销处并停稳</translation>
         </message>
         <message>
             <source>the machine is not homed; home first</source>
@@ -2954,16 +5656,92 @@ N、Shift+N  下一条、上一条记录
             <translation>网格没有体积（全部是平的）；没有可雕刻的内容</translation>
         </message>
         <message>
+            <source>the port does not answer: switch the machine off by its own switch</source>
+            <translation>端口没有应答：用机床自身的开关关断机床</translation>
+        </message>
+        <message>
+            <source>the port has failed; reset the alarm, then home</source>
+            <translation>端口发生过故障；复位报警，然后回零</translation>
+        </message>
+        <message>
+            <source>the printer driver may take the port</source>
+            <translation>打印机驱动可能占用端口</translation>
+        </message>
+        <message>
+            <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>
+            <translation>下切步距必须大于 0 mm 且不超过 %1，而不是 %2</translation>
+        </message>
+        <message>
+            <source>the stepover must be more than 0 mm, not %1</source>
+            <translation>层距必须大于 0 mm，而不是 %1</translation>
+        </message>
+        <message>
             <source>the switch of the axis is open; there is nothing to back off from</source>
             <translation>此轴的开关未闭合；无需退离</translation>
+        </message>
+        <message>
+            <source>the table has no layers</source>
+            <translation>表格没有层</translation>
+        </message>
+        <message>
+            <source>the table's %1 points a circle are evened to %2</source>
+            <translation>表格每圈 %1 个点已均衡为 %2 个</translation>
+        </message>
+        <message>
+            <source>the table's last layer is not whole, or there is none</source>
+            <translation>表格最后一层不完整，或没有层</translation>
+        </message>
+        <message>
+            <source>the tip of %1 would stand %2 mm further out than counted; is the pin's diameter %3 mm, and does the tip touch it at %4 mm?</source>
+            <translation>%1 的刀尖会比计数位置靠外 %2 mm；销的直径是 %3 mm 吗？刀尖在 %4 mm 处接触吗？</translation>
         </message>
         <message>
             <source>the zip archive is cut off or damaged</source>
             <translation>zip 压缩包被截断或已损坏</translation>
         </message>
         <message>
+            <source>then about Y</source>
+            <translation>再绕 Y</translation>
+        </message>
+        <message>
+            <source>then about Z</source>
+            <translation>再绕 Z</translation>
+        </message>
+        <message>
+            <source>there</source>
+            <translation>有</translation>
+        </message>
+        <message>
+            <source>there is no &lt;svg&gt; element</source>
+            <translation>没有 &lt;svg&gt; 元素</translation>
+        </message>
+        <message>
             <source>there is no alarm</source>
             <translation>没有报警</translation>
+        </message>
+        <message>
+            <source>this is no DXF file: it does not begin with a section</source>
+            <translation>这不是 DXF 文件：开头不是节</translation>
+        </message>
+        <message>
+            <source>this is not well-formed XML</source>
+            <translation>XML 格式不正确</translation>
+        </message>
+        <message>
+            <source>this kernel lets nobody at addresses</source>
+            <translation>此内核不允许任何程序访问端口地址</translation>
+        </message>
+        <message>
+            <source>this kernel lets nobody at addresses: it is locked down (Secure Boot), or this is a container</source>
+            <translation>此内核不允许任何程序访问端口地址：内核已锁定（Secure Boot），或这是容器</translation>
+        </message>
+        <message>
+            <source>this kernel lets nobody at addresses: it is locked down (Secure Boot), or this is a container; --port ppdev:/dev/parport0 needs no such right</source>
+            <translation>此内核不允许任何程序访问端口地址：内核已锁定（Secure Boot），或这是容器；--port ppdev:/dev/parport0 不需要此权限</translation>
+        </message>
+        <message>
+            <source>this kernel lets nobody at addresses; --port ppdev:/dev/parport0 needs no such right</source>
+            <translation>此内核不允许任何程序访问端口地址；--port ppdev:/dev/parport0 不需要此权限</translation>
         </message>
         <message>
             <source>tick %1 µs</source>
@@ -2986,6 +5764,14 @@ N、Shift+N  下一条、上一条记录
             <translation>同时命令过多；请等待其他命令</translation>
         </message>
         <message>
+            <source>turn of the table in a layer [pulses]</source>
+            <translation>每层转台转动 [脉冲]</translation>
+        </message>
+        <message>
+            <source>two programs on one port move motors by accident</source>
+            <translation>两个程序用同一端口会意外驱动电机</translation>
+        </message>
+        <message>
             <source>under way</source>
             <translation>进行中</translation>
         </message>
@@ -2994,8 +5780,24 @@ N、Shift+N  下一条、上一条记录
             <translation>倒扣 %1 %</translation>
         </message>
         <message>
+            <source>undercut about %1 %</source>
+            <translation>倒扣约 %1 %</translation>
+        </message>
+        <message>
             <source>unknown</source>
             <translation>未知</translation>
+        </message>
+        <message>
+            <source>unlimited</source>
+            <translation>无限制</translation>
+        </message>
+        <message>
+            <source>use --port ppdev:/dev/parport0</source>
+            <translation>请使用 --port ppdev:/dev/parport0</translation>
+        </message>
+        <message>
+            <source>use the GNU C library's allocator</source>
+            <translation>使用 GNU C 库的内存分配器</translation>
         </message>
         <message>
             <source>virtual clock</source>
@@ -3018,8 +5820,24 @@ N、Shift+N  下一条、上一条记录
             <translation>由另一个版本的 psicarve 写成</translation>
         </message>
         <message>
+            <source>where %1 stands is needed</source>
+            <translation>需要 %1 的位置</translation>
+        </message>
+        <message>
             <source>whole</source>
             <translation>完整</translation>
+        </message>
+        <message>
+            <source>without area: %1</source>
+            <translation>无面积：%1</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>是</translation>
+        </message>
+        <message>
+            <source>zigzag</source>
+            <translation>往复</translation>
         </message>
         <message>
             <source>× NO CORE</source>
@@ -3058,10 +5876,30 @@ N、Shift+N  下一条、上一条记录
             <translation>Ψ 步进</translation>
         </message>
         <message>
+            <source>← →  Ψ
+↑ ↓  Y
+PgUp PgDn  R1 out, in
+Ctrl+PgUp PgDn  R2 out, in
+Shift with these  one step</source>
+            <translation>← →  Ψ
+↑ ↓  Y
+PgUp PgDn  R1 退、进
+Ctrl+PgUp PgDn  R2 退、进
+同时按 Shift  一步</translation>
+        </message>
+        <message>
             <source>← → Ψ   ↑ ↓ Y   PgUp PgDn R1
 Ctrl+PgUp PgDn R2   Shift one step</source>
             <translation>← → Ψ   ↑ ↓ Y   PgUp PgDn R1
 Ctrl+PgUp PgDn R2   Shift 一步</translation>
+        </message>
+        <message>
+            <source>≥ %1 mm</source>
+            <translation>≥ %1 mm</translation>
+        </message>
+        <message>
+            <source>⌀, round</source>
+            <translation>⌀、周长</translation>
         </message>
         <message>
             <source>○ index</source>

@@ -3,10 +3,12 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 
-#include "hmi/session/alarm_text.hpp"
+#include "hmi/session/lost_core.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/last_known.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
@@ -15,6 +17,12 @@ namespace {
 constexpr int kIconWidth = 48;
 constexpr int kIconSide = 28;
 constexpr int kButtonWidth = 140;
+
+/// "From layer 52" is not torn at the end of a line.
+QString whole_if_short(QString step) {
+    constexpr qsizetype kShort = 24;
+    return step.size() > kShort ? step : step.replace(' ', QChar::Nbsp);
+}
 
 }  // namespace
 
@@ -29,6 +37,7 @@ AlarmBanner::AlarmBanner(Bench& bench, QWidget* parent)
       reset_(new ActionButton{
           session::Action::reset_alarm, tr("Reset alarm"),
           [this] { bench_.machine.order(CommandKind::reset_alarm, session::phrase("Reset alarm")); }}),
+      acknowledge_(new QPushButton{tr("Acknowledge")}),
       reason_(role_label("label")) {
     setObjectName("banner");
     icon_->setFixedWidth(kIconWidth);
@@ -37,6 +46,15 @@ AlarmBanner::AlarmBanner(Bench& bench, QWidget* parent)
     back_off_->setObjectName("back_off");
     back_off_->set_hint(tr("Moves the axis away from its closed switch, slowly"));
     reset_->setObjectName("reset_alarm");
+    acknowledge_->setObjectName("acknowledge");
+    acknowledge_->setFocusPolicy(Qt::TabFocus);
+    acknowledge_->setToolTip(tr("Takes this away once it was read; it moves and stops nothing"));
+    connect(acknowledge_, &QPushButton::clicked, this, [this] {
+        bench_.machine.acknowledge_unheard_stop();
+        refresh();
+    });
+    detail_->setObjectName("alarm_detail");
+    steps_->setObjectName("alarm_steps");
     for (QLabel* label : {detail_, steps_, reason_}) label->setWordWrap(true);
     auto* text = new QVBoxLayout;
     text->setContentsMargins(0, kGap, kGap, kGap);
@@ -44,8 +62,8 @@ AlarmBanner::AlarmBanner(Bench& bench, QWidget* parent)
     for (QLabel* label : {title_, detail_, steps_}) text->addWidget(label);
     auto* buttons = new QVBoxLayout;
     buttons->setContentsMargins(0, kGap, kGap, kGap);
-    for (QWidget* widget :
-         {static_cast<QWidget*>(back_off_), static_cast<QWidget*>(reset_), static_cast<QWidget*>(reason_)}) {
+    for (QWidget* widget : {static_cast<QWidget*>(back_off_), static_cast<QWidget*>(reset_),
+                            static_cast<QWidget*>(acknowledge_), static_cast<QWidget*>(reason_)}) {
         widget->setFixedWidth(kButtonWidth);
         buttons->addWidget(widget);
     }
@@ -75,24 +93,36 @@ void AlarmBanner::back_off() {
     }
 }
 
+/// Without a core there is nothing to be reset.
+void AlarmBanner::refresh_buttons() {
+    const session::MachineSight& sight = bench_.machine.sight();
+    back_off_->refresh(bench_);
+    reason_->setText(reset_->refresh(bench_));
+    const bool has_core = sight.is_heard();
+    for (QWidget* widget :
+         {static_cast<QWidget*>(back_off_), static_cast<QWidget*>(reset_), static_cast<QWidget*>(reason_)}) {
+        if (widget->isHidden() == has_core) widget->setVisible(has_core);
+    }
+    if (acknowledge_->isHidden() == sight.unheard_stop) acknowledge_->setVisible(sight.unheard_stop);
+}
+
 void AlarmBanner::refresh() {
     const session::MachineSight& sight = bench_.machine.sight();
-    const bool is_alarm =
-        sight.status && (sight.state() == MachineState::alarm || sight.state() == MachineState::backing_off);
-    if (isHidden() == is_alarm) setVisible(is_alarm);
-    back_off_->refresh(bench_);
-    const QString reason = reset_->refresh(bench_);
-    reason_->setText(reason);
-    if (!is_alarm) return;
-    const session::AlarmText text = session::alarm_text(sight);
-    title_->setText(words(text.title));
-    detail_->setText(words(text.detail));
+    const auto text = session::loud_text(sight);
+    refresh_buttons();
+    if (isHidden() == text.has_value()) setVisible(text.has_value());
+    if (!text) return;
+    title_->setText(words(text->title));
+    const bool is_past = !sight.is_heard() && sight.status;
+    detail_->setText(is_past ? QStringLiteral("%1 (%2)").arg(words(text->detail), last_known(sight))
+                             : words(text->detail));
+    detail_->setToolTip(detail_->text());  // a very small window has no room for all of it
     QString steps;
-    for (std::size_t i = 0; i < text.steps.size(); ++i) {
+    for (std::size_t i = 0; i < text->steps.size(); ++i) {
         steps += QString{"%1<b>%2</b>&nbsp;%3"}
                      .arg(i == 0 ? "" : " &nbsp; ")
                      .arg(i + 1)
-                     .arg(words(text.steps[i]).toHtmlEscaped());
+                     .arg(whole_if_short(words(text->steps[i])).toHtmlEscaped());
     }
     steps_->setText(steps);
     setAccessibleName(tr("Alarm: %1").arg(title_->text()));

@@ -8,12 +8,14 @@
 #include "hmi/ui/tokens.hpp"
 
 class QLabel;
+class QPushButton;
 
 namespace psicarve::ui {
 
 class ActionButton;
 
-/// What has stopped the machine, where, why, and what to do. Only there while there is an alarm.
+/// What has stopped the machine, or what nobody can stop from here, where, why, and what to do. Only there
+/// while there is something of that kind.
 class AlarmBanner : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::AlarmBanner)
 public:
@@ -24,6 +26,7 @@ public:
 
 private:
     void back_off();
+    void refresh_buttons();
 
     Bench& bench_;
     QLabel* icon_;
@@ -32,6 +35,7 @@ private:
     QLabel* steps_;
     ActionButton* back_off_;
     ActionButton* reset_;
+    QPushButton* acknowledge_;
     QLabel* reason_;
 };
 

@@ -15,7 +15,8 @@ class QLabel;
 
 namespace psicarve::ui {
 
-/// What the axes do: pulses of the job so far, speed, and how much of the axis' top speed that is.
+/// What the axes do: pulses since the job was started, speed, how much of the axis' top speed that is, and
+/// the pulses that are left by the tables.
 class AxisTable : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::AxisTable)
 public:
@@ -23,6 +24,8 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
+    /// "feed 20.0 mm/s": of the faster head's tool over the surface; nothing when that is not known.
+    QString feed_text() const;
 
 private:
     struct Row {
@@ -30,8 +33,10 @@ private:
         QLabel* pulses;
         QLabel* speed;
         QLabel* share;
+        QLabel* left;
     };
     void show_speed(Axis axis);
+    void show_pulses_to_go();
 
     Bench& bench_;
     std::array<Row, kAxisCount> rows_{};

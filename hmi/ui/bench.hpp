@@ -5,11 +5,15 @@
 #include <cstdlib>
 
 #include "hmi/replay/replay_desk.hpp"
+#include "hmi/session/estimate_desk.hpp"
+#include "hmi/session/file_desk.hpp"
 #include "hmi/session/job_desk.hpp"
 #include "hmi/session/log_file.hpp"
 #include "hmi/session/machine_session.hpp"
 #include "hmi/session/message_log.hpp"
+#include "hmi/session/pin_recorder.hpp"
 #include "hmi/session/run_watch.hpp"
+#include "hmi/session/trace_judge.hpp"
 
 namespace psicarve::ui {
 
@@ -19,9 +23,13 @@ struct Bench {
         : machine(options, log),
           desk(options.segment_name, options.group, log),
           keeper(session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME"))),
-          replay(log) {
+          replay(log),
+          pins(options.segment_name, options.group, log),
+          judge(log),
+          files(options.segment_name, options.group, log) {
         desk.set_recordings(replay::is_recording, [this](const std::string& path) { open_replay(path); });
         desk.set_opened([this] { replay.leave(); });
+        desk.set_profile([this] { return machine_profile(); });
     }
 
     session::MessageLog log;
@@ -30,7 +38,17 @@ struct Bench {
     session::RunWatch runs;
     session::LogKeeper keeper;
     replay::ReplayDesk replay;
+    session::PinRecorder pins;
+    session::TraceJudge judge;
+    session::FileDesk files;
+    session::EstimateDesk estimate{log};
+    session::RunKind wanted_run = session::RunKind::carve;  ///< of every button that starts the job
 
+    /// The core's, else the one that the window was started with, else the built-in one.
+    Profile machine_profile() const {
+        const auto& of_core = machine.sight().profile;
+        return of_core ? *of_core : machine.options().profile.value_or(Profile{});
+    }
     // What the window shows: the machine and its job, or a recording of them.
     const session::MachineSight& shown() const noexcept {
         return replay.is_open() ? replay.sight() : machine.sight();
@@ -52,22 +70,47 @@ struct Bench {
                (state == MachineState::carving || state == MachineState::held);
     }
 
+    /// The file that was to be opened last and could not be; null: none, or somebody has read that.
+    const session::RefusedFile* refused_file() const noexcept {
+        const auto& refused = desk.refused_file() ? desk.refused_file() : replay.refused_file();
+        return refused ? &*refused : nullptr;
+    }
+    void forget_refused_file() noexcept {
+        desk.forget_refused_file();
+        replay.forget_refused_file();
+    }
+
     /// A look at the machine and at what is under way.
     void poll() {
         machine.poll();
         desk.poll(machine.sight());
         runs.note(machine.sight(), session::RunWatch::Clock::now());
         note_job_of_run();
+        pins.poll(machine.sight());
+        judge.poll();
+        files.poll();
         keeper.poll(log);
+        estimate.poll(job_to_estimate(), session::EstimateDesk::Clock::now());
         replay.poll(replay::ReplayDesk::Clock::now());
         machine.watch_only(replay.is_open());
+        const replay::JobPointer accepted = desk.core_job();
+        machine.take_accepted(accepted ? &accepted->profile : nullptr);
         if (desk.edition() == offered_edition_) return;
         offered_edition_ = desk.edition();
         if (desk.job()) machine.offer_profile(desk.job()->profile);
-        if (desk.core_job()) machine.offer_profile(desk.core_job()->profile);
+        if (accepted) machine.offer_profile(accepted->profile);
     }
 
 private:
+    /// The open job, while the computer is not needed for a machine at work. The core, too, knows how long a
+    /// published one takes, but not each of its layers.
+    std::shared_ptr<const cam::PreparedJob> job_to_estimate() const {
+        const session::MachineSight& sight = machine.sight();
+        const bool is_at_work = sight.is_heard() && !is_at_rest(sight.state());
+        if (is_at_work || replay.is_open() || desk.sight().is_busy()) return nullptr;
+        return desk.job();
+    }
+
     void open_replay(const std::string& path) {
         replay.open(path, machine.options().profile.value_or(Profile{}));
     }

@@ -12,13 +12,17 @@
 #include <cmath>
 #include <utility>
 
+#include "hmi/session/alarm_text.hpp"
 #include "hmi/session/colour_map.hpp"
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/radius_map.hpp"
 #include "hmi/ui/axis_table.hpp"
+#include "hmi/ui/checked_width.hpp"
+#include "hmi/ui/colour_bar.hpp"
+#include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
-#include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/view_buttons.hpp"
+#include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -26,29 +30,16 @@ namespace {
 /// Never more often than this, so that the machine's computer has time for the machine.
 constexpr qint64 kLeastPause_ms = 66;
 constexpr std::uint64_t kCellsPerLook = 100'000;  // some milliseconds
-constexpr QRgb kDone = 0xC4CAD0;
-constexpr QRgb kBlank = 0x7C8894;
-constexpr double kRodLength = 0.35;  // of the blank's diameter
+constexpr double kRodLength = 0.35;               // of the blank's diameter
 constexpr double kRodRadius = 0.04;
+constexpr double kAlarmRing = 0.25;
 
 constexpr int kLeastForTable = 400;  // of the page's height
-constexpr int kScaleSteps = 11;
-
-/// Coloured squares in a row, as rich text.
-template <typename Colour>
-QString colour_bar(Colour colour) {
-    QString bar;
-    for (int step = 0; step < kScaleSteps; ++step) {
-        const double ratio = static_cast<double>(step) / (kScaleSteps - 1);
-        bar += QStringLiteral("<span style='background:%1'>&nbsp;&nbsp;&nbsp;</span>")
-                   .arg(QColor::fromRgb(colour(ratio)).name());
-    }
-    return bar;
-}
+constexpr int kLeastForTitle = 480;  // of its width
 
 session::CarvedScenePlan plan_for(Drawing drawing) {
-    return drawing == Drawing::opengl ? session::CarvedScenePlan{480, 400, 2, kDone, kBlank}
-                                      : session::CarvedScenePlan{240, 200, 2, kDone, kBlank};
+    return drawing == Drawing::opengl ? session::CarvedScenePlan{480, 400, 2, kDoneColour, kBlankColour}
+                                      : session::CarvedScenePlan{240, 200, 2, kDoneColour, kBlankColour};
 }
 
 bool is_moving(MachineState state) {
@@ -64,14 +55,21 @@ CarvingPage::CarvingPage(Bench& bench, Drawing drawing, QWidget* parent)
       axes_(new AxisTable{bench}),
       colourings_(new QButtonGroup{this}),
       done_(role_label("label")),
+      feed_(role_label("label")),
       point_(role_label("title")) {
     view_->setObjectName("carving_view");
     view_->setAccessibleName(tr("The blank as carved so far"));
     view_->set_empty_text(tr("No job is published."));
     view_->look_from(MeshView::Side::front);
     point_->setObjectName("carving_point");
-    auto* foot = new QHBoxLayout;
-    foot->addWidget(done_, 1);
+    feed_->setObjectName("carving_feed");
+    feed_->setToolTip(tr("Of the faster head's tool over the surface, in the last second"));
+    setObjectName("carving_page");
+    auto* foot = new FlowLayout;
+    foot->setSpacing(kGap);
+    foot->addWidget(done_);
+    foot->add_end();
+    foot->addWidget(feed_);
     foot->addWidget(point_);
     auto* all = new QVBoxLayout{this};
     all->setContentsMargins(kGap, kGap, kGap, kGap);
@@ -83,7 +81,7 @@ CarvingPage::CarvingPage(Bench& bench, Drawing drawing, QWidget* parent)
     all->addWidget(axes_);
 }
 
-void CarvingPage::add_colourings(QHBoxLayout& row) {
+void CarvingPage::add_colourings(QLayout& row) {
     const QString names[] = {tr("Done"), tr("Radius"), tr("Deviation")};
     const char* const ids[] = {"colour_done", "colour_radius", "colour_deviation"};
     for (int i = 0; i < 3; ++i) {
@@ -92,6 +90,7 @@ void CarvingPage::add_colourings(QHBoxLayout& row) {
         button->setObjectName(ids[i]);
         button->setCheckable(true);
         button->setChecked(i == 0);
+        leave_room_for_bold(*button);
         button->setFocusPolicy(Qt::TabFocus);
         colourings_->addButton(button, i);
         row.addWidget(button);
@@ -109,6 +108,7 @@ void CarvingPage::colour_by(session::Colouring colouring) {
 void CarvingPage::resizeEvent(QResizeEvent* event) {
     // Where room is short the piece is worth more than figures.
     axes_->setVisible(event->size().height() >= kLeastForTable);
+    set_styled(point_, "role", event->size().width() < kLeastForTitle ? "head" : "title");
     QWidget::resizeEvent(event);
 }
 
@@ -135,7 +135,7 @@ void CarvingPage::show_scale() {
     const double reach_mm = now.reach_pulses / axis_motion(job->profile, Axis::r1).pulses_per_unit;
     const auto colour = [&now](double ratio) {
         const bool is_neutral = std::abs(2.0 * ratio - 1.0) * now.reach_pulses <= now.neutral_pulses;
-        return is_neutral ? kDone : session::vik(ratio);
+        return is_neutral ? kDoneColour : session::vik(ratio);
     };
     view_->set_legend(tr("too deep %1 material left<br>±%2 mm, ±%3 pulses")
                           .arg(colour_bar(colour), mm(reach_mm, 3), QString::number(now.reach_pulses)));
@@ -188,13 +188,16 @@ void CarvingPage::make_record() {
 
 void CarvingPage::keep_record() {
     const auto job = bench_.desk.core_job();
-    if (job != job_) {
+    // What a core had carved stands there after it is gone.
+    if (job != job_ && (job || bench_.machine.sight().is_heard())) {
         job_ = job;
         job_start_tick_ = 0;
         make_record();
     }
     const auto& status = bench_.machine.sight().status;
     if (!job_ || !status) return bench_.machine.skip_increments();
+    // A dry run carves nothing: what stands there stays.
+    if (status->is_dry != 0) return bench_.machine.skip_increments();
     if (status->job_start_tick != job_start_tick_) {
         if (job_start_tick_ != 0) make_record();
         job_start_tick_ = status->job_start_tick;
@@ -229,13 +232,17 @@ void CarvingPage::draw() {
     verify::Positions positions{};
     if (status)
         std::copy(std::begin(status->position_pulses), std::end(status->position_pulses), positions.begin());
-    const bool is_same = scene_ && drawn_edition_ == record->edition() && drawn_positions_ == positions;
+    note_known_heads();
+    auto alarm = session::alarm_heads(bench_.shown());
+    const bool is_same = scene_ && drawn_edition_ == record->edition() && drawn_positions_ == positions &&
+                         drawn_alarm_ == alarm;
     view_->set_moving(bench_.replay.is_open() ? bench_.replay.clock().is_playing()
                                               : is_moving(bench_.machine.sight().state()));
     if (is_same || (drawn_.isValid() && drawn_.elapsed() < kLeastPause_ms)) return;
     drawn_.start();
     drawn_edition_ = record->edition();
     drawn_positions_ = positions;
+    drawn_alarm_ = std::move(alarm);
     if (!scene_ || scene_drawing_ != view_->drawing()) {
         scene_drawing_ = view_->drawing();
         take_range();
@@ -262,16 +269,25 @@ void CarvingPage::take_range() {
     most_mm_ = map.most_mm;
 }
 
+/// Where a head stands is known once its axis is homed, and from a recording. An alarm makes it uncertain; it
+/// is shown where it was last counted.
+void CarvingPage::note_known_heads() {
+    const session::MachineSight& sight = bench_.machine.sight();
+    const MachineState state = sight.state();
+    const bool is_alarm = state == MachineState::alarm || state == MachineState::backing_off;
+    for (std::size_t h = 0; h < verify::kHeadCount; ++h) {
+        const bool is_homed = sight.is_homed(verify::kHeads[h]) && sight.is_homed(Axis::y);
+        is_head_known_[h] = bench_.replay.is_open() || is_homed || (is_alarm && is_head_known_[h]);
+    }
+}
+
 void CarvingPage::draw_heads(const session::CarvingRecord& record) {
     const auto pose = record.pose(drawn_positions_);
     const double across_mm = scene_->scene()->size[0];
     const QColor colours[] = {tokens_->r1, tokens_->r2};
     std::vector<MeshView::Head> heads;
     for (std::size_t h = 0; h < verify::kHeadCount; ++h) {
-        // Where it stands is known once its axis is homed, and from a recording.
-        const auto& sight = bench_.machine.sight();
-        const bool is_known = sight.is_homed(verify::kHeads[h]) && sight.is_homed(Axis::y);
-        if (!is_known && !bench_.replay.is_open()) continue;
+        if (!is_head_known_[h]) continue;
         const auto& at = pose.heads[h];
         if (!rods_[h])
             rods_[h] = std::make_shared<const session::MeshScene>(
@@ -282,13 +298,30 @@ void CarvingPage::draw_heads(const session::CarvingRecord& record) {
              h == 0 ? QStringLiteral("R1") : QStringLiteral("R2"),
              colours[h],
              {name_mm * std::cos(at.direction_rad), name_mm * std::sin(at.direction_rad),
-              at.height_mm + 2.0 * across_mm * kRodRadius}});
+              at.height_mm + 2.0 * across_mm * kRodRadius},
+             alarm_at(h, pose)});
     }
     view_->turn_part(pose.part_turn_rad);
     view_->set_heads(std::move(heads));
 }
 
+/// A ring round the head's middle, with the state's own words.
+std::optional<MeshView::Head::Alarm> CarvingPage::alarm_at(std::size_t head,
+                                                           const session::MachinePose& pose) const {
+    if (std::find(drawn_alarm_.begin(), drawn_alarm_.end(), verify::kHeads[head]) == drawn_alarm_.end())
+        return std::nullopt;
+    const double across_mm = scene_->scene()->size[0];
+    const auto& at = pose.heads[head];
+    const double middle_mm = at.radius_mm + across_mm * kRodLength / 2.0;
+    const bool is_last = drawn_alarm_.back() == verify::kHeads[head];
+    return MeshView::Head::Alarm{
+        {middle_mm * std::cos(at.direction_rad), middle_mm * std::sin(at.direction_rad), at.height_mm},
+        across_mm * kAlarmRing,
+        is_last ? words(session::state_text(bench_.shown(), 0).second) : QString{}};
+}
+
 void CarvingPage::say() {
+    feed_->setText(runs_job(bench_.shown().state()) ? axes_->feed_text() : QString{});
     const auto& status = bench_.shown().status;
     const session::CarvingRecord* const record = shown_record();
     const auto job = bench_.job_at_work();
@@ -305,10 +338,11 @@ void CarvingPage::say() {
     const std::uint32_t layers = job->view.layer_count();
     const std::uint32_t planned = record->planned_layers();
     const bool is_planned = bench_.replay.is_open() && !bench_.replay.facts().knows_every_pulse;
-    done_->setText(is_planned ? tr("Light: carved, as planned. Dark: blank.")
-                   : planned == 0
-                       ? tr("Light: carved. Dark: blank.")
-                       : tr("Light: carved (%1 layers not seen: as planned). Dark: blank.").arg(planned));
+    const QString carved = is_planned     ? tr("carved, as planned")
+                           : planned == 0 ? tr("carved")
+                                          : tr("carved (%1 layers not seen: as planned)").arg(planned);
+    done_->setText(colour_square(kDoneColour) + carved + QStringLiteral(" &nbsp; ") +
+                   colour_square(kBlankColour) + tr("blank"));
     point_->setText(tr("Layer %1 / %2, point %3 / %4")
                         .arg(std::min(status->layer + 1, layers))
                         .arg(layers)

@@ -8,23 +8,24 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "hmi/session/carved_scene.hpp"
 #include "hmi/session/carving_record.hpp"
 #include "hmi/session/work_lane.hpp"
 #include "hmi/ui/bench.hpp"
-#include "hmi/ui/space_canvas.hpp"
+#include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/tokens.hpp"
 
 class QButtonGroup;
-class QHBoxLayout;
+class QLayout;
 class QLabel;
 class QResizeEvent;
 
 namespace psicarve::ui {
 
 class AxisTable;
-class MeshView;
 
 /// The blank as it is being carved, and both heads: from what the core reports, not from what was asked of
 /// it.
@@ -43,7 +44,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void add_colourings(QHBoxLayout& row);
+    void add_colourings(QLayout& row);
     void colour_by(session::Colouring colouring);
     session::CarvedScenePlan plan() const;
     void show_scale();
@@ -54,6 +55,8 @@ private:
     session::CarvingRecord* shown_record() const noexcept;
     void draw();
     void draw_heads(const session::CarvingRecord& record);
+    void note_known_heads();
+    std::optional<MeshView::Head::Alarm> alarm_at(std::size_t head, const session::MachinePose& pose) const;
     void say();
 
     Bench& bench_;
@@ -67,6 +70,8 @@ private:
     std::uint64_t job_start_tick_ = 0;
     std::uint64_t drawn_edition_ = 0;
     verify::Positions drawn_positions_{};
+    std::vector<Axis> drawn_alarm_;
+    std::array<bool, verify::kHeadCount> is_head_known_{};  ///< where it stands, or stood before the alarm
     std::uint64_t shown_replay_ = 0;
     const session::CarvingRecord* drawn_record_ = nullptr;  ///< only compared
     const session::CarvingRecord* is_seen_ = nullptr;       ///< whose scene the view has; only compared
@@ -79,6 +84,7 @@ private:
     double least_mm_ = 0.0;
     double most_mm_ = 1.0;
     QLabel* done_;
+    QLabel* feed_;
     QLabel* point_;
     session::WorkLane lane_;
 };

@@ -13,8 +13,9 @@ namespace psicarve::ui {
 namespace {
 
 constexpr int kHeight_px = 104;
-constexpr int kText_px = 10;
+constexpr int kPinText_px = 10;
 constexpr double kRadius_px = 8.0;
+constexpr double kRing_px = 12.0;  // round a switch that stops the machine
 constexpr double kUpperRow_px = 38.0;
 constexpr double kLowerRow_px = 64.0;
 constexpr double kMostPitch_px = 62.0;
@@ -36,12 +37,14 @@ void ConnectorView::set_theme(const Tokens& tokens) {
 void ConnectorView::show_rows(const std::vector<session::PinRow>& rows) {
     signals_.fill(0);
     labels_.fill({});
+    std::array<std::vector<Signal>, kPins + 1> at_pin;
     for (const session::PinRow& row : rows) {
         if (row.pin < 1 || row.pin > kPins) continue;
         const auto pin = static_cast<std::size_t>(row.pin);
         signals_[pin] |= bit_of(row.signal);
-        labels_[pin] += (labels_[pin].isEmpty() ? "" : ", ") + words(row.name);
+        at_pin[pin].push_back(row.signal);
     }
+    for (std::size_t pin = 1; pin <= kPins; ++pin) labels_[pin] = words(session::pin_label(at_pin[pin]));
     for (std::size_t pin = kFirstGround; pin <= kPins; ++pin)
         labels_[pin] = QCoreApplication::translate("psicarve::ui::ConnectorView", "ground");
     update();
@@ -51,6 +54,17 @@ void ConnectorView::show_levels(SignalWord levels) {
     if (levels == levels_) return;
     levels_ = levels;
     update();
+}
+
+/// A ring round the pin of a switch that stops the machine, and its name in the same colour.
+void ConnectorView::draw_tripped(QPainter& painter) const {
+    const SignalWord tripped = session::tripped_stops(levels_);
+    painter.setPen(QPen{tokens_->alarm, 2.5});
+    painter.setBrush(Qt::NoBrush);
+    for (int pin = 1; pin <= kPins; ++pin) {
+        if ((signals_[static_cast<std::size_t>(pin)] & tripped) != 0)
+            painter.drawEllipse(centre_of(pin), kRing_px, kRing_px);
+    }
 }
 
 QPointF ConnectorView::centre_of(int pin) const {
@@ -65,7 +79,7 @@ void ConnectorView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter{this};
     painter.setRenderHint(QPainter::Antialiasing);
     QFont small = font();
-    small.setPixelSize(kText_px);
+    small.setPixelSize(kPinText_px);
     painter.setFont(small);
     const double rim = 1.7 * kRadius_px;
     QPainterPath shell;
@@ -90,11 +104,13 @@ void ConnectorView::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(is_high ? tokens_->win : is_used ? tokens_->text : tokens_->dis);
         painter.drawText(QRectF{centre.x() - 12.0, centre.y() - 8.0, 24.0, 16.0}, Qt::AlignCenter,
                          QString::number(pin));
-        painter.setPen(is_used ? tokens_->text2 : tokens_->dis);
+        const bool is_tripped = (signals_[index] & session::tripped_stops(levels_)) != 0;
+        painter.setPen(is_tripped ? tokens_->alarm : is_used ? tokens_->text2 : tokens_->dis);
         const double y = pin <= kUpperPins ? 4.0 : kHeight_px - 20.0;
         const QString label = metrics.elidedText(labels_[index], Qt::ElideRight, static_cast<int>(pitch) - 3);
         painter.drawText(QRectF{centre.x() - pitch / 2.0, y, pitch, 16.0}, Qt::AlignCenter, label);
     }
+    draw_tripped(painter);
 }
 
 }  // namespace psicarve::ui

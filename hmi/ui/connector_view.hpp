@@ -25,6 +25,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void draw_tripped(QPainter& painter) const;
     static constexpr int kPins = 25;
     static constexpr int kUpperPins = 13;
 

@@ -18,7 +18,7 @@ using session::Severity;
 enum Column { kTime, kKind, kWhat, kColumns };
 constexpr int kTimeWidth = 110;
 constexpr int kKindWidth = 96;
-constexpr int kRowHeight = 24;
+constexpr int kEntriesPageRowHeight = 24;
 
 }  // namespace
 
@@ -77,7 +77,7 @@ EntriesPage::EntriesPage(Bench& bench, QWidget* parent)
     table_->setObjectName("entries");
     table_->setModel(model_.get());
     table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
+    table_->verticalHeader()->setDefaultSectionSize(kEntriesPageRowHeight);
     table_->setColumnWidth(kTime, kTimeWidth);
     table_->setColumnWidth(kKind, kKindWidth);
     table_->horizontalHeader()->setStretchLastSection(true);

@@ -7,11 +7,11 @@
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/plot.hpp"
+#include "hmi/ui/tokens.hpp"
 
 namespace psicarve::ui {
 namespace {
 
-constexpr int kText_px = 11;
 constexpr double kBarWidth = 0.72;   // of the distance from bar to bar
 constexpr double kLeastCount = 0.5;  // where the logarithmic axis begins: a single tick is to be seen
 constexpr double kRoomAbove = 6.0;   // times the greatest count, for the words there
@@ -19,7 +19,7 @@ constexpr double kLabelWidth_px = 70.0;
 
 QFont small_font(const QWidget& widget) {
     QFont font = widget.font();
-    font.setPixelSize(kText_px);
+    font.setPixelSize(kSmallText_px);
     return font;
 }
 

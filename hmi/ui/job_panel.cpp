@@ -4,17 +4,21 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QMessageBox>
+#include <QResizeEvent>
 #include <QSlider>
 #include <QSpinBox>
+
+#include <algorithm>
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/preflight.hpp"
 #include "hmi/session/start_intent.hpp"
 #include "hmi/ui/dialogs.hpp"
+#include "hmi/ui/job_facts_view.hpp"
 #include "hmi/ui/motion_buttons.hpp"
 #include "hmi/ui/report_dialog.hpp"
+#include "hmi/ui/tick_box.hpp"
 #include "hmi/ui/words.hpp"
-#include "shared/units.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -22,23 +26,10 @@ namespace {
 using session::Action;
 using session::Check;
 
-constexpr std::size_t kCheckRows = 7;
-constexpr int kIconSide = 14;
+constexpr std::size_t kCheckRows = session::kMostChecks;
+constexpr int kJobPanelIconSide = 14;
 constexpr int kFullPercent = 100;
-
-QString number(double value, int decimals) {
-    return QString::fromStdString(session::number_text(value, decimals));
-}
-
-/// "12.0 mm, r 8.0–28.9"
-QString size_text(const cam::PreparedJob& job) {
-    const auto heights = job.view.layer_heights_pulses();
-    const double y_per_mm = axis_motion(job.profile, Axis::y).pulses_per_unit;
-    const double rise_mm = mm_from_pulses(heights.back() - heights.front(), y_per_mm);
-    const double r1_per_mm = axis_motion(job.profile, Axis::r1).pulses_per_unit;
-    const double most_mm = mm_from_pulses(job.view.max_radius_pulses(Axis::r1), r1_per_mm);
-    return JobPanel::tr("%1 mm, r ≤ %2").arg(number(rise_mm, 1), number(most_mm, 1));
-}
+constexpr int kFullHeight_px = 612;  // of the panel with its buttons as high as they should be
 
 }  // namespace
 
@@ -65,20 +56,8 @@ void JobPanel::make_facts() {
     report_->setProperty("small", true);
     title->addWidget(report_);
     body().addLayout(title);
-    auto* grid = new QGridLayout;
-    grid->setVerticalSpacing(1);
-    body().addLayout(grid);
-    QLabel** values[] = {&counts_, &size_, &time_, &reference_};
-    const QString names[] = {tr("Layers × points"), tr("Height, radius"), tr("Time"), tr("T_ref")};
-    for (int i = 0; i < 4; ++i) {
-        *values[i] = new QLabel;
-        (*values[i])->setAlignment(Qt::AlignRight);
-        grid->addWidget(role_label("label", names[i]), i, 0);
-        grid->addWidget(*values[i], i, 1);
-    }
-    time_->setObjectName("job_time");
-    reference_->setObjectName("reference");
-    reference_->setToolTip(tr("The least time that the motors' limits allow for the whole job"));
+    facts_ = new JobFactsView{bench_};
+    body().addWidget(facts_);
     next_ = role_label("label");
     next_->setObjectName("next_job");
     next_->setWordWrap(true);
@@ -96,19 +75,18 @@ void JobPanel::make_checks() {
     body().addSpacing(kSmallGap);
     body().addLayout(head);
     body().addWidget(rule());
-    auto* grid = new QGridLayout;
-    grid->setVerticalSpacing(2);
-    grid->setColumnStretch(1, 1);
+    check_rows_ = new QGridLayout;
+    check_rows_->setColumnStretch(1, 1);
     for (std::size_t i = 0; i < kCheckRows; ++i) {
         CheckRow row{new QLabel, new QLabel, role_label("label")};
-        row.icon->setFixedSize(kIconSide + 4, kIconSide + 3);
+        row.icon->setFixedSize(kJobPanelIconSide + 4, kJobPanelIconSide + 3);
         const int line = static_cast<int>(i);
-        grid->addWidget(row.icon, line, 0);
-        grid->addWidget(row.name, line, 1);
-        grid->addWidget(row.detail, line, 2, Qt::AlignRight);
+        check_rows_->addWidget(row.icon, line, 0);
+        check_rows_->addWidget(row.name, line, 1);
+        check_rows_->addWidget(row.detail, line, 2, Qt::AlignRight);
         checks_.push_back(row);
     }
-    body().addLayout(grid);
+    body().addLayout(check_rows_);
 }
 
 void JobPanel::make_buttons() {
@@ -119,8 +97,18 @@ void JobPanel::make_buttons() {
     stop_ = motion.stop;
     start_->setProperty("main", true);
     start_->setObjectName("start");
-    start_->set_hint(tr("Heads to the first point, then carve (Ctrl+Enter)"));
     start_->setShortcut(Qt::CTRL | Qt::Key_Return);
+    dry_run_ = new TickBox{tr("Dry run")};
+    dry_run_->setObjectName("dry_run");
+    dry_run_->setFocusPolicy(Qt::TabFocus);
+    dry_run_->setToolTip(
+        tr("Start, One layer and From layer carve nothing: table and Y go as they would, heads outside the "
+           "blank, spindle off"));
+    dry_run_->setAccessibleDescription(dry_run_->toolTip());
+    connect(dry_run_, &QCheckBox::toggled, this, [this](bool is_dry) {
+        bench_.wanted_run = is_dry ? session::RunKind::dry : session::RunKind::carve;
+        refresh_buttons();
+    });
     auto* three = new QHBoxLayout;
     three->setSpacing(kGap);
     const char* names[] = {"hold", "resume", "stop"};
@@ -151,6 +139,7 @@ void JobPanel::make_buttons() {
     reason_->setMinimumHeight(32);
     reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     reason_->setObjectName("reason");
+    body().addWidget(dry_run_);
     body().addWidget(start_);
     body().addSpacing(kSmallGap);
     body().addLayout(three);
@@ -193,18 +182,29 @@ void JobPanel::start_at_layer(std::uint32_t layers) {
     const auto layer = static_cast<std::uint32_t>(layer_->value());
     // Layer after layer there is nothing to ask: it is where the carving stopped.
     const bool is_next = layers > 0 && layer == shown_layer_ + 1;
-    if (is_next || may_start_from_layer(layer)) bench_.machine.start(layer - 1, layers);
+    const session::RunKind kind = bench_.wanted_run;  // whatever is chosen while it is asked
+    if (is_next || may_start_from_layer(layer, kind)) bench_.machine.start(layer - 1, layers, kind);
 }
 
-bool JobPanel::may_start_from_layer(std::uint32_t layer) {
+bool JobPanel::may_start_from_layer(std::uint32_t layer, session::RunKind kind) {
     if (layer == 1) return true;
-    QMessageBox box{QMessageBox::Question, tr("From layer"),
-                    tr("Start from layer %1: the layers below are left as they are. The heads go out, Y goes "
-                       "to the layer, "
-                       "then the heads go in at plunge speed.")
-                        .arg(layer),
-                    QMessageBox::NoButton, window()};
-    QPushButton* go = box.addButton(tr("Start from layer %1").arg(layer), QMessageBox::AcceptRole);
+    const bool is_resumed = bench_.machine.sight().resumable_layer == layer - 1;
+    const QString finished =
+        is_resumed ? QStringLiteral("\n\n") + tr("Layer %1 was the last that was finished.").arg(layer - 1)
+                   : QString{};
+    const bool is_dry = kind == session::RunKind::dry;
+    const QString how =
+        is_dry
+            ? tr("Dry run from layer %1: the heads go out and stay there, spindle off; Y goes to the layer, "
+                 "then table and Y go as they would.")
+            : tr("Start from layer %1: the layers below are left as they are. The heads go out, Y goes "
+                 "to the layer, "
+                 "then the heads go in at plunge speed.");
+    QMessageBox box{QMessageBox::Question, tr("From layer"), how.arg(layer) + finished, QMessageBox::NoButton,
+                    window()};
+    QPushButton* go =
+        box.addButton((is_dry ? tr("Start dry run from layer %1") : tr("Start from layer %1")).arg(layer),
+                      QMessageBox::AcceptRole);
     box.setDefaultButton(box.addButton(tr("Cancel"), QMessageBox::RejectRole));
     run_dialog(box);
     // A minute may have passed: ask again whether it may start.
@@ -212,8 +212,8 @@ bool JobPanel::may_start_from_layer(std::uint32_t layer) {
 }
 
 void JobPanel::show_report() {
-    auto* report = new ReportDialog{*bench_.runs.run(), bench_.runs.is_over(), bench_.job_of_run(),
-                                    bench_.log, window()};
+    auto* report = new ReportDialog{bench_.runs, bench_.job_of_run(),
+                                    bench_.pins.verdict_on(*bench_.runs.run()), bench_.log, window()};
     report->show();
 }
 
@@ -229,28 +229,21 @@ void JobPanel::refresh() {
     if (tokens_ == nullptr) return;
     refresh_facts();
     refresh_checks();
+    dry_run_->setEnabled(!bench_.replay.is_open());  // there is nothing to be started
     refresh_buttons();
     refresh_override();
 }
 
 void JobPanel::change_override(int percent) {
     if (!override_->isEnabled()) return;
-    constexpr int kPlanned = 100;
-    override_->setValue(percent == 0 ? kPlanned : override_->value() + percent);
+    override_->setValue(percent == 0 ? 100 : override_->value() + percent);  // %
 }
 
 void JobPanel::refresh_facts() {
     const bool is_replay = bench_.replay.is_open();
     const session::MachineSight& sight = bench_.shown();
     const auto job = job_shown();
-    const bool is_cores_job = is_replay || (job && job == bench_.desk.core_job());
-    const session::JobTimes times =
-        session::job_times(sight, is_cores_job, job && !is_replay ? job->least_seconds : 0.0);
-    time_->setText(words(times.time));
-    time_->setToolTip(times.is_least
-                          ? tr("By feed and top speeds alone; the core plans it when it is published")
-                          : QString{});
-    reference_->setText(times.reference.is_empty() ? QStringLiteral("–") : words(times.reference));
+    facts_->show_times(job);
     const bool has_generation = sight.status && sight.status->job_generation != 0;
     note().setText(is_replay        ? tr("recorded")
                    : has_generation ? tr("no. %1").arg(sight.status->job_generation)
@@ -261,16 +254,25 @@ void JobPanel::refresh_facts() {
     shown_job_ = job;
     const auto mesh = is_replay ? nullptr : bench_.desk.mesh();
     refresh_next();
+    facts_->show_job(job);
     if (job) {
         name_->setText(QString::fromStdString(std::string{job->view.source_name()}));
-        counts_->setText(QString{"%1 × %2"}.arg(job->view.layer_count()).arg(job->view.point_count()));
-        size_->setText(size_text(*job));
         layer_->setMaximum(static_cast<int>(job->view.layer_count()));
     } else {
         name_->setText(mesh ? QString::fromStdString(mesh->source_name) : tr("No job"));
-        counts_->setText(mesh ? tr("not sliced") : is_replay ? tr("not recorded") : tr("open a model"));
-        size_->clear();
     }
+}
+
+void JobPanel::resizeEvent(QResizeEvent* event) {
+    const bool is_low = event->size().height() < kFullHeight_px;
+    check_rows_->setVerticalSpacing(is_low ? 0 : 2);
+    for (ActionButton* button : {start_, hold_, resume_, stop_})
+        set_styled(button, "low", is_low ? "yes" : "no");
+    Dock::resizeEvent(event);
+}
+
+void JobPanel::set_room(Room room) {
+    facts_->set_room(room);
 }
 
 /// While a job runs the panel is about that one; what has been opened or sliced since waits.
@@ -292,6 +294,20 @@ void JobPanel::refresh_next() {
         QString::fromStdString(waiting ? std::string{waiting->view.source_name()} : mesh->source_name);
     next_->setText(waiting ? tr("Sliced, not published yet: %1").arg(name)
                            : tr("Opened, not sliced yet: %1").arg(name));
+}
+
+/// As much as there is room for beside the name; all of it in the tooltip.
+void JobPanel::show_detail(const CheckRow& row, const QString& text) const {
+    constexpr int kRims = 30;  // margins, frame, and what is between the columns
+    int names_width = 0;       // the widest has the others' details at its end, too
+    for (const CheckRow& each : checks_) {
+        if (!each.name->isHidden()) names_width = std::max(names_width, each.name->sizeHint().width());
+    }
+    const int room = width() - kRims - row.icon->width() - names_width;
+    const QString shown =
+        row.detail->fontMetrics().elidedText(text, Qt::ElideMiddle, std::max(room, 4 * kGap));
+    row.detail->setText(shown);
+    row.detail->setToolTip(shown == text ? QString{} : text);
 }
 
 void JobPanel::refresh_checks() {
@@ -318,11 +334,11 @@ void JobPanel::refresh_checks() {
         const QString look = QString{"%1 %2"}.arg(static_cast<int>(glyph)).arg(colour.name());
         if (row.icon->property("look") != look) {
             row.icon->setProperty("look", look);
-            row.icon->setPixmap(glyph_pixmap(glyph, kIconSide, colour));
+            row.icon->setPixmap(glyph_pixmap(glyph, kJobPanelIconSide, colour));
             row.icon->setAccessibleName(fails ? tr("missing") : tr("passed"));
         }
         row.name->setText(words(check.name));
-        row.detail->setText(words(check.detail));
+        show_detail(row, words(check.detail));
     }
     verdict_->setText(is_replay ? QString{} : tr("%1 of %2 pass").arg(passed).arg(checks.size()));
     const QColor colour = passed == checks.size() ? tokens_->run : tokens_->alarm;
@@ -331,21 +347,35 @@ void JobPanel::refresh_checks() {
 }
 
 void JobPanel::refresh_buttons() {
+    show_what_starts(*start_, bench_);
     for (ActionButton* button : {start_, hold_, resume_, stop_, one_layer_, from_layer_, report_})
         button->refresh(bench_);
     layer_->setEnabled(from_layer_->isEnabled());
-    QString text = start_->reason();
-    if (text.isEmpty() && !stop_->isEnabled()) text = tr("Hold, Resume, Stop: nothing is moving.");
-    reason_->setText(text);
-    const auto& status = bench_.machine.sight().status;
+    const auto resumable = bench_.machine.sight().resumable_layer;
+    from_layer_->set_hint(
+        resumable ? tr("Leaves out the layers before it; %1 was the last that was finished").arg(*resumable)
+                  : tr("Leaves out the layers before it"));
+    reason_->setText(why_locked({start_, hold_, resume_, stop_}));
+    refresh_layer();
+}
+
+/// Where the operator would go on: of a core that is gone the checkpoint knows it, as the banner says.
+void JobPanel::refresh_layer() {
+    const session::MachineSight& sight = bench_.machine.sight();
     const auto job = bench_.desk.core_job();
-    if (!status || !job) return;
-    const bool is_other = bench_.desk.job() && bench_.desk.job() != job;
-    const std::uint32_t next =
-        is_other ? 0
-                 : session::next_layer(status->points_done, status->points_total, job->view.layer_count());
+    std::uint32_t next = 0;
+    if (!sight.is_heard()) {
+        if (!sight.resumable_layer) return;
+        next = *sight.resumable_layer;
+    } else {
+        if (!sight.status || !job) return;
+        const bool is_other = bench_.desk.job() && bench_.desk.job() != job;
+        if (!is_other)
+            next =
+                session::layer_to_go_on_with(*sight.status, sight.resumable_layer, job->view.layer_count());
+    }
     if (next == shown_layer_) return;
-    shown_layer_ = next;  // where the operator would go on
+    shown_layer_ = next;
     layer_->setValue(static_cast<int>(shown_layer_) + 1);
 }
 

@@ -8,12 +8,16 @@
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/side_panels.hpp"
 
+class QCheckBox;
 class QSlider;
 class QSpinBox;
 class QGridLayout;
 
 namespace psicarve::ui {
+
+class JobFactsView;
 
 /// The job: what it is, what is missing before it can start, and its buttons.
 class JobPanel : public Dock {
@@ -23,8 +27,12 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
+    void set_room(Room room);
     /// By so many per cent of the planned feed; 0: back to 100 %. Nothing while the override is locked.
     void change_override(int percent);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct CheckRow {
@@ -39,13 +47,15 @@ private:
     void refresh_facts();
     replay::JobPointer job_shown() const;
     void refresh_next();
+    void show_detail(const CheckRow& row, const QString& text) const;
     void refresh_checks();
     void refresh_buttons();
+    void refresh_layer();
     void refresh_override();
     /// 0 layers: all that follow.
     void start_at_layer(std::uint32_t layers);
     void show_report();
-    bool may_start_from_layer(std::uint32_t layer);
+    bool may_start_from_layer(std::uint32_t layer, session::RunKind kind);
 
     Bench& bench_;
     const Tokens* tokens_ = nullptr;
@@ -54,13 +64,12 @@ private:
     replay::JobPointer shown_job_;
     QLabel* next_;
     QLabel* name_;
-    QLabel* counts_;
-    QLabel* size_;
-    QLabel* time_;
-    QLabel* reference_;
+    JobFactsView* facts_;
     QLabel* checks_title_;
     QLabel* verdict_;
     std::vector<CheckRow> checks_;
+    QGridLayout* check_rows_ = nullptr;
+    QCheckBox* dry_run_;
     ActionButton* start_;
     ActionButton* hold_;
     ActionButton* resume_;

@@ -5,9 +5,12 @@
 #include <QButtonGroup>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QResizeEvent>
 #include <QSlider>
 
 #include <chrono>
+
+#include "hmi/ui/move_dialog.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -20,6 +23,7 @@ constexpr int kMostLinear = 100;  // tenths of mm/s
 constexpr int kMostAngular = 225;
 constexpr int kUsualLinear = 50;
 constexpr int kUsualAngular = 45;
+constexpr int kFullHeight = 356;  // with two lines of a hint, in the longest language
 
 }  // namespace
 
@@ -28,7 +32,7 @@ JogPanel::JogPanel(Bench& bench, QWidget* parent)
     body().addWidget(step_row("mm", {0.01, 0.1, 1, 10}, linear_steps_, 1));
     body().addWidget(step_row("°", {0.1, 1, 10, 90}, angular_steps_, 1));
     auto* pad = new QGridLayout;
-    pad->setSpacing(kGap);
+    pad->setSpacing(kSmallGap);
     body().addLayout(pad);
     add_key(tr("R1 out"), Axis::r1, true, Glyph::left, "jog_r1_out");
     add_key(tr("Y up"), Axis::y, true, Glyph::up, "jog_y_up");
@@ -52,6 +56,7 @@ JogPanel::JogPanel(Bench& bench, QWidget* parent)
     angular_speed_->setValue(kUsualAngular);
     linear_speed_->setAccessibleName(tr("Jog speed of R1, R2 and Y"));
     angular_speed_->setAccessibleName(tr("Jog speed of Ψ"));
+    make_more_buttons();
     make_arm_button();
     hint_->setWordWrap(true);
     hint_->setObjectName("jog_hint");
@@ -64,6 +69,8 @@ JogPanel::JogPanel(Bench& bench, QWidget* parent)
         bench_.machine.jog().hold(pressed_axis_, pressed_up_, speed_of(pressed_axis_));
     });
 }
+
+JogPanel::~JogPanel() = default;
 
 void JogPanel::make_heads_keys(QGridLayout& pad) {
     add_key(QStringLiteral("←→"), machine::JogAxis::heads(), true, std::nullopt, "jog_heads_out");
@@ -124,6 +131,8 @@ void JogPanel::add_key(const QString& text, machine::JogAxis axis, bool up, std:
     auto* button = new ActionButton{session::Action::jog, text, {}};
     button->setObjectName(name);
     button->setProperty("key", true);
+    if (axis.number() == index_of(Axis::r1)) button->setProperty("head", "r1");
+    if (axis.number() == index_of(Axis::r2)) button->setProperty("head", "r2");
     const Key key{button, axis, up, glyph};
     connect(button, &QPushButton::pressed, this, [this, key] { press(key); });
     connect(button, &QPushButton::released, this, [this] { release(); });
@@ -166,9 +175,21 @@ void JogPanel::let_go() {
 
 void JogPanel::set_theme(const Tokens& tokens) {
     for (const Key& key : keys_) {
-        if (key.glyph) key.button->set_glyph(*key.glyph, tokens);
+        if (!key.glyph) continue;
+        const bool is_r1 = key.axis.number() == index_of(Axis::r1);
+        const bool is_r2 = key.axis.number() == index_of(Axis::r2);
+        const QColor& colour = is_r1 ? tokens.r1 : is_r2 ? tokens.r2 : tokens.text;
+        key.button->setIcon(glyph_icon(*key.glyph, colour, tokens.dis));
     }
     refresh();
+}
+
+void JogPanel::resizeEvent(QResizeEvent* event) {
+    // Where room is short its three wide buttons give it; keys for a hand stay as large as they are.
+    const bool is_low = event->size().height() < kFullHeight;
+    for (ActionButton* button : {go_to_, spindle_, arm_}) set_styled(button, "small", is_low);
+    body().setContentsMargins(kGap, kSmallGap, kGap, is_low ? kSmallGap : kGap);
+    Dock::resizeEvent(event);
 }
 
 void JogPanel::refresh() {
@@ -178,10 +199,14 @@ void JogPanel::refresh() {
     if (!reason.isEmpty() && (is_held_ || hold_timer_.isActive() || is_armed)) let_go();
     if (keyboard_.is_over(session::KeyboardJog::Clock::now())) disarm();
     arm_->refresh(bench_);
-    hint_->setText(!reason.isEmpty() ? reason
-                   : keyboard_.is_armed()
-                       ? tr("← → Ψ   ↑ ↓ Y   PgUp PgDn R1\nCtrl+PgUp PgDn R2   Shift one step")
-                       : tr("Hold = move, click = one step."));
+    go_to_->refresh(bench_);
+    const bool is_on = bench_.machine.sight().is_active(Signal::spindle);
+    spindle_->setText(is_on ? tr("Stop spindle") : tr("Start spindle"));
+    spindle_->refresh(bench_);
+    move_->refresh();
+    hint_->setText(!reason.isEmpty()      ? reason
+                   : keyboard_.is_armed() ? tr("Keys move the machine; F9 ends it.")
+                                          : tr("Hold = move, click = one step."));
     note().setText(reason.isEmpty() ? QString{} : tr("locked"));
     linear_label_->setText(tr("%1 mm/s").arg(speed_of(Axis::y), 0, 'f', 1));
     angular_label_->setText(tr("%1 °/s").arg(angular_speed_->value()));

@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <QTimer>
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "hmi/session/keyboard_jog.hpp"
@@ -14,8 +16,11 @@
 class QButtonGroup;
 class QGridLayout;
 class QSlider;
+class QStackedWidget;
 
 namespace psicarve::ui {
+
+class MoveDialog;
 
 /// Moves one axis by hand: a click is a step, holding the button goes on until it is let go. Likewise with
 /// the keyboard, while that is armed.
@@ -23,14 +28,22 @@ class JogPanel : public Dock {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::JogPanel)
 public:
     explicit JogPanel(Bench& bench, QWidget* parent = nullptr);
+    ~JogPanel() override;
 
     void set_theme(const Tokens& tokens);
     void refresh();
     /// Whatever is held is let go, and keys mean nothing any more: the window lost the focus, or a dialog
     /// opens.
     void let_go();
+    void go_to();
+    void turn_spindle();
+    /// Told whenever keys begin or cease to move the machine.
+    void set_on_armed(std::function<void(bool)> armed) { on_armed_ = std::move(armed); }
     /// Keys while they are armed.
     bool eventFilter(QObject* watched, QEvent* event) override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct Key {
@@ -49,6 +62,7 @@ private:
     void release();
     // jog_panel_keys.cpp
     void make_arm_button();
+    void make_more_buttons();
     void arm();
     void disarm();
     void show_armed();
@@ -65,8 +79,13 @@ private:
     QLabel* linear_label_ = nullptr;
     QLabel* angular_label_ = nullptr;
     QLabel* hint_;
+    QStackedWidget* more_ = nullptr;  ///< further buttons; while keys are armed, what they do
     ActionButton* arm_ = nullptr;
+    ActionButton* go_to_ = nullptr;
+    ActionButton* spindle_ = nullptr;
+    MoveDialog* move_ = nullptr;
     session::KeyboardJog keyboard_;
+    std::function<void(bool)> on_armed_;
     QTimer hold_timer_;  ///< runs while a press may still become a click
     machine::JogAxis pressed_axis_ = Axis::r1;
     bool pressed_up_ = true;

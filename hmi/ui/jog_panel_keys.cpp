@@ -2,13 +2,16 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QStackedWidget>
 #include <QTextEdit>
 
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/jog_panel.hpp"
+#include "hmi/ui/move_dialog.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -58,6 +61,42 @@ void JogPanel::make_arm_button() {
     });
 }
 
+void JogPanel::make_more_buttons() {
+    move_ = new MoveDialog{bench_, this};
+    go_to_ = new ActionButton{session::Action::jog, tr("Go to…"), [this] { go_to(); }};
+    go_to_->setObjectName("go_to");
+    go_to_->set_hint(tr("To a position: one axis or several, straight or on an arc"));
+    spindle_ = new ActionButton{[](const Bench& now) { return session::spindle_lock(now.machine.sight()); },
+                                tr("Start spindle"), [this] { turn_spindle(); }};
+    spindle_->setObjectName("spindle");
+    spindle_->set_hint(tr("By hand; a job does it by itself, and Stop switches it off"));
+    auto* buttons = new QWidget;
+    auto* row = new QHBoxLayout{buttons};
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kSmallGap);
+    row->addWidget(go_to_, 1);
+    row->addWidget(spindle_, 1);
+    auto* keys = role_label("armed", tr("← → Ψ   ↑ ↓ Y   PgUp PgDn R1\nCtrl+PgUp PgDn R2   Shift one step"));
+    keys->setObjectName("jog_keys");
+    more_ = new QStackedWidget;
+    more_->addWidget(buttons);
+    more_->addWidget(keys);
+    more_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    body().addWidget(more_);
+}
+
+void JogPanel::go_to() {
+    disarm();
+    move_->open_here();
+}
+
+void JogPanel::turn_spindle() {
+    Command command{};
+    command.kind = CommandKind::spindle;
+    command.value = bench_.machine.sight().is_active(Signal::spindle) ? 0.0 : 1.0;
+    bench_.machine.order(command, session::phrase("Spindle"));
+}
+
 void JogPanel::arm() {
     // Nothing that takes keys for itself.
     if (QWidget* focus = QApplication::focusWidget(); is_text_field(focus)) focus->clearFocus();
@@ -76,7 +115,8 @@ void JogPanel::disarm() {
 void JogPanel::show_armed() {
     const bool is_armed = keyboard_.is_armed();
     set_styled(this, "jog_armed", is_armed ? "yes" : "no");
-    set_styled(hint_, "role", is_armed ? "armed" : "label");
+    if (on_armed_) on_armed_(is_armed);
+    more_->setCurrentIndex(is_armed ? 1 : 0);
     arm_->setText(is_armed ? tr("Disarm keyboard jog") : tr("Arm keyboard jog"));
     // A new text takes the shortcut away.
     arm_->setShortcut(Qt::Key_F9);

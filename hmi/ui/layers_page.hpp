@@ -5,20 +5,29 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
+#include "hmi/session/layer_cursor.hpp"
+#include "hmi/session/radius_map.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
 
+class QGridLayout;
 class QLabel;
+class QLayout;
 class QSlider;
 class QSpinBox;
+class QStackedLayout;
 
 namespace psicarve::ui {
 
 class PolarView;
+class RadiusPlot;
+class TickBox;
 class UnrolledView;
 
-/// The job layer by layer; while it is carved, the layer that the machine is at, until another one is chosen.
+/// The job layer by layer and point by point; while it is carved, where the machine is, until another place
+/// is chosen.
 class LayersPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::LayersPage)
 public:
@@ -30,20 +39,44 @@ public:
     void choose_number();
 
 private:
+    QLayout* make_views();
+    QLayout* make_along();
+    QWidget* make_facts();
+    QLabel* add_fact(QGridLayout& grid, const QString& name, const char* id, const char* role = "label");
     void take_job();
-    void show_layer(int number);
+    void show_place();
+    void show_layer(std::uint32_t layer);
+    std::optional<double> planned_seconds() const;
+    void show_times(std::uint32_t layer);
+    void show_point(std::uint32_t point);
     void follow_machine();
 
     Bench& bench_;
     std::shared_ptr<const cam::PreparedJob> job_;
+    session::LayerCursor cursor_;
+    std::optional<session::TablePlace> shown_;
+    bool is_planned_ = false;        ///< the times that are shown
+    std::optional<double> whole_s_;  ///< of the job, as the core plans it; goes on counting while it runs
+    std::optional<double> shown_whole_s_;
+    session::LayerRim rim_;  ///< of the layer that is shown
     double most_mm_ = 1.0;
-    std::uint32_t followed_layer_ = 0;
+    QStackedLayout* stack_ = nullptr;
     PolarView* polar_;
     UnrolledView* unrolled_;
+    RadiusPlot* plot_;
     QSlider* slider_;
+    QSlider* point_slider_;
     QSpinBox* number_;
+    TickBox* follow_ = nullptr;
     QLabel* section_;
-    QLabel* facts_;
+    QLabel* along_;
+    QLabel* heads_;
+    QLabel* point_text_ = nullptr;
+    QLabel* r1_text_ = nullptr;
+    QLabel* r2_text_ = nullptr;
+    QLabel* range_text_ = nullptr;
+    QLabel* time_text_ = nullptr;
+    QLabel* until_text_ = nullptr;
 };
 
 }  // namespace psicarve::ui

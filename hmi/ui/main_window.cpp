@@ -10,7 +10,6 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QResizeEvent>
-#include <QScreen>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -19,6 +18,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 #include "hmi/session/action_lock.hpp"
 #include "hmi/ui/alarm_banner.hpp"
@@ -35,10 +35,12 @@
 #include "hmi/ui/position_panel.hpp"
 #include "hmi/ui/profile_page.hpp"
 #include "hmi/ui/realtime_page.hpp"
+#include "hmi/ui/refusal_bar.hpp"
 #include "hmi/ui/replay_bar.hpp"
 #include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/stop_keys.hpp"
 #include "hmi/ui/strip.hpp"
+#include "hmi/ui/tab_badge.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
@@ -46,14 +48,18 @@ namespace {
 
 using S = MachineState;
 
-constexpr std::chrono::milliseconds kFrame{33};
-constexpr QSize kUsualSize{1280, 720};
 constexpr QSize kLeastSize{640, 360};
 
-/// At rest with a job under way is not at rest for somebody who walks away.
-bool is_under_way(const session::MachineSight& sight) {
-    return sight.is_heard() &&
-           (!is_at_rest(sight.state()) || sight.state() == S::held || sight.state() == S::waiting);
+/// In a small window pages may be larger than their room; their names stay where they are.
+QScrollArea* scrolled(QWidget* page) {
+    auto* room = new QScrollArea;
+    room->setObjectName("pages");
+    room->setWidgetResizable(true);
+    room->setFrameShape(QFrame::NoFrame);
+    room->setFocusPolicy(Qt::NoFocus);
+    room->setWidget(page);
+    page->setAutoFillBackground(false);  // the room has the theme's colour
+    return room;
 }
 
 }  // namespace
@@ -67,6 +73,8 @@ MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing)
     position_ = new PositionPanel{bench_};
     jog_ = new JogPanel{bench_};
     job_ = new JobPanel{bench_};
+    jog_->set_on_armed(
+        [this](bool is_armed) { set_styled(position_, "jog_armed", is_armed ? "yes" : "no"); });
     sides_ = std::make_unique<SidePanels>(bench_, position_, jog_, job_);
     auto* middle = new QHBoxLayout;
     middle->setContentsMargins(kGap, kGap, kGap, kGap);
@@ -86,15 +94,16 @@ MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing)
     all->addWidget(status_row_);
     setCentralWidget(whole);
     setMinimumSize(kLeastSize);
-    resize(kUsualSize.boundedTo(screen()->availableSize()));
-    restoreGeometry(settings_.geometry());
+    take_place();
     set_theme(settings_.theme());
     tabs_->tabBar()->setFocus();  // not on anything that moves the machine
     ask_ = [this] { return ask_what_to_do(); };
+    make_panels_menu();
     stop_keys_ = std::make_unique<StopKeys>([this] { emergency_stop(); }, [this] { return may_stop(); },
                                             [this] { stop(); });
     connect(&timer_, &QTimer::timeout, this, [this] { refresh(); });
-    timer_.start(kFrame);
+    timer_.start(kLookPause);
+    keep_place();
 }
 
 MainWindow::~MainWindow() = default;
@@ -106,11 +115,14 @@ QWidget* MainWindow::make_centre() {
     column->setSpacing(kGap);
     banner_ = new AlarmBanner{bench_};
     column->addWidget(banner_);
+    refusal_ = new RefusalBar{bench_};
+    column->addWidget(refusal_);
     auto* frame = new QFrame;
     frame->setProperty("dock", true);
     auto* inside = new QVBoxLayout{frame};
     inside->setContentsMargins(1, 1, 1, 1);
     tabs_ = new QTabWidget;
+    tabs_->setObjectName("tabs");
     tabs_->setDocumentMode(true);
     tabs_->tabBar()->setDrawBase(false);
     model_ = new ModelPage{bench_, drawing_};
@@ -126,59 +138,51 @@ QWidget* MainWindow::make_centre() {
     messages_or_entries_->addWidget(entries_);
     const std::initializer_list<QWidget*> pages{
         model_, layers_, carving_, ports_, realtime_, messages_or_entries_, profile_};
-    for (QWidget* page : pages) tabs_->addTab(page, QString{});
+    for (QWidget* page : pages) tabs_->addTab(scrolled(page), QString{});
+    tabs_->setUsesScrollButtons(true);
     name_tabs();
-    // In a small window pages may be larger than their room.
-    auto* room = new QScrollArea;
-    room->setObjectName("pages");
-    room->setWidgetResizable(true);
-    room->setFrameShape(QFrame::NoFrame);
-    room->setWidget(tabs_);
-    inside->addWidget(room);
+    inside->addWidget(tabs_);
     column->addWidget(frame, 1);
-    replay_ = new ReplayBar{bench_, [this] { choose_job_of_trace(); }};
+    replay_ = new ReplayBar{bench_, [this] { choose_job_of_trace(); }, [this] { verify_replay(); }};
     column->addWidget(replay_);
     return centre;
 }
 
-void MainWindow::name_tabs() {
-    if (messages_->isVisible()) read_messages_ = bench_.log.count();
-    int unread = 0;
-    const auto& all = bench_.log.messages();
-    const auto fresh = std::min<std::uint64_t>(bench_.log.count() - read_messages_, all.size());
-    for (auto i = all.size() - fresh; i < all.size(); ++i)
-        unread += all[i].severity != session::Severity::info ? 1 : 0;
-    const auto counted = [](const QString& name, std::size_t count) {
-        return count > 0 ? QStringLiteral("%1 (%2)").arg(name).arg(count) : name;
-    };
-    const QString names[] = {tr("Model"),
-                             tr("Layers"),
-                             tr("Carving"),
-                             tr("Ports"),
-                             tr("Real time"),
-                             counted(tr("Messages"), static_cast<std::size_t>(unread)),
-                             counted(tr("Profile"), profile_->problem_count())};
-    for (int i = 0; i < tabs_->count(); ++i) {
-        if (tabs_->tabText(i) != names[i]) tabs_->setTabText(i, names[i]);
-    }
+bool MainWindow::is_current(const QWidget* page) const {
+    return tabs_->currentWidget()->isAncestorOf(page);
 }
 
-void MainWindow::make_status_bar() {
-    constexpr int kHeight = 24;
-    status_row_ = new QWidget;
-    status_row_->setObjectName("statusbar");
-    status_row_->setAttribute(Qt::WA_StyledBackground);
-    status_row_->setFixedHeight(kHeight);
-    auto* row = new QHBoxLayout{status_row_};
-    row->setContentsMargins(kGap, 0, kGap, 0);
-    row->setSpacing(2 * kGap);
-    last_message_ = role_label("label");
-    profile_label_ = role_label("label");
-    row->addWidget(last_message_, 1);
-    row->addWidget(role_label("label", "mm · °"));
-    row->addWidget(profile_label_);
-    row->addWidget(role_label(
-        "label", tr("segment %1").arg(QString::fromStdString(bench_.machine.options().segment_name))));
+int MainWindow::tab_of(const QWidget* page) const {
+    for (int i = 0; i < tabs_->count(); ++i) {
+        if (tabs_->widget(i)->isAncestorOf(page)) return i;
+    }
+    return -1;
+}
+
+void MainWindow::show_page(const QWidget* page) {
+    tabs_->setCurrentIndex(tab_of(page));
+}
+
+void MainWindow::name_tabs() {
+    const QString names[] = {tr("Model"),     tr("Layers"),   tr("Carving"), tr("Ports"),
+                             tr("Real time"), tr("Messages"), tr("Profile")};
+    for (int i = 0; i < tabs_->count(); ++i) tabs_->setTabText(i, names[i]);
+}
+
+void MainWindow::count_in_tabs() {
+    if (messages_->isVisible()) read_messages_ = bench_.log.count();
+    std::size_t unread = 0;
+    BadgeTone tone = BadgeTone::warning;
+    const auto& all = bench_.log.messages();
+    const auto fresh = std::min<std::uint64_t>(bench_.log.count() - read_messages_, all.size());
+    for (auto i = all.size() - fresh; i < all.size(); ++i) {
+        unread += all[i].severity != session::Severity::info ? 1 : 0;
+        if (all[i].severity == session::Severity::alarm) tone = BadgeTone::alarm;
+    }
+    QTabBar& bar = *tabs_->tabBar();
+    set_tab_badge(bar, tab_of(model_), model_->warning_count(), BadgeTone::warning);
+    set_tab_badge(bar, tab_of(messages_), unread, tone);
+    set_tab_badge(bar, tab_of(profile_), profile_->problem_count(), BadgeTone::alarm);
 }
 
 void MainWindow::set_theme(ThemeChoice choice) {
@@ -191,6 +195,7 @@ void MainWindow::set_theme(ThemeChoice choice) {
     jog_->set_theme(tokens);
     job_->set_theme(tokens);
     banner_->set_theme(tokens);
+    refusal_->set_theme(tokens);
     model_->set_theme(tokens);
     layers_->set_theme(tokens);
     carving_->set_theme(tokens);
@@ -211,6 +216,7 @@ void MainWindow::refresh() {
     job_->refresh();
     sides_->buttons().refresh();
     banner_->refresh();
+    refusal_->refresh();
     model_->refresh();
     layers_->refresh();
     carving_->refresh();
@@ -218,27 +224,17 @@ void MainWindow::refresh() {
     realtime_->refresh();
     messages_->refresh();
     profile_->refresh();
-    name_tabs();
+    count_in_tabs();
+    refresh_tools();
     refresh_status_bar();
-}
-
-void MainWindow::refresh_status_bar() {
-    const auto& profile = bench_.shown().profile;
-    profile_label_->setText(profile ? tr("profile %1").arg(QString::fromStdString(profile->name))
-                                    : tr("profile unknown"));
-    if (shown_messages_ == bench_.log.count()) return;
-    shown_messages_ = bench_.log.count();
-    const session::Message& last = bench_.log.messages().back();
-    const QString text = words(last.what);
-    last_message_->setText(last_message_->fontMetrics().elidedText(text, Qt::ElideRight, width() / 2));
-    last_message_->setToolTip(text);
+    refresh_title();
 }
 
 void MainWindow::open(const QString& path) {
+    bench_.forget_refused_file();
     if (bench_.desk.sight().is_busy()) {
-        bench_.log.add(session::Severity::warning,
-                       session::phrase("Open: a job is being made; cancel it first"));
-        return;
+        return bench_.desk.refuse(path.toStdString(),
+                                  session::phrase("Open: a job is being made; cancel it first"));
     }
     settings_.add_recent_file(path);
     bench_.desk.open(path.toStdString());
@@ -270,13 +266,18 @@ void MainWindow::let_go() {
 
 void MainWindow::changeEvent(QEvent* event) {
     // A jog ends when the hand may be elsewhere.
-    if (event->type() == QEvent::ActivationChange && !isActiveWindow() && ports_ != nullptr) let_go();
+    const bool is_elsewhere =
+        !isActiveWindow() && (!sides_ || !sides_->is_ours(QApplication::activeWindow()));
+    if (event->type() == QEvent::ActivationChange && is_elsewhere && ports_ != nullptr) let_go();
     QMainWindow::changeEvent(event);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     const Room room = room_in(event->size());
     strip_->set_room(room);
+    job_->set_room(room);
+    position_->set_room(room);
+    show_menu_bar(room == Room::wide);
     if (sides_->arrange(room)) {
         jog_->let_go();
         setStyleSheet(style_sheet(tokens_of(theme_of(settings_.theme())), room == Room::wide));
@@ -294,6 +295,13 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (urls.size() == 1 && urls.front().isLocalFile()) open(urls.front().toLocalFile());
 }
 
+/// At rest with a job under way is not at rest for somebody who walks away.
+bool MainWindow::is_under_way() const {
+    const session::MachineSight& sight = bench_.machine.sight();
+    return sight.is_heard() &&
+           (!is_at_rest(sight.state()) || sight.state() == S::held || sight.state() == S::waiting);
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (QDialog* const first = open_dialog()) {  // it asks something of this window
         first->raise();
@@ -301,13 +309,19 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return event->ignore();
     }
     let_go();
-    const CloseChoice choice = is_under_way(bench_.machine.sight()) ? ask_() : CloseChoice::leave_running;
+    if (std::exchange(closes_held_, false)) {  // everything was asked before
+        leave();
+        return event->accept();
+    }
+    if (!profile_->may_lose_changes()) return event->ignore();
+    const CloseChoice choice = is_under_way() ? ask_() : CloseChoice::leave_running;
     if (choice == CloseChoice::stay_open) return event->ignore();
-    if (choice == CloseChoice::hold) bench_.machine.order_and_wait(CommandKind::hold);
+    if (choice == CloseChoice::hold) {
+        close_once_held();
+        return event->ignore();
+    }
     if (choice == CloseChoice::stop) bench_.machine.stop();
-    bench_.desk.cancel();
-    settings_.set_geometry(saveGeometry());
-    timer_.stop();
+    leave();
     event->accept();
 }
 

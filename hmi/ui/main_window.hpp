@@ -5,10 +5,12 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <vector>
 
+#include "hmi/session/status_line.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/settings.hpp"
 #include "hmi/ui/space_canvas.hpp"
@@ -30,10 +32,12 @@ class JogPanel;
 class LayersPage;
 class MessagesPage;
 class ModelPage;
+class PlaceKeeper;
 class PortsPage;
 class PositionPanel;
 class ProfilePage;
 class RealtimePage;
+class RefusalBar;
 class ReplayBar;
 class SidePanels;
 class Strip;
@@ -45,6 +49,9 @@ enum class CloseChoice : std::uint8_t { stay_open, leave_running, hold, stop };
 class MainWindow : public QMainWindow {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MainWindow)
 public:
+    /// Between two looks at the machine.
+    static constexpr std::chrono::milliseconds kLookPause{33};
+
     explicit MainWindow(const session::SessionOptions& options, Drawing drawing = Drawing::painter);
     ~MainWindow() override;
 
@@ -59,6 +66,11 @@ public:
     /// In order, at once; the machine has something to stop.
     void stop();
     bool may_stop() const;
+    /// The page that was open the last time.
+    void go_to_last_page();
+    /// For a program that ends: nothing is asked, the machine's job is left alone, and what a hand holds is
+    /// let go.
+    void leave();
     /// Whatever a hand holds.
     void let_go();
     /// For tests, instead of the dialog.
@@ -75,6 +87,26 @@ private:
     class StopKeys;
 
     void make_menu();
+    void make_file_menu();
+    void make_help_menu();
+    void make_keeping_actions();
+    void make_machine_menu();
+    void make_tools_menu();
+    void make_panels_menu();
+    void float_panel(std::size_t panel, bool floats);
+    void keep_panel_places();
+    void take_place();
+    void keep_place();
+    void write_place();
+    void close_once_held();
+    void refresh_tools();
+    void choose_trace_to_verify();
+    void verify_replay();
+    void save_as(const QString& title, const QString& name, const QString& filter,
+                 const std::function<void(const std::string&)>& save);
+    void make_places();
+    void make_job_keys();
+    void show_menu_bar(bool is_shown);
     void go_to_next_pane();
     void make_theme_menu();
     void make_language_menu();
@@ -83,16 +115,29 @@ private:
     void refresh_replay();
     QWidget* make_centre();
     void make_status_bar();
+    bool is_current(const QWidget* page) const;
+    void show_page(const QWidget* page);
+    int tab_of(const QWidget* page) const;
     void name_tabs();
+    void count_in_tabs();
     void choose_file();
     void fill_recent();
     void refresh_status_bar();
+    void elide_message();
+    void refresh_profile_label();
+    void refresh_title();
+    bool is_under_way() const;
     CloseChoice ask_what_to_do();
 
     Bench bench_;
     Drawing drawing_;
     WindowSettings settings_;
     QMenu* menu_;
+    QMenu* file_menu_ = nullptr;
+    QMenu* machine_menu_ = nullptr;
+    QMenu* view_menu_ = nullptr;
+    QMenu* tools_menu_ = nullptr;
+    QMenu* help_menu_ = nullptr;
     QMenu* recent_ = nullptr;
     Strip* strip_ = nullptr;
     PositionPanel* position_ = nullptr;
@@ -100,6 +145,7 @@ private:
     JobPanel* job_ = nullptr;
     std::unique_ptr<SidePanels> sides_;
     AlarmBanner* banner_ = nullptr;
+    RefusalBar* refusal_ = nullptr;
     QTabWidget* tabs_ = nullptr;
     ModelPage* model_ = nullptr;
     LayersPage* layers_ = nullptr;
@@ -110,16 +156,23 @@ private:
     EntriesPage* entries_ = nullptr;
     QStackedWidget* messages_or_entries_ = nullptr;
     ReplayBar* replay_ = nullptr;
+    std::vector<QAction*> float_actions_;
+    QAction* save_job_ = nullptr;
+    QAction* save_tables_ = nullptr;
+    QAction* verify_ = nullptr;
     std::vector<QAction*> replay_actions_;  ///< only while a recording is shown
     std::uint64_t shown_replay_ = 0;
     ProfilePage* profile_ = nullptr;
     QWidget* status_row_ = nullptr;
     QLabel* last_message_ = nullptr;
     QLabel* profile_label_ = nullptr;
-    std::uint64_t shown_messages_ = 0;
+    QLabel* language_label_ = nullptr;
+    session::StatusLine status_line_;
     std::uint64_t read_messages_ = 0;  ///< that somebody had the page open for
     std::function<CloseChoice()> ask_;
     std::unique_ptr<StopKeys> stop_keys_;
+    std::unique_ptr<PlaceKeeper> place_keeper_;
+    bool closes_held_ = false;  ///< the core has taken the hold that was to be closed with
     QTimer timer_;
 };
 

@@ -2,53 +2,93 @@
 #include <QActionGroup>
 #include <QFileInfo>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTabWidget>
+#include <QTimer>
 
 #include <array>
+#include <chrono>
 #include <functional>
 #include <utility>
 
 #include "hmi/ui/dialogs.hpp"
+#include "hmi/ui/file_filters.hpp"
 #include "hmi/ui/job_panel.hpp"
+#include "hmi/ui/keys_dialog.hpp"
 #include "hmi/ui/layers_page.hpp"
 #include "hmi/ui/main_window.hpp"
 #include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/strip.hpp"
 
 namespace psicarve::ui {
+namespace {
+
+constexpr std::chrono::milliseconds kLookPause{50};
+
+}  // namespace
 
 void MainWindow::make_menu() {
-    QAction* open_action = menu_->addAction(tr("Open model, job or recording…"));
-    open_action->setShortcut(QKeySequence::Open);
-    connect(open_action, &QAction::triggered, this, [this] { choose_file(); });
-    recent_ = menu_->addMenu(tr("Open recent"));
-    connect(recent_, &QMenu::aboutToShow, this, [this] { fill_recent(); });
-    menu_->addSeparator();
+    file_menu_ = menu_->addMenu(tr("File"));
+    machine_menu_ = menu_->addMenu(tr("Machine"));
+    view_menu_ = menu_->addMenu(tr("View"));
+    tools_menu_ = menu_->addMenu(tr("Tools"));
+    help_menu_ = menu_->addMenu(tr("Help"));
+    menuBar()->setObjectName("menu_bar");
+    for (QMenu* menu : {file_menu_, machine_menu_, view_menu_, tools_menu_, help_menu_})
+        menuBar()->addMenu(menu);
+    menuBar()->hide();
+    make_file_menu();
     make_theme_menu();
     make_language_menu();
-    QAction* keys = menu_->addAction(tr("Keys…"));
+    make_machine_menu();
+    make_tools_menu();
+    make_help_menu();
+    make_places();
+    make_job_keys();
+    make_replay_keys();
+}
+
+/// The same menus, in a bar where there is room for it, else behind the strip's button.
+void MainWindow::show_menu_bar(bool is_shown) {
+    menuBar()->setVisible(is_shown);
+}
+
+void MainWindow::make_file_menu() {
+    QAction* open_action = file_menu_->addAction(tr("Open model, job or recording…"));
+    open_action->setShortcut(QKeySequence::Open);
+    connect(open_action, &QAction::triggered, this, [this] { choose_file(); });
+    recent_ = file_menu_->addMenu(tr("Open recent"));
+    connect(recent_, &QMenu::aboutToShow, this, [this] { fill_recent(); });
+    file_menu_->addSeparator();
+    make_keeping_actions();
+    file_menu_->addSeparator();
+    QAction* quit = file_menu_->addAction(tr("Close the window"));
+    quit->setShortcut(QKeySequence::Quit);
+    connect(quit, &QAction::triggered, this, [this] { close(); });
+    addActions({open_action, quit});
+}
+
+void MainWindow::make_help_menu() {
+    QAction* keys = help_menu_->addAction(tr("Keys…"));
     keys->setShortcut(Qt::Key_F12);
     connect(keys, &QAction::triggered, this, [this] {
+        KeysDialog list{this};
+        run_dialog(list);
+    });
+    QAction* about = help_menu_->addAction(tr("About Psicarve…"));
+    connect(about, &QAction::triggered, this, [this] {
         QMessageBox box{
-            QMessageBox::Information, tr("Keys"),
-            tr("F1  emergency stop, everywhere\nEsc  stop, everywhere, while the machine is at "
-               "work\nCtrl+Enter  start\nPause  hold, resume\n"
-               "Ctrl+Home  home all\nCtrl+0, Ctrl+−, Ctrl++  feed override\nCtrl+O  open\nF5  slice\nF9  arm "
-               "keyboard jog\nCtrl+1 … 7  tabs\nCtrl+L  layer number\nF6  next pane\nF10  "
-               "menu\nF12  this list\n\n"
-               "Replay: K  play, pause\nJ, L  slower, faster\nN, Shift+N  next entry, entry before\n,  .  "
-               "one layer\n"
-               "On the timeline: arrows, Page Up, Page Down, Home, End"),
+            QMessageBox::Information, tr("About Psicarve"),
+            QStringLiteral("Psicarve " PSICARVE_VERSION "\nQt %1\nGPL-3.0-or-later").arg(qVersion()),
             QMessageBox::Ok, this};
         run_dialog(box);
     });
-    menu_->addSeparator();
-    QAction* quit = menu_->addAction(tr("Close the window"));
-    quit->setShortcut(QKeySequence::Quit);
-    connect(quit, &QAction::triggered, this, [this] { close(); });
-    addActions({open_action, keys, quit});
+    addAction(keys);
+}
+
+void MainWindow::make_places() {
     constexpr int kTabs = 7;
     for (int i = 0; i < kTabs; ++i) {
         auto* show = new QAction{this};
@@ -59,10 +99,15 @@ void MainWindow::make_menu() {
     const std::pair<QKeySequence, std::function<void()>> places[] = {
         {QKeySequence{Qt::CTRL | Qt::Key_L},
          [this] {
-             tabs_->setCurrentWidget(layers_);
+             show_page(layers_);
              layers_->choose_number();
          }},
         {QKeySequence{Qt::Key_F6}, [this] { go_to_next_pane(); }},
+        {QKeySequence{Qt::Key_F10},
+         [this] {
+             if (menuBar()->isVisible()) menuBar()->setActiveAction(menuBar()->actions().front());
+             if (!menuBar()->isVisible()) strip_->open_menu();
+         }},
     };
     for (const auto& [keys_of_place, go] : places) {
         auto* action = new QAction{this};
@@ -70,6 +115,9 @@ void MainWindow::make_menu() {
         connect(action, &QAction::triggered, this, [go = go] { go(); });
         addAction(action);
     }
+}
+
+void MainWindow::make_job_keys() {
     auto* pause = new QAction{this};
     pause->setShortcut(Qt::Key_Pause);
     pause->setShortcutContext(Qt::ApplicationShortcut);  // from dialogs, too
@@ -91,7 +139,6 @@ void MainWindow::make_menu() {
         connect(change, &QAction::triggered, this, [this, by = percent] { job_->change_override(by); });
         addAction(change);
     }
-    make_replay_keys();
 }
 
 /// Strip, left, middle, right; only what can take the focus.
@@ -113,7 +160,7 @@ void MainWindow::go_to_next_pane() {
 }
 
 void MainWindow::make_theme_menu() {
-    QMenu* themes = menu_->addMenu(tr("Theme"));
+    QMenu* themes = view_menu_->addMenu(tr("Theme"));
     auto* group = new QActionGroup{this};
     const std::pair<QString, ThemeChoice> choices[] = {{tr("As the desktop"), ThemeChoice::system},
                                                        {tr("Light"), ThemeChoice::light},
@@ -128,7 +175,7 @@ void MainWindow::make_theme_menu() {
 }
 
 void MainWindow::make_language_menu() {
-    QMenu* languages = menu_->addMenu(tr("Language"));
+    QMenu* languages = view_menu_->addMenu(tr("Language"));
     languages->setObjectName("languages");
     auto* group = new QActionGroup{this};
     const auto add = [&](const QString& name, std::optional<Language> choice) {
@@ -147,10 +194,8 @@ void MainWindow::make_language_menu() {
 }
 
 void MainWindow::choose_file() {
-    const QString path = ask_for_file(
-        this, tr("Open model, job or recording"), settings_.last_folder(),
-        tr("Models and jobs (*.stl *.obj *.ply *.3mf *.off *.job *.psi);;Recordings (*.snap *.trace);;"
-           "All files (*)"));
+    const QString path =
+        ask_for_file(this, tr("Open model, job or recording"), settings_.last_folder(), filters_of_files());
     if (!path.isEmpty()) open(path);
 }
 
@@ -172,9 +217,22 @@ CloseChoice MainWindow::ask_what_to_do() {
     QPushButton* leave = box.addButton(tr("Leave running"), QMessageBox::AcceptRole);
     QPushButton* hold = box.addButton(tr("Hold"), QMessageBox::ActionRole);
     QPushButton* stop = box.addButton(tr("Stop"), QMessageBox::ActionRole);
-    box.addButton(tr("Cancel"), QMessageBox::RejectRole);
-    hold->setEnabled(bench_.machine.sight().state() == MachineState::carving);
+    box.setEscapeButton(box.addButton(tr("Cancel"), QMessageBox::RejectRole));
+    box.setProperty(kKeepsEscape, true);  // its Stop is a button
+    box.setObjectName("close_question");
     box.setDefaultButton(leave);
+    // What it asks about may end while it is asked: by a stop, by the last layer.
+    const auto keep_true = [this, &box, hold] {
+        hold->setEnabled(bench_.machine.sight().state() == MachineState::carving);
+        if (is_under_way()) return;
+        bench_.log.add(session::Severity::info,
+                       session::phrase("The machine is at work no more: the window can be closed"));
+        box.reject();
+    };
+    QTimer look;
+    connect(&look, &QTimer::timeout, &box, keep_true);
+    look.start(kLookPause);
+    hold->setEnabled(bench_.machine.sight().state() == MachineState::carving);
     run_dialog(box);
     if (box.clickedButton() == leave) return CloseChoice::leave_running;
     if (box.clickedButton() == hold) return CloseChoice::hold;

@@ -34,7 +34,7 @@ void MainWindow::make_replay_keys() {
         addAction(action);
         replay_actions_.push_back(action);
     }
-    QAction* leave = menu_->addAction(tr("Leave replay"));
+    QAction* leave = file_menu_->addAction(tr("Leave replay"));
     leave->setEnabled(false);
     connect(leave, &QAction::triggered, this, [&desk] { desk.leave(); });
     replay_actions_.push_back(leave);
@@ -57,9 +57,17 @@ void MainWindow::refresh_replay() {
     for (QAction* action : replay_actions_) action->setEnabled(is_open);
     messages_or_entries_->setCurrentIndex(is_open ? 1 : 0);
     // The model is not in a recording.
-    if (is_open && tabs_->currentWidget() == model_) tabs_->setCurrentWidget(carving_);
-    const QString name = QFileInfo{QString::fromStdString(bench_.replay.facts().path)}.fileName();
-    setWindowTitle(is_open ? tr("REPLAY: %1").arg(name) + " \u2013 Psicarve" : QStringLiteral("Psicarve"));
+    if (is_open && is_current(model_)) show_page(carving_);
+}
+
+/// "figurine.stl – Psicarve"
+void MainWindow::refresh_title() {
+    const bool is_replay = bench_.replay.is_open();
+    const std::string path = is_replay ? bench_.replay.facts().path : bench_.desk.path();
+    const QString name = QFileInfo{QString::fromStdString(path)}.fileName();
+    const QString shown = is_replay ? tr("REPLAY: %1").arg(name) : name;
+    const QString title = shown.isEmpty() ? QStringLiteral("Psicarve") : shown + " \u2013 Psicarve";
+    if (windowTitle() != title) setWindowTitle(title);
 }
 
 }  // namespace psicarve::ui

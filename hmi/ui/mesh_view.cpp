@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "hmi/ui/frames.hpp"
 #include "shared/units.hpp"
@@ -24,6 +25,8 @@ constexpr double kLeastZoom = 0.2;
 constexpr double kMostZoom = 40.0;
 constexpr double kAxisOverhang = 0.05;  // of the height
 constexpr std::chrono::milliseconds kRest{250};
+constexpr double kTriad_px = 26.0;
+constexpr double kTriadFromCorner_px = 46.0;
 
 QLabel* floating_label(QWidget* parent) {
     QLabel* label = role_label("label");
@@ -46,6 +49,24 @@ void place(QLabel& label, const QString& text, const std::array<double, 3>& at, 
                std::clamp(wanted.y(), 0, std::max(0, room.height())));
 }
 
+bool is_free(const QRect& wanted, const std::vector<QRect>& taken) {
+    return std::none_of(taken.begin(), taken.end(),
+                        [&](const QRect& other) { return other.intersects(wanted); });
+}
+
+/// Up or down, whichever is nearer, until it lies on none of the others; where there is no room it stays.
+void keep_apart(QLabel& label, const std::vector<QRect>& taken) {
+    const QRect wanted = label.geometry();
+    const int room = label.parentWidget()->height();
+    for (int away = 0; away < room; ++away) {
+        for (const int dy : {-away, away}) {
+            const QRect place = wanted.translated(0, dy);
+            if (place.top() < 0 || place.bottom() >= room || !is_free(place, taken)) continue;
+            return label.move(place.topLeft());
+        }
+    }
+}
+
 std::uint32_t rgb_of(const QColor& colour) {
     return colour.rgb() & 0xFFFFFFU;
 }
@@ -60,10 +81,17 @@ MeshView::MeshView(Drawing drawing, QWidget* parent) : QWidget(parent), drawing_
     empty_->setWordWrap(true);
     empty_->setAlignment(Qt::AlignCenter);
     axis_label_ = floating_label(this);
+    axis_label_->setObjectName("axis_label");
     blank_label_ = floating_label(this);
+    blank_label_->setObjectName("blank_label");
     legend_ = floating_label(this);
+    legend_->setObjectName("legend");
     legend_->setTextFormat(Qt::RichText);
+    for (QLabel*& label : file_axis_labels_) label = floating_label(this);
     for (QLabel*& label : head_labels_) label = floating_label(this);
+    for (QLabel*& label : alarm_labels_) label = floating_label(this);
+    alarm_labels_[0]->setObjectName("alarm_at_r1");
+    alarm_labels_[1]->setObjectName("alarm_at_r2");
     rest_.setSingleShot(true);
     connect(&rest_, &QTimer::timeout, this, [this] { redraw(); });
     look_from(Side::iso);
@@ -87,6 +115,12 @@ void MeshView::make_canvas() {
 void MeshView::set_theme(const Tokens& tokens) {
     tokens_ = &tokens;
     canvas_->set_background(tokens.view);
+    // A body may be as light, or as dark, as the letters before it.
+    const QString ground = QStringLiteral("background: %1; padding: 0 2px").arg(tokens.view.name());
+    for (QLabel* label : {axis_label_, blank_label_}) {
+        label->setStyleSheet(ground);
+        label->adjustSize();
+    }
     redraw();
 }
 
@@ -152,6 +186,12 @@ void MeshView::look_from(Side side) {
     redraw();
 }
 
+void MeshView::look_as(const session::SceneView& view) {
+    picture_.view.azimuth_rad = view.azimuth_rad;
+    picture_.view.elevation_rad = view.elevation_rad;
+    fit();
+}
+
 void MeshView::fit() {
     picture_.view.zoom = 1.0;
     picture_.view.pan_x = 0.0;
@@ -164,7 +204,7 @@ void MeshView::redraw() {
     picture_.bodies.clear();
     picture_.lines.clear();
     if (part_) {
-        picture_.size = part_->size;
+        picture_.size = size_to_fit();
         picture_.bodies.push_back({part_, {{}, part_turn_rad_}});
         for (const Head& head : heads_) picture_.bodies.push_back(head.body);
     }
@@ -175,20 +215,41 @@ void MeshView::redraw() {
     canvas_->picture_changed();
 }
 
+/// Of the part and of the blank round it, in the file's axes.
+std::array<double, 3> MeshView::size_to_fit() const {
+    std::array<double, 3> size = part_->size;
+    if (!blank_) return size;
+    const auto from = slice::source_coordinate(picture_.view.up);
+    const double across = std::hypot(size[from[0]], size[from[1]]);
+    const double wanted = 2.0 * (std::hypot(blank_->centre[0], blank_->centre[1]) + blank_->radius);
+    for (const std::size_t k : {from[0], from[1]}) size[k] *= std::max(1.0, wanted / std::max(across, 1e-9));
+    size[from[2]] = std::max({size[from[2]], -2.0 * blank_->low, 2.0 * blank_->high});
+    return size;
+}
+
 void MeshView::make_lines(const session::SceneCamera& camera) {
-    const auto size = slice::placed(picture_.view.up, picture_.size);
+    const auto size = slice::placed(picture_.view.up, part_->size);
     const auto axis = blank_ ? blank_->axis : std::array{0.0, 0.0};
     const double reach = size[2] * (0.5 + kAxisOverhang);
     const auto add = [&](double from, double to) {
         picture_.lines.push_back({{axis[0], axis[1], from}, {axis[0], axis[1], to}, rgb_of(tokens_->text2)});
     };
+    for (const Head& head : heads_) {
+        if (!head.alarm) continue;
+        const auto ring =
+            session::ring_outline(camera, head.alarm->place, head.alarm->radius, rgb_of(tokens_->alarm));
+        picture_.lines.insert(picture_.lines.end(), ring.begin(), ring.end());
+    }
+    if (has_file_axes_) {
+        for (const session::SceneLine& line : file_axes(camera)) picture_.lines.push_back(line);
+    }
     if (!blank_) {
         // Inside it stands in nobody's way.
         add(-reach, -size[2] / 2.0);
         return add(size[2] / 2.0, reach);
     }
     add(-reach, reach);
-    const auto outline = session::cylinder_outline(axis, blank_->radius, -size[2] / 2.0, size[2] / 2.0,
+    const auto outline = session::cylinder_outline(blank_->centre, blank_->radius, blank_->low, blank_->high,
                                                    camera.right(), rgb_of(tokens_->text2));
     picture_.lines.insert(picture_.lines.end(), outline.begin(), outline.end());
 }
@@ -201,23 +262,64 @@ void MeshView::place_labels(const session::SceneCamera& camera) {
     legend_->move(kGap, height() - legend_->height() - kGap);
     axis_label_->setVisible(part_ != nullptr);
     blank_label_->setVisible(part_ && blank_);
-    for (std::size_t i = 0; i < head_labels_.size(); ++i)
-        head_labels_[i]->setVisible(part_ && i < heads_.size());
+    place_head_labels(camera);
+    for (QLabel* label : file_axis_labels_) label->setVisible(part_ && has_file_axes_);
     if (!part_) return;
-    const auto size = slice::placed(picture_.view.up, picture_.size);
+    const auto axes = file_axes(camera);
+    constexpr const char* kNames[] = {"X", "Y", "Z"};
+    for (std::size_t i = 0; i < axes.size(); ++i)
+        place(*file_axis_labels_[i], kNames[i], camera.project(axes[i].to), {2, -14});
+    const auto size = slice::placed(picture_.view.up, part_->size);
     const auto axis = blank_ ? blank_->axis : std::array{0.0, 0.0};
     const auto top = camera.project({axis[0], axis[1], size[2] * (0.5 + kAxisOverhang)});
     place(*axis_label_, tr("Ψ axis"), top, {6, 0});
+    std::vector<QRect> taken = other_labels();
+    keep_apart(*axis_label_, taken);
+    taken.push_back(axis_label_->geometry());
     if (blank_) {
         const auto& right = camera.right();
-        const auto rim = camera.project(
-            {axis[0] + right[0] * blank_->radius, axis[1] + right[1] * blank_->radius, size[2] / 2.0});
+        const auto rim = camera.project({blank_->centre[0] + right[0] * blank_->radius,
+                                         blank_->centre[1] + right[1] * blank_->radius, blank_->high});
         place(*blank_label_, blank_->text, rim, {6, -18});
+        keep_apart(*blank_label_, taken);
     }
-    for (std::size_t i = 0; i < std::min(heads_.size(), head_labels_.size()); ++i) {
-        const QString text =
-            QStringLiteral("<b style='color:%1'>%2</b>").arg(heads_[i].colour.name(), heads_[i].name);
-        place(*head_labels_[i], text, camera.project(heads_[i].label_place), {-8, -20});
+}
+
+/// Where those lie that keep their places.
+std::vector<QRect> MeshView::other_labels() const {
+    std::vector<QRect> taken;
+    const auto take = [&](const QLabel* label) {
+        if (!label->isHidden()) taken.push_back(label->geometry());
+    };
+    take(legend_);
+    for (const auto* labels : {&head_labels_, &alarm_labels_})
+        for (const QLabel* label : *labels) take(label);
+    for (const QLabel* label : file_axis_labels_) take(label);
+    return taken;
+}
+
+std::array<session::SceneLine, 3> MeshView::file_axes(const session::SceneCamera& camera) const {
+    return session::axis_triad(camera, picture_.view.up, width() - kTriadFromCorner_px,
+                               height() - kTriadFromCorner_px, kTriad_px,
+                               tokens_ != nullptr ? rgb_of(tokens_->text2) : 0U);
+}
+
+void MeshView::place_head_labels(const session::SceneCamera& camera) {
+    const auto bold = [](const QColor& colour, const QString& text) {
+        return QStringLiteral("<b style='color:%1'>%2</b>").arg(colour.name(), text);
+    };
+    for (std::size_t i = 0; i < head_labels_.size(); ++i) {
+        const bool is_there = part_ && i < heads_.size();
+        const bool has_alarm = is_there && heads_[i].alarm && tokens_ != nullptr;
+        head_labels_[i]->setVisible(is_there);
+        alarm_labels_[i]->setVisible(has_alarm && !heads_[i].alarm->text.isEmpty());
+        if (!is_there) continue;
+        place(*head_labels_[i], bold(heads_[i].colour, heads_[i].name), camera.project(heads_[i].label_place),
+              {-8, -20});
+        if (!has_alarm) continue;
+        auto above = camera.project(heads_[i].alarm->place);
+        above[1] -= heads_[i].alarm->radius * camera.px_per_unit();
+        place(*alarm_labels_[i], bold(tokens_->alarm, heads_[i].alarm->text), above, {-8, -22});
     }
 }
 

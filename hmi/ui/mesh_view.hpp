@@ -33,11 +33,21 @@ public:
         QString name;
         QColor colour;
         std::array<double, 3> label_place{};  ///< placed coordinates
+        /// Something has happened here; placed coordinates.
+        struct Alarm {
+            std::array<double, 3> place{};
+            double radius = 0.0;
+            QString text;  ///< may be empty
+        };
+        std::optional<Alarm> alarm;
     };
     /// Lengths in the scene's units, places relative to the middle of its box.
     struct Blank {
-        std::array<double, 2> axis{};
+        std::array<double, 2> axis{};  ///< that the model turns about
+        std::array<double, 2> centre{};
         double radius = 0.0;
+        double low = 0.0;
+        double high = 0.0;
         QString text;
     };
 
@@ -58,9 +68,13 @@ public:
     /// Shown while there is no scene.
     void set_empty_text(const QString& text);
     void set_up(slice::Up up);
+    /// The file's axes in the lower right corner.
+    void show_file_axes(bool is_shown) noexcept { has_file_axes_ = is_shown; }
     /// Something goes on changing: speed is worth more than detail.
     void set_moving(bool is_moving);
     void look_from(Side side);
+    /// As turned as that, the whole of it.
+    void look_as(const session::SceneView& view);
     void fit();
     const session::SpacePicture& picture() const noexcept { return picture_; }
 
@@ -74,8 +88,12 @@ protected:
 private:
     void make_canvas();
     void redraw();
+    std::array<double, 3> size_to_fit() const;
     void make_lines(const session::SceneCamera& camera);
     void place_labels(const session::SceneCamera& camera);
+    void place_head_labels(const session::SceneCamera& camera);
+    std::vector<QRect> other_labels() const;
+    std::array<session::SceneLine, 3> file_axes(const session::SceneCamera& camera) const;
     void hurry();
 
     Drawing drawing_;
@@ -86,13 +104,16 @@ private:
     std::vector<Head> heads_;
     std::optional<Blank> blank_;
     bool is_moving_ = false;
+    bool has_file_axes_ = false;
     SpaceCanvas* canvas_ = nullptr;
     QLabel* empty_;
     QLabel* axis_label_;
     QLabel* blank_label_;
     QLabel* legend_;
+    std::array<QLabel*, 3> file_axis_labels_{};
     std::array<QLabel*, 2> head_labels_{};
-    QTimer rest_;  // until the view is drawn finely again
+    std::array<QLabel*, 2> alarm_labels_{};  // of the heads
+    QTimer rest_;                            // until the view is drawn finely again
     QPointF grabbed_;
 };
 

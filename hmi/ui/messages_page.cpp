@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -17,6 +18,7 @@
 #include "hmi/session/support_bundle.hpp"
 #include "hmi/ui/choice_box.hpp"
 #include "hmi/ui/dialogs.hpp"
+#include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
 #include "hmi/ui/words.hpp"
@@ -27,10 +29,12 @@ namespace psicarve::ui {
 namespace {
 
 using session::Severity;
-enum Column { kTime, kKind, kWhat, kRemedy, kColumns };
-constexpr int kTimeWidth = 100;
-constexpr int kKindWidth = 96;
-constexpr int kWhatWidth = 330;
+enum Column { kTime, kKind, kAxes, kWhat, kRemedy, kColumns };
+constexpr int kMessagesPageTimeWidth = 100;
+constexpr int kMessagesPageKindWidth = 100;
+constexpr int kMessagesPageAxesWidth = 60;
+constexpr int kSearchWidth = 150;
+constexpr int kLeastSearchWidth = 90;
 
 Glyph glyph_of(Severity severity) {
     if (severity == Severity::alarm) return Glyph::octagon;
@@ -40,27 +44,41 @@ Glyph glyph_of(Severity severity) {
 }  // namespace
 
 MessagesPage::MessagesPage(Bench& bench, QWidget* parent)
-    : QWidget(parent), bench_(bench), least_(new ChoiceBox), table_(new QTableWidget{0, kColumns}) {
+    : QWidget(parent),
+      bench_(bench),
+      least_(new ChoiceBox),
+      find_(new QLineEdit),
+      table_(new QTableWidget{0, kColumns}) {
     setObjectName("messages_page");
     least_->addItems({tr("All"), tr("Warnings and alarms"), tr("Alarms")});
     least_->setAccessibleName(tr("Which messages are shown"));
     connect(least_, &QComboBox::currentIndexChanged, this, [this] { filter(); });
+    find_->setObjectName("messages_find");
+    find_->setPlaceholderText(tr("Search"));
+    find_->setAccessibleName(tr("Search the messages"));
+    find_->setClearButtonEnabled(true);
+    find_->setMinimumWidth(kLeastSearchWidth);
+    find_->setMaximumWidth(kSearchWidth);
+    connect(find_, &QLineEdit::textChanged, this, [this] { filter(); });
     table_->setObjectName("messages");
-    table_->setHorizontalHeaderLabels({tr("Time"), tr("Kind"), tr("What happened"), tr("What to do")});
+    table_->setHorizontalHeaderLabels(
+        {tr("Time"), tr("Kind"), tr("Axis"), tr("What happened"), tr("What to do")});
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(24);
-    table_->setColumnWidth(kTime, kTimeWidth);
-    table_->setColumnWidth(kKind, kKindWidth);
-    table_->setColumnWidth(kWhat, kWhatWidth);
-    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->setColumnWidth(kTime, kMessagesPageTimeWidth);
+    table_->setColumnWidth(kKind, kMessagesPageKindWidth);
+    table_->setColumnWidth(kAxes, kMessagesPageAxesWidth);
+    table_->horizontalHeader()->setSectionResizeMode(kWhat, QHeaderView::Stretch);
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setShowGrid(false);
-    auto* head = new QHBoxLayout;
+    auto* head = new FlowLayout;
+    head->setSpacing(kGap);
     head->addWidget(role_label("label", tr("Show")));
     head->addWidget(least_);
-    head->addStretch();
+    head->addWidget(find_);
+    head->add_end();
     auto* save = new QPushButton{tr("Save log…")};
     save->setObjectName("save_log");
     save->setFocusPolicy(Qt::TabFocus);
@@ -112,7 +130,8 @@ void MessagesPage::save_bundle(const QString& folder) {
     session::SupportBundle bundle;
     bundle.messages = session::log_text(bench_.log.messages());
     bundle.log_folder = bench_.keeper.folder();
-    bundle.profile = bench_.machine.sight().profile;
+    const session::MachineSight& machine = bench_.machine.sight();
+    if (!machine.is_profile_of_job) bundle.profile = machine.profile;
     bundle.versions = std::string{"psicarve   " PSICARVE_VERSION "\nlayout     "} +
                       std::to_string(kLayoutVersion) + "\nQt         " + qVersion() + "\n" +
                       session::system_text();
@@ -149,16 +168,15 @@ void MessagesPage::refresh() {
 }
 
 void MessagesPage::add(const session::Message& message) {
-    const auto ms =
-        std::chrono::duration_cast<std::chrono::milliseconds>(message.time.time_since_epoch()).count();
-    const QString time = QDateTime::fromMSecsSinceEpoch(ms).toString("HH:mm:ss.zzz");
     const bool is_alarm = message.severity == Severity::alarm;
     const QColor colour = is_alarm                                ? tokens_->alarm
                           : message.severity == Severity::warning ? tokens_->warn
                                                                   : tokens_->text2;
     table_->insertRow(0);
-    const QString texts[kColumns] = {time, name_of_severity(message.severity), words(message.what),
-                                     words(message.remedy)};
+    const QString texts[kColumns] = {local_time(message.time, "HH:mm:ss.zzz"),
+                                     name_of_severity(message.severity),
+                                     message.axes.empty() ? tr("–") : QString::fromStdString(message.axes),
+                                     words(message.what), words(message.remedy)};
     for (int column = 0; column < kColumns; ++column) {
         auto* item = new QTableWidgetItem{texts[column]};
         item->setToolTip(texts[column]);
@@ -170,12 +188,23 @@ void MessagesPage::add(const session::Message& message) {
         }
         table_->setItem(0, column, item);
     }
+    table_->resizeRowToContents(0);
+}
+
+void MessagesPage::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    table_->setColumnWidth(kRemedy, table_->width() / 4);
+    table_->resizeRowsToContents();  // words are wrapped
 }
 
 void MessagesPage::filter() {
     for (int row = 0; row < table_->rowCount(); ++row) {
         const int severity = table_->item(row, kKind)->data(Qt::UserRole).toInt();
-        table_->setRowHidden(row, severity < least_->currentIndex());
+        const auto holds = [&](Column column) {
+            return table_->item(row, column)->text().contains(find_->text(), Qt::CaseInsensitive);
+        };
+        const bool is_found = holds(kAxes) || holds(kWhat) || holds(kRemedy);
+        table_->setRowHidden(row, severity < least_->currentIndex() || !is_found);
     }
 }
 

@@ -10,6 +10,7 @@
 #include "shared/result.hpp"
 
 class QComboBox;
+class QLineEdit;
 class QTableWidget;
 
 namespace psicarve::ui {
@@ -27,6 +28,9 @@ public:
     /// Profile, log, snapshot and versions, in a new folder below this one.
     void save_bundle(const QString& folder);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void choose_log();
     void choose_bundle();
@@ -40,6 +44,7 @@ private:
     const Tokens* tokens_ = nullptr;
     std::uint64_t shown_count_ = 0;
     QComboBox* least_;
+    QLineEdit* find_;
     QTableWidget* table_;
     session::WorkLane lane_;  // last: its tasks use the others
 };

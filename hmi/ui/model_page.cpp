@@ -3,24 +3,31 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QResizeEvent>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include <algorithm>
-#include <thread>
 #include <utility>
 
 #include "hmi/session/display_text.hpp"
-#include "hmi/ui/choice_box.hpp"
+#include "hmi/session/mesh_text.hpp"
+#include "hmi/session/warning_phrase.hpp"
+#include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/mesh_view.hpp"
+#include "hmi/ui/model_form.hpp"
+#include "hmi/ui/model_report_dialog.hpp"
+#include "hmi/ui/pass_view.hpp"
+#include "hmi/ui/piece_panel.hpp"
+#include "hmi/ui/turn_form.hpp"
 #include "hmi/ui/view_buttons.hpp"
 #include "hmi/ui/warning_list.hpp"
+#include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -28,14 +35,10 @@ namespace {
 using session::Action;
 using session::DeskState;
 
-constexpr int kFormWidth = 216;
-constexpr int kMostLayers = 100'000;
-constexpr int kMostPoints = 100'000;
-constexpr int kUsualCount = 500;
-constexpr double kMostHeight_mm = 10'000.0;
+constexpr int kFormWidth = PassView::kWidth_px;
+constexpr int kLeastForBoth = 480;
+constexpr int kLeastFieldsHeight = 120;
 constexpr int kSteps = 1000;
-constexpr QRgb kReachable = 0xC2C8CE;
-constexpr QRgb kUndercut = 0xFFC21A;
 
 QString state_words(DeskState state) {
     switch (state) {
@@ -60,12 +63,23 @@ QString state_words(DeskState state) {
 }  // namespace
 
 ModelPage::ModelPage(Bench& bench, Drawing drawing, QWidget* parent)
-    : QWidget(parent), bench_(bench), watch_(kReachable, kUndercut), view_(new MeshView{drawing}) {
-    auto* all = new QHBoxLayout{this};
-    all->setContentsMargins(kGap, kGap, kGap, kGap);
-    all->setSpacing(kGap);
-    all->addWidget(make_view(), 1);
-    all->addWidget(make_form());
+    : QWidget(parent), bench_(bench), watch_(kReachable_rgb, kUndercut_rgb), view_(new MeshView{drawing}) {
+    setObjectName("model_page");
+    sides_ = new QBoxLayout{QBoxLayout::LeftToRight, this};
+    sides_->setContentsMargins(kGap, kGap, kGap, kGap);
+    sides_->setSpacing(kGap);
+    sides_->addWidget(make_view(), 1);
+    sides_->addWidget(make_form());
+}
+
+void ModelPage::resizeEvent(QResizeEvent* event) {
+    // The form stands below the view where both do not fit side by side.
+    const bool is_narrow = event->size().width() < kLeastForBoth;
+    whole_form_->setMaximumWidth(is_narrow ? QWIDGETSIZE_MAX : kFormWidth);
+    // Beside it as high as is left: the page is not to scroll for fields that scroll by themselves.
+    room_->setSizePolicy(QSizePolicy::Preferred, is_narrow ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+    sides_->setDirection(is_narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    QWidget::resizeEvent(event);
 }
 
 QWidget* ModelPage::make_view() {
@@ -73,34 +87,84 @@ QWidget* ModelPage::make_view() {
     auto* column = new QVBoxLayout{whole};
     column->setContentsMargins(0, 0, 0, 0);
     view_->setObjectName("model_view");
-    view_->set_empty_text(tr("No model. Open one from the menu, or drop a file here."));
-    column->addLayout(view_buttons(*view_));
+    view_->show_file_axes(true);
+    piece_ = new PiecePanel{*view_, [this] { show_model(); }};
+    auto* shown = new FlowLayout;
+    piece_->add_buttons(*shown);
+    shown->add_end();
+    report_button_ = new QPushButton{tr("Report…")};
+    report_button_->setObjectName("model_report_open");
+    report_button_->setProperty("small", true);
+    report_button_->setFocusPolicy(Qt::TabFocus);
+    report_button_->setToolTip(
+        tr("What the mesh is made of, what is wrong with it and what no tool reaches"));
+    connect(report_button_, &QPushButton::clicked, this, [this] { open_report(); });
+    shown->addWidget(report_button_);
+    column->addLayout(shown);
+    auto* above = view_buttons(*view_);
+    show_hidden_ = new QPushButton{tr("Undercut")};
+    show_hidden_->setObjectName("view_undercut");
+    show_hidden_->setProperty("small", true);
+    show_hidden_->setFocusPolicy(Qt::TabFocus);
+    show_hidden_->setToolTip(tr("From where most of the undercut is seen"));
+    show_hidden_->setEnabled(false);
+    connect(show_hidden_, &QPushButton::clicked, this, [this] {
+        if (shown_sight_ && shown_sight_->hidden_view) view_->look_as(*shown_sight_->hidden_view);
+    });
+    above->addWidget(show_hidden_);
+    column->addLayout(above);
     column->addWidget(view_, 1);
+    column->addWidget(piece_);
     warnings_ = new WarningList;
     column->addWidget(warnings_);
     return whole;
 }
 
 QWidget* ModelPage::make_form() {
-    auto* whole = new QWidget;
-    whole->setFixedWidth(kFormWidth);
-    auto* column = new QVBoxLayout{whole};
+    whole_form_ = new QWidget;
+    whole_form_->setMinimumWidth(kFormWidth);
+    auto* column = new QVBoxLayout{whole_form_};
     column->setContentsMargins(0, 0, 0, 0);
-    auto* form = new QFormLayout;
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     column->addWidget(role_label("head", tr("Placement and slicing")));
     column->addWidget(rule());
-    fill_form(*form);
-    column->addLayout(form);
+    form_ = new ModelForm{[this] { look(); },
+                          [this] { bench_.desk.reshape(form_->flat_options(bench_.machine_profile())); }};
+    turn_ = new TurnForm{[this] { turn_model(); },
+                         [this] {
+                             form_->set_fits(turn_->fits());
+                             look();
+                         }};
+    auto* fields = new QWidget;
+    auto* rows = new QVBoxLayout{fields};
+    rows->setContentsMargins(0, 0, kSmallGap, 0);
+    rows->addWidget(turn_);
+    rows->addWidget(form_);
     size_ = role_label("label");
+    size_->setObjectName("mesh_facts");
     size_->setWordWrap(true);  // beside the view's buttons it would be wider than a small screen
-    column->addWidget(size_);
-    column->addStretch();
+    rows->addWidget(size_);
+    rows->addStretch();
+    room_ = new QScrollArea;
+    room_->setObjectName("model_fields");
+    room_->setWidgetResizable(true);
+    room_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    room_->setFrameShape(QFrame::NoFrame);
+    room_->setWidget(fields);
+    room_->setMinimumHeight(kLeastFieldsHeight);
+    column->addWidget(room_, 1);
+    watch_fields(*fields);
+    column->addWidget(form_->pass_picture());
     state_ = new QLabel;
+    state_->setObjectName("desk_state");
     state_->setWordWrap(true);
     progress_ = new QProgressBar;
     progress_->setRange(0, kSteps);
     progress_->setTextVisible(false);
+    reload_ = new QPushButton{tr("Reload")};
+    reload_->setObjectName("reload");
+    reload_->setFocusPolicy(Qt::TabFocus);
+    reload_->setToolTip(tr("The file was written since it was opened"));
+    connect(reload_, &QPushButton::clicked, this, [this] { reload(); });
     cancel_ = new QPushButton{tr("Cancel")};
     cancel_->setObjectName("cancel");
     cancel_->setFocusPolicy(Qt::TabFocus);
@@ -117,151 +181,212 @@ QWidget* ModelPage::make_form() {
     buttons->addWidget(slice_, 1);
     buttons->addWidget(publish_, 1);
     column->addWidget(state_);
+    column->addWidget(reload_);
     column->addWidget(progress_);
     column->addWidget(cancel_);
     column->addLayout(buttons);
-    return whole;
+    publish_reason_ = role_label("label");
+    publish_reason_->setObjectName("publish_reason");
+    publish_reason_->setWordWrap(true);
+    column->addWidget(publish_reason_);
+    return whole_form_;
 }
 
-void ModelPage::fill_form(QFormLayout& form) {
-    up_ = new ChoiceBox;
-    up_->addItems({"Z", "Y", "X"});
-    axis_ = new ChoiceBox;
-    axis_->addItems({tr("box centre"), tr("file's origin"), tr("least lost")});
-    height_ = new QDoubleSpinBox;
-    height_->setRange(0.0, kMostHeight_mm);
-    height_->setSpecialValueText(tr("as in the file"));
-    height_->setSuffix(" mm");
-    layers_ = new QSpinBox;
-    layers_->setRange(1, kMostLayers);
-    layers_->setValue(kUsualCount);
-    layers_->setObjectName("layers");
-    points_ = new QSpinBox;
-    points_->setRange(2, kMostPoints);
-    points_->setValue(kUsualCount);
-    points_->setObjectName("points");
-    joining_ = new ChoiceBox;
-    joining_->addItems({"continuous", "zigzag", "spiral"});
-    form.addRow(tr("Up axis"), up_);
-    form.addRow(tr("Axis at"), axis_);
-    form.addRow(tr("Height"), height_);
-    form.addRow(tr("Layers"), layers_);
-    form.addRow(tr("Points / head"), points_);
-    form.addRow(tr("Joining"), joining_);
-    for (QComboBox* box : {up_, axis_})
-        connect(box, &QComboBox::currentIndexChanged, this, [this] { look(); });
-    height_->setKeyboardTracking(false);
-    connect(height_, &QDoubleSpinBox::valueChanged, this, [this] { look(); });
-}
-
-cam::JobOptions ModelPage::job_options() const {
-    constexpr slice::Up kUps[] = {slice::Up::z, slice::Up::y, slice::Up::x};
-    constexpr cam::AxisAt kAxes[] = {cam::AxisAt::centre, cam::AxisAt::origin, cam::AxisAt::best};
-    cam::JobOptions options;
-    options.up = kUps[up_->currentIndex()];
-    options.axis_at = kAxes[axis_->currentIndex()];
-    if (height_->value() > 0.0) options.height_mm = height_->value();
-    // The usual numbers give way to a model with fewer pulses of height.
-    if (layers_->value() != kUsualCount) options.layer_count = static_cast<std::uint32_t>(layers_->value());
-    if (points_->value() != kUsualCount) options.point_count = static_cast<std::uint32_t>(points_->value());
-    options.joining = joining_from_name(joining_->currentText().toStdString());
-    // One is left for the window, and for a core on the same computer.
-    options.thread_count = std::max(1U, std::thread::hardware_concurrency() / 2);
-    return options;
-}
-
-Profile ModelPage::profile() const {
-    const auto& of_core = bench_.machine.sight().profile;
-    return of_core ? *of_core : bench_.machine.options().profile.value_or(Profile{});
+/// A job that was sliced otherwise than its fields say now is told from one that is up to date.
+void ModelPage::watch_fields(QWidget& fields) {
+    const auto note = [this] { ++changes_; };
+    for (auto* box : fields.findChildren<QComboBox*>())
+        connect(box, &QComboBox::currentIndexChanged, this, note);
+    for (auto* box : fields.findChildren<QAbstractButton*>())
+        connect(box, &QAbstractButton::toggled, this, note);
+    for (auto* number : fields.findChildren<QSpinBox*>())
+        connect(number, &QSpinBox::valueChanged, this, note);
+    for (auto* number : fields.findChildren<QDoubleSpinBox*>())
+        connect(number, &QDoubleSpinBox::valueChanged, this, note);
 }
 
 void ModelPage::slice() {
-    bench_.desk.slice(job_options(), profile());
+    sliced_changes_ = changes_;
+    bench_.desk.slice(options(), form_->profile_for(bench_.machine_profile()));
+}
+
+/// As both forms have it.
+cam::JobOptions ModelPage::options() const {
+    cam::JobOptions options = form_->options();
+    if (!turn_->fits()) return options;
+    options.fits = true;
+    options.height_mm.reset();
+    options.scale.reset();
+    return options;
+}
+
+void ModelPage::turn_model() {
+    bench_.desk.turn(turn_->turn());
+}
+
+/// What is to be as large as fits has to fit another blank, too.
+void ModelPage::refit() {
+    const BlankProfile blank = form_->profile_for(bench_.machine_profile()).blank;
+    if (blank == std::exchange(fitted_blank_, blank) || !turn_->fits()) return;
+    look();
+}
+
+/// Grooves are as wide as the machine's tool: with another one the drawing is cut anew.
+void ModelPage::keep_engraving_cut() {
+    if (bench_.desk.kind() != flat::ModelKind::drawing || !form_->is_engraved()) return;
+    const flat::FlatOptions wanted = form_->flat_options(bench_.machine_profile());
+    if (flat::flat_options_json(wanted) != flat::flat_options_json(bench_.desk.shape()))
+        bench_.desk.reshape(wanted);
+}
+
+/// As the form has it.
+void ModelPage::reload() {
+    if (bench_.desk.kind() == flat::ModelKind::mesh) return bench_.desk.open(bench_.desk.path());
+    bench_.desk.reshape(form_->flat_options(bench_.machine_profile()));
 }
 
 /// What the form says about the placement is seen at once; what cannot be reached, when it is found out.
 void ModelPage::look() {
     const auto scene = bench_.desk.scene();
-    view_->set_up(job_options().up);
-    view_->set_blank({});
-    view_->set_legend({});
-    view_->replace_scene(scene);
-    shown_sight_.reset();
+    if (!piece_->is_chosen()) show_model();
+    show_facts();
     if (scene)
-        watch_.look(bench_.desk.mesh(), scene, profile(), job_options());
+        watch_.look(bench_.desk.mesh(), scene, form_->profile_for(bench_.machine_profile()), options());
     else
         watch_.forget();
+}
+
+void ModelPage::show_model() {
+    view_->set_up(form_->options().up);
+    view_->set_blank({});
+    view_->set_legend({});
+    legend_.clear();
+    show_hidden_->setEnabled(false);
+    view_->replace_scene(bench_.desk.scene());
+    shown_sight_.reset();
 }
 
 void ModelPage::set_theme(const Tokens& tokens) {
     view_->set_theme(tokens);
     warnings_->set_theme(tokens);
+    form_->set_theme(tokens);
     refresh();
 }
 
 void ModelPage::refresh() {
     slice_->refresh(bench_);
     publish_->refresh(bench_);
+    form_->show_passes(bench_.machine_profile());
     refresh_state();
-    watch_.poll();
+    if (shown_edition_ != bench_.desk.edition()) {
+        shown_edition_ = bench_.desk.edition();
+        show_opened();
+        show_warnings();
+    }
+    turn_->show_what_applies(bench_.desk.kind(), form_->is_engraved());
+    turn_model();
+    keep_engraving_cut();
+    watch_.poll(report_ != nullptr);
+    refit();
+    refresh_piece();
+    refresh_report();
     show_sight();
-    if (shown_edition_ == bench_.desk.edition()) return;
-    shown_edition_ = bench_.desk.edition();
-    show_opened();
-    show_warnings();
+    show_legend();
+    show_blank();
+    show_reasons();
+    show_why_empty();
+}
+
+void ModelPage::show_facts() {
+    const auto scene = bench_.desk.scene();
+    if (!scene) return size_->clear();
+    QStringList lines;
+    for (const session::Phrase& line :
+         session::mesh_lines(*bench_.desk.mesh(), slice::placed(form_->options().up, scene->size)))
+        lines += words(line);
+    size_->setText(lines.join('\n'));
 }
 
 void ModelPage::show_opened() {
     const auto scene = bench_.desk.scene();
-    if (scene == opened_) return;
+    const bool is_other = opened_path_ != bench_.desk.path();
+    if (scene == opened_ && !is_other) return;
     opened_ = scene;
+    if (is_other) {
+        opened_path_ = bench_.desk.path();
+        piece_->choose_model();
+        blank_warnings_.clear();
+        turn_->begin_anew();
+        form_->set_fits(false);
+        form_->begin(bench_.desk.kind(), bench_.desk.shape().engraving.has_value());
+    }
     view_->fit();
     look();
-    if (!scene) return size_->clear();
-    const auto number = [](double value) { return QString::fromStdString(session::number_text(value, 1)); };
-    const auto size = slice::placed(job_options().up, scene->size);
-    size_->setText(tr("%1 × %2 × %3, %4 facets")
-                       .arg(number(size[0]), number(size[1]), number(size[2]),
-                            QString::fromStdString(session::count_text(
-                                static_cast<std::int64_t>(bench_.desk.mesh()->triangles.size())))));
 }
 
 void ModelPage::show_sight() {
     const auto seen = watch_.seen();
-    if (!seen || seen == shown_sight_) return;
+    if (!seen || seen == shown_sight_ || piece_->is_chosen()) return;
     shown_sight_ = seen;
-    const session::ModelSight& sight = seen->sight;
     view_->replace_scene(seen->painted);
-    const double across_mm = 2.0 * sight.blank_radius * sight.mm_per_unit;
-    view_->set_blank(
-        MeshView::Blank{sight.axis, sight.blank_radius,
-                        tr("blank ⌀ %1").arg(QString::fromStdString(session::number_text(across_mm, 1)))});
-    const auto entry = [](QRgb rgb, const QString& text) {
-        return QStringLiteral("<span style='color:%1'>■</span> %2").arg(QColor::fromRgb(rgb).name(), text);
-    };
-    constexpr double kPercent = 100.0;
-    view_->set_legend(entry(kReachable, tr("reachable")) + "<br>" +
-                      entry(kUndercut, tr("undercut %1 %")
-                                           .arg(QString::fromStdString(
-                                               session::number_text(kPercent * sight.undercut_share, 1)))));
+    show_hidden_->setEnabled(seen->hidden_view.has_value());
+    shown_blank_.reset();
+}
+
+/// Where the form has it now; what it lacks is told before slicing.
+void ModelPage::show_blank() {
+    const auto seen = watch_.seen();
+    const Profile profile = form_->profile_for(bench_.machine_profile());
+    // A job tells for itself.
+    const bool has_told = bench_.desk.job() && !is_stale();
+    // What was told of a model that is being looked at again stays until that is done.
+    std::vector<std::string> warnings = blank_warnings_;
+    if (has_told || !bench_.desk.mesh())
+        warnings.clear();
+    else if (seen)
+        warnings = session::blank_warnings(seen->sight, profile);
+    if (warnings != blank_warnings_) {
+        blank_warnings_ = std::move(warnings);
+        show_warnings();
+    }
+    if (!seen || seen != shown_sight_ || piece_->is_chosen()) return;
+    const session::BlankOutline blank = session::blank_outline(seen->sight, profile);
+    if (shown_blank_ == blank) return;
+    shown_blank_ = blank;
+    const QString across = QString::fromStdString(session::number_text(blank.diameter_mm, 1));
+    view_->set_blank(MeshView::Blank{
+        seen->sight.axis, blank.centre, blank.radius, blank.low, blank.high,
+        blank.is_chosen ? tr("blank ⌀ %1 mm").arg(across) : tr("least blank ⌀ %1 mm").arg(across)});
 }
 
 void ModelPage::show_warnings() {
     std::vector<std::string> all;
     if (bench_.desk.mesh()) all = bench_.desk.mesh()->warnings;
-    if (bench_.desk.job()) {
-        const auto& more = bench_.desk.job()->warnings;
-        all.insert(all.end(), more.begin(), more.end());
-    }
+    const auto add = [&all](const std::vector<std::string>& more) {
+        const auto others = session::other_warnings(more, all);
+        all.insert(all.end(), others.begin(), others.end());
+    };
+    if (bench_.desk.job()) add(bench_.desk.job()->warnings);
+    add(blank_warnings_);
+    warning_count_ = all.size();
     warnings_->show_warnings(std::move(all));
+}
+
+bool ModelPage::is_stale() const {
+    const session::JobSight& sight = bench_.desk.sight();
+    const bool has_sliced =
+        bench_.desk.mesh() && (sight.state == DeskState::job || sight.state == DeskState::published);
+    return has_sliced && changes_ != sliced_changes_;
 }
 
 void ModelPage::refresh_state() {
     const session::JobSight& sight = bench_.desk.sight();
-    state_->setText(state_words(sight.state));
+    state_->setText(is_stale() ? tr("Changed since it was sliced: slice again to take it over.")
+                               : state_words(sight.state));
     progress_->setVisible(sight.state == DeskState::slicing);
     progress_->setValue(static_cast<int>(kSteps * bench_.desk.progress_ratio()));
     cancel_->setVisible(sight.is_busy());
+    reload_->setVisible(bench_.desk.has_changed() && !sight.is_busy());
 }
 
 }  // namespace psicarve::ui

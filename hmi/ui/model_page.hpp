@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QPointer>
 #include <QWidget>
 
 #include "hmi/session/model_watch.hpp"
@@ -9,16 +10,18 @@
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/space_canvas.hpp"
 
-class QComboBox;
-class QDoubleSpinBox;
-class QFormLayout;
+class QBoxLayout;
+class QScrollArea;
 class QLabel;
 class QProgressBar;
-class QSpinBox;
 
 namespace psicarve::ui {
 
 class MeshView;
+class ModelForm;
+class ModelReportDialog;
+class PiecePanel;
+class TurnForm;
 class WarningList;
 
 /// The model, how it is to stand and be sliced, and what was noticed about it.
@@ -29,40 +32,78 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
-    /// As the form stands.
-    cam::JobOptions job_options() const;
     void slice();
+    /// What was noticed about model and job.
+    std::size_t warning_count() const noexcept { return warning_count_; }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    static constexpr std::uint32_t kReachable_rgb = 0xC2C8CE;
+    static constexpr std::uint32_t kUndercut_rgb = 0xFFC21A;
+
     QWidget* make_view();
     QWidget* make_form();
-    void fill_form(QFormLayout& form);
+    bool is_stale() const;
     void refresh_state();
     void show_opened();
+    void show_facts();
+    void reload();
+    void open_report();
     void look();
+    void show_model();
+    void refresh_piece();
+    void refresh_report();
+    cam::JobOptions options() const;
+    void turn_model();
+    void watch_fields(QWidget& fields);
+    void keep_engraving_cut();
+    void refit();
     void show_sight();
+    void show_legend();
+    void show_reasons();
+    void show_why_empty();
+    std::optional<double> sliced_undercut();
+    void show_blank();
     void show_warnings();
-    Profile profile() const;
 
     Bench& bench_;
     session::ModelWatch watch_;
     std::shared_ptr<const session::ModelWatch::Seen> shown_sight_;
+    QString legend_;
+    QString why_empty_;
+    replay::JobPointer counted_job_;  ///< that the share is of
+    std::optional<double> counted_share_;
+    std::optional<session::BlankOutline> shown_blank_;
+    std::vector<std::string> blank_warnings_;
     std::shared_ptr<const session::MeshScene> opened_;
+    std::string opened_path_;
     std::uint64_t shown_edition_ = ~std::uint64_t{0};
     MeshView* view_;
+    QBoxLayout* sides_ = nullptr;
+    QWidget* whole_form_ = nullptr;
+    QScrollArea* room_ = nullptr;  ///< of the fields
+    PiecePanel* piece_ = nullptr;
+    std::size_t warning_count_ = 0;
+    BlankProfile fitted_blank_;  ///< that the model was last made to fit
+    std::uint64_t changes_ = 0;  ///< of the fields
+    std::uint64_t sliced_changes_ = 0;
     QLabel* size_;
     WarningList* warnings_;
-    QComboBox* up_;
-    QComboBox* axis_;
-    QDoubleSpinBox* height_;
-    QSpinBox* layers_;
-    QSpinBox* points_;
-    QComboBox* joining_;
+    ModelForm* form_ = nullptr;
+    TurnForm* turn_ = nullptr;
     QLabel* state_;
     QProgressBar* progress_;
     QPushButton* cancel_;
+    QPushButton* reload_ = nullptr;
+    QPushButton* show_hidden_ = nullptr;
+    QPushButton* report_button_ = nullptr;
+    QPointer<ModelReportDialog> report_;
+    session::Phrase no_piece_;  ///< why there is no piece to be expected
     ActionButton* slice_;
     ActionButton* publish_;
+    QLabel* publish_reason_ = nullptr;
 };
 
 }  // namespace psicarve::ui

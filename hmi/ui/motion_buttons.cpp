@@ -18,10 +18,32 @@ MotionButtons make_motion_buttons(Bench& bench) {
     const auto asks = [&machine](CommandKind kind, const char* name) {
         return [&machine, kind, name] { machine.order(kind, session::Phrase{name}); };
     };
-    return {new ActionButton{Action::start, Words::tr("Start"), [&machine] { machine.start(0); }},
+    return {new ActionButton{Action::start, Words::tr("Start"),
+                             [&bench] { bench.machine.start(0, 0, bench.wanted_run); }},
             new ActionButton{Action::hold, Words::tr("Hold"), asks(CommandKind::hold, "Hold")},
             new ActionButton{Action::resume, Words::tr("Resume"), asks(CommandKind::resume, "Resume")},
             new ActionButton{Action::stop, Words::tr("Stop"), [&machine] { machine.stop(); }}};
+}
+
+QString why_locked(const MotionButtons& buttons) {
+    const QString start = buttons.start->reason();
+    if (!start.isEmpty() || buttons.stop->isEnabled()) return start;
+    return Words::tr("Hold, Resume, Stop: nothing is moving.");
+}
+
+void show_what_starts(ActionButton& start, const Bench& bench) {
+    const session::MachineSight& sight = bench.machine.sight();
+    const bool waits = sight.is_heard() && sight.state() == MachineState::waiting;
+    const bool is_dry = waits ? sight.status->is_dry != 0 : bench.wanted_run == session::RunKind::dry;
+    const QString text = is_dry ? Words::tr("Start dry run") : Words::tr("Start");
+    if (start.text() != text) {
+        const QKeySequence keys = start.shortcut();  // a new text would take it away
+        start.setText(text);
+        start.setShortcut(keys);
+    }
+    start.set_hint(is_dry ? Words::tr("Table and Y go as they would, heads outside the blank, spindle off "
+                                      "(Ctrl+Enter)")
+                          : Words::tr("Heads to the first point, then carve (Ctrl+Enter)"));
 }
 
 }  // namespace psicarve::ui

@@ -17,5 +17,9 @@ struct MotionButtons {
     std::array<ActionButton*, 4> all() const noexcept { return {start, hold, resume, stop}; }
 };
 MotionButtons make_motion_buttons(Bench& bench);
+/// The one thing to be said beside them: why Start is locked, else why the others are. Empty: nothing is.
+QString why_locked(const MotionButtons& buttons);
+/// Start says what it would start: the job, or a dry run of it.
+void show_what_starts(ActionButton& start, const Bench& bench);
 
 }  // namespace psicarve::ui

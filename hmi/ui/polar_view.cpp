@@ -17,6 +17,7 @@ constexpr double kLabelRoom_px = 30.0;
 constexpr int kSpoke_deg = 30;
 constexpr double kLine_px = 1.8;
 constexpr double kHead_px = 8.0;
+constexpr double kMark_px = 4.5;
 constexpr int kFill_alpha = 38;
 constexpr int kTurn_deg = 360;
 constexpr double kNearlyOne = 1.0001;  // the outermost ring may be the circle itself
@@ -35,7 +36,7 @@ double ring_step_mm(double most_mm) {
 }  // namespace
 
 PolarView::PolarView(QWidget* parent) : QWidget(parent) {
-    setMinimumSize(200, 200);
+    setMinimumSize(200, 180);
     setAccessibleName(
         QCoreApplication::translate("psicarve::ui::PolarView", "Section of the layer, seen from above"));
 }
@@ -48,6 +49,12 @@ void PolarView::set_theme(const Tokens& tokens) {
 void PolarView::show_rim(session::LayerRim rim, double most_mm) {
     rim_ = std::move(rim);
     most_mm_ = most_mm;
+    update();
+}
+
+void PolarView::mark(std::size_t point) {
+    if (point == point_) return;
+    point_ = point;
     update();
 }
 
@@ -71,6 +78,8 @@ void PolarView::paintEvent(QPaintEvent* /*event*/) {
     draw_grid(painter);
     draw_half(painter, rim_.r1, tokens_->r1, Qt::SolidLine);
     draw_half(painter, rim_.r2, tokens_->r2, Qt::DashLine);
+    draw_mark(painter, rim_.r1, tokens_->r1);
+    draw_mark(painter, rim_.r2, tokens_->r2);
     if (!r1_direction_deg_) return;
     draw_head(painter, *r1_direction_deg_, tokens_->r1, "R1");
     draw_head(painter, *r1_direction_deg_ + kOpposite_deg, tokens_->r2, "R2");
@@ -118,6 +127,14 @@ void PolarView::draw_half(QPainter& painter, const std::vector<session::RimPoint
     painter.setPen(QPen{colour, kLine_px, style});
     painter.setBrush(Qt::NoBrush);
     painter.drawPath(line);
+}
+
+void PolarView::draw_mark(QPainter& painter, const std::vector<session::RimPoint>& half,
+                          const QColor& colour) const {
+    if (point_ >= half.size()) return;
+    painter.setPen(QPen{tokens_->view, 1.5});
+    painter.setBrush(colour);
+    painter.drawEllipse(place(half[point_].direction_deg, half[point_].radius_mm), kMark_px, kMark_px);
 }
 
 void PolarView::draw_head(QPainter& painter, double direction_deg, const QColor& colour,

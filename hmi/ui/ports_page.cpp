@@ -9,7 +9,9 @@
 
 #include <algorithm>
 
+#include "hmi/ui/action_button.hpp"
 #include "hmi/ui/connector_view.hpp"
+#include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/timing_view.hpp"
 #include "hmi/ui/wiring_bar.hpp"
@@ -18,8 +20,8 @@
 namespace psicarve::ui {
 namespace {
 
-enum Column { kPin, kSignal, kRegister, kWay, kLevel, kColumns };
-constexpr std::array<int, kColumns> kWidths{34, 122, 96, 50, 84};
+enum PinColumn { kPin, kSignal, kRegister, kWay, kLevel, kPinColumns };
+constexpr std::array<int, kPinColumns> kWidths{34, 122, 96, 50, 84};
 constexpr int kMostRowHeight_px = 22;
 constexpr int kLeastRowHeight_px = 16;
 constexpr int kHeadHeight_px = 24;
@@ -30,7 +32,7 @@ PortsPage::PortsPage(Bench& bench, QWidget* parent)
     : QWidget(parent),
       bench_(bench),
       connector_(new ConnectorView),
-      table_(new QTableWidget{0, kColumns}),
+      table_(new QTableWidget{0, kPinColumns}),
       timing_(new TimingView),
       note_(role_label("small")),
       wiring_(new WiringBar{bench}) {
@@ -46,12 +48,6 @@ PortsPage::PortsPage(Bench& bench, QWidget* parent)
     table_->setShowGrid(false);
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    int width = 2;
-    for (int column = 0; column < kColumns; ++column) {
-        table_->setColumnWidth(column, kWidths[static_cast<std::size_t>(column)]);
-        width += kWidths[static_cast<std::size_t>(column)];
-    }
-    table_->setFixedWidth(width);
     note_->setWordWrap(true);
     auto* middle = new QHBoxLayout;
     middle->setSpacing(0);
@@ -62,9 +58,46 @@ PortsPage::PortsPage(Bench& bench, QWidget* parent)
     all->setSpacing(kGap);
     all->addWidget(connector_);
     all->addLayout(middle, 1);
-    all->addWidget(note_);
+    make_record_button();
+    auto* foot = new QHBoxLayout;
+    foot->addWidget(note_, 1);
+    foot->addWidget(record_);
+    all->addLayout(foot);
     all->addWidget(wiring_);
     take_profile(Profile{});
+}
+
+void PortsPage::make_record_button() {
+    record_ = new ActionButton{[](const Bench& now) {
+                                   return session::record_lock(
+                                       now.machine.sight(), now.desk.core_job() != nullptr, now.pins.state());
+                               },
+                               tr("Record pins…"), [this] { change_recording(); }};
+    record_->setObjectName("record_pins");
+    record_->setProperty("small", true);
+    record_->set_hint(
+        tr("Every edge of every pin into a file, from here on; a job that is carved whole meanwhile is "
+           "verified"));
+}
+
+void PortsPage::change_recording() {
+    if (bench_.pins.state() != session::PinRecorder::State::idle) return bench_.pins.end();
+    const QString path =
+        ask_where_to_save(this, tr("Record pins"), "run.trace", tr("Traces (*.trace *.vcd);;All files (*)"));
+    if (!path.isEmpty()) record_to(path);
+}
+
+void PortsPage::record_to(const QString& path) {
+    bench_.pins.begin(path.toStdString(), bench_.desk.core_job());
+}
+
+void PortsPage::refresh_record_button() {
+    const auto state = bench_.pins.state();
+    const bool is_on =
+        state == session::PinRecorder::State::recording || state == session::PinRecorder::State::starting;
+    const QString text = is_on ? tr("Stop recording") : tr("Record pins…");
+    if (record_->text() != text) record_->setText(text);
+    record_->refresh(bench_);
 }
 
 void PortsPage::set_theme(const Tokens& tokens) {
@@ -91,6 +124,7 @@ void PortsPage::fit_rows() {
     const int height_px = std::clamp(room_px, kLeastRowHeight_px, kMostRowHeight_px);
     if (height_px == row_height_px_) return;
     row_height_px_ = height_px;
+    fit_columns();
     table_->verticalHeader()->setDefaultSectionSize(height_px);
     std::vector<Signal> order;
     order.reserve(rows_.size());
@@ -105,16 +139,28 @@ void PortsPage::fill_table() {
         const QString pin = row.pin == 0 ? QStringLiteral("\u2013")
                                          : (row.is_active_low ? QStringLiteral("\u2212") : QString{}) +
                                                QString::number(row.pin);
-        const QString texts[kColumns] = {pin,
-                                         words(row.name),
-                                         QString::fromStdString(row.register_bit),
-                                         is_output(row.signal) ? tr("out") : tr("in"),
-                                         {}};
-        for (int column = 0; column < kColumns; ++column)
+        const QString texts[kPinColumns] = {pin,
+                                            words(row.name),
+                                            QString::fromStdString(row.register_bit),
+                                            is_output(row.signal) ? tr("out") : tr("in"),
+                                            {}};
+        for (int column = 0; column < kPinColumns; ++column)
             table_->setItem(i, column, new QTableWidgetItem{texts[column]});
         table_->item(i, kPin)->setToolTip(row.is_active_low ? tr("Active low") : QString{});
     }
     shown_levels_.reset();
+}
+
+/// As wide as their words are in this language.
+void PortsPage::fit_columns() {
+    int width = 2;
+    for (int column = 0; column < kPinColumns; ++column) {
+        const int head = table_->horizontalHeader()->sectionSizeHint(column);
+        const int cells = static_cast<const QAbstractItemView&>(*table_).sizeHintForColumn(column);
+        table_->setColumnWidth(column, std::max({kWidths[static_cast<std::size_t>(column)], head, cells}));
+        width += table_->columnWidth(column);
+    }
+    table_->setFixedWidth(width);
 }
 
 void PortsPage::show_levels(SignalWord levels) {
@@ -168,20 +214,24 @@ void PortsPage::refresh() {
     if (!isVisible()) return;
     // A recording's timeline takes the room of the connector.
     const bool is_replay = bench_.replay.is_open();
+    record_->setVisible(!is_replay && !wiring_->is_armed());
+    refresh_record_button();
     connector_->setVisible(!is_replay);
     wiring_->setVisible(!is_replay);
     if (is_replay) return show_recording();
     const auto& sight = bench_.machine.sight();
-    if (sight.profile) take_profile(*sight.profile);
+    // A job's profile may have other pins.
+    const bool knows_pins = sight.profile && !sight.is_profile_of_job;
+    if (knows_pins) take_profile(*sight.profile);
     fit_rows();
     note_->setVisible(!wiring_->is_armed());
     show_levels(sight.status ? sight.status->signals : 0);
     timing_->show_history(history_, session::LevelHistory::Clock::now());
     const QString note =
         !sight.is_heard() ? tr("No core: these are the last levels known.")
-        : sight.profile
+        : knows_pins
             ? tr("Logical levels, looked at 30 times a second; steps by how many there were in between. "
-                 "A trace (--trace) holds every edge.")
+                 "A recording holds every edge.")
             : tr("The machine's profile is not known here: pins are those of the built-in profile.");
     if (note_->text() != note) note_->setText(note);
 }

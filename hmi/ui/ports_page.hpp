@@ -19,6 +19,7 @@ namespace psicarve::ui {
 
 class ConnectorView;
 class TimingView;
+class ActionButton;
 class WiringBar;
 
 /// The connector with live levels, and every signal's last seconds. Levels are logical.
@@ -29,6 +30,8 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
+    /// Has the core record into this file; what the button does once a file was chosen.
+    void record_to(const QString& path);
     /// Ends the wiring test.
     void let_go();
 
@@ -36,8 +39,12 @@ private:
     void take_profile(const Profile& profile);
     void fill_table();
     void fit_rows();
+    void fit_columns();
     void show_levels(SignalWord levels);
     void note_live_levels();
+    void make_record_button();
+    void change_recording();
+    void refresh_record_button();
     void show_recording();
 
     Bench& bench_;
@@ -52,6 +59,7 @@ private:
     QTableWidget* table_;
     TimingView* timing_;
     QLabel* note_;
+    ActionButton* record_ = nullptr;
     WiringBar* wiring_;
 };
 

@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/position_panel.hpp"
 
-#include <QDateTime>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 
-#include <chrono>
 #include <functional>
 #include <utility>
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/action_button.hpp"
+#include "hmi/ui/last_known.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
 namespace {
 
-constexpr int kBarWidth = 4;
+constexpr int kPositionPanelBarWidth = 4;
 constexpr int kLampWidth = 58;
 constexpr int kLampHeight = 18;
 constexpr int kUnitWidth = 26;
-constexpr int kNameWidth = 56;
+constexpr int kPositionPanelNameWidth = 56;
 
 /// A row that a click, or Space on it, selects.
 class AxisRow : public QFrame {
@@ -92,24 +91,29 @@ QWidget* PositionPanel::make_row(Axis axis) {
     auto* grid = new QGridLayout{widget};
     grid->setContentsMargins(0, 1, kSmallGap, 1);
     grid->setHorizontalSpacing(kSmallGap);
-    grid->setVerticalSpacing(1);
+    grid->setVerticalSpacing(0);
     row.bar = new QFrame;
-    row.bar->setFixedWidth(kBarWidth);
+    row.bar->setFixedWidth(kPositionPanelBarWidth);
     row.name = role_label("axis", session::axis_letter(axis));
     row.second = role_label("small");
     row.second->setObjectName(QString{"second_%1"}.arg(QString::fromStdString(std::string{name_of(axis)})));
-    row.name->setMinimumWidth(kNameWidth);
+    row.name->setMinimumWidth(kPositionPanelNameWidth);
     row.value = role_label("digits");
     row.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row.value->setObjectName(QString{"position_%1"}.arg(QString::fromStdString(std::string{name_of(axis)})));
+    row.pulses = role_label("small");
+    row.pulses->setAlignment(Qt::AlignRight);
+    row.pulses->setObjectName(QString{"pulses_%1"}.arg(QString::fromStdString(std::string{name_of(axis)})));
+    row.pulses->hide();
     row.unit = role_label("label");
     row.unit->setFixedWidth(kUnitWidth);
     row.homed = lamp();
     row.sensor = lamp();
-    grid->addWidget(row.bar, 0, 0, 2, 1);
+    grid->addWidget(row.bar, 0, 0, 3, 1);
     grid->addWidget(row.name, 0, 1);
     grid->addWidget(row.second, 1, 1);
     grid->addWidget(row.value, 0, 2, 2, 1);
+    grid->addWidget(row.pulses, 2, 2);
     grid->addWidget(row.unit, 0, 3, 2, 1);
     grid->addWidget(row.homed, 0, 4);
     grid->addWidget(row.sensor, 1, 4);
@@ -127,14 +131,9 @@ void PositionPanel::set_theme(const Tokens& tokens) {
     refresh();
 }
 
-/// "last known 14:58:07"
-QString PositionPanel::last_known(const session::MachineSight& sight) {
-    using std::chrono::milliseconds;
-    const auto since_epoch = sight.status_time.time_since_epoch();
-    if (since_epoch.count() == 0) return tr("last known");
-    const auto time =
-        QDateTime::fromMSecsSinceEpoch(std::chrono::duration_cast<milliseconds>(since_epoch).count());
-    return tr("last known %1").arg(time.toString(QStringLiteral("HH:mm:ss")));
+void PositionPanel::set_room(Room room) {
+    is_wide_ = room == Room::wide;
+    for (const Row& row : rows_) row.pulses->setVisible(is_wide_);
 }
 
 void PositionPanel::refresh() {
@@ -194,7 +193,8 @@ void PositionPanel::refresh_row(Axis axis) {
     const session::AxisReadout readout = session::axis_readout(sight, axis);
     row.value->setText(QString::fromStdString(readout.value));
     row.unit->setText(readout.unit == "pulses" ? tr("pul.") : QString::fromStdString(readout.unit));
-    row.value->setToolTip(words(readout.second));
+    row.value->setToolTip(words(session::commanded_and_actual(sight, axis)));
+    if (is_wide_) row.pulses->setText(words(session::pulses_phrase(sight, axis)));
     const bool is_known = sight.is_heard() || !sight.status;
     QFont font = row.value->font();
     if (font.strikeOut() == is_known) {

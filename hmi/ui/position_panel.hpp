@@ -9,6 +9,7 @@
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/settings.hpp"
+#include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/tokens.hpp"
 
 namespace psicarve::ui {
@@ -24,6 +25,7 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
+    void set_room(Room room);
 
 private:
     struct Row {
@@ -33,11 +35,11 @@ private:
         QLabel* second;
         QLabel* value;
         QLabel* unit;
+        QLabel* pulses;  ///< where there is room
         QLabel* homed;
         QLabel* sensor;
     };
     QWidget* make_row(Axis axis);
-    static QString last_known(const session::MachineSight& sight);
     void refresh_row(Axis axis);
     void refresh_lamps(Axis axis);
     void refresh_buttons();
@@ -50,6 +52,7 @@ private:
     Bench& bench_;
     std::array<Row, kAxisCount> rows_{};
     Axis selected_ = Axis::r1;
+    bool is_wide_ = false;
     session::WorkZero zero_;
     WindowSettings settings_;
     ActionButton* home_;

@@ -6,18 +6,25 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 #include "hmi/session/error_phrase.hpp"
+#include "hmi/ui/calibration_dialog.hpp"
+#include "hmi/ui/checked_width.hpp"
 #include "hmi/ui/dialogs.hpp"
+#include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
+#include "hmi/ui/profile_menus.hpp"
 #include "hmi/ui/profile_row.hpp"
+#include "hmi/ui/settings.hpp"
 #include "shared/profile_text.hpp"
 
 namespace psicarve::ui {
@@ -25,7 +32,6 @@ namespace {
 
 using session::Severity;
 
-constexpr int kListWidth = 132;
 constexpr int kFindWidth = 150;
 
 QPushButton* push_button(const char* name, const QString& text) {
@@ -41,22 +47,26 @@ ProfilePage::ProfilePage(Bench& bench, QWidget* parent)
     : QWidget(parent), bench_(bench), list_(new QListWidget), area_(new QScrollArea) {
     setObjectName("profile_page");
     list_->setObjectName("profile_groups");
-    list_->setFixedWidth(kListWidth);
     list_->setAccessibleName(tr("Parts of the profile"));
     area_->setWidgetResizable(true);
     area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area_->setObjectName("profile_rows");
     explanation_ = role_label("label");
     explanation_->setWordWrap(true);
-    auto* middle = new QHBoxLayout;
-    middle->setSpacing(kGap);
-    middle->addWidget(list_);
-    middle->addWidget(area_, 1);
+    middle_ = new QBoxLayout{QBoxLayout::LeftToRight};
+    middle_->setSpacing(kGap);
+    middle_->addWidget(list_);
+    auto* keys = new QVBoxLayout;
+    keys->setSpacing(kSmallGap);
+    header_ = ProfileRow::header();
+    keys->addWidget(header_);
+    keys->addWidget(area_, 1);
+    middle_->addLayout(keys, 1);
     auto* all = new QVBoxLayout{this};
     all->setContentsMargins(kGap, kGap, kGap, kGap);
     all->setSpacing(kGap);
     all->addWidget(make_head());
-    all->addLayout(middle, 1);
+    all->addLayout(middle_, 1);
     all->addWidget(explanation_);
     all->addWidget(make_foot());
     make_groups();
@@ -78,15 +88,30 @@ QWidget* ProfilePage::make_head() {
     find_->setFixedWidth(kFindWidth);
     compare_ = push_button("profile_compare", tr("Compare with defaults"));
     compare_->setCheckable(true);
+    leave_room_for_bold(*compare_);
+    calibrate_ = new ActionButton{
+        [this](const Bench&) -> std::optional<session::Phrase> {
+            if (draft_.path().empty())
+                return session::phrase(
+                    "Calibrate: open the machine's profile first, or save this one as a file");
+            if (draft_.changed_count() > 0)
+                return session::phrase("Calibrate: save the profile first, or undo what was changed");
+            if (draft_.problem_count() > 0)
+                return session::phrase("Calibrate: a value of the profile is wrong");
+            return std::nullopt;
+        },
+        tr("Calibrate…"), [this] { calibrate(); }};
+    calibrate_->setObjectName("profile_calibrate");
+    calibrate_->set_hint(tr("Touch-off, two marks and tool wear become values of the profile, step by step"));
     compare_->setToolTip(tr("Shows only what differs from the built-in profile"));
     auto* head = new QWidget;
-    auto* row = new QHBoxLayout{head};
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = new FlowLayout{head};
     row->addWidget(file_);
     row->addWidget(changes_);
-    row->addStretch();
+    row->add_end();
     row->addWidget(find_);
     row->addWidget(compare_);
+    row->addWidget(calibrate_);
     return head;
 }
 
@@ -96,26 +121,52 @@ QWidget* ProfilePage::make_foot() {
     reason_->setWordWrap(true);
     open_ = push_button("profile_open", tr("Open..."));
     undo_ = push_button("profile_undo", tr("Undo all"));
-    restore_ = push_button("profile_restore", tr("Take backup"));
+    restore_ = push_button("profile_restore", tr("Restore backup"));
     save_as_ = push_button("profile_save_as", tr("Save as..."));
     save_ = push_button("profile_save", tr("Save"));
-    connect(open_, &QPushButton::clicked, this, [this] { ask_open(); });
+    make_menus();
     connect(undo_, &QPushButton::clicked, this, [this] {
         draft_.undo_all();
-        show_state();
-    });
-    connect(restore_, &QPushButton::clicked, this, [this] {
-        if (auto taken = draft_.take_backup(); !taken) report(taken);
         show_state();
     });
     connect(save_as_, &QPushButton::clicked, this, [this] { ask_save_as(); });
     connect(save_, &QPushButton::clicked, this, [this] { save(); });
     auto* foot = new QWidget;
-    auto* row = new QHBoxLayout{foot};
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(reason_, 1);
+    auto* rows = new QVBoxLayout{foot};
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(kSmallGap);
+    rows->addWidget(reason_);
+    auto* row = new FlowLayout;
+    rows->addLayout(row);
+    row->add_end();
     for (QPushButton* button : {open_, undo_, restore_, save_as_, save_}) row->addWidget(button);
     return foot;
+}
+
+void ProfilePage::make_menus() {
+    auto* profiles = new QMenu{this};
+    profiles->setObjectName("profile_open_menu");
+    profiles->setToolTipsVisible(true);
+    open_->setMenu(profiles);
+    connect(profiles, &QMenu::aboutToShow, this, [this, profiles] {
+        fill_profile_menu(
+            *profiles, WindowSettings{}.recent_profiles(), [this] { ask_open(); },
+            [this](const QString& path) {
+                if (may_lose_changes()) open(path);
+            },
+            [this] {
+                if (may_lose_changes()) show_draft({});
+            });
+    });
+    auto* backups = new QMenu{this};
+    backups->setObjectName("profile_backups_menu");
+    restore_->setMenu(backups);
+    connect(backups, &QMenu::aboutToShow, this, [this, backups] {
+        fill_backup_menu(*backups, draft_.path(), [this](const std::string& backup) {
+            if (const auto taken = draft_.take_backup(backup); !taken) report(taken);
+            show_state();
+        });
+    });
 }
 
 // In the order of the keys; tables of the port apart.
@@ -127,6 +178,9 @@ void ProfilePage::make_groups() {
                                                       {"axis.psi", tr("Axis \u03A8")},
                                                       {"axis.y", tr("Axis Y")},
                                                       {"head.r2", tr("Head R2")},
+                                                      {"tool", tr("Tool")},
+                                                      {"blank", tr("Blank")},
+                                                      {"roughing", tr("Roughing")},
                                                       {"job", tr("Job")},
                                                       {"port", tr("Port timing")},
                                                       {"port.pins", tr("Port pins")}};
@@ -173,6 +227,7 @@ void ProfilePage::show_rows() {
             key,
             in_full,
             {[this, key](const QString& text) { type(key, text); }, [this, key] { explain(key); }}});
+        rows_.back()->arrange(std::max(1, row_lines_));
         column->addWidget(rows_.back());
         column->addWidget(rule());
     }
@@ -217,6 +272,8 @@ void ProfilePage::refresh() {
     undo_->setEnabled(draft_.changed_count() > 0);
     restore_->setEnabled(has_file && QFileInfo::exists(QString::fromStdString(
                                          profile::ProfileDraft::backup_path(draft_.path()))));
+    calibrate_->refresh(bench_);
+    if (calibration_ != nullptr && calibration_->isVisible()) calibration_->refresh();
     const QString text = !reason.isEmpty() ? reason
                          : !has_file
                              ? tr("The built-in profile has no file: save it as one.")
@@ -259,9 +316,14 @@ bool ProfilePage::open(const QString& path) {
         bench_.log.add(Severity::warning, session::error_phrase(opened.error().message));
         return false;
     }
-    draft_ = std::move(*opened);
-    show_rows();
+    WindowSettings{}.add_recent_profile(path);
+    show_draft(std::move(*opened));
     return true;
+}
+
+void ProfilePage::show_draft(profile::ProfileDraft draft) {
+    draft_ = std::move(draft);
+    show_rows();
 }
 
 bool ProfilePage::report(const Result<void>& saved) {
@@ -278,7 +340,19 @@ bool ProfilePage::save() {
     return report(draft_.save());
 }
 bool ProfilePage::save_as(const QString& path) {
-    return report(draft_.save_as(path.toStdString()));
+    const bool is_saved = report(draft_.save_as(path.toStdString()));
+    if (is_saved) WindowSettings{}.add_recent_profile(path);
+    return is_saved;
+}
+
+void ProfilePage::calibrate() {
+    if (!calibrate_->refresh(bench_).isEmpty())
+        return bench_.log.add(Severity::warning, session::phrase("%1", calibrate_->reason().toStdString()));
+    if (calibration_ == nullptr) {
+        calibration_ =
+            new CalibrationDialog{bench_, [this] { open(QString::fromStdString(draft_.path())); }, window()};
+    }
+    calibration_->open_for(draft_.path());
 }
 
 bool ProfilePage::may_lose_changes() {

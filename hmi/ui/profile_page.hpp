@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "hmi/profile/profile_draft.hpp"
+#include "hmi/ui/action_button.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
 
+class QBoxLayout;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -21,6 +23,7 @@ class QVBoxLayout;
 
 namespace psicarve::ui {
 
+class CalibrationDialog;
 class ProfileRow;
 
 /// The machine profile, key by key: typed values are checked at once, and what is saved keeps the file's
@@ -38,8 +41,16 @@ public:
     /// Without a dialog.
     bool save_as(const QString& path);
     bool save();
+    /// Asks for what is measured at the heads; a message says what is in the way.
+    void calibrate();
+    /// Asks, when something was typed that is not saved.
+    bool may_lose_changes();
     const profile::ProfileDraft& draft() const noexcept { return draft_; }
     std::size_t problem_count() const { return draft_.problem_count(); }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     struct Group {
@@ -48,11 +59,13 @@ private:
     };
 
     void make_groups();
+    void arrange();
     QWidget* make_head();
     QWidget* make_foot();
+    void make_menus();
+    void show_draft(profile::ProfileDraft draft);
     void ask_open();
     void ask_save_as();
-    bool may_lose_changes();
     void show_rows();
     bool belongs(std::size_t key) const;
     void type(std::size_t key, const QString& text);
@@ -71,6 +84,9 @@ private:
     QLabel* changes_;
     QLineEdit* find_;
     QPushButton* compare_;
+    QBoxLayout* middle_ = nullptr;
+    QWidget* header_ = nullptr;
+    int row_lines_ = 0;  ///< none as yet
     QListWidget* list_;
     QScrollArea* area_;
     QLabel* explanation_;
@@ -80,6 +96,8 @@ private:
     QPushButton* restore_;
     QPushButton* save_;
     QPushButton* save_as_;
+    ActionButton* calibrate_;
+    CalibrationDialog* calibration_ = nullptr;  ///< once it was asked for
 };
 
 }  // namespace psicarve::ui

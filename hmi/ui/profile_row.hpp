@@ -28,6 +28,13 @@ public:
     /// With `in_full` the key is named with its table.
     ProfileRow(std::size_t key, bool in_full, Events events, QWidget* parent = nullptr);
 
+    /// What stands in which column.
+    static QWidget* header();
+    /// With fewer columns where rows take two lines, none where they take three.
+    static void arrange_header(QWidget& header, int lines);
+    /// In one line; in two or three where a window is narrow.
+    void arrange(int lines);
+
     std::size_t key() const noexcept { return key_; }
     void show_state(const profile::ProfileDraft& draft);
 
@@ -42,6 +49,9 @@ private:
     QLabel* changed_;
     QLineEdit* line_ = nullptr;
     QComboBox* words_ = nullptr;
+    QLabel* name_;
+    QLabel* unit_;
+    QLabel* bounds_;
     QLabel* built_in_;
     QLabel* problem_;
     QGridLayout* grid_;

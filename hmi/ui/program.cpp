@@ -14,6 +14,7 @@
 #include "hmi/ui/gl_probe.hpp"
 #include "hmi/ui/gl_trial.hpp"
 #include "hmi/ui/main_window.hpp"
+#include "hmi/ui/quit_signals.hpp"
 #include "hmi/ui/window_options.hpp"
 
 namespace psicarve::ui {
@@ -84,6 +85,12 @@ int run(int argc, char** argv) {
             session::phrase("psicarve-hmi --opengl tries it again"));
     }
     if (!options.profile_path.empty()) window.show_profile(QString::fromStdString(options.profile_path));
+    const bool shows_something = !options.path.empty() || !options.profile_path.empty();
+    if (!shows_something) window.go_to_last_page();
+    const QuitSignals signals_to_quit{[&window] {
+        window.leave();
+        QCoreApplication::exit(0);  // quit() would ask
+    }};
     window.show();
     if (!options.path.empty()) window.open(QString::fromStdString(options.path));
     if (drawing == Drawing::opengl) QTimer::singleShot(kTrial, &window, [&trial] { trial.end(); });

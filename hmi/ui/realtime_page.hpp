@@ -4,15 +4,26 @@
 #include <QCoreApplication>
 #include <QWidget>
 
+#include <utility>
+#include <vector>
+
+#include "hmi/session/computer_rows.hpp"
 #include "hmi/session/tick_health.hpp"
+#include "hmi/session/work_lane.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
 
+class QBoxLayout;
+class QGridLayout;
 class QLabel;
+class QLayout;
+class QPushButton;
 
 namespace psicarve::ui {
 
+class ComputerTable;
 class HistogramView;
+class LatencyPanel;
 
 /// How punctual the core is: the histogram of its ticks' lateness, what was missed, and rates.
 class RealtimePage : public QWidget {
@@ -22,12 +33,35 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
+    /// Looks at this computer anew, and shows what was found.
+    void check_computer();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    enum class Shown : std::uint8_t { core_steps, computer, measurement };
+    QLayout* make_choice();
+    void arrange_facts();
+    void show(Shown what);
+    void show_lateness(const CoreStatus& status, const session::TickHealth& health);
+    void refresh_table(const CoreStatus* status);
+
     Bench& bench_;
+    QGridLayout* facts_;
+    QBoxLayout* choice_ = nullptr;
+    std::vector<std::pair<QLabel*, QLabel*>> pairs_;  ///< title and value, as they are read
+    bool is_narrow_ = false;
+    Shown shown_ = Shown::core_steps;
+    QPushButton* steps_button_ = nullptr;
+    QPushButton* computer_button_ = nullptr;
+    QLabel* table_note_ = nullptr;
+    ComputerTable* table_;
+    std::vector<session::ComputerRow> findings_;
     session::RateMeter rates_;
     std::uint32_t core_pid_ = 0;
     HistogramView* histogram_;
+    LatencyPanel* latency_;
     QLabel* verdict_;
     QLabel* rights_ = nullptr;
     QLabel* period_ = nullptr;
@@ -38,6 +72,8 @@ private:
     QLabel* rate_ = nullptr;
     QLabel* pulses_ = nullptr;
     QLabel* waited_ = nullptr;
+    QLabel* faults_ = nullptr;
+    session::WorkLane lane_;  ///< last: its thread uses the others
 };
 
 }  // namespace psicarve::ui

@@ -18,7 +18,7 @@ namespace psicarve::ui {
 namespace {
 
 constexpr int kProgressSteps = 1000;
-constexpr int kTimeWidth = 116;
+constexpr int kReplayBarTimeWidth = 116;
 constexpr int kPlayWidth = 84;
 
 QString text_of(std::int64_t time_ns) {
@@ -27,8 +27,9 @@ QString text_of(std::int64_t time_ns) {
 
 }  // namespace
 
-ReplayBar::ReplayBar(Bench& bench, std::function<void()> choose_job, QWidget* parent)
-    : QFrame(parent), bench_(bench), choose_job_(std::move(choose_job)) {
+ReplayBar::ReplayBar(Bench& bench, std::function<void()> choose_job, std::function<void()> verify,
+                     QWidget* parent)
+    : QFrame(parent), bench_(bench), choose_job_(std::move(choose_job)), verify_trace_(std::move(verify)) {
     setObjectName("replay_bar");
     setProperty("dock", true);
     opening_ = make_opening();
@@ -99,7 +100,7 @@ QWidget* ReplayBar::make_controls() {
     time_ = role_label("percent");
     time_->setObjectName("replay_time");
     time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    time_->setMinimumWidth(kTimeWidth);
+    time_->setMinimumWidth(kReplayBarTimeWidth);
     of_ = role_label("label");
     row->addWidget(time_);
     row->addWidget(of_);
@@ -112,14 +113,19 @@ QWidget* ReplayBar::make_controls() {
     foot->addWidget(moment_, 1);
     foot->addWidget(place_);
     job_ = add_button(*foot, "replay_job", {}, [this] { use_job(); });
+    verify_ = add_button(*foot, "replay_verify", {}, [this] { verify_trace_(); });
     leave_ = add_button(*foot, "replay_leave", tr("Back to the machine"), [&desk] { desk.leave(); });
     leave_->setText(tr("Leave replay"));
+    warnings_ = role_label("problem");
+    warnings_->setObjectName("replay_warnings");
+    warnings_->setWordWrap(true);
     timeline_ = new TimelineView{desk};
     auto* all = new QVBoxLayout{widget};
     all->setContentsMargins(0, 0, 0, 0);
     all->setSpacing(kSmallGap);
     all->addLayout(row);
     all->addWidget(timeline_);
+    all->addWidget(warnings_);
     all->addLayout(foot);
     return widget;
 }
@@ -185,8 +191,31 @@ void ReplayBar::refresh() {
     job_->setToolTip(is_trace ? tr("The job or snapshot that this trace belongs to")
                               : tr("Leaves replay and opens the job in this snapshot"));
     job_->setEnabled(is_trace || bench_.replay.facts().job != nullptr);
+    refresh_verify();
     refresh_words();
     timeline_->refresh();
+    refresh_warnings();
+}
+
+/// Page Messages has the recording's own entries now.
+void ReplayBar::refresh_warnings() {
+    if (shown_edition_ == bench_.replay.edition()) return;
+    shown_edition_ = bench_.replay.edition();
+    QStringList lines;
+    for (const session::Phrase& warning : bench_.replay.facts().warnings) lines += words(warning);
+    warnings_->setText(lines.join('\n'));
+    warnings_->setVisible(!lines.isEmpty());
+}
+
+void ReplayBar::refresh_verify() {
+    const auto& facts = bench_.replay.facts();
+    const bool is_judging = bench_.judge.is_judging();
+    verify_->setVisible(facts.knows_every_pulse);
+    verify_->setText(is_judging ? tr("Cancel verification") : tr("Verify"));
+    verify_->setEnabled(is_judging || facts.job != nullptr);
+    const QString why = facts.job ? tr("Holds every pulse against the job") : tr("Verify: add its job first");
+    if (verify_->toolTip() != why) verify_->setToolTip(why);
+    verify_->setAccessibleName(verify_->text());
 }
 
 QString ReplayBar::state_words() const {

@@ -24,8 +24,9 @@ class TimelineView;
 class ReplayBar : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::ReplayBar)
 public:
-    /// `choose_job` asks for a trace's job.
-    ReplayBar(Bench& bench, std::function<void()> choose_job, QWidget* parent = nullptr);
+    /// `choose_job` asks for a trace's job, `verify` holds the trace against it.
+    ReplayBar(Bench& bench, std::function<void()> choose_job, std::function<void()> verify,
+              QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -41,11 +42,14 @@ private:
     QWidget* make_controls();
     QWidget* make_opening();
     void use_job();
+    void refresh_verify();
     void refresh_words();
+    void refresh_warnings();
     QString state_words() const;
 
     Bench& bench_;
     std::function<void()> choose_job_;
+    std::function<void()> verify_trace_;
     const Tokens* tokens_ = nullptr;
     bool shown_playing_ = false;
     QWidget* opening_;
@@ -57,12 +61,15 @@ private:
     QPushButton* next_ = nullptr;
     QPushButton* end_ = nullptr;
     QPushButton* job_ = nullptr;
+    QPushButton* verify_ = nullptr;
     QPushButton* leave_ = nullptr;
     std::vector<QPushButton*> speeds_;
     QLabel* time_ = nullptr;
     QLabel* of_ = nullptr;
     QLabel* moment_ = nullptr;
     QLabel* place_ = nullptr;
+    QLabel* warnings_ = nullptr;  ///< about the recording, to be read as long as it is shown
+    std::uint64_t shown_edition_ = 0;
     TimelineView* timeline_ = nullptr;
 };
 

@@ -10,8 +10,7 @@
 #include <span>
 #include <utility>
 
-#include "hmi/cli/run_report.hpp"
-#include "hmi/session/run_watch.hpp"
+#include "hmi/report/run_report.hpp"
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/words.hpp"
@@ -19,9 +18,10 @@
 
 namespace psicarve::ui {
 
-ReportDialog::ReportDialog(machine::JobRun run, bool is_over, std::shared_ptr<const cam::PreparedJob> job,
-                           session::MessageLog& log, QWidget* parent)
-    : QDialog(parent), run_(std::move(run)), job_(std::move(job)), log_(log) {
+ReportDialog::ReportDialog(const session::RunWatch& runs, std::shared_ptr<const cam::PreparedJob> job,
+                           std::optional<verify::VerifyReport> verdict, session::MessageLog& log,
+                           QWidget* parent)
+    : QDialog(parent), run_(*runs.run()), verdict_(std::move(verdict)), job_(std::move(job)), log_(log) {
     setObjectName("report");
     setWindowTitle(tr("Report"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -30,7 +30,9 @@ ReportDialog::ReportDialog(machine::JobRun run, bool is_over, std::shared_ptr<co
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(3 * kGap);
     int line = 0;
-    for (const session::ReportRow& row : session::run_rows(run_, is_over, job_->view.layer_count())) {
+    const auto is_verified = verdict_ ? std::optional{verdict_->ok} : std::nullopt;
+    for (const session::ReportRow& row : session::run_rows(run_, runs.is_over(), job_->view.layer_count(),
+                                                           is_verified, runs.seen_from_layer())) {
         grid->addWidget(role_label("label", words(row.name)), line, 0);
         auto* value = new QLabel{words(row.value)};
         value->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -50,9 +52,11 @@ ReportDialog::ReportDialog(machine::JobRun run, bool is_over, std::shared_ptr<co
 }
 
 void ReportDialog::save(const QString& path) {
-    cli::RunReport report = cli::report_of(job_->view, run_);
-    report.unverified_reason = "the window does not verify; psicarve carve does";
-    const std::string text = cli::run_json(report) + "\n";
+    report::RunReport whole = report::report_of(job_->view, run_);
+    whole.verification = verdict_;
+    whole.unverified_reason =
+        run_.after.is_dry != 0 ? "a dry run carves nothing" : "its pins were not recorded";
+    const std::string text = report::run_json(whole) + "\n";
     const auto saved = write_file_atomically(path.toStdString(), std::as_bytes(std::span{text}));
     if (saved) {
         log_.add(session::Severity::info, session::phrase("Report saved: %1", path.toStdString()));

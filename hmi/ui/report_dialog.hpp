@@ -5,10 +5,13 @@
 #include <QDialog>
 
 #include <memory>
+#include <optional>
 
 #include "hmi/cam/prepared_job.hpp"
 #include "hmi/machine/job_run.hpp"
 #include "hmi/session/message_log.hpp"
+#include "hmi/session/run_watch.hpp"
+#include "hmi/verify/verify_report.hpp"
 
 namespace psicarve::ui {
 
@@ -16,14 +19,16 @@ namespace psicarve::ui {
 class ReportDialog : public QDialog {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::ReportDialog)
 public:
-    ReportDialog(machine::JobRun run, bool is_over, std::shared_ptr<const cam::PreparedJob> job,
-                 session::MessageLog& log, QWidget* parent);
+    /// Of the run that `runs` tells of; there must be one.
+    ReportDialog(const session::RunWatch& runs, std::shared_ptr<const cam::PreparedJob> job,
+                 std::optional<verify::VerifyReport> verdict, session::MessageLog& log, QWidget* parent);
 
     /// The same JSON as `psicarve carve --json`. Says how it went in the messages.
     void save(const QString& path);
 
 private:
     machine::JobRun run_;
+    std::optional<verify::VerifyReport> verdict_;
     std::shared_ptr<const cam::PreparedJob> job_;
     session::MessageLog& log_;
 };

@@ -13,9 +13,11 @@ namespace {
 
 constexpr int kMostRecent = 10;
 constexpr const char* kGeometry = "window/geometry";
+constexpr const char* kPage = "window/page";
 constexpr const char* kTheme = "window/theme";
 constexpr const char* kLanguage = "window/language";
 constexpr const char* kRecent = "files/recent";
+constexpr const char* kRecentProfiles = "profiles/recent";
 /// "zero/psicarve/r1"
 QString zero_key(const std::string& segment, Axis axis) {
     return QString{"zero/%1/%2"}.arg(QString::fromStdString(segment).remove('/'),
@@ -35,6 +37,30 @@ QByteArray WindowSettings::geometry() const {
 
 void WindowSettings::set_geometry(const QByteArray& geometry) {
     store_.setValue(kGeometry, geometry);
+}
+
+QString WindowSettings::page() const {
+    return store_.value(kPage).toString();
+}
+
+void WindowSettings::set_page(const QString& page) {
+    store_.setValue(kPage, page);
+}
+
+bool WindowSettings::is_floating(const QString& panel) const {
+    return store_.value("window/floats_" + panel).toBool();
+}
+
+void WindowSettings::set_floating(const QString& panel, bool floats) {
+    store_.setValue("window/floats_" + panel, floats);
+}
+
+QByteArray WindowSettings::panel_geometry(const QString& panel) const {
+    return store_.value("window/place_" + panel).toByteArray();
+}
+
+void WindowSettings::set_panel_geometry(const QString& panel, const QByteArray& geometry) {
+    store_.setValue("window/place_" + panel, geometry);
 }
 
 ThemeChoice WindowSettings::theme() const {
@@ -59,20 +85,36 @@ void WindowSettings::set_language(std::optional<Language> language) {
     }
 }
 
-QStringList WindowSettings::recent_files() const {
-    QStringList files = store_.value(kRecent).toStringList();
+QStringList WindowSettings::recent(const char* list) const {
+    QStringList files = store_.value(list).toStringList();
     const auto is_gone = [](const QString& path) { return !QFileInfo::exists(path); };
     files.erase(std::remove_if(files.begin(), files.end(), is_gone), files.end());
     return files;
 }
 
-void WindowSettings::add_recent_file(const QString& path) {
+void WindowSettings::add_recent(const char* list, const QString& path) {
     const QString whole = QFileInfo{path}.absoluteFilePath();
-    QStringList files = store_.value(kRecent).toStringList();
+    QStringList files = store_.value(list).toStringList();
     files.removeAll(whole);
     files.prepend(whole);
     while (files.size() > kMostRecent) files.removeLast();
-    store_.setValue(kRecent, files);
+    store_.setValue(list, files);
+}
+
+QStringList WindowSettings::recent_files() const {
+    return recent(kRecent);
+}
+
+void WindowSettings::add_recent_file(const QString& path) {
+    add_recent(kRecent, path);
+}
+
+QStringList WindowSettings::recent_profiles() const {
+    return recent(kRecentProfiles);
+}
+
+void WindowSettings::add_recent_profile(const QString& path) {
+    add_recent(kRecentProfiles, path);
 }
 
 QString WindowSettings::last_folder() const {

@@ -23,6 +23,16 @@ public:
 
     QByteArray geometry() const;
     void set_geometry(const QByteArray& geometry);
+    /// Of the window's pages, by its name.
+    QString page() const;
+    void set_page(const QString& page);
+    /// Now, not when the loop comes to it.
+    void write() { store_.sync(); }
+    /// Panels in frames of their own, and where those stand.
+    bool is_floating(const QString& panel) const;
+    void set_floating(const QString& panel, bool floats);
+    QByteArray panel_geometry(const QString& panel) const;
+    void set_panel_geometry(const QString& panel, const QByteArray& geometry);
     ThemeChoice theme() const;
     void set_theme(ThemeChoice choice);
     /// None: the desktop's.
@@ -31,12 +41,17 @@ public:
     /// Newest first; only those that are still there.
     QStringList recent_files() const;
     void add_recent_file(const QString& path);
+    QStringList recent_profiles() const;
+    void add_recent_profile(const QString& path);
     QString last_folder() const;
     /// The operator's own zero of an axis [mm; psi: deg], of the machine behind a segment.
     std::optional<double> zero(const std::string& segment, Axis axis) const;
     void set_zero(const std::string& segment, Axis axis, std::optional<double> position);
 
 private:
+    QStringList recent(const char* list) const;
+    void add_recent(const char* list, const QString& path);
+
     QSettings store_;
 };
 

@@ -2,18 +2,26 @@
 #include "hmi/ui/side_panels.hpp"
 
 #include <QGridLayout>
+#include <QLabel>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <utility>
+
+#include "hmi/ui/floating_panel.hpp"
 #include "hmi/ui/frames.hpp"
 
 namespace psicarve::ui {
 namespace {
 
-constexpr QSize kLeastForUsual{1100, 660};
-constexpr int kLeastForWide = 1600;
+// Less would lay the panels' parts on top of each other.
+constexpr QSize kLeastForUsual{1100, 690};
+constexpr QSize kLeastForWide{1600, 880};
+constexpr QSize kUsualSize{1280, 720};
+constexpr QSize kFrameOfWindow{8, 40};  // a title bar, and what is round the rest
 constexpr int kLeftWidth = 256;
 constexpr int kWideLeftWidth = 304;
 constexpr int kRightWidth = 264;
@@ -32,10 +40,17 @@ QVBoxLayout* column_in(QWidget* widget) {
 Room room_in(QSize window) {
     if (window.width() < kLeastForUsual.width() || window.height() < kLeastForUsual.height())
         return Room::small;
-    return window.width() < kLeastForWide ? Room::usual : Room::wide;
+    const bool is_wide = window.width() >= kLeastForWide.width() && window.height() >= kLeastForWide.height();
+    return is_wide ? Room::wide : Room::usual;
 }
 
-MotionBlock::MotionBlock(Bench& bench) : bench_(bench), buttons_(make_motion_buttons(bench)) {
+FirstPlace first_place(QSize screen) {
+    const QSize size = kUsualSize.boundedTo(screen - kFrameOfWindow);
+    return {size, room_in(size) == Room::small && room_in(screen) != Room::small};
+}
+
+MotionBlock::MotionBlock(Bench& bench)
+    : bench_(bench), buttons_(make_motion_buttons(bench)), reason_(role_label("label")) {
     setObjectName("motion");
     auto* grid = new QGridLayout{this};
     grid->setContentsMargins(0, 0, 0, 0);
@@ -45,6 +60,9 @@ MotionBlock::MotionBlock(Bench& bench) : bench_(bench), buttons_(make_motion_but
         grid->addWidget(button, place / 2, place % 2);
         ++place;
     }
+    reason_->setObjectName("motion_reason");
+    reason_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    grid->addWidget(reason_, place / 2, 0, 1, 2);
 }
 
 void MotionBlock::set_theme(const Tokens& tokens) {
@@ -55,7 +73,12 @@ void MotionBlock::set_theme(const Tokens& tokens) {
 }
 
 void MotionBlock::refresh() {
+    show_what_starts(*buttons_.start, bench_);
     for (ActionButton* button : buttons_.all()) button->refresh(bench_);
+    const QString reason = why_locked(buttons_);
+    if (reason_->toolTip() != reason) reason_->setToolTip(reason);
+    const QString shown = reason_->fontMetrics().elidedText(reason, Qt::ElideRight, reason_->width());
+    if (reason_->text() != shown) reason_->setText(shown);
 }
 
 SidePanels::SidePanels(Bench& bench, QWidget* position, QWidget* jog, QWidget* job)
@@ -71,33 +94,80 @@ SidePanels::SidePanels(Bench& bench, QWidget* position, QWidget* jog, QWidget* j
     names_->setDrawBase(false);
     stack_->setObjectName("side_pages");
     buttons_->setParent(left_);
-    const QString names[] = {tr("Position"), tr("Jog"), tr("Job")};
     for (std::size_t i = 0; i < panels_.size(); ++i) {
         pages_[i] = new QScrollArea;
         pages_[i]->setWidgetResizable(true);
         pages_[i]->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        names_->addTab(names[i]);
+        names_->addTab(short_name(i));
         stack_->addWidget(pages_[i]);
     }
     QObject::connect(names_, &QTabBar::currentChanged, stack_, &QStackedWidget::setCurrentIndex);
     spread(Room::usual);
 }
 
+SidePanels::~SidePanels() {
+    // A frame takes its panel down with it.
+    for (auto& frame : floats_) frame.reset();
+}
+
+QString SidePanels::name(std::size_t panel) {
+    const QString names[kCount] = {tr("Position"), tr("Jog"), tr("Job")};
+    return names[panel];
+}
+
+/// For a tab; the panel below says its name in full.
+QString SidePanels::short_name(std::size_t panel) {
+    const QString names[kCount] = {tr("Position"), tr("Jogging"), tr("Job")};
+    return names[panel];
+}
+
 bool SidePanels::arrange(Room room) {
     if (room == room_) return false;
     room_ = room;
-    if (room == Room::small) {
+    place();
+    return true;
+}
+
+void SidePanels::place() {
+    if (room_ == Room::small) {
         stack();
     } else {
-        spread(room);
+        spread(room_);
     }
-    return true;
+}
+
+void SidePanels::float_panel(std::size_t panel, QWidget* window, std::function<void()> put_back,
+                             std::function<void()> left) {
+    if (is_floating(panel)) return;
+    pages_[panel]->takeWidget();
+    floats_[panel] = std::make_unique<FloatingPanel>(*panels_[panel], name(panel), window,
+                                                     std::move(put_back), std::move(left));
+    floats_[panel]->show();
+    place();
+}
+
+void SidePanels::dock_panel(std::size_t panel) {
+    if (!is_floating(panel)) return;
+    panels_[panel]->setParent(left_);
+    floats_[panel].reset();
+    place();
+}
+
+bool SidePanels::is_ours(const QWidget* window) const noexcept {
+    return window != nullptr && std::any_of(floats_.begin(), floats_.end(),
+                                            [window](const auto& frame) { return frame.get() == window; });
+}
+
+QWidget& SidePanels::frame(std::size_t panel) noexcept {
+    return *floats_[panel];
 }
 
 void SidePanels::stack() {
     for (std::size_t i = 0; i < panels_.size(); ++i) {
         panels_[i]->setMinimumWidth(0);
         panels_[i]->setMaximumWidth(QWIDGETSIZE_MAX);
+        names_->setTabVisible(static_cast<int>(i), !is_floating(i));
+        if (is_floating(i)) continue;
         pages_[i]->setWidget(panels_[i]);
         panels_[i]->show();
     }
@@ -108,16 +178,21 @@ void SidePanels::stack() {
     for (QWidget* widget :
          {static_cast<QWidget*>(names_), static_cast<QWidget*>(stack_), static_cast<QWidget*>(buttons_)})
         widget->show();
+    left_->show();
     right_->hide();
 }
 
 void SidePanels::spread(Room room) {
     const bool is_wide = room == Room::wide;
-    for (QScrollArea* page : pages_) page->takeWidget();
-    left_column_->addWidget(panels_[0]);
-    left_column_->addWidget(panels_[1], 1);
-    right_column_->addWidget(panels_[2], 1);
-    for (QWidget* panel : panels_) panel->show();
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+        pages_[i]->takeWidget();
+        if (is_floating(i)) continue;
+        if (i == 2) right_column_->addWidget(panels_[i], 1);
+        if (i == 1) left_column_->addWidget(panels_[i], 1);
+        if (i == 0)
+            left_column_->insertWidget(0, panels_[i], 0, is_floating(1) ? Qt::AlignTop : Qt::Alignment{});
+        panels_[i]->show();
+    }
     for (QWidget* widget :
          {static_cast<QWidget*>(names_), static_cast<QWidget*>(stack_), static_cast<QWidget*>(buttons_)}) {
         left_column_->removeWidget(widget);
@@ -127,7 +202,8 @@ void SidePanels::spread(Room room) {
     const int right_width = is_wide ? kWideRightWidth : kRightWidth;
     for (QWidget* widget : {left_, panels_[0], panels_[1]}) widget->setFixedWidth(left_width);
     for (QWidget* widget : {right_, panels_[2]}) widget->setFixedWidth(right_width);
-    right_->show();
+    left_->setVisible(!is_floating(0) || !is_floating(1));
+    right_->setVisible(!is_floating(2));
 }
 
 }  // namespace psicarve::ui

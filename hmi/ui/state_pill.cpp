@@ -4,6 +4,9 @@
 #include <QAccessible>
 #include <QAccessibleEvent>
 #include <QPainter>
+#include <QStringList>
+
+#include <algorithm>
 
 #include "hmi/ui/words.hpp"
 
@@ -12,10 +15,16 @@ namespace {
 
 constexpr int kWidth = 200;
 constexpr int kNarrowWidth = 156;
+constexpr int kWideWidth = 256;
 constexpr int kHeight = 48;
 constexpr int kGlyphSide = 26;
-constexpr int kTextLeft = 52;
+constexpr int kTextLeft = 44;
+constexpr int kTextRight = 4;
 constexpr double kCorner = 4.0;
+constexpr int kWordHeight = 18;
+constexpr int kLowWordHeight = 15;
+constexpr int kSecondHeight = 12;
+constexpr int kLeastHeight = 11;  // nothing in the window is smaller
 
 }  // namespace
 
@@ -27,8 +36,8 @@ QSize StatePill::sizeHint() const {
     return size();
 }
 
-void StatePill::set_narrow(bool narrow) {
-    setFixedSize(narrow ? kNarrowWidth : kWidth, kHeight);
+void StatePill::set_room(Room room) {
+    setFixedSize(room == Room::small ? kNarrowWidth : room == Room::wide ? kWideWidth : kWidth, kHeight);
 }
 
 void StatePill::show_state(const session::StateText& text, Glyph glyph, const Tokens& tokens) {
@@ -50,6 +59,45 @@ void StatePill::show_state(const session::StateText& text, Glyph glyph, const To
     update();
 }
 
+/// As large as wanted, or as the room lets it be.
+QFont StatePill::fitting(const QString& text, int height, bool is_bold) const {
+    QFont chosen = font();
+    chosen.setBold(is_bold);
+    for (; height >= kLeastHeight; --height) {
+        chosen.setPixelSize(height);
+        if (QFontMetrics{chosen}.horizontalAdvance(text) < text_width()) break;
+    }
+    return chosen;
+}
+
+int StatePill::text_width() const {
+    return width() - kTextLeft - kTextRight;
+}
+
+/// A second line that is too long becomes two, under a word that moves up.
+StatePill::Lines StatePill::lines() const {
+    const QFont second = fitting(second_, kSecondHeight, false);
+    if (QFontMetrics{second}.horizontalAdvance(second_) < text_width()) {
+        return {fitting(word_, kWordHeight, true), second, QRect{kTextLeft, 4, text_width(), 24},
+                QRect{kTextLeft, 26, text_width(), 18}};
+    }
+    return {fitting(word_, kLowWordHeight, true), second,
+            QRect{kTextLeft, 1, text_width(), kLowWordHeight + 2},
+            QRect{kTextLeft, kLowWordHeight + 3, text_width(), kHeight - kLowWordHeight - 3}};
+}
+
+bool StatePill::is_cut_off() const {
+    const Lines now = lines();
+    const QRect room{0, 0, text_width(), kHeight};
+    const QFontMetrics small{now.second};
+    const QStringList parts = second_.split(' ');
+    const bool is_part_too_long = std::any_of(parts.begin(), parts.end(), [&](const QString& part) {
+        return small.horizontalAdvance(part) > text_width();
+    });
+    return QFontMetrics{now.word}.horizontalAdvance(word_) > text_width() || is_part_too_long ||
+           small.boundingRect(room, Qt::TextWordWrap, second_).height() > now.lower.height();
+}
+
 void StatePill::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter{this};
     painter.setRenderHint(QPainter::Antialiasing);
@@ -61,18 +109,11 @@ void StatePill::paintEvent(QPaintEvent* /*event*/) {
     draw_glyph(painter, glyph_, kGlyphSide, ink_);
     painter.restore();
     painter.setPen(ink_);
-    QFont big = font();
-    big.setPixelSize(word_.size() > 10 ? 15 : 18);
-    big.setBold(true);
-    painter.setFont(big);
-    const QRect upper{kTextLeft, 4, width() - kTextLeft - 4, 24};
-    painter.drawText(upper, Qt::AlignLeft | Qt::AlignVCenter, word_);
-    QFont small = font();
-    small.setPixelSize(12);
-    painter.setFont(small);
-    const QRect lower{kTextLeft, 26, width() - kTextLeft - 4, 18};
-    painter.drawText(lower, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(second_, Qt::ElideRight, lower.width()));
+    const Lines now = lines();
+    painter.setFont(now.word);
+    painter.drawText(now.upper, Qt::AlignLeft | Qt::AlignVCenter, word_);
+    painter.setFont(now.second);
+    painter.drawText(now.lower, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, second_);
 }
 
 }  // namespace psicarve::ui

@@ -14,7 +14,8 @@ namespace psicarve::ui {
 /// F1 and Esc, in whatever window, dialog or menu of the program they are pressed.
 class MainWindow::StopKeys : public QObject {
 public:
-    /// Esc is a stop while `may_stop`; else it is whatever it is anywhere: a dialog closes.
+    /// Esc is a stop while `may_stop`, but in a dialog that keeps it; else it is whatever it is anywhere: a
+    /// dialog closes.
     StopKeys(std::function<void()> emergency_stop, std::function<bool()> may_stop,
              std::function<void()> stop);
 
@@ -22,7 +23,7 @@ public:
 
 private:
     /// Null: the key is not ours now.
-    const std::function<void()>* action_of(int key) const;
+    const std::function<void()>* action_of(int key, const QObject& watched) const;
 
     std::function<void()> emergency_stop_;
     std::function<bool()> may_stop_;

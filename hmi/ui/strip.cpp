@@ -8,8 +8,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <chrono>
+
 #include "hmi/session/display_text.hpp"
+#include "hmi/session/tick_health.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/last_known.hpp"
 #include "hmi/ui/state_pill.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/units.hpp"
@@ -23,8 +27,11 @@ constexpr QSize kSmallEmergency{180, 56};
 constexpr QSize kWideEmergency{232, 60};
 constexpr int kStripHeight = 64;
 constexpr int kEmergencyIcon = 28;
-constexpr int kHeartWidth = 116;
-constexpr int kProgressSteps = 10'000;
+constexpr int kHeartWidth = 132;
+constexpr int kSmallHeartWidth = 116;
+constexpr int kBadgeHeight = 32;
+constexpr int kSmallBadgeHeight = 26;
+constexpr int kStripProgressSteps = 10'000;
 
 QVBoxLayout* column(std::initializer_list<QWidget*> widgets) {
     auto* layout = new QVBoxLayout;
@@ -59,6 +66,7 @@ Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
       missed_(role_label("small")),
       badge_(role_label("badge")),
       percent_(role_label("percent")),
+      work_(role_label("label")),
       time_(new QLabel),
       progress_(new QProgressBar),
       emergency_(new QPushButton),
@@ -75,11 +83,16 @@ Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
     menu_button_->setStyleSheet("QToolButton::menu-indicator { image: none; }");
     menu_button_->setToolTip(tr("Menu (F10)"));
     menu_button_->setAccessibleName(tr("Menu"));
-    menu_button_->setShortcut(Qt::Key_F10);
     for (QLabel* label : {heart_, tick_, missed_}) label->setFixedWidth(kHeartWidth);
-    badge_->setFixedHeight(32);
-    progress_->setRange(0, kProgressSteps);
+    tick_->setObjectName("tick_text");
+    work_->setObjectName("work_text");
+    work_->hide();
+    time_->setObjectName("time_left");
+    time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    heart_->setObjectName("heart");
+    progress_->setRange(0, kStripProgressSteps);
     progress_->setTextVisible(false);
+    progress_->setObjectName("progress");
     progress_->setAccessibleName(tr("Progress"));
     emergency_->setProperty("estop", true);
     emergency_->setFixedSize(kEmergency);
@@ -89,21 +102,25 @@ Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
     // On press, not on release.
     connect(emergency_, &QPushButton::pressed, this, [this] { emergency_stop(); });
 
-    auto* above = new QHBoxLayout;
-    above->addWidget(percent_);
-    above->addStretch();
-    above->addWidget(time_);
+    above_ = new QHBoxLayout;
+    above_->addWidget(percent_);
+    above_->addStretch();
+    above_->addWidget(work_);
+    above_->addStretch();
+    above_->addWidget(time_);
     auto* work = new QVBoxLayout;
     work->setSpacing(kSmallGap);
-    work->addLayout(above);
+    work->addLayout(above_);
     work->addWidget(progress_);
     auto* all = new QHBoxLayout{this};
     all->setContentsMargins(kGap, kSmallGap, kGap, kSmallGap);
     all->setSpacing(2 * kGap);
     all->addWidget(menu_button_);
     all->addWidget(pill_);
-    all->addLayout(column({heart_, tick_, missed_}));
-    all->addWidget(badge_);
+    pulse_ = new QBoxLayout{QBoxLayout::LeftToRight};
+    pulse_->addLayout(column({heart_, tick_, missed_}));
+    pulse_->addWidget(badge_);
+    all->addLayout(pulse_);
     all->addLayout(work, 1);
     all->addWidget(emergency_);
 }
@@ -115,29 +132,36 @@ void Strip::set_theme(const Tokens& tokens) {
     refresh();
 }
 
+void Strip::open_menu() {
+    menu_button_->showMenu();
+}
+
 void Strip::set_room(Room room) {
     const bool is_wide = room == Room::wide;
     setFixedHeight(is_wide ? kWideStripHeight : kStripHeight);
     emergency_->setFixedSize(is_wide ? kWideEmergency : room == Room::small ? kSmallEmergency : kEmergency);
-    pill_->set_narrow(room == Room::small);
-    layout()->setSpacing(room == Room::small ? kGap : 2 * kGap);
-    // The state's word says as much where room is short.
-    for (QWidget* widget :
-         {static_cast<QWidget*>(heart_), static_cast<QWidget*>(tick_), static_cast<QWidget*>(missed_)})
-        widget->setVisible(room != Room::small);
+    pill_->set_room(room);
+    work_->setVisible(is_wide);
+    menu_button_->setVisible(!is_wide);
+    const bool is_small = room == Room::small;
+    layout()->setSpacing(is_small ? kGap : 2 * kGap);
+    // Where room is short the heartbeat stands below the badge; the figures are in its tip and on Real time.
+    pulse_->setDirection(is_small ? QBoxLayout::BottomToTop : QBoxLayout::LeftToRight);
+    pulse_->setSpacing(is_small ? 0 : 2 * kGap);
+    badge_->setFixedHeight(is_small ? kSmallBadgeHeight : kBadgeHeight);
+    heart_->setFixedWidth(is_small ? kSmallHeartWidth : kHeartWidth);
+    for (QLabel* figures : {tick_, missed_}) figures->setVisible(!is_small);
+    is_short_ = is_small;
+    time_->setSizePolicy(is_small ? QSizePolicy::Ignored : QSizePolicy::Preferred, QSizePolicy::Preferred);
+    above_->setStretchFactor(time_, is_small ? 1 : 0);
 }
 
 void Strip::emergency_stop() {
-    const bool is_silent = bench_.machine.sight().life == session::CoreLife::silent;
-    const bool is_there = bench_.machine.emergency_stop();
-    if (is_there && is_silent) {
-        bench_.log.add(session::Severity::warning,
-                       session::phrase("The core is silent: use the switch on the machine"));
-    } else if (is_there) {
-        bench_.log.add(session::Severity::info, session::phrase("Emergency stop asked for"));
-    } else {
-        bench_.log.add(session::Severity::warning, session::phrase("No core: use the switch on the machine"));
-    }
+    if (bench_.machine.emergency_stop())
+        return bench_.log.add(session::Severity::info, session::phrase("Emergency stop asked for"));
+    bench_.log.add(session::Severity::alarm,
+                   session::phrase("Nobody heard the emergency stop: it has stopped nothing"),
+                   session::phrase("Use the wired emergency stop, or the machine's own switch"));
 }
 
 void Strip::refresh() {
@@ -170,12 +194,13 @@ void Strip::refresh_pill() {
 }
 
 void Strip::refresh_replay() {
+    work_->clear();
     const replay::ReplayClock& clock = bench_.replay.clock();
     percent_->setText(QString::fromStdString(session::time_text_ms(clock.now_ns())));
-    time_->setText(tr("of %1").arg(QString::fromStdString(session::time_text_ms(clock.end_ns()))));
+    show_time(tr("of %1").arg(QString::fromStdString(session::time_text_ms(clock.end_ns()))));
     const double ratio =
         clock.end_ns() > 0 ? static_cast<double>(clock.now_ns()) / static_cast<double>(clock.end_ns()) : 1.0;
-    progress_->setValue(static_cast<int>(kProgressSteps * ratio));
+    progress_->setValue(static_cast<int>(kStripProgressSteps * ratio));
     set_styled(progress_, "tone", "replay");
 }
 
@@ -190,31 +215,70 @@ void Strip::refresh_heartbeat() {
     if (!sight.is_heard() || !sight.status) {
         tick_->clear();
         missed_->clear();
+        heart_->setToolTip({});
         return;
     }
     const CoreStatus& status = *sight.status;
     const double tick_us = static_cast<double>(status.period_ns) / static_cast<double>(kNsPerUs);
     const QString clock = status.is_virtual_clock != 0 ? tr("virtual clock") : tr("real clock");
-    tick_->setText(tr("tick %1 µs").arg(QString::fromStdString(session::number_text(tick_us, 0))));
-    missed_->setText(status.is_virtual_clock != 0
-                         ? clock
-                         : tr("missed %1")
-                               .arg(QString::fromStdString(
-                                   session::count_text(static_cast<std::int64_t>(status.missed_ticks)))));
+    const QString tick = tr("tick %1 µs").arg(QString::fromStdString(session::number_text(tick_us, 0)));
+    tick_->setText(tick);
+    if (status.is_virtual_clock != 0) return missed_->setText(clock);
+    const QString late =
+        tr("p99 %1").arg(QString::fromStdString(session::duration_text(session::late_p99_ns(status))));
+    const QString missed =
+        tr("missed %1")
+            .arg(QString::fromStdString(session::count_text(static_cast<std::int64_t>(status.missed_ticks))));
+    tick_->setText(QStringLiteral("%1 · %2").arg(tick, late));
+    missed_->setText(missed);
+    heart_->setToolTip(tick_->text() + "\n" + missed);
+    tick_->setToolTip(tr("99 % of the ticks were no later; page Real time tells more"));
+}
+
+/// "12:38 left · ends 15:11", "stopped 14:58:07", "held, last known 14:58:07"
+QString Strip::time_words() const {
+    const session::MachineSight& sight = bench_.machine.sight();
+    if (!sight.is_heard() && sight.status) {
+        const QString state =
+            words(session::phrase("%1", name_of(sight.heard_state.value_or(sight.state()))));
+        return QStringLiteral("%1, %2").arg(state, last_known(sight));
+    }
+    const auto at = session::alarm_time(sight);
+    if (at && session::is_cut_short(sight)) return tr("stopped %1").arg(local_time(*at, "HH:mm:ss"));
+    const QString left = words(session::time_text(sight, bench_.desk.sight().core_layer_count));
+    const auto end = session::end_time(sight, std::chrono::system_clock::now());
+    return end ? tr("%1 · ends %2").arg(left, local_time(*end, "HH:mm")) : left;
+}
+
+/// Where room is short as much as fits, and all of it in the tip.
+void Strip::show_time(const QString& text) {
+    const QString shown =
+        is_short_ ? time_->fontMetrics().elidedText(text, Qt::ElideRight, time_->width()) : text;
+    time_->setText(shown);
+    time_->setToolTip(shown == text ? QString{} : text);
 }
 
 void Strip::refresh_progress() {
     const session::MachineSight& sight = bench_.machine.sight();
-    const double ratio = session::done_ratio(sight);
+    const bool is_told = session::tells_of_run(sight, bench_.desk.sight());
+    const double ratio = is_told ? session::done_ratio(sight) : -1.0;
     const bool has_job = ratio >= 0.0;
     percent_->setText(has_job ? QString{"%1 %"}.arg(static_cast<int>(100.0 * ratio)) : QString{});
-    progress_->setValue(has_job ? static_cast<int>(kProgressSteps * ratio) : 0);
-    time_->setText(words(session::time_text(sight)));
-    const session::Tone tone = session::state_text(sight, 0).tone;
+    progress_->setValue(has_job ? static_cast<int>(kStripProgressSteps * ratio) : 0);
+    show_time(is_told ? time_words() : tr("No job running"));
+    const auto job = bench_.job_at_work();
+    if (work_->isVisible())
+        work_->setText(words(
+            session::work_text(sight, job ? job->view.layer_count() : 0, job ? job->view.point_count() : 0)));
+    // An alarm takes nothing from a job that it did not cut short.
+    const bool is_other_alarm =
+        sight.is_heard() && !session::is_cut_short(sight) &&
+        (sight.state() == MachineState::alarm || sight.state() == MachineState::backing_off);
+    const session::Tone tone = is_other_alarm ? session::Tone::run : session::state_text(sight, 0).tone;
     set_styled(progress_, "tone",
-               tone == session::Tone::alarm  ? "alarm"
-               : tone == session::Tone::warn ? "warn"
-                                             : "run");
+               tone == session::Tone::alarm                                                         ? "alarm"
+               : tone == session::Tone::warn || !sight.is_heard() || session::is_left_undone(sight) ? "warn"
+                                                                                                    : "run");
 }
 
 }  // namespace psicarve::ui

@@ -8,6 +8,8 @@
 #include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/tokens.hpp"
 
+class QBoxLayout;
+class QHBoxLayout;
 class QLabel;
 class QMenu;
 class QProgressBar;
@@ -27,6 +29,7 @@ public:
     void set_theme(const Tokens& tokens);
     void refresh();
     void set_room(Room room);
+    void open_menu();
     /// Acts at once, whatever the machine does; also when no core is there to hear it.
     void emergency_stop();
     QPushButton& emergency_button() noexcept { return *emergency_; }
@@ -36,6 +39,8 @@ private:
     void refresh_heartbeat();
     void refresh_replay();
     void refresh_progress();
+    QString time_words() const;
+    void show_time(const QString& text);
 
     Bench& bench_;
     const Tokens* tokens_ = nullptr;
@@ -46,7 +51,11 @@ private:
     QLabel* missed_;
     QLabel* badge_;
     QLabel* percent_;
+    QLabel* work_;  ///< where there is room
     QLabel* time_;
+    QBoxLayout* pulse_ = nullptr;   ///< heartbeat and badge
+    QHBoxLayout* above_ = nullptr;  ///< what stands over the progress
+    bool is_short_ = false;
     QProgressBar* progress_;
     QPushButton* emergency_;
     QLabel* emergency_icon_;

@@ -17,13 +17,15 @@ QLabel { background: transparent; border: 0; }
 QFrame[axis_row="true"] { border: 0; }
 QFrame[axis_row="true"][selected="yes"] { background: @sel; }
 QFrame[axis_row="true"]:focus { border: 2px solid @text; }
-QFrame[jog_armed="yes"] { border: 2px solid @alarm; }
+QFrame[jog_armed="yes"] { border: 2px solid @warn_fill; }
 #wiring { border: 0; border-left: 4px solid @line; background: @panel; }
 #wiring[armed="yes"] { border-left: 4px solid @warn_fill; background: @warn_ground; }
-QLabel[role="armed"] { color: @alarm; font-weight: 700; font-size: 12px; }
+QLabel[role="armed"] { color: @warn; font-weight: 700; font-size: 11px; }
 QLabel[role="head"] { color: @text2; font-weight: 700; font-size: 12px; }
 QLabel[role="small"] { color: @text2; font-size: 11px; }
 QLabel[role="label"] { color: @text2; font-size: 12px; }
+QLabel[role="r1"] { color: @r1; font-weight: 700; font-size: 12px; }
+QLabel[role="r2"] { color: @r2; font-weight: 700; font-size: 12px; }
 QLabel[role="axis"] { font-size: 16px; font-weight: 700; }
 QLabel[role="digits"] { font-size: 28px; }
 QLabel[role="title"] { font-size: 15px; font-weight: 700; }
@@ -42,16 +44,25 @@ QPushButton, QToolButton { background: @raised; border: 1px solid @edge; border-
 QPushButton:hover, QToolButton:hover { border-color: @text2; }
 QPushButton:pressed, QToolButton:pressed, QPushButton:checked { background: @sel; border-color: @text; }
 QPushButton:focus, QToolButton:focus { border: 2px solid @text; }
-QPushButton:disabled { color: @dis; background: @panel; border-color: @line; }
+QPushButton[head="r1"] { color: @r1; }
+QPushButton[head="r2"] { color: @r2; }
+QPushButton:disabled, QPushButton[head="r1"]:disabled, QPushButton[head="r2"]:disabled { color: @dis; background: @panel; border-color: @line; }
 QPushButton:checked { font-weight: 700; }
 QPushButton[key="true"] { min-height: 34px; padding: 0 2px; }
 QPushButton[main="true"] { background: @run_fill; color: @on_fill; border-color: @run_fill; font-weight: 700; min-height: 38px; }
 QPushButton[main="true"]:disabled { background: @panel; color: @dis; border-color: @line; }
 QPushButton[strong="true"] { font-weight: 700; min-height: 38px; padding: 0 2px; }
+QDialogButtonBox QPushButton { min-width: 60px; }
+QPushButton[low="yes"] { min-height: 30px; }
 QPushButton[small="true"] { min-height: 22px; padding: 0 6px; }
 QPushButton[estop="true"] { background: @alarm_fill; color: @on_fill; border: 3px solid @warn_fill; border-radius: 4px;
     font-weight: 700; font-size: 13px; padding: 0 4px; min-height: 50px; }
 QPushButton[estop="true"]:pressed { background: @alarm; color: @win; }
+QCheckBox:disabled { color: @dis; }
+QCheckBox::indicator { width: 14px; height: 14px; background: @field; border: 1px solid @edge; border-radius: 3px; }
+QCheckBox::indicator:checked { background: @sel; border-color: @text; }
+QCheckBox::indicator:focus { border: 2px solid @text; width: 12px; height: 12px; }
+QCheckBox::indicator:disabled { background: @panel; border-color: @line; }
 QMenuBar, QMenu { background: @panel; border: 1px solid @line; }
 QMenu::item { padding: 5px 24px; }
 QMenu::item:selected { background: @sel; }
@@ -61,6 +72,12 @@ QTabWidget::pane { border: 0; border-top: 1px solid @line; background: @panel; }
 QTabBar { background: @panel; }
 QTabBar::tab { background: @panel; color: @text2; padding: 7px 14px; border: 0; border-bottom: 3px solid @panel; }
 QTabBar::tab:selected { color: @text; font-weight: 700; border-bottom: 3px solid @text; }
+#side_names::tab { padding: 7px 8px; }
+QTabBar QLabel[badge] { background: @warn_fill; color: @on_warn; border-radius: 8px; font-size: 11px; font-weight: 700;
+    min-width: 8px; min-height: 16px; max-height: 16px; padding: 0 5px; }
+QTabBar QLabel[badge="alarm"] { background: @alarm_fill; color: @on_fill; }
+QTabBar::scroller { width: 44px; }
+QTabBar QToolButton { background: @raised; border: 1px solid @edge; }
 QTabBar::tab:focus { color: @text; }
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { background: @field; border: 1px solid @edge; border-radius: 3px;
     min-height: 26px; padding: 0 4px; selection-background-color: @sel; selection-color: @text; }
@@ -70,8 +87,9 @@ QFrame[invalid="true"] { background: @alarm_ground; }
 QLabel[role="problem"] { color: @alarm; font-size: 12px; }
 QScrollArea, #profile_sheet { background: @field; border: 1px solid @line; }
 #profile_sheet { border: 0; }
-#pages, #side_pages QScrollArea { background: @panel; border: 0; }
+#pages, #side_pages QScrollArea, #model_fields, #keys_room { background: @panel; border: 0; }
 #pages > QWidget, #pages QStackedWidget, #side_pages QScrollArea > QWidget { background: @panel; }
+#keys_room > QWidget, #keys_room > QWidget > QWidget, #model_fields > QWidget, #model_fields > QWidget > QWidget { background: @panel; }
 QListWidget { background: @field; border: 1px solid @line; }
 QListWidget::item { padding: 6px 8px; }
 QListWidget::item:selected { background: @sel; color: @text; font-weight: 700; }
@@ -97,8 +115,12 @@ QTableView, QTableWidget { background: @field; border: 1px solid @line; gridline
 QHeaderView::section { background: @panel; color: @text2; border: 0; border-bottom: 1px solid @line; padding: 4px 6px; }
 QScrollBar:vertical { background: @panel; width: 10px; }
 QScrollBar::handle:vertical { background: @edge; border-radius: 4px; min-height: 24px; }
+QScrollBar:horizontal { background: @panel; height: 10px; }
+QScrollBar::handle:horizontal { background: @edge; border-radius: 4px; min-width: 24px; }
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
 QToolTip { background: @field; color: @text; border: 1px solid @edge; padding: 3px; }
+#refusal { background: @warn_ground; border: 2px solid @warn; border-radius: 4px; }
+QLabel[trouble="yes"] { color: @warn; font-weight: 700; }
 #banner { background: @alarm_ground; border: 2px solid @alarm; border-radius: 4px; }
 )";
 
@@ -124,6 +146,8 @@ QString style_sheet(const Tokens& tokens, bool is_wide) {
                                                       {"@run_fill", tokens.run_fill},
                                                       {"@run", tokens.run},
                                                       {"@raised", tokens.raised},
+                                                      {"@r1", tokens.r1},
+                                                      {"@r2", tokens.r2},
                                                       {"@sel", tokens.sel},
                                                       {"@sim_fill", tokens.sim_fill},
                                                       {"@sim", tokens.sim},

@@ -12,17 +12,17 @@
 #include <cmath>
 
 #include "hmi/session/display_text.hpp"
+#include "hmi/ui/tokens.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::ui {
 namespace {
 
-constexpr int kHeight = 78;
+constexpr int kTimelineViewHeight = 78;
 constexpr int kSide = 8;
 constexpr int kLabels = 16;  // height of the marks' words
 constexpr int kAxis = 16;
-constexpr int kText_px = 11;
 constexpr int kNear_px = 5;
 constexpr int kMostWords = 6;
 constexpr std::int64_t kStep_ns = kNsPerS;
@@ -52,7 +52,7 @@ QString tick_text(std::int64_t time_ns, std::int64_t step_ns) {
 
 TimelineView::TimelineView(replay::ReplayDesk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
     setObjectName("timeline");
-    setFixedHeight(kHeight);
+    setFixedHeight(kTimelineViewHeight);
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Timeline of the recording"));
 }
@@ -142,7 +142,7 @@ void TimelineView::paintEvent(QPaintEvent* /*event*/) {
     if (tokens_ == nullptr) return;
     QPainter painter{this};
     QFont small = font();
-    small.setPixelSize(kText_px);
+    small.setPixelSize(kSmallText_px);
     painter.setFont(small);
     const QRect track{kSide, kLabels, width() - 2 * kSide, height() - kLabels - kAxis};
     painter.fillRect(track, tokens_->view);

@@ -9,12 +9,13 @@
 #include <chrono>
 #include <utility>
 
+#include "hmi/ui/tokens.hpp"
+
 namespace psicarve::ui {
 namespace {
 
 using session::LevelHistory;
 
-constexpr int kText_px = 11;
 constexpr int kMark_s = 5;
 constexpr double kHighShare = 0.22;  // of a row's height, from its top
 constexpr double kLowShare = 0.78;
@@ -68,7 +69,7 @@ void TimingView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter{this};
     painter.fillRect(rect(), tokens_->view);
     QFont small = font();
-    small.setPixelSize(kText_px);
+    small.setPixelSize(kSmallText_px);
     painter.setFont(small);
     const int seconds = static_cast<int>(LevelHistory::kLength.count());
     for (int ago = kMark_s; ago < seconds; ago += kMark_s) {

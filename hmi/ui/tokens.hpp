@@ -19,6 +19,9 @@ struct Tokens {
 };
 const Tokens& tokens_of(Theme theme);
 
+/// Of scales and legends within pictures.
+inline constexpr int kSmallText_px = 11;
+
 /// What a tone paints a filled area with, and what is legible on it.
 QColor fill_of(const Tokens& tokens, session::Tone tone);
 QColor ink_of(const Tokens& tokens, session::Tone tone);

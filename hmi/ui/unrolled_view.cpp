@@ -3,19 +3,24 @@
 
 #include <QPainter>
 
+#include <utility>
+
 #include "hmi/session/display_text.hpp"
 
 namespace psicarve::ui {
 namespace {
 
 constexpr double kLeftRoom = 44.0;
-constexpr double kTopRoom = 12.0;
+constexpr double kTopRoom = 26.0;
+constexpr double kHalfLine = 3.0;  // px
+constexpr double kPointMark = 5.0;
+constexpr double kLeastNamed = 24.0;  // px: narrower a half has no room for its name
 constexpr double kRightRoom = 14.0;
 constexpr double kBottomRoom = 62.0;
 constexpr double kBarHeight = 12.0;
 constexpr int kHeightLabels = 6;
 constexpr int kQuarter_deg = 90;
-constexpr int kTurn_deg = 360;
+constexpr int kUnrolledViewTurn_deg = 360;
 
 QString number(double value, int decimals) {
     return QString::fromStdString(session::number_text(value, decimals));
@@ -24,7 +29,7 @@ QString number(double value, int decimals) {
 }  // namespace
 
 UnrolledView::UnrolledView(QWidget* parent) : QWidget(parent) {
-    setMinimumSize(220, 200);
+    setMinimumSize(220, 180);
     setAccessibleName(tr("Radii of all layers, unrolled"));
 }
 
@@ -38,6 +43,7 @@ void UnrolledView::show_map(const session::RadiusMap& map, double low_mm, double
     image_ = QImage{reinterpret_cast<const uchar*>(picture.data()), static_cast<int>(map.columns),
                     static_cast<int>(map.rows), QImage::Format_RGB32}
                  .copy();
+    scaled_ = {};
     low_mm_ = low_mm;
     high_mm_ = high_mm;
     least_mm_ = map.least_mm;
@@ -45,9 +51,16 @@ void UnrolledView::show_map(const session::RadiusMap& map, double low_mm, double
     update();
 }
 
-void UnrolledView::mark(double height_ratio) {
-    if (height_ratio == mark_ratio_) return;
+void UnrolledView::mark_layer(double height_ratio, std::vector<session::HalfSpan> halves) {
     mark_ratio_ = height_ratio;
+    halves_ = std::move(halves);
+    update();
+}
+
+void UnrolledView::mark_point(double r1_direction_deg, double r2_direction_deg) {
+    const std::array now{r1_direction_deg, r2_direction_deg};
+    if (now == point_deg_) return;
+    point_deg_ = now;
     update();
 }
 
@@ -61,18 +74,60 @@ void UnrolledView::paintEvent(QPaintEvent* /*event*/) {
     painter.fillRect(rect(), tokens_->view);
     if (image_.isNull()) return;
     const QRectF area = map_area();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(area, image_);
+    draw_map(painter, area);
     QFont small = font();
     small.setPixelSize(11);
     painter.setFont(small);
     draw_axes(painter, area);
     draw_bar(painter, area);
+    draw_halves(painter, area);
+    draw_layer(painter, area);
+}
+
+/// Scaling it takes longer than all the rest, and only its size changes it.
+void UnrolledView::draw_map(QPainter& painter, const QRectF& area) {
+    const QSize size = (area.size() * devicePixelRatioF()).toSize();
+    if (size.isEmpty()) return;
+    if (scaled_.size() != size)
+        scaled_ = QPixmap::fromImage(image_.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+    painter.drawPixmap(area, scaled_, scaled_.rect());
+}
+
+/// Which half is whose in this layer; where they meet it is true of the others, too, but for the sides.
+void UnrolledView::draw_halves(QPainter& painter, const QRectF& area) const {
+    const auto x_of = [&area](double angle_deg) {
+        return area.left() + area.width() * angle_deg / kUnrolledViewTurn_deg;
+    };
+    for (const session::HalfSpan& span : halves_) {
+        const QRectF head{x_of(span.from_deg), 0.0, x_of(span.to_deg) - x_of(span.from_deg), area.top()};
+        const QColor& colour = span.is_r2 ? tokens_->r2 : tokens_->r1;
+        painter.setPen(QPen{colour, kHalfLine, span.is_r2 ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap});
+        const double y = area.top() - kHalfLine;
+        painter.drawLine(QPointF{head.left() + 1.0, y}, QPointF{head.right() - 1.0, y});
+        const QString name = span.is_r2 ? tr("R2 half") : tr("R1 half");
+        const bool is_wide = painter.fontMetrics().horizontalAdvance(name) < head.width();
+        if (head.width() > kLeastNamed)
+            painter.drawText(head.adjusted(0, 0, 0, -2.0 * kHalfLine), Qt::AlignCenter,
+                             is_wide ? name : name.left(2));
+        if (span.from_deg == 0.0) continue;
+        painter.setPen(QPen{Qt::white, 1.0});
+        painter.drawLine(QPointF{head.left(), area.top()}, QPointF{head.left(), area.bottom()});
+    }
+}
+
+void UnrolledView::draw_layer(QPainter& painter, const QRectF& area) const {
     const double y = area.bottom() - mark_ratio_ * area.height();
-    painter.setPen(QPen{Qt::white, 3.0});
-    painter.drawLine(QPointF{area.left(), y}, QPointF{area.right(), y});
-    painter.setPen(QPen{Qt::black, 1.0});
-    painter.drawLine(QPointF{area.left(), y}, QPointF{area.right(), y});
+    for (const QPen& pen : {QPen{Qt::white, 3.0}, QPen{Qt::black, 1.0}}) {
+        painter.setPen(pen);
+        painter.drawLine(QPointF{area.left(), y}, QPointF{area.right(), y});
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen{Qt::white, 2.0});
+    for (const bool is_r2 : {false, true}) {
+        painter.setBrush(is_r2 ? tokens_->r2 : tokens_->r1);
+        const double x = area.left() + area.width() * point_deg_[is_r2 ? 1 : 0] / kUnrolledViewTurn_deg;
+        painter.drawEllipse(QPointF{x, y}, kPointMark, kPointMark);
+    }
 }
 
 void UnrolledView::draw_axes(QPainter& painter, const QRectF& area) const {
@@ -84,8 +139,8 @@ void UnrolledView::draw_axes(QPainter& painter, const QRectF& area) const {
         painter.drawText(QRectF{0, y - 8, kLeftRoom - 6, 16}, Qt::AlignRight | Qt::AlignVCenter,
                          number(low_mm_ + part * (high_mm_ - low_mm_), is_low ? 1 : 0));
     }
-    for (int angle_deg = 0; angle_deg <= kTurn_deg; angle_deg += kQuarter_deg) {
-        const double x = area.left() + area.width() * angle_deg / kTurn_deg;
+    for (int angle_deg = 0; angle_deg <= kUnrolledViewTurn_deg; angle_deg += kQuarter_deg) {
+        const double x = area.left() + area.width() * angle_deg / kUnrolledViewTurn_deg;
         painter.drawText(QRectF{x - 20, area.bottom() + 2, 40, 16}, Qt::AlignCenter,
                          QString{"%1°"}.arg(angle_deg));
     }

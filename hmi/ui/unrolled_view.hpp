@@ -3,17 +3,19 @@
 
 #include <QCoreApplication>
 #include <QImage>
+#include <QPixmap>
 #include <QWidget>
 
-#include <cstdint>
+#include <array>
+#include <vector>
 
 #include "hmi/session/radius_map.hpp"
 #include "hmi/ui/tokens.hpp"
 
 namespace psicarve::ui {
 
-/// All layers unrolled: direction to the right, height up, radius as colour; a line at the layer that is
-/// looked at.
+/// All layers unrolled: direction to the right, height up, radius as colour. A line at the layer that is
+/// looked at, above it which head carves what of it, and on it both heads at the point that is looked at.
 class UnrolledView : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::UnrolledView)
 public:
@@ -21,24 +23,32 @@ public:
 
     void set_theme(const Tokens& tokens);
     void show_map(const session::RadiusMap& map, double low_mm, double high_mm);
-    /// 0 lowest, 1 highest layer.
-    void mark(double height_ratio);
+    /// `height_ratio`: 0 lowest, 1 highest layer.
+    void mark_layer(double height_ratio, std::vector<session::HalfSpan> halves);
+    /// Where R1 and R2 are on it.
+    void mark_point(double r1_direction_deg, double r2_direction_deg);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
     QRectF map_area() const;
+    void draw_map(QPainter& painter, const QRectF& area);
+    void draw_halves(QPainter& painter, const QRectF& area) const;
+    void draw_layer(QPainter& painter, const QRectF& area) const;
     void draw_axes(QPainter& painter, const QRectF& area) const;
     void draw_bar(QPainter& painter, const QRectF& area) const;
 
     const Tokens* tokens_ = nullptr;
     QImage image_;
+    QPixmap scaled_;  ///< of image_, as large as it is shown
     double low_mm_ = 0.0;
     double high_mm_ = 0.0;
     double least_mm_ = 0.0;
     double most_mm_ = 0.0;
     double mark_ratio_ = 0.0;
+    std::vector<session::HalfSpan> halves_;
+    std::array<double, 2> point_deg_{};  ///< R1, R2
 };
 
 }  // namespace psicarve::ui

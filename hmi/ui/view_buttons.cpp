@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/view_buttons.hpp"
 
-#include <QHBoxLayout>
 #include <QPushButton>
 
 #include <functional>
 #include <utility>
 
-#include "hmi/ui/frames.hpp"
+#include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/mesh_view.hpp"
 
 namespace psicarve::ui {
 
-QHBoxLayout* view_buttons(MeshView& view) {
+FlowLayout* view_buttons(MeshView& view) {
     using Side = MeshView::Side;
     const std::pair<QString, std::function<void()>> buttons[] = {
         {MeshView::tr("Front"), [&view] { view.look_from(Side::front); }},
@@ -20,8 +19,7 @@ QHBoxLayout* view_buttons(MeshView& view) {
         {MeshView::tr("Top"), [&view] { view.look_from(Side::top); }},
         {MeshView::tr("Iso"), [&view] { view.look_from(Side::iso); }},
         {MeshView::tr("Fit"), [&view] { view.fit(); }}};
-    auto* row = new QHBoxLayout;
-    row->setSpacing(kSmallGap);
+    auto* row = new FlowLayout;
     for (const auto& [name, act] : buttons) {
         auto* button = new QPushButton{name};
         button->setProperty("small", true);
@@ -29,7 +27,7 @@ QHBoxLayout* view_buttons(MeshView& view) {
         QObject::connect(button, &QPushButton::clicked, &view, [act = act] { act(); });
         row->addWidget(button);
     }
-    row->addStretch();
+    row->add_end();
     return row;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QString>
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,12 @@ inline QString words(const session::Phrase& text) {
     for (const std::string& argument : text.arguments) arguments.push_back(translated("core", argument));
     for (const session::Phrase& inner : text.inner) arguments.push_back(words(inner).toStdString());
     return QString::fromStdString(session::filled_in(translated("session", text.english), arguments));
+}
+
+/// By the operator's clock; the format is QDateTime's.
+inline QString local_time(std::chrono::system_clock::time_point time, const char* format) {
+    const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch()).count();
+    return QDateTime::fromMSecsSinceEpoch(ms).toString(QLatin1String{format});
 }
 
 }  // namespace psicarve::ui

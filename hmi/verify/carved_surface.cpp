@@ -10,7 +10,7 @@ namespace psicarve::verify {
 
 CarvedSurface::CarvedSurface(const JobGeometry& geometry)
     : geometry_(geometry),
-      radius_mm_(std::size_t{geometry.layer_count()} * geometry.direction_count(),
+      radius_mm_(std::size_t{geometry.row_count()} * geometry.direction_count(),
                  static_cast<float>(geometry.blank_radius_mm())),
       deviation_(radius_mm_.size(), kWithoutPoint),
       reached_(radius_mm_.size(), 0) {
@@ -18,15 +18,16 @@ CarvedSurface::CarvedSurface(const JobGeometry& geometry)
 }
 
 void CarvedSurface::expect_points() {
-    for (std::uint32_t row = 0; row < layer_count(); ++row) {
+    const std::uint32_t first = std::max(geometry_.first_row_layer(), geometry_.first_layer());
+    for (std::uint32_t layer = first; layer < geometry_.end_layer(); ++layer) {
         for (std::size_t h = 0; h < kHeadCount; ++h) {
-            auto layer = geometry_.layer_of_point(h, row, 0);
+            auto row = geometry_.row_of_point(h, layer, 0);
             for (std::uint32_t point = 0; point < geometry_.point_count(); ++point) {
-                if (geometry_.is_spiral()) layer = geometry_.layer_of_point(h, row, point);
-                if (!layer) continue;
-                const std::int64_t psi = geometry_.job().psi_pulses(row, point);
+                if (geometry_.is_spiral()) row = geometry_.row_of_point(h, layer, point);
+                if (!row) continue;
+                const std::int64_t psi = geometry_.job().psi_pulses(layer, point);
                 const std::uint32_t cell = geometry_.cell_of(geometry_.direction(h, psi));
-                deviation_[std::size_t{*layer} * direction_count() + cell] = kUntouched;
+                deviation_[std::size_t{*row} * direction_count() + cell] = kUntouched;
             }
         }
     }

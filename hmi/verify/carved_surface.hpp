@@ -10,9 +10,10 @@
 
 namespace psicarve::verify {
 
-/// The blank as the tips have carved it so far: for each layer and each of the job's 2 * (point_count - 1)
-/// directions the least real radius at which a tip stood within half a cell, at that layer's height or nearer
-/// to it than to any other. A cell that no tip reached keeps the blank's radius (the table's largest).
+/// The blank as the tips have carved it so far: for each layer of the finishing pass (its rows, from 0) and
+/// each of the job's 2 * (point_count - 1) directions the least real radius at which a tip stood within half
+/// a cell, at that layer's height or nearer to it than to any other. A cell that no tip reached keeps the
+/// blank's radius (the table's largest).
 ///
 /// Real means that tip offsets are added back, R2 stands at 180 degrees plus its angle error and above R1 by
 /// its height error. Direction d is the workpiece direction point_angle_pulses(d).
@@ -20,7 +21,7 @@ class CarvedSurface {
 public:
     explicit CarvedSurface(const JobGeometry& geometry);
 
-    std::uint32_t layer_count() const noexcept { return geometry_.layer_count(); }
+    std::uint32_t layer_count() const noexcept { return geometry_.row_count(); }
     std::uint32_t direction_count() const noexcept { return geometry_.direction_count(); }
     double layer_height_mm(std::uint32_t layer) const noexcept;
     /// Layers that rise as they turn: never lower than the one before in the same direction, but not level.

@@ -17,17 +17,17 @@ Colour mixed(const Colour& a, const Colour& b, double part) {
 }
 
 /// Which cells one pixel stands for: at least one.
-struct Range {
+struct CellRange {
     std::uint32_t first;
     std::uint32_t end;
 };
-Range cells_of(std::size_t pixel, std::size_t pixels, std::uint32_t cells) {
+CellRange cells_of(std::size_t pixel, std::size_t pixels, std::uint32_t cells) {
     const auto first = static_cast<std::uint32_t>(pixel * cells / pixels);
     const auto end = static_cast<std::uint32_t>((pixel + 1) * cells / pixels);
     return {first, std::max(first + 1, end)};
 }
 
-std::int32_t largest_in(const CarvedSurface& surface, Range layers, Range directions) {
+std::int32_t largest_in(const CarvedSurface& surface, CellRange layers, CellRange directions) {
     std::int32_t largest = 0;
     for (std::uint32_t layer = layers.first; layer < layers.end; ++layer) {
         for (std::uint32_t d = directions.first; d < directions.end; ++d) {
@@ -39,8 +39,8 @@ std::int32_t largest_in(const CarvedSurface& surface, Range layers, Range direct
 }
 
 /// The layers that a row of pixels stands for in one direction: its share of the piece's height.
-Range spiral_layers(const CarvedSurface& surface, std::uint32_t direction, std::size_t pixel,
-                    std::size_t pixels) {
+CellRange spiral_layers(const CarvedSurface& surface, std::uint32_t direction, std::size_t pixel,
+                        std::size_t pixels) {
     const std::uint32_t count = surface.layer_count();
     const double bottom_mm = surface.layer_height_mm(0);
     const double height_mm = surface.layer_height_mm(count - 1) - bottom_mm;
@@ -66,7 +66,7 @@ Range spiral_layers(const CarvedSurface& surface, std::uint32_t direction, std::
 
 /// Light falling flat from the upper left onto the unrolled relief: 0.6 .. 1.
 double relief_grey(const CarvedSurface& surface, std::uint32_t layer, std::uint32_t direction,
-                   Range step_layers, Range step_directions) {
+                   CellRange step_layers, CellRange step_directions) {
     const std::uint32_t rows = surface.layer_count();
     const std::uint32_t columns = surface.direction_count();
     const std::uint32_t across = std::max(1U, step_directions.end - step_directions.first);
@@ -118,9 +118,9 @@ PixelImage draw_deviation_map(const CarvedSurface& surface, const DeviationScale
     image.height = height_px;
     image.argb.resize(width_px * height_px);
     for (std::size_t y = 0; y < height_px; ++y) {
-        Range layers = cells_of(height_px - 1 - y, height_px, surface.layer_count());
+        CellRange layers = cells_of(height_px - 1 - y, height_px, surface.layer_count());
         for (std::size_t x = 0; x < width_px; ++x) {
-            const Range directions = cells_of(x, width_px, surface.direction_count());
+            const CellRange directions = cells_of(x, width_px, surface.direction_count());
             if (surface.is_spiral())
                 layers = spiral_layers(surface, directions.first, height_px - 1 - y, height_px);
             const double pulses = largest_in(surface, layers, directions);

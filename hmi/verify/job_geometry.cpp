@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <string>
 
 #include "shared/units.hpp"
@@ -10,6 +11,9 @@
 namespace psicarve::verify {
 
 namespace {
+
+// A head's rows in one direction are two apart in a spiral.
+constexpr std::uint32_t kRowsAround = 3;
 
 std::int64_t wrapped(std::int64_t angle_pulses, std::int64_t rev_pulses) noexcept {
     const std::int64_t rest = angle_pulses % rev_pulses;
@@ -34,16 +38,23 @@ Result<void> check_countable(const JobView& job, const Profile& profile) {
 HeadGeometry head_of(const LinearAxisProfile& axis) {
     HeadGeometry head;
     head.pulses_per_mm = axis.pulses_per_mm;
-    head.tip_offset_mm = axis.tip_offset_mm;
+    head.tip_offset_mm = axis.tip_mm();
     return head;
 }
 
 }  // namespace
 
-Result<JobGeometry> JobGeometry::make(const JobView& job, const Profile& profile) {
+Result<JobGeometry> JobGeometry::make(const JobView& job, const Profile& profile, const LayerRange& layers) {
     auto countable = check_countable(job, profile);
     if (!countable) return countable.error();
+    if (layers.first >= job.layer_count()) {
+        return bad_input("the job has " + std::to_string(job.layer_count()) + " layers, from 0 on: none is " +
+                         std::to_string(layers.first));
+    }
     JobGeometry g;
+    const std::uint32_t left = job.layer_count() - layers.first;
+    g.first_layer_ = layers.first;
+    g.end_layer_ = layers.first + (layers.count == 0 ? left : std::min(layers.count, left));
     g.job_ = job;
     g.heads_ = {head_of(profile.r1), head_of(profile.r2)};
     g.rev_pulses_ = profile.psi.pulses_per_rev;
@@ -57,7 +68,8 @@ Result<JobGeometry> JobGeometry::make(const JobView& job, const Profile& profile
     for (std::size_t h = 0; h < kHeadCount; ++h)
         g.blank_radius_mm_ =
             std::max(g.blank_radius_mm_, g.heads_[h].real_mm(job.max_radius_pulses(kHeads[h])));
-    const auto heights = job.layer_heights_pulses();
+    for (const JobPass& pass : job.passes()) g.blank_radius_mm_ = std::max(g.blank_radius_mm_, pass.clear_mm);
+    const auto heights = g.row_heights();
     const std::int64_t base = pulses_from_mm(profile.job.base_height_mm, profile.y.pulses_per_mm);
     const std::int64_t alone = std::max<std::int64_t>(std::abs(heights.front() - base), 1);
     // The ring that closes a spiral lies as high as the row before it.
@@ -74,24 +86,24 @@ Positions JobGeometry::target(std::uint32_t layer, std::uint32_t step) const noe
             job_.psi_pulses(layer, point), job_.y_pulses(layer, point)};
 }
 
-std::int64_t JobGeometry::height(std::uint32_t layer, std::int64_t direction_pulses) const noexcept {
-    if (!is_spiral() || layer == 0) return height(layer);
+std::int64_t JobGeometry::height(std::uint32_t row, std::int64_t direction_pulses) const noexcept {
+    if (!is_spiral() || row == 0) return height(row);
     // Both heads rise alike; where one of them begins, the other one ends.
     const std::int64_t sweep = job_.psi_sweep_pulses();
-    const std::int64_t turned = wrapped(direction_pulses - (layer % 2) * sweep, sweep);
+    const std::int64_t turned = wrapped(direction_pulses - ((first_row_layer() + row) % 2) * sweep, sweep);
     const double part = turned == 0 ? 1.0 : static_cast<double>(turned) / static_cast<double>(sweep);
-    const std::int64_t below = height(layer - 1);
-    return below + round_to_pulse(part * static_cast<double>(height(layer) - below));
+    const std::int64_t below = height(row - 1);
+    return below + round_to_pulse(part * static_cast<double>(height(row) - below));
 }
 
-std::optional<std::uint32_t> JobGeometry::layer_at(std::int64_t height_pulses,
-                                                   std::int64_t direction_pulses) const noexcept {
-    const auto heights = job_.layer_heights_pulses();
+std::optional<std::uint32_t> JobGeometry::row_at(std::int64_t height_pulses,
+                                                 std::int64_t direction_pulses) const noexcept {
+    const auto heights = row_heights();
     if (height_pulses < heights.front() - outer_margin_low_ ||
         height_pulses > heights.back() + outer_margin_high_)
         return std::nullopt;
-    std::uint32_t above = 0;  // the first layer that is not below
-    for (std::uint32_t end = layer_count(); above < end;) {
+    std::uint32_t above = 0;  // the first row that is not below
+    for (std::uint32_t end = row_count(); above < end;) {
         const std::uint32_t middle = above + (end - above) / 2;
         if (height(middle, direction_pulses) < height_pulses) {
             above = middle + 1;
@@ -101,16 +113,17 @@ std::optional<std::uint32_t> JobGeometry::layer_at(std::int64_t height_pulses,
     }
     if (above == 0) return 0;
     const bool is_nearer_below =
-        above == layer_count() || height_pulses - height(above - 1, direction_pulses) <=
-                                      height(above, direction_pulses) - height_pulses;
+        above == row_count() || height_pulses - height(above - 1, direction_pulses) <=
+                                    height(above, direction_pulses) - height_pulses;
     return is_nearer_below ? above - 1 : above;
 }
 
-std::optional<std::uint32_t> JobGeometry::layer_of_point(std::size_t h, std::uint32_t layer,
-                                                         std::uint32_t point) const noexcept {
+std::optional<std::uint32_t> JobGeometry::row_of_point(std::size_t h, std::uint32_t layer,
+                                                       std::uint32_t point) const noexcept {
+    if (layer < first_row_layer()) return std::nullopt;
     const std::int64_t offset = heads_[h].height_offset_pulses;
-    if (offset == 0) return job_.is_joint(layer, point) ? layer - 1 : layer;
-    return layer_at(job_.y_pulses(layer, point) + offset, direction(h, job_.psi_pulses(layer, point)));
+    if (offset == 0) return layer - first_row_layer() - (job_.is_joint(layer, point) ? 1 : 0);
+    return row_at(job_.y_pulses(layer, point) + offset, direction(h, job_.psi_pulses(layer, point)));
 }
 
 std::int64_t JobGeometry::direction(std::size_t h, std::int64_t psi_pulses) const noexcept {
@@ -132,16 +145,17 @@ std::int64_t JobGeometry::direction_of(std::uint32_t cell) const noexcept {
 std::optional<double> JobGeometry::on_row(std::size_t h, std::uint32_t row, std::int64_t direction_pulses,
                                           Gap bridging) const noexcept {
     const std::int64_t sweep = job_.psi_sweep_pulses();
-    const std::int64_t start = table_angle_pulses(job_.joining(), sweep, point_count(), row, 0);
+    const std::uint32_t layer = first_row_layer() + row;
+    const std::int64_t start = job_.psi_pulses(layer, 0);
     std::int64_t along = wrapped(direction_pulses - heads_[h].facing_pulses - start, rev_pulses_);
-    if (along == 0 && job_.is_joint(row, 0)) return std::nullopt;  // the row before says it
+    if (along == 0 && job_.is_joint(layer, 0)) return std::nullopt;  // the row before says it
     // Between the two heads' halves the angle error leaves a gap; the nearer end speaks for it.
     const std::int64_t gap =
         bridging == Gap::bridged ? std::abs(heads_[1].facing_pulses - rev_pulses_ / 2) : 0;
     if (along > sweep && along <= sweep + gap) along = sweep;
     if (along >= rev_pulses_ - gap && along > sweep) along = 0;
     if (along > sweep) return std::nullopt;
-    const auto radii = h == 0 ? job_.r_left_pulses(row) : job_.r_right_pulses(row);
+    const auto radii = h == 0 ? job_.r_left_pulses(layer) : job_.r_right_pulses(layer);
     const auto steps = static_cast<std::int64_t>(point_count() - 1);
     std::int64_t j = std::min(along * steps / sweep, steps - 1);
     if (j > 0 && point_angle_pulses(j, sweep, steps + 1) > along) --j;
@@ -154,45 +168,87 @@ std::optional<double> JobGeometry::on_row(std::size_t h, std::uint32_t row, std:
     return along == b ? far : near + part * (far - near);
 }
 
-std::optional<double> JobGeometry::least_near(std::size_t h, std::uint32_t layer, std::int64_t y_pulses,
+std::optional<double> JobGeometry::least_near(std::size_t h, std::uint32_t row, std::int64_t y_pulses,
                                               std::int64_t direction_pulses) const noexcept {
-    auto least = on_row(h, layer, direction_pulses, Gap::empty);
+    auto least = on_row(h, row, direction_pulses, Gap::empty);
     if (!is_spiral()) return least;
-    const std::int64_t off = std::abs(height(layer, direction_pulses) - y_pulses);
+    const std::int64_t off = std::abs(height(row, direction_pulses) - y_pulses);
     const auto consider = [&](std::uint32_t other) {
         if (std::abs(height(other, direction_pulses) - y_pulses) > off + 1) return;
         const auto radius = on_row(h, other, direction_pulses, Gap::empty);
         if (radius && (!least || *radius < *least)) least = radius;
     };
-    if (layer > 0) consider(layer - 1);
-    if (layer + 1 < layer_count()) consider(layer + 1);
+    if (row > 0) consider(row - 1);
+    if (row + 1 < row_count()) consider(row + 1);
     return least;
 }
 
 std::optional<double> JobGeometry::floor_mm(std::size_t h, std::int64_t y_pulses,
                                             std::int64_t direction_pulses) const noexcept {
-    const auto row = layer_at(y_pulses, direction_pulses);
+    const auto row = row_at(y_pulses, direction_pulses);
     const auto own = row ? least_near(h, *row, y_pulses, direction_pulses) : std::nullopt;
     if (own) return own;
     const std::size_t other = 1 - h;
     const std::int64_t others_y =
         y_pulses + heads_[h].height_offset_pulses - heads_[other].height_offset_pulses;
-    const auto others_row = layer_at(others_y, direction_pulses);
+    const auto others_row = row_at(others_y, direction_pulses);
     const auto others =
         others_row ? least_near(other, *others_row, others_y, direction_pulses) : std::nullopt;
     if (others || !row) return others;
     return on_row(h, *row, direction_pulses);
 }
 
-std::optional<double> JobGeometry::wanted_mm(std::uint32_t layer,
+std::int64_t JobGeometry::tip_height(std::size_t h, std::uint32_t row,
+                                     std::int64_t direction_pulses) const noexcept {
+    const std::int64_t offset = heads_[h].height_offset_pulses;
+    if (!is_spiral() || row == 0) return height(row) + offset;
+    const std::int64_t start = job_.psi_pulses(first_row_layer() + row, 0);
+    const std::int64_t along = wrapped(direction_pulses - heads_[h].facing_pulses - start, rev_pulses_);
+    const double part = static_cast<double>(along) / static_cast<double>(job_.psi_sweep_pulses());
+    const std::int64_t below = height(row - 1);
+    return below + round_to_pulse(part * static_cast<double>(height(row) - below)) + offset;
+}
+
+std::optional<double> JobGeometry::least_around(std::int64_t tip_height_pulses, std::int64_t direction_pulses,
+                                                std::span<const KnownTip> more) const noexcept {
+    std::array<std::int64_t, 2> off{std::numeric_limits<std::int64_t>::max(),
+                                    std::numeric_limits<std::int64_t>::max()};
+    std::array<double, 2> nearest{};
+    const auto consider = [&](const KnownTip& tip) {
+        for (const bool is_above : {false, true}) {
+            const std::int64_t away = tip.height_pulses - tip_height_pulses;
+            if ((is_above ? away < 0 : away > 0) || std::abs(away) >= off[is_above ? 1 : 0]) continue;
+            off[is_above ? 1 : 0] = std::abs(away);
+            nearest[is_above ? 1 : 0] = tip.radius_mm;
+        }
+    };
+    for (std::size_t h = 0; h < kHeadCount; ++h) {
+        const auto row = row_at(tip_height_pulses - heads_[h].height_offset_pulses, direction_pulses);
+        if (!row) continue;
+        const std::uint32_t end = std::min(row_count(), *row + kRowsAround + 1);
+        for (std::uint32_t near = *row - std::min(*row, kRowsAround); near < end; ++near) {
+            const auto radius = on_row(h, near, direction_pulses, Gap::empty);
+            if (radius) consider({tip_height(h, near, direction_pulses), *radius});
+        }
+    }
+    for (const KnownTip& tip : more) consider(tip);
+    std::optional<double> least;
+    for (std::size_t i = 0; i < off.size(); ++i) {
+        if (off[i] == std::numeric_limits<std::int64_t>::max()) continue;
+        least = std::min(least.value_or(nearest[i]), nearest[i]);
+    }
+    return least;
+}
+
+std::optional<double> JobGeometry::wanted_mm(std::uint32_t row,
                                              std::int64_t direction_pulses) const noexcept {
-    const auto left = on_row(0, layer, direction_pulses);
+    const auto left = on_row(0, row, direction_pulses);
     if (left && heads_[1].facing_pulses == rev_pulses_ / 2) return left;
-    const auto row =
+    const auto own =
         heads_[1].height_offset_pulses == 0
-            ? std::optional<std::uint32_t>(layer)
-            : layer_at(height(layer, direction_pulses) - heads_[1].height_offset_pulses, direction_pulses);
-    const auto right = row ? on_row(1, *row, direction_pulses) : std::nullopt;
+            ? std::optional<std::uint32_t>(row)
+            : row_at(height(row, direction_pulses) - heads_[1].height_offset_pulses, direction_pulses);
+    const auto right = own ? on_row(1, *own, direction_pulses) : std::nullopt;
     if (left && right) return std::min(*left, *right);
     return left ? left : right;
 }

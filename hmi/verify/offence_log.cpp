@@ -15,6 +15,7 @@ std::string place_text(const CarvePlace& place) {
     std::string text;
     if (place.layer) text += " in layer " + std::to_string(*place.layer);
     if (place.point) text += " at point " + std::to_string(*place.point);
+    if (place.pass != nullptr) text += " of the " + pass_name(*place.pass);
     return text;
 }
 
@@ -55,6 +56,7 @@ const char* word_of(Bound bound) {
 void OffenceLog::describe(Offence offence, const CarvePlace& place) {
     offence.layer = place.layer;
     offence.point = place.point;
+    if (place.pass != nullptr) offence.pass = pass_name(*place.pass);
     offence.sentence = "rule " + std::to_string(offence.rule) + ": " + offence.sentence + place_text(place) +
                        ", " + time_text(offence.time_ns) + ": " + shown_number(offence.measured) + " " +
                        offence.unit + " measured, " + shown_number(offence.allowed) + " " + offence.unit +

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hmi/verify/verify_report.hpp"
+#include "shared/job.hpp"
 #include "shared/signal.hpp"
 
 namespace psicarve::verify {
@@ -15,6 +16,7 @@ namespace psicarve::verify {
 struct CarvePlace {
     std::optional<std::uint32_t> layer;
     std::optional<std::uint32_t> point;
+    const JobPass* pass = nullptr;  ///< of a job that has several
 };
 
 /// Counts breaches and keeps the earliest of each rule. Counting is cheap; words are only made for what is

@@ -5,16 +5,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <utility>
+#include <vector>
 
 #include "hmi/verify/path_rule.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::verify {
-
-namespace {
-constexpr std::size_t kPsi = index_of(Axis::psi);
-constexpr std::size_t kY = index_of(Axis::y);
-}  // namespace
 
 void PathRule::report(std::int64_t time_ns, Offence offence) {
     offence.rule = 1;
@@ -39,8 +35,8 @@ void PathRule::miss(std::int64_t time_ns, const Positions& at) {
         const std::int64_t closest = heading.closest.value_or(at[index_of(kHeads[h])]);
         consider(kHeads[h], closest);
         if (heading.has_surface)
-            surface_.note_deviation(heading.surface_layer,
-                                    geometry_.cell_of(geometry_.direction(h, to_[kPsi])), closest - wanted);
+            note_deviation(heading.surface_layer, geometry_.cell_of(geometry_.direction(h, to_[kPsi])),
+                           closest - wanted);
     }
     consider(Axis::y, at[kY]);
     if (const auto alone = near_.only_axis_off()) {
@@ -48,21 +44,47 @@ void PathRule::miss(std::int64_t time_ns, const Positions& at) {
         worst = *alone;
         worst_off = near_.most_off;
         measured = near_.at[index_of(worst)];
+        excuse_link(*alone);
     }
-    if (log_.count(1, time_ns)) {
-        Offence offence;
-        offence.fault = "point-missed";
-        offence.axis = worst;
-        offence.measured = static_cast<double>(measured);
-        offence.allowed = static_cast<double>(to_[index_of(worst)]);
-        offence.bound = Bound::exactly;
-        offence.unit = "pulses";
-        offence.sentence = worst_off > 0
-                               ? "a point was not visited: " + shown_name(worst) + " stood elsewhere"
-                               : "a point was not visited by all axes at one instant: psi went past it";
+    keep_link();
+    if (!is_miss_told_ && log_.count(1, time_ns)) {
+        Offence offence = missed_by(worst, measured);
+        if (worst_off == 0)
+            offence.sentence = "a point was not visited by all axes at one instant: psi went past it";
         report(time_ns, std::move(offence));
     }
     advance();
+}
+
+Offence PathRule::missed_by(Axis axis, std::int64_t measured) const {
+    Offence offence;
+    offence.fault = "point-missed";
+    offence.axis = axis;
+    offence.measured = static_cast<double>(measured);
+    offence.allowed = static_cast<double>(to_[index_of(axis)]);
+    offence.bound = Bound::exactly;
+    offence.unit = "pulses";
+    offence.sentence = "a point was not visited: " + shown_name(axis) + " stood elsewhere";
+    return offence;
+}
+
+/// The last point was met by all axes but one.
+std::optional<Axis> PathRule::axis_short_of_layers_end() const noexcept {
+    return step_ + 1 == geometry_.point_count() ? near_.only_axis_off() : std::nullopt;
+}
+
+/// Carving goes on beyond a layer that has not been carved.
+void PathRule::leave_out(std::int64_t time_ns, std::uint32_t due) {
+    if (!log_.count(1, time_ns)) return;
+    Offence offence;
+    offence.fault = "layers-left-out";
+    offence.measured = static_cast<double>(layer_);
+    offence.allowed = static_cast<double>(due);
+    offence.bound = Bound::at_most;
+    offence.unit = "layer";
+    offence.sentence = "carving begins with layer " + std::to_string(layer_) + ", but layer " +
+                       std::to_string(due) + " is the first that has not been carved";
+    report(time_ns, std::move(offence));
 }
 
 void PathRule::miss_rest_of_layer(std::int64_t time_ns, const Positions& at) {
@@ -72,7 +94,21 @@ void PathRule::miss_rest_of_layer(std::int64_t time_ns, const Positions& at) {
 
 void PathRule::stray(std::int64_t time_ns, std::size_t h, const PathLine::Distance& distance) {
     if (std::exchange(strayed_, true)) return;
-    retraction_.stray = Stray{time_ns, h, distance, place_};
+    Offence offence;
+    if (const auto alone = axis_short_of_layers_end(); alone && *alone != kHeads[h]) {
+        // The head leaves the layer in good faith.
+        offence = missed_by(*alone, near_.at[index_of(*alone)]);
+        is_miss_told_ = true;
+    } else {
+        offence.fault = "off-the-line";
+        offence.axis = kHeads[h];
+        offence.measured = distance.judged_mm;
+        offence.allowed = distance.allowed_mm;
+        offence.unit = "mm";
+        offence.sentence = shown_name(kHeads[h]) + " leaves the straight line to a point";
+    }
+    offence.time_ns = time_ns;
+    retraction_.stray = Stray{std::move(offence), place_, 0};
     if (!is_outward_) keep_retraction();
 }
 
@@ -81,21 +117,11 @@ void PathRule::keep_retraction() {
     max_line_mm_ = std::max(max_line_mm_, retraction_.max_line_mm);
     max_line_pulses_ = std::max(max_line_pulses_, retraction_.max_line_pulses);
     const auto stray = std::exchange(retraction_, {}).stray;
-    if (!stray || !log_.count(1, stray->time_ns)) return;
-    Offence offence;
-    offence.rule = 1;
-    offence.fault = "off-the-line";
-    offence.axis = kHeads[stray->head];
-    offence.time_ns = stray->time_ns;
-    offence.measured = stray->distance.judged_mm;
-    offence.allowed = stray->distance.allowed_mm;
-    offence.unit = std::string("mm");
-    offence.sentence = shown_name(kHeads[stray->head]) + " leaves the straight line to a point";
-    log_.describe(std::move(offence), stray->place);
+    if (stray) count(*stray);
 }
 
 void PathRule::stray_in_height(std::int64_t time_ns, const Positions& at) {
-    const bool is_spiral = geometry_.is_spiral();
+    const bool is_spiral = geometry_.is_spiral() && layer_ >= geometry_.first_row_layer();
     // Y moves on: it will not come.
     if (!is_spiral && step_ + 1 == geometry_.point_count()) return miss(time_ns, at);
     if (!std::exchange(strayed_, true) && log_.count(1, time_ns)) {
@@ -111,7 +137,7 @@ void PathRule::stray_in_height(std::int64_t time_ns, const Positions& at) {
         report(time_ns, std::move(offence));
     }
     if (is_spiral) return;
-    const auto layer = geometry_.layer_at(at[kY], geometry_.direction(0, at[kPsi]));
+    const auto layer = layer_at(at);
     if (!layer || *layer != layer_) miss_rest_of_layer(time_ns, at);
 }
 
@@ -148,9 +174,9 @@ void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& 
         return;
     }
     const std::int64_t direction = geometry_.direction(h, at[kPsi]);
-    const auto layer = geometry_.layer_at(at[kY] + head.height_offset_pulses, direction);  // of the surface
+    const auto layer = geometry_.row_at(at[kY] + head.height_offset_pulses, direction);  // of the surface
     const std::uint32_t cell = geometry_.cell_of(direction);
-    if (layer) surface_.touch(*layer, cell, static_cast<float>(real_mm));
+    if (layer) mark(*layer, cell, real_mm);
     const auto wanted_mm = geometry_.floor_mm(h, at[kY], direction);
     if (!wanted_mm) return;
     double floor_mm = *wanted_mm;
@@ -162,23 +188,70 @@ void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& 
         floor_mm = std::min({floor_mm, before.value_or(floor_mm), after.value_or(floor_mm)}) -
                    geometry_.tolerance_mm() - 1.0 / head.pulses_per_mm;
     }
+    floor_mm = std::min(floor_mm, floor_of_way(h, at, direction).value_or(floor_mm));
     const std::int64_t off = round_to_pulse((real_mm - *wanted_mm) * head.pulses_per_mm);
     const std::int64_t too_deep = round_to_pulse((floor_mm - real_mm) * head.pulses_per_mm);
-    if (layer && (off >= 0 || too_deep > 0)) surface_.note_deviation(*layer, cell, off);
+    if (layer && (off >= 0 || too_deep > 0)) note_deviation(*layer, cell, off);
     const bool told = std::exchange(headings_[h].is_too_deep, too_deep > 0);
-    if (too_deep <= 0 || told || !log_.count(1, time_ns)) return;
+    for (Stray& deep : too_deep_in_link_) {
+        if (told && deep.offence.axis == kHeads[h]) deep.most_off = std::max(deep.most_off, too_deep);
+    }
+    if (too_deep <= 0 || told) return;
     Offence offence;
+    offence.time_ns = time_ns;
     offence.fault = "too-deep";
     offence.axis = kHeads[h];
     offence.measured = static_cast<double>(radius);
     offence.allowed = static_cast<double>(radius + too_deep);
     offence.bound = Bound::at_least;
     offence.unit = "pulses";
-    const auto row = geometry_.layer_at(at[kY], direction);
-    offence.sentence = shown_name(kHeads[h]) + " stands deeper than " +
-                       (row ? "layer " + std::to_string(*row) : std::string("the job")) +
-                       " asks, off the way between two points";
-    report(time_ns, std::move(offence));
+    const auto row = geometry_.row_at(at[kY], direction);
+    offence.sentence =
+        shown_name(kHeads[h]) + " stands deeper than " +
+        (row ? "layer " + std::to_string(geometry_.first_row_layer() + *row) : std::string("the job")) +
+        " asks, off the way between two points";
+    too_deep_in_link_.push_back({std::move(offence), place_, too_deep});
+    if (phase_ != Phase::link || too_deep_in_link_.size() == kMostHeld) keep_link();
+}
+
+/// On the way to and between the roughing layers of a spiral, which are level and sliced for themselves. What
+/// the job asks of this head at the way's ends is known as well.
+std::optional<double> PathRule::floor_of_way(std::size_t h, const Positions& at,
+                                             std::int64_t direction) const {
+    const bool is_on_way = phase_ == Phase::link || phase_ == Phase::approach;
+    if (!geometry_.is_spiral() || !is_on_way || geometry_.first_row_layer() == 0) return std::nullopt;
+    const HeadGeometry& head = geometry_.head(h);
+    std::vector<JobGeometry::KnownTip> ends;
+    const auto add = [&](const Positions& end) {
+        if (geometry_.direction(h, end[kPsi]) != direction) return;
+        ends.push_back({end[kY] + head.height_offset_pulses, head.real_mm(end[index_of(kHeads[h])])});
+    };
+    if (phase_ == Phase::link) {
+        add(from_);
+        add(to_);
+    } else {
+        add(geometry_.target(geometry_.first_layer(), 0));
+    }
+    return geometry_.least_around(at[kY] + head.height_offset_pulses, direction, ends);
+}
+
+/// By a little, a head stands deeper because the axis that lost its way does, or its own count is off.
+void PathRule::excuse_link(Axis lost) {
+    std::erase_if(too_deep_in_link_, [lost](const Stray& deep) {
+        const bool is_its_own = lost == Axis::psi || lost == Axis::y || deep.offence.axis == lost;
+        return is_its_own && deep.most_off <= kNearPulses;
+    });
+}
+
+void PathRule::keep_link() {
+    for (const Stray& deep : std::exchange(too_deep_in_link_, {})) count(deep);
+}
+
+void PathRule::count(const Stray& stray) {
+    if (!log_.count(1, stray.offence.time_ns)) return;
+    Offence offence = stray.offence;
+    offence.rule = 1;
+    log_.describe(std::move(offence), stray.place);
 }
 
 /// The path led there, as deep: that was judged on the way.

@@ -12,15 +12,12 @@ namespace psicarve::verify {
 
 namespace {
 
-constexpr std::size_t kPsi = index_of(Axis::psi);
-constexpr std::size_t kY = index_of(Axis::y);
-constexpr std::int64_t kNearPulses = 64;  // how far off the first point a carving is still recognised
 constexpr double kHeightSlackPulses = 1.0;
 
 }  // namespace
 
 PathRule::PathRule(const JobGeometry& geometry, CarvedSurface& surface, OffenceLog& log)
-    : geometry_(geometry), surface_(surface), log_(log) {
+    : geometry_(geometry), surface_(&surface), log_(log), visited_of_(geometry.layer_count(), 0) {
     log_.set_judged(1);
 }
 
@@ -28,13 +25,29 @@ void PathRule::begin(const Positions& positions, bool spindle_on) {
     last_ = positions;
     spindle_on_ = spindle_on;
     before_attempt_ = log_.result(1);
-    aim(0, 0);
+    aim(geometry_.first_layer(), 0);
     phase_ = Phase::approach;
     place_ = {};
 }
 
 double PathRule::carve_seconds() const noexcept {
     return is_complete_ && has_left_ ? seconds_from_ns(arrived_ns_ - left_ns_) : 0.0;
+}
+
+std::vector<PassTime> PathRule::pass_times() const {
+    const auto passes = geometry_.job().passes();
+    std::vector<PassTime> times;
+    if (!is_complete_ || passes.size() < 2 || pass_ended_ns_.size() != passes.size()) return times;
+    std::int64_t before_ns = left_ns_;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        // What is carved to one depth in several runs is one pass.
+        const bool goes_on = i > 0 && passes[i].number == passes[i - 1].number;
+        if (!goes_on) times.push_back({pass_name(passes[i]), 0, 0.0});
+        times.back().layers += passes[i].layer_count;
+        times.back().seconds += seconds_from_ns(pass_ended_ns_[i] - before_ns);
+        before_ns = pass_ended_ns_[i];
+    }
+    return times;
 }
 
 std::int64_t PathRule::forward(std::int64_t psi_pulses) const noexcept {
@@ -49,27 +62,31 @@ void PathRule::settle(std::int64_t time_ns, const Positions& positions, bool spi
         phase_ = Phase::approach;
     }
     if (phase_ == Phase::done && ran && is_first_point(positions)) end_attempt(time_ns);
+    const bool begins = ran && may_begin(positions) && begin_layer(time_ns, positions);
     const bool was_outward = std::exchange(is_outward_, is_outward_from_last(positions));
     if (was_outward && !is_outward_) keep_retraction();
+    if (!begins) follow(time_ns, positions, ran);
+    last_ = positions;
+    if (spindle_on_ && !spindle_on) {
+        is_elsewhere_ = false;
+        if (phase_ != Phase::approach) end_attempt(time_ns);
+    }
+    spindle_on_ = spindle_on;
+}
+
+void PathRule::follow(std::int64_t time_ns, const Positions& positions, bool spindle_on) {
     Positions at = positions;
     at[kPsi] -= psi_offset_;
     switch (phase_) {
         case Phase::segment:
-            follow_segment(time_ns, at);
-            break;
+            return follow_segment(time_ns, at);
         case Phase::link:
-            follow_link(time_ns, at);
-            break;
+            return follow_link(time_ns, at);
         case Phase::approach:
-            follow_approach(time_ns, positions, ran);
-            break;
+            return follow_approach(time_ns, positions, spindle_on);
         case Phase::done:
-            touch(time_ns, at);
-            break;
+            return touch(time_ns, at);
     }
-    last_ = positions;
-    if (spindle_on_ && !spindle_on && phase_ != Phase::approach) end_attempt(time_ns);
-    spindle_on_ = spindle_on;
 }
 
 bool PathRule::is_outward_from_last(const Positions& positions) const noexcept {
@@ -77,112 +94,19 @@ bool PathRule::is_outward_from_last(const Positions& positions) const noexcept {
            positions[1] >= last_[1];
 }
 
-void PathRule::redefine(std::int64_t time_ns, const Positions& positions) {
-    if (phase_ != Phase::approach) end_attempt(time_ns);
-    if (!ended_at_ && !is_complete_) {
-        // Whatever was counted before the first homing meant nothing.
-        surface_.clear();
-        log_.restore(1, before_attempt_);
-    }
-    last_ = positions;
-}
-
-bool PathRule::is_first_point(const Positions& at) const noexcept {
-    const Positions first = geometry_.target(0, 0);
-    return at[0] == first[0] && at[1] == first[1] && at[kY] == first[kY] &&
-           (at[kPsi] - first[kPsi]) % geometry_.rev_pulses() == 0;
-}
-
-bool PathRule::was_near_first_point() const noexcept {
-    const Positions first = geometry_.target(0, 0);
-    const std::int64_t rest = std::abs((last_[kPsi] - first[kPsi]) % geometry_.rev_pulses());
-    return std::abs(last_[0] - first[0]) <= kNearPulses && std::abs(last_[1] - first[1]) <= kNearPulses &&
-           std::abs(last_[kY] - first[kY]) <= kNearPulses &&
-           std::min(rest, geometry_.rev_pulses() - rest) <= kNearPulses;
-}
-
-void PathRule::follow_approach(std::int64_t time_ns, const Positions& at, bool spindle_on) {
-    if (spindle_on && is_first_point(at)) {
-        start(at[kPsi]);
-        reach(time_ns);
-        return;
-    }
-    if (!spindle_on || at[kPsi] == last_[kPsi] || !was_near_first_point()) {
-        touch(time_ns, at);
-        return;
-    }
-    // Psi turns away from the first point though it was never quite reached.
-    before_guess_ = log_.result(1);
-    start(last_[kPsi]);
-    is_guess_ = true;
-    Positions left = last_;
-    left[kPsi] -= psi_offset_;
-    note_closest(left);
-    miss(time_ns, left);
-    Positions now = at;
-    now[kPsi] -= psi_offset_;
-    follow_segment(time_ns, now);
-}
-
-void PathRule::start(std::int64_t psi_pulses) {
-    const std::int64_t rev = geometry_.rev_pulses();
-    const std::int64_t first = geometry_.target(0, 0)[kPsi];
-    const double turns = static_cast<double>(psi_pulses - first) / static_cast<double>(rev);
-    psi_offset_ = round_to_pulse(turns) * rev;
-    visited_ = 0;
-    is_guess_ = false;
-    has_left_ = false;
-    is_complete_ = false;
-    max_line_mm_ = 0.0;
-    max_line_pulses_ = 0.0;
-    ended_at_.reset();
-    retraction_ = {};
-    at_start_ = log_.result(1);
-    is_holding_ = false;
-    aim(0, 0);
-}
-
-void PathRule::end_attempt(std::int64_t time_ns) {
-    is_complete_ = phase_ == Phase::done;
-    if (!is_complete_) {
-        ended_at_ = place_;
-        ended_near_ = near_;
-        ended_ns_ = time_ns;
-    }
-    ended_on_path_.reset();
-    if (phase_ == Phase::segment && !strayed_) ended_on_path_ = last_;
-    retraction_ = {};
-    hold_attempt();
-    phase_ = Phase::approach;
-    place_ = {};
-}
-
-/// Takes the attempt's breaches out of the log for as long as another attempt may follow.
-void PathRule::hold_attempt() {
-    held_ = log_.result(1);
-    held_before_ = at_start_.offences;
-    is_holding_ = true;
-    log_.restore(1, at_start_);
-}
-
-void PathRule::count_held_attempt() {
-    if (!is_holding_) return;
-    RuleResult all = log_.result(1);
-    all.offences += held_.offences - held_before_;
-    if (held_.first && (!all.first || held_.first->time_ns < all.first->time_ns)) all.first = held_.first;
-    log_.restore(1, all);
-}
-
 /// Makes a point the next one to be visited.
 void PathRule::aim(std::uint32_t layer, std::uint32_t step) {
     layer_ = layer;
     step_ = step;
     strayed_ = false;
+    is_miss_told_ = false;
     near_ = {};
+    if (step != 1) link_from_.reset();
     from_ = to_;
     to_ = geometry_.target(layer, step);
     const std::uint32_t point = carved_point(geometry_.job().joining(), geometry_.point_count(), layer, step);
-    place_ = {layer, point};
+    const auto passes = geometry_.job().passes();
+    place_ = {layer, point, passes.size() > 1 ? &passes[geometry_.job().pass_of(layer)] : nullptr};
     for (std::size_t h = 0; h < kHeadCount; ++h) {
         Heading& heading = headings_[h];
         heading.closest.reset();
@@ -203,36 +127,48 @@ void PathRule::aim_surface(std::uint32_t layer, std::uint32_t point) {
         Heading& heading = headings_[h];
         heading.from_layer = heading.surface_layer;
         heading.from_cell = geometry_.cell_of(geometry_.direction(h, from_[kPsi]));
-        const auto row = geometry_.layer_of_point(h, layer, point);
+        const auto row = geometry_.row_of_point(h, layer, point);
         heading.has_surface = row.has_value();
         heading.surface_layer = row.value_or(0);
     }
 }
 
 void PathRule::advance() {
+    if (step_ + 1 == geometry_.point_count() && layer_ + 1 == geometry_.job().pass_end(layer_))
+        pass_ended_ns_.push_back(arrived_ns_);
     if (step_ + 1 < geometry_.point_count()) {
         aim(layer_, step_ + 1);
-    } else if (layer_ + 1 < geometry_.layer_count()) {
-        aim(layer_ + 1, geometry_.is_spiral() ? 1 : 0);
+    } else if (layer_ + 1 < geometry_.end_layer()) {
+        aim(layer_ + 1, geometry_.job().is_joint(layer_ + 1, 0) ? 1 : 0);
     } else {
         phase_ = Phase::done;
         place_ = {};
+        // What follows was not asked for.
+        is_elsewhere_ = geometry_.end_layer() < geometry_.layer_count();
+        if (is_elsewhere_) end_attempt(arrived_ns_);
     }
 }
 
-void PathRule::reach(std::int64_t time_ns) {
+void PathRule::count_point(std::uint32_t layer) {
+    ++visited_of_[layer];
     ++visited_;
+}
+
+void PathRule::reach(std::int64_t time_ns) {
+    keep_link();
+    count_point(layer_);
     // The next row of a spiral begins here.
-    if (geometry_.is_spiral() && step_ + 1 == geometry_.point_count() && layer_ + 1 < geometry_.layer_count())
-        ++visited_;
+    if (step_ + 1 == geometry_.point_count() && layer_ + 1 < geometry_.end_layer() &&
+        geometry_.job().is_joint(layer_ + 1, 0))
+        count_point(layer_ + 1);
     arrived_ns_ = time_ns;
     for (std::size_t h = 0; h < kHeadCount; ++h) {
         const Heading& heading = headings_[h];
         if (!heading.has_surface) continue;
         const std::uint32_t cell = geometry_.cell_of(geometry_.direction(h, to_[kPsi]));
         const double mm = geometry_.head(h).real_mm(to_[index_of(kHeads[h])]);
-        surface_.touch(heading.surface_layer, cell, static_cast<float>(mm));
-        surface_.note_deviation(heading.surface_layer, cell, 0);
+        mark(heading.surface_layer, cell, mm);
+        note_deviation(heading.surface_layer, cell, 0);
     }
     advance();
 }
@@ -289,8 +225,7 @@ void PathRule::carve(const Positions& at) {
         if (!heading.has_surface) continue;
         const double mm = geometry_.head(h).real_mm(at[index_of(kHeads[h])]);
         const bool is_at_from = geometry_.is_spiral() && heading.cell == heading.from_cell;
-        surface_.touch(is_at_from ? heading.from_layer : heading.surface_layer, heading.cell,
-                       static_cast<float>(mm));
+        mark(is_at_from ? heading.from_layer : heading.surface_layer, heading.cell, mm);
     }
 }
 
@@ -299,11 +234,32 @@ PathRule::HeightLine PathRule::height_line(std::int64_t psi_pulses) const noexce
     const auto turn = static_cast<double>(to_[kPsi] - from_[kPsi]);
     if (rise == 0.0 || turn == 0.0) return {static_cast<double>(to_[kY]), kHeightSlackPulses};
     const double part = std::clamp(static_cast<double>(psi_pulses - from_[kPsi]) / turn, 0.0, 1.0);
+    const double tolerance_pulses = geometry_.tolerance_mm() * geometry_.y_pulses_per_mm();
     // Psi is known to a pulse.
-    return {static_cast<double>(from_[kY]) + part * rise, kHeightSlackPulses + std::abs(rise / turn)};
+    return {static_cast<double>(from_[kY]) + part * rise,
+            tolerance_pulses + kHeightSlackPulses + std::abs(rise / turn)};
+}
+
+/// A pass whose first point lies where the heads go out from the pass before: there they were on their way.
+bool PathRule::has_only_passed(const Positions& at) const noexcept {
+    if (!link_from_ || at[kPsi] != from_[kPsi] || at[kY] != from_[kY]) return false;
+    bool is_on_lines = true;
+    for (std::size_t h = 0; h < kHeadCount; ++h) {
+        const std::int64_t outward = at[index_of(kHeads[h])] - from_[index_of(kHeads[h])];
+        if (outward < 0) return false;
+        is_on_lines = is_on_lines && headings_[h].line.distance(0, outward).is_allowed;
+    }
+    return !is_on_lines;
 }
 
 void PathRule::follow_segment(std::int64_t time_ns, const Positions& at) {
+    if (has_only_passed(at)) {
+        --visited_of_[layer_];
+        --visited_;
+        to_ = *link_from_;
+        aim(layer_, 0);
+        return follow_link(time_ns, at);
+    }
     if (!has_left_) {
         has_left_ = true;
         left_ns_ = time_ns;
@@ -329,12 +285,20 @@ void PathRule::follow_segment(std::int64_t time_ns, const Positions& at) {
 
 void PathRule::follow_link(std::int64_t time_ns, const Positions& at) {
     touch(time_ns, at);
-    if (at == to_) return reach(time_ns);
-    const std::int64_t direction = geometry_.direction(0, at[kPsi]);
-    if (const auto layer = geometry_.layer_at(at[kY], direction);
-        layer && *layer != layer_ && *layer + 1 != layer_)
+    // Between two passes the heads are clear of all layers.
+    const bool is_between_passes = geometry_.job().begins_pass(layer_);
+    if (at == to_) {
+        const Positions from = from_;
+        reach(time_ns);
+        if (is_between_passes) link_from_ = from;
+        return;
+    }
+    near_.note(at, to_);
+    if (const auto layer = layer_at(at);
+        layer && !is_between_passes && *layer != layer_ && *layer + 1 != layer_)
         wrong_layer(time_ns, at, *layer);
-    if (phase_ != Phase::link || at[kY] != to_[kY]) return;
+    if (phase_ != Phase::link) return;
+    if (at[kY] != to_[kY] && near_.only_axis_off() != Axis::y) return;
     if (at[kPsi] == to_[kPsi]) note_closest(at);
     // Psi that turns at this height: the layer goes on without its first point.
     if (at[kPsi] + psi_offset_ == last_[kPsi]) return;
@@ -345,10 +309,21 @@ void PathRule::follow_link(std::int64_t time_ns, const Positions& at) {
     if (phase_ == Phase::segment) follow_segment(time_ns, at);
 }
 
-void PathRule::finish(std::int64_t time_ns) {
-    if (phase_ != Phase::approach) end_attempt(time_ns);
-    count_held_attempt();
-    if (!is_complete_) end_early(time_ns);
+std::optional<std::uint32_t> PathRule::layer_at(const Positions& at) const noexcept {
+    if (layer_ < geometry_.first_row_layer()) return std::nullopt;
+    const auto row = geometry_.row_at(at[kY], geometry_.direction(0, at[kPsi]));
+    if (!row) return std::nullopt;
+    return geometry_.first_row_layer() + *row;
+}
+
+bool PathRule::objects_to(const std::function<void(PathRule&)>& tell) const {
+    const RuleResult before = log_.result(1);
+    PathRule trial = *this;
+    trial.surface_ = nullptr;
+    tell(trial);
+    const bool objected = log_.result(1).offences != before.offences;
+    log_.restore(1, before);
+    return objected;
 }
 
 }  // namespace psicarve::verify

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "hmi/verify/carved_surface.hpp"
 #include "hmi/verify/job_geometry.hpp"
@@ -17,11 +19,12 @@ namespace psicarve::verify {
 /// each head stays near the straight line; elsewhere (approach, links between layers, finish) no head stands
 /// deeper than the job asks at that place. Carves the surface on the way.
 ///
-/// An attempt at carving begins where the first point is reached with the spindle on, psi up to whole turns.
-/// It ends when the spindle stops or homing comes; a last way that only leads outward, psi and Y still, is
-/// the retraction and not judged as a line. The last attempt counts: breaches within earlier ones are
-/// dropped. After a breach the rule goes on with the next point, so that one lost pulse does not hide all
-/// that follows.
+/// An attempt at carving begins where the first point is reached with the spindle on, psi up to whole turns,
+/// or a later layer's first point is: then carving goes on with that layer. It ends
+/// when the spindle stops or homing comes; a last way that only leads outward, psi and Y still, is the
+/// retraction and not judged as a line. What began with the first layer last counts, and all that went on
+/// from it: breaches before are dropped, and layers that none of it carved are one. After a breach the rule
+/// goes on with the next point, so that one lost pulse does not hide all that follows.
 class PathRule {
 public:
     PathRule(const JobGeometry& geometry, CarvedSurface& surface, OffenceLog& log);
@@ -32,14 +35,23 @@ public:
     /// Homing defined the positions anew.
     void redefine(std::int64_t time_ns, const Positions& positions);
     void finish(std::int64_t time_ns);
+    /// Whether a breach would be counted, were the trial told that. Nothing of it counts.
+    bool objects_to(const std::function<void(PathRule& trial)>& tell) const;
 
     const CarvePlace& place() const noexcept { return place_; }
     std::uint64_t points_visited() const noexcept { return visited_; }
     double max_line_deviation_mm() const noexcept { return max_line_mm_; }
     double max_line_deviation_pulses() const noexcept { return max_line_pulses_; }
     double carve_seconds() const noexcept;
+    /// Of a job of several passes whose carving is complete.
+    std::vector<PassTime> pass_times() const;
 
 private:
+    /// How far off a point a path is still taken to be on its way there.
+    static constexpr std::int64_t kNearPulses = 64;
+    /// Of a link: what is more than that counts at once.
+    static constexpr std::size_t kMostHeld = 16;
+
     enum class Phase { approach, segment, link, done };
     struct Heading {
         PathLine line;
@@ -64,10 +76,9 @@ private:
         std::optional<Axis> only_axis_off() const noexcept;
     };
     struct Stray {
-        std::int64_t time_ns;
-        std::size_t head;
-        PathLine::Distance distance;
+        Offence offence;
         CarvePlace place;
+        std::int64_t most_off = 0;  ///< of a head too deep, as long as it was [pulses]
     };
     /// What was found while the heads only went outward: nothing, should that be how the attempt ends.
     struct Retraction {
@@ -78,21 +89,35 @@ private:
 
     bool is_outward_from_last(const Positions& positions) const noexcept;
     void keep_retraction();
+    void count(const Stray& stray);
     void hold_attempt();
     void count_held_attempt();
     bool is_on_lines(std::int64_t time_ns, const Positions& at);
     void carve(const Positions& at);
+    bool has_only_passed(const Positions& at) const noexcept;
     void follow_segment(std::int64_t time_ns, const Positions& at);
     void follow_link(std::int64_t time_ns, const Positions& at);
     void follow_approach(std::int64_t time_ns, const Positions& at, bool spindle_on);
-    bool is_first_point(const Positions& at) const noexcept;
+    bool is_begin_of(std::uint32_t layer, const Positions& at) const noexcept;
+    bool is_first_point(const Positions& at) const noexcept {
+        return is_begin_of(geometry_.first_layer(), at);
+    }
+    std::optional<std::uint32_t> layer_that_begins(const Positions& at);
+    bool may_begin(const Positions& at) const noexcept;
+    bool begin_layer(std::int64_t time_ns, const Positions& at);
+    void follow(std::int64_t time_ns, const Positions& positions, bool spindle_on);
+    std::uint32_t due_layer() const noexcept;
     bool was_near_first_point() const noexcept;
-    void start(std::int64_t psi_pulses);
+    void start(std::uint32_t layer, std::int64_t time_ns, std::int64_t psi_pulses);
+    void leave_out(std::int64_t time_ns, std::uint32_t due);
+    void count_point(std::uint32_t layer);
     void end_attempt(std::int64_t time_ns);
     void aim(std::uint32_t layer, std::uint32_t step);
     void advance();
     void reach(std::int64_t time_ns);
     void miss(std::int64_t time_ns, const Positions& at);
+    Offence missed_by(Axis axis, std::int64_t measured) const;
+    std::optional<Axis> axis_short_of_layers_end() const noexcept;
     void miss_rest_of_layer(std::int64_t time_ns, const Positions& at);
     void note_closest(const Positions& at);
     void stray(std::int64_t time_ns, std::size_t h, const PathLine::Distance& distance);
@@ -107,13 +132,24 @@ private:
     void wrong_layer(std::int64_t time_ns, const Positions& at, std::uint32_t layer);
     void touch(std::int64_t time_ns, const Positions& at);
     void touch_head(std::size_t h, std::int64_t time_ns, const Positions& at);
+    void keep_link();
+    void excuse_link(Axis lost);
     bool is_where_it_ended(std::size_t h, const Positions& at) const noexcept;
+    std::optional<double> floor_of_way(std::size_t h, const Positions& at, std::int64_t direction) const;
     void end_early(std::int64_t time_ns);
     void report(std::int64_t time_ns, Offence offence);
+    /// Of the finishing pass, that lies at this height; nothing during roughing.
+    std::optional<std::uint32_t> layer_at(const Positions& at) const noexcept;
     std::int64_t forward(std::int64_t psi_pulses) const noexcept;
+    void mark(std::uint32_t layer, std::uint32_t cell, double radius_mm) noexcept {
+        if (surface_ != nullptr) surface_->touch(layer, cell, static_cast<float>(radius_mm));
+    }
+    void note_deviation(std::uint32_t layer, std::uint32_t cell, std::int64_t pulses) noexcept {
+        if (surface_ != nullptr) surface_->note_deviation(layer, cell, pulses);
+    }
 
     JobGeometry geometry_;
-    CarvedSurface& surface_;
+    CarvedSurface* surface_;  ///< nothing: a trial leaves no mark
     OffenceLog& log_;
     Phase phase_ = Phase::approach;
     Positions last_{};
@@ -123,12 +159,15 @@ private:
     Positions to_{};
     std::uint32_t layer_ = 0;  ///< of the point aimed at
     std::uint32_t step_ = 0;
+    std::optional<Positions>
+        link_from_;  ///< of a pass' first point, until the next one is aimed at: where it came from
     std::int64_t psi_sign_ = 1;  ///< which way this layer turns
     std::int64_t cells_at_psi_ = 0;
     std::array<Heading, kHeadCount> headings_;
     Nearest near_;
-    bool strayed_ = false;   ///< told already for this segment or link
-    bool is_guess_ = false;  ///< the first point was only passed nearby
+    bool strayed_ = false;       ///< told already for this segment or link
+    bool is_miss_told_ = false;  ///< of the point aimed at
+    bool is_guess_ = false;      ///< the first point was only passed nearby
     CarvePlace place_;
     RuleResult before_attempt_;
     RuleResult before_guess_;
@@ -139,14 +178,21 @@ private:
     bool is_complete_ = false;  ///< the last attempt reached the last point
     bool is_outward_ = false;   ///< this instant
     Retraction retraction_;
-    std::optional<CarvePlace> ended_at_;  ///< where the last attempt ended before its time
+    std::vector<Stray> too_deep_in_link_;  ///< unless one axis alone missed the link's end
+    std::optional<CarvePlace> ended_at_;   ///< where the last attempt ended before its time
     std::int64_t ended_ns_ = 0;
     Nearest ended_near_;
     std::optional<Positions> ended_on_path_;  ///< as the trace counts, where it ended between two points
-    std::uint64_t visited_ = 0;
+    std::vector<std::uint32_t> visited_of_;   ///< points, by layer
+    std::uint64_t visited_ = 0;               ///< of the layers that are to be carved
+    std::uint32_t begun_layer_ = 0;           ///< with which the attempt began
+    bool is_elsewhere_ = false;             ///< in layers that are not to be judged, until the spindle stops
+    std::optional<std::int64_t> begins_y_;  ///< at which `beginning_` begin
+    std::vector<std::uint32_t> beginning_;  ///< layers
     bool has_left_ = false;
     std::int64_t left_ns_ = 0;     ///< the first point
     std::int64_t arrived_ns_ = 0;  ///< at the last
+    std::vector<std::int64_t> pass_ended_ns_;
     double max_line_mm_ = 0.0;
     double max_line_pulses_ = 0.0;
 };

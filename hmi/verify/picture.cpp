@@ -2,14 +2,12 @@
 #include "hmi/verify/picture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
-#include "hmi/verify/canvas.hpp"
 #include "hmi/verify/deviation_map.hpp"
 #include "hmi/verify/piece_grid.hpp"
 #include "hmi/verify/piece_view.hpp"
+#include "hmi/verify/sheet.hpp"
 #include "shared/snapshot_file.hpp"
 #include "shared/units.hpp"
 
@@ -17,35 +15,17 @@ namespace psicarve::verify {
 
 namespace {
 
+using namespace sheet;
 using Align = Canvas::Align;
 
-constexpr int kWidth = 800;
-constexpr int kHeight = 540;
-constexpr Rgb kPaper{0.985, 0.985, 0.980};
-constexpr Rgb kInk{0.13, 0.15, 0.18};
-constexpr Rgb kFaint{0.42, 0.45, 0.49};
 constexpr Rgb kGreen{0.11, 0.52, 0.27};
 constexpr Rgb kRed{0.75, 0.13, 0.12};
-constexpr Canvas::Font kTitle{21.0, true, kInk};
-constexpr Canvas::Font kText{13.0, false, kFaint};
-constexpr Canvas::Font kLabel{11.0, false, kFaint};
 constexpr Canvas::Font kSmall{9.5, false, kFaint};
-constexpr Canvas::Font kHeading{13.0, true, kInk};
 
 constexpr Box kFirstView{20.0, 78.0, 216.0, 404.0};
 constexpr Box kSecondView{246.0, 78.0, 216.0, 404.0};
 constexpr Box kMap{510.0, 100.0, 180.0, 360.0};
 constexpr Box kBar{712.0, 100.0, 12.0, 360.0};
-constexpr double kElevation_rad = 0.36;
-constexpr double kFirstAzimuth_deg = 30.0;
-constexpr double kSecondAzimuth_deg = 210.0;
-
-template <typename... Values>
-std::string format(const char* pattern, Values... values) {
-    std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(), pattern, values...);
-    return text.data();
-}
 
 /// 1, 2 or 5 times a power of ten, at most `most`.
 double round_length(double most) {
@@ -67,10 +47,10 @@ void draw_title(Canvas& canvas, const PieceGrid& grid, const CarvedSurface& surf
     const bool is_good = caption.verified && !caption.has_lost_steps;
     const std::string verdict = verdict_of(caption);
     const double badge_width = canvas.text_width(verdict, badge) + 22.0;
-    canvas.fill({kWidth - 20.0 - badge_width, 18.0, badge_width, 25.0}, is_good ? kGreen : kRed, 12.5);
-    canvas.text(kWidth - 20.0 - badge_width / 2.0, 35.0, verdict, badge, Align::centre);
+    canvas.fill({kWidth_px - 20.0 - badge_width, 18.0, badge_width, 25.0}, is_good ? kGreen : kRed, 12.5);
+    canvas.text(kWidth_px - 20.0 - badge_width / 2.0, 35.0, verdict, badge, Align::centre);
     canvas.text(20.0, 38.0, caption.model_name.empty() ? "unnamed job" : caption.model_name, kTitle,
-                Align::left, kWidth - 60.0 - badge_width);
+                Align::left, kWidth_px - 60.0 - badge_width);
     const double diameter_mm = 2.0 * static_cast<double>(grid.radius_mm);
     const double height_mm = static_cast<double>(grid.top_mm - grid.bottom_mm);
     const double pulse_mm = 1.0 / surface.pulses_per_mm();
@@ -83,32 +63,11 @@ void draw_title(Canvas& canvas, const PieceGrid& grid, const CarvedSurface& surf
                 kText);
 }
 
-void draw_view(Canvas& canvas, const Box& box, const PieceGrid& grid, double azimuth_deg, double px_per_mm) {
-    canvas.shade(box, {0.87, 0.89, 0.91}, {0.73, 0.76, 0.79}, 8.0);
-    const double half_height_mm = static_cast<double>(grid.top_mm - grid.bottom_mm) / 2.0;
-    double foot_mm = 0.0;
-    for (std::size_t c = 0; c < grid.columns; ++c) {
-        const Vec3& p = grid.at(0, c).position_mm;
-        foot_mm = std::max(foot_mm, static_cast<double>(std::hypot(p.x, p.y)));
-    }
-    const double foot_y = box.y + box.height / 2.0 + half_height_mm * std::cos(kElevation_rad) * px_per_mm;
-    canvas.shadow(box, box.x + box.width / 2.0, foot_y + 2.0, 1.25 * foot_mm * px_per_mm,
-                  1.35 * foot_mm * px_per_mm * std::sin(kElevation_rad));
-    const PieceCamera camera{.azimuth_rad = rad_from_deg(azimuth_deg),
-                             .elevation_rad = kElevation_rad,
-                             .px_per_mm = px_per_mm,
-                             .width_px = static_cast<std::size_t>(box.width),
-                             .height_px = static_cast<std::size_t>(box.height)};
-    canvas.image(box.x, box.y, draw_piece(grid, camera));
-    canvas.text(box.x + box.width / 2.0, box.y + box.height + 17.0,
-                format("seen from %.0f\u00b0", azimuth_deg), kLabel, Align::centre);
-}
-
 void draw_scale_bar(Canvas& canvas, double px_per_mm) {
     const double length_mm = round_length(80.0 / px_per_mm);
     const double length_px = length_mm * px_per_mm;
     const double x = (kFirstView.x + kSecondView.x + kSecondView.width - length_px) / 2.0;
-    const double y = kHeight - 18.0;
+    const double y = kHeight_px - 18.0;
     canvas.line(x, y, x + length_px, y, kInk, 2.0);
     canvas.line(x, y - 4.0, x, y + 4.0, kInk, 2.0);
     canvas.line(x + length_px, y - 4.0, x + length_px, y + 4.0, kInk, 2.0);
@@ -117,13 +76,7 @@ void draw_scale_bar(Canvas& canvas, double px_per_mm) {
 
 void draw_map_axes(Canvas& canvas, const PieceGrid& grid) {
     canvas.frame(kMap, kFaint);
-    for (const int degrees : {0, 90, 180, 270, 360}) {
-        const double x = kMap.x + kMap.width * degrees / kDegPerRev;
-        canvas.line(x, kMap.y + kMap.height, x, kMap.y + kMap.height + 4.0, kFaint);
-        canvas.text(x, kMap.y + kMap.height + 17.0, format("%d\u00b0", degrees), kLabel, Align::centre);
-    }
-    canvas.text(kMap.x + kMap.width / 2.0, kMap.y + kMap.height + 33.0, "direction \u03c8", kLabel,
-                Align::centre);
+    draw_degrees(canvas, kMap, "direction \u03c8");
     const double bottom_mm = static_cast<double>(grid.bottom_mm);
     const double height_mm = static_cast<double>(grid.top_mm) - bottom_mm;
     const double step_mm = round_length(height_mm / 3.0);
@@ -131,9 +84,7 @@ void draw_map_axes(Canvas& canvas, const PieceGrid& grid) {
     const auto last = static_cast<int>(std::floor((bottom_mm + height_mm) / step_mm + 1e-6));
     for (int n = first; n <= last; ++n) {
         const double mm = n * step_mm;
-        const double y = kMap.y + kMap.height * (1.0 - (mm - bottom_mm) / height_mm);
-        canvas.line(kMap.x - 4.0, y, kMap.x, y, kFaint);
-        canvas.text(kMap.x - 7.0, y + 4.0, format("%g", mm), kLabel, Align::right);
+        draw_height(canvas, kMap, (mm - bottom_mm) / height_mm, format("%g", mm));
     }
     canvas.text(kMap.x - 7.0, kMap.y - 8.0, "Y mm", kLabel, Align::right);
 }
@@ -177,7 +128,7 @@ PictureCaption caption_of(const JobView& job, const VerifyReport& report) {
 
 Result<std::vector<std::byte>> picture_png(const CarvedSurface& surface, const PictureCaption& caption) {
     const PieceGrid grid = make_piece_grid(surface);
-    Canvas canvas(kWidth, kHeight, kPaper);
+    Canvas canvas = blank();
     draw_title(canvas, grid, surface, caption);
     const double px_per_mm = fitting_px_per_mm(grid, kElevation_rad, kFirstView.width, kFirstView.height);
     draw_view(canvas, kFirstView, grid, kFirstAzimuth_deg, px_per_mm);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "shared/units.hpp"
 
@@ -191,10 +192,7 @@ void find_normals(PieceGrid& grid) {
     }
 }
 
-}  // namespace
-
-PieceGrid make_piece_grid(const CarvedSurface& surface) {
-    const Radii radii = surface.is_spiral() ? resample_spiral(surface) : resample(surface);
+PieceGrid grid_of(const Radii& radii) {
     PieceGrid grid;
     grid.rows = radii.rows;
     grid.columns = radii.columns;
@@ -214,6 +212,16 @@ PieceGrid make_piece_grid(const CarvedSurface& surface) {
     find_normals(grid);
     shade_grooves(radii, grid);
     return grid;
+}
+
+}  // namespace
+
+PieceGrid make_piece_grid(const CarvedSurface& surface) {
+    return grid_of(surface.is_spiral() ? resample_spiral(surface) : resample(surface));
+}
+
+PieceGrid make_piece_grid(std::size_t columns, std::vector<float> radii_mm, std::vector<float> heights_mm) {
+    return grid_of({heights_mm.size(), columns, std::move(radii_mm), std::move(heights_mm)});
 }
 
 }  // namespace psicarve::verify

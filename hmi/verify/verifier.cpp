@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hmi/verify/backlash.hpp"
+#include "hmi/verify/lift_filter.hpp"
 #include "hmi/verify/motor_rule.hpp"
 #include "hmi/verify/offence_log.hpp"
 #include "hmi/verify/path_rule.hpp"
@@ -26,10 +27,14 @@ struct Verifier::State {
     State(const JobGeometry& geometry, const Profile& profile)
         : surface(geometry),
           path(geometry, surface, log),
+          to_path(path, profile),
           timing(profile.port, log),
           motors(profile, log),
           permission(profile, log),
           backlash(profile),
+          first_layer(geometry.first_layer()),
+          layer_count(geometry.end_layer() - geometry.first_layer()),
+          is_whole_job(layer_count == geometry.layer_count()),
           points_total(geometry.total_points()) {
         log.set_judged(2);
         log.set_judged(4);
@@ -44,6 +49,7 @@ struct Verifier::State {
     OffenceLog log;
     CarvedSurface surface;
     PathRule path;
+    LiftFilter to_path;
     TimingRule timing;
     MotorRule motors;
     PermissionRule permission;
@@ -55,7 +61,11 @@ struct Verifier::State {
     Positions positions{};
     std::array<std::uint64_t, kAxisCount> pulses{};
     std::uint64_t events = 0;
-    std::uint64_t points_total = 0;
+    std::uint32_t first_layer;
+    std::uint32_t layer_count;
+    bool is_whole_job;
+    std::uint64_t points_total;
+    Follower follower;
 };
 
 void Verifier::State::pulse(Axis axis) {
@@ -92,19 +102,20 @@ void Verifier::State::pins(const TraceEvent& event) {
 void Verifier::State::settle() {
     if (!std::exchange(unsettled, false)) return;
     const std::uint64_t visited = path.points_visited();
-    path.settle(instant_ns, positions, spindle_on());
+    to_path.settle(instant_ns, positions, spindle_on());
+    if (follower) follower(positions, spindle_on());
     if (path.points_visited() != visited) motors.point_reached(instant_ns, path.place());
 }
 
 void Verifier::State::redefine(const TraceEvent& event) {
     settle();
     positions = event.position_pulses;
-    path.redefine(event.time_ns, positions);
+    to_path.redefine(event.time_ns, positions);
     permission.positions_redefined();
 }
 
-Result<Verifier> Verifier::make(const JobView& job, const Profile& profile) {
-    auto geometry = JobGeometry::make(job, profile);
+Result<Verifier> Verifier::make(const JobView& job, const Profile& profile, const LayerRange& layers) {
+    auto geometry = JobGeometry::make(job, profile, layers);
     if (!geometry) return geometry.error();
     return Verifier(std::make_unique<State>(*geometry, profile));
 }
@@ -118,6 +129,10 @@ const CarvedSurface& Verifier::surface() const noexcept {
     return state_->surface;
 }
 
+void Verifier::set_follower(Follower follower) {
+    state_->follower = std::move(follower);
+}
+
 void Verifier::begin(const TraceStart& start) {
     State& s = *state_;
     s.levels = start.initial_levels;
@@ -125,7 +140,7 @@ void Verifier::begin(const TraceStart& start) {
     s.positions = start.position_pulses;
     s.permission.begin(start.initial_levels, start.present, start.period_ns);
     s.motors.begin(start.period_ns);
-    s.path.begin(s.positions, s.spindle_on());
+    s.to_path.begin(s.positions, s.spindle_on());
 }
 
 void Verifier::feed(std::span<const TraceEvent> events) {
@@ -145,7 +160,7 @@ void Verifier::feed(std::span<const TraceEvent> events) {
 VerifyReport Verifier::finish() {
     State& s = *state_;
     s.settle();
-    s.path.finish(s.instant_ns);
+    s.to_path.finish(s.instant_ns);
     s.permission.finish();
     s.motors.finish(s.instant_ns);
     VerifyReport report;
@@ -153,21 +168,27 @@ VerifyReport Verifier::finish() {
     report.pulses = s.pulses;
     report.points_visited = s.path.points_visited();
     report.points_total = s.points_total;
+    report.first_layer = s.first_layer;
+    report.layer_count = s.layer_count;
+    report.is_whole_job = s.is_whole_job;
     report.max_deviation_pulses = s.surface.max_deviation_pulses();
     report.uncarved_cells = s.surface.uncarved_cells();
     report.max_line_deviation_mm = s.path.max_line_deviation_mm();
     report.max_line_deviation_pulses = s.path.max_line_deviation_pulses();
     report.carve_seconds = s.path.carve_seconds();
+    report.passes = s.path.pass_times();
     report.trace_seconds = seconds_from_ns(s.instant_ns);
     report.events = s.events;
     report.ok = report.first_offence() == nullptr && report.points_visited == report.points_total;
     return report;
 }
 
-Result<VerifyReport> verify_trace(Verifier& verifier, TraceReader& trace) {
+Result<VerifyReport> verify_trace(Verifier& verifier, TraceReader& trace,
+                                  const std::function<bool()>& goes_on) {
     verifier.begin(trace.start());
     std::vector<TraceEvent> events(kEventsAtOnce);
     for (;;) {
+        if (goes_on && !goes_on()) return Error{ErrorCode::cancelled, "verification was cancelled"};
         auto count = trace.read(events);
         if (!count) return count.error();
         if (*count == 0) return verifier.finish();

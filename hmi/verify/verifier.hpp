@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
 #include "hmi/verify/carved_surface.hpp"
+#include "hmi/verify/job_geometry.hpp"
 #include "hmi/verify/trace_reader.hpp"
 #include "hmi/verify/verify_report.hpp"
 #include "shared/job.hpp"
@@ -20,7 +24,7 @@ namespace psicarve::verify {
 class Verifier {
 public:
     /// Refuses jobs that cannot be judged: no points, no layers, a sweep or a scale of nothing.
-    static Result<Verifier> make(const JobView& job, const Profile& profile);
+    static Result<Verifier> make(const JobView& job, const Profile& profile, const LayerRange& layers = {});
 
     Verifier(Verifier&&) noexcept;
     Verifier& operator=(Verifier&&) noexcept;
@@ -29,6 +33,11 @@ public:
     void begin(const TraceStart& start);
     void feed(std::span<const TraceEvent> events);
     VerifyReport finish();
+
+    /// Told all positions [pulses] and whether the spindle ran, after each instant in which either changed.
+    using Follower =
+        std::function<void(const std::array<std::int64_t, kAxisCount>& positions, bool spindle_on)>;
+    void set_follower(Follower follower);
 
     /// The piece as it came out of the pins so far.
     const CarvedSurface& surface() const noexcept;
@@ -40,6 +49,8 @@ private:
 };
 
 /// The whole of a trace through a verifier (`psicarve verify`). The verifier is kept for its surface.
-Result<VerifyReport> verify_trace(Verifier& verifier, TraceReader& trace);
+/// `goes_on` is asked now and then; once it says no the answer is `cancelled`.
+Result<VerifyReport> verify_trace(Verifier& verifier, TraceReader& trace,
+                                  const std::function<bool()>& goes_on = {});
 
 }  // namespace psicarve::verify

@@ -32,8 +32,17 @@ Json offence_json(const Offence& offence) {
     json["allowed"] = offence.allowed;
     json["bound"] = name_of(offence.bound);
     json["unit"] = offence.unit;
+    if (!offence.pass.empty()) json["pass"] = offence.pass;
     json["sentence"] = offence.sentence;
     return json;
+}
+
+/// " in layers 37 to 39"; nothing for a whole job.
+std::string layers_text(const VerifyReport& report) {
+    if (report.is_whole_job) return {};
+    const std::uint32_t last = report.first_layer + report.layer_count - 1;
+    if (last == report.first_layer) return " in layer " + std::to_string(last);
+    return " in layers " + std::to_string(report.first_layer) + " to " + std::to_string(last);
 }
 
 Json rules_json(const VerifyReport& report) {
@@ -69,6 +78,8 @@ std::string report_json(const VerifyReport& report) {
         json["pulses"][std::string(psicarve::name_of(axis))] = report.pulses[index_of(axis)];
     json["points_visited"] = report.points_visited;
     json["points_total"] = report.points_total;
+    json["first_layer"] = report.first_layer;
+    json["layers"] = report.layer_count;
     json["max_deviation_pulses"] = report.max_deviation_pulses;
     json["uncarved_cells"] = report.uncarved_cells;
     json["max_line_deviation_mm"] = report.max_line_deviation_mm;
@@ -76,6 +87,8 @@ std::string report_json(const VerifyReport& report) {
     json["carve_seconds"] = report.carve_seconds;
     json["trace_seconds"] = report.trace_seconds;
     json["events"] = report.events;
+    for (const PassTime& pass : report.passes)
+        json["passes"].push_back({{"pass", pass.name}, {"layers", pass.layers}, {"seconds", pass.seconds}});
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -90,12 +103,15 @@ std::string report_text(const VerifyReport& report) {
         text += "\n";
     }
     text += "  points " + std::to_string(report.points_visited) + " of " +
-            std::to_string(report.points_total) + ", largest deviation " +
+            std::to_string(report.points_total) + layers_text(report) + ", largest deviation " +
             std::to_string(report.max_deviation_pulses) + " pulses at points, " +
             shown_number(report.max_line_deviation_mm) + " mm between them\n";
     if (report.uncarved_cells > 0)
         text +=
             "  " + std::to_string(report.uncarved_cells) + " cells of the surface were reached by no tip\n";
+    for (const PassTime& pass : report.passes)
+        text += "  " + pass.name + ": " + std::to_string(pass.layers) + " layers in " +
+                shown_number(pass.seconds) + " s\n";
     text += "  carved in " + shown_number(report.carve_seconds) + " s; pulses";
     for (const Axis axis : kAllAxes)
         text += " " + shown_name(axis) + " " + std::to_string(report.pulses[index_of(axis)]);

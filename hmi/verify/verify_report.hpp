@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "shared/signal.hpp"
 
@@ -24,6 +25,7 @@ struct Offence {
     std::int64_t time_ns = 0;
     std::optional<std::uint32_t> layer;  ///< that was being carved
     std::optional<std::uint32_t> point;  ///< index in the layer's row
+    std::string pass;                    ///< "roughing pass 2"; empty: the job has but one
     double measured = 0.0;
     double allowed = 0.0;
     Bound bound = Bound::at_most;
@@ -38,20 +40,33 @@ struct RuleResult {
     std::optional<Offence> first;
 };
 
+/// A pass of a job that has several, as the trace carved it.
+struct PassTime {
+    std::string name;
+    std::uint32_t layers = 0;
+    double seconds = 0.0;  ///< to its last point from the last of the pass before, or the job's first
+};
+
 struct VerifyReport {
     bool ok = false;  ///< every judged rule holds and every point was visited
     std::array<RuleResult, kRuleCount> rules;
     std::array<std::uint64_t, kAxisCount> pulses{};  ///< rising step edges in the whole trace
     std::uint64_t points_visited = 0;                ///< exactly, in order; a point counts for both heads
     std::uint64_t points_total = 0;
-    /// Largest difference between carved and wanted radius at the job's points after all motion of the trace.
+    std::uint32_t first_layer = 0;  ///< of those that were to be carved
+    std::uint32_t layer_count = 0;
+    bool is_whole_job = true;
+    /// Largest difference between carved and wanted radius at those points after all motion of the trace.
     std::int64_t max_deviation_pulses = 0;
     std::uint64_t uncarved_cells = 0;        ///< of the surface, that no tip reached
     double max_line_deviation_mm = 0.0;      ///< largest distance from the straight line between two points
     double max_line_deviation_pulses = 0.0;  ///< the largest in pulses across the line (another place, maybe)
-    double carve_seconds = 0.0;  ///< from leaving the first point to reaching the last; 0: neither
+    /// From leaving the first point to reaching the last, or of what was carved last, if it went on from a
+    /// layer; 0: neither.
+    double carve_seconds = 0.0;
     double trace_seconds = 0.0;
     std::uint64_t events = 0;
+    std::vector<PassTime> passes;  ///< none: the job has but one, or was not carved to its end
 
     /// The first offence in time, whatever its rule; nullptr when there is none.
     const Offence* first_offence() const noexcept;

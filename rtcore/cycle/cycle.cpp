@@ -9,49 +9,73 @@ Cycle::Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept
       io_(&io),
       pulses_(config),
       inputs_(config),
-      executor_(config_, io.blocks, pulses_, inputs_) {
+      executor_(config_, io.blocks, pulses_, inputs_),
+      lift_(config_, pulses_) {
     port_->write_outputs(written_, 0);
     io_->sample.write(sample());
 }
 
 void Cycle::tick() noexcept {
+    if (config_.has_two_timers()) return tick_by_two_timers();
+    take_in();
+    go_on_with_motion();
+    put_out();
+    ++tick_;
+    time_ns_ += config_.period_ns;
+}
+
+void Cycle::take_in() noexcept {
     // The machine's answer to the last tick's pulses comes before this tick's: so positions and levels agree.
     const SignalWord raw = port_->read_inputs(time_ns_);
     if (inputs_.needs(raw)) take_inputs(raw);
     pulses_.begin_tick(tick_);
     if ((inputs_.accepted() & kLimitMask) != 0) check_limits();
     take_urgent_words();
-    if (const Request* request = io_->requests.front(); request != nullptr) {
-        const Request copy = *request;
-        io_->requests.pop();
-        take_request(copy);
-    }
+    for (RequestRing* ring : {&io_->requests, &io_->replayed_requests}) take_next_request(*ring);
     if (lease_.is_held()) check_lease();
     if (state_ == MachineState::testing) go_on_with_test();
-    if (executes()) {
-        const Executor::Progress progress = executor_.step(tick_);
-        if (progress != Executor::kNothing) after_step(progress);
-    }
-    if (pulses_.levels() != written_) write_port();
-    if ((written_ | inputs_.raw()) != traced_ && is_tracing()) trace_pins(0);
+}
+
+// It rests in an alarm: what hangs on it cuts the power then.
+void Cycle::toggle_charge_pump() noexcept {
+    const bool rests = state_ == MachineState::alarm || !port_->is_healthy();
+    charge_pump_ = rests ? 0 : charge_pump_ ^ kChargePumpBit;
+}
+
+void Cycle::put_out() noexcept {
+    if (config_.has_charge_pump) toggle_charge_pump();
+    if ((pulses_.levels() | charge_pump_) != written_) write_port();
+    // What failed once may not have taken the alarm's safe state.
+    if (state_ == MachineState::alarm && !port_->is_healthy()) tend_port();
+    if (((written_ & kOutputMask) | inputs_.raw()) != traced_ && is_tracing()) trace_pins(0);
     if (has_new_position_) trace_position();
     if (tick_ >= next_publish_tick_) publish();
-    ++tick_;
-    time_ns_ += config_.period_ns;
+}
+
+void Cycle::tend_port() noexcept {
+    port_->try_safe_state();
+    if (port_->is_silent() != is_port_silent_) next_publish_tick_ = tick_;
+    is_port_silent_ = port_->is_silent();
 }
 
 void Cycle::advance_missed(std::uint64_t ticks) noexcept {
     missed_ticks_ += ticks;
     report(record_of(RecordKind::gap, 0, kNoAxis, static_cast<std::int64_t>(ticks)));
-    const auto gap_ticks = static_cast<std::int64_t>(ticks) + 1;
+    const std::int64_t step_ticks = config_.has_two_timers() ? config_.io_ticks : 1;
+    const auto count = static_cast<std::int64_t>(ticks);
+    check_gap((count + 1) * step_ticks);
+    tick_ += static_cast<std::uint64_t>(count * step_ticks);
+    time_ns_ += count * step_ticks * config_.period_ns;
+}
+
+// A rotor that coasted so long has lost its steps.
+void Cycle::check_gap(std::int64_t gap_ticks) noexcept {
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         const std::int64_t coast_ticks = config_.axes[k].coast_ticks;
         if (gap_ticks > coast_ticks && pulses_.stepped_within(k, coast_ticks, tick_)) {
             raise_alarm(AlarmCause::tick_gap, static_cast<std::uint8_t>(k));
         }
     }
-    tick_ += ticks;
-    time_ns_ += static_cast<std::int64_t>(ticks) * config_.period_ns;
 }
 
 void Cycle::take_inputs(SignalWord raw) noexcept {
@@ -89,7 +113,6 @@ void Cycle::check_limits() noexcept {
 // The index is tripped from its position on. Turning positive it begins to trip there; turning negative it
 // ceases one pulse below.
 void Cycle::check_index() noexcept {
-    constexpr std::size_t kPsi = index_of(Axis::psi);
     const bool is_positive = pulses_.is_positive(kPsi);
     const bool is_tripped = inputs_.is_tripped(kPsi);
     if (!config_.has_index || (homed_mask_ >> kPsi & 1U) == 0 || is_positive != is_tripped) return;
@@ -115,6 +138,46 @@ void Cycle::take_urgent_words() noexcept {
         report(record_of(RecordKind::stop, 0));
         stop();
     }
+    watch_supervisor();
+    if (io_->urgent.failures.load(std::memory_order_relaxed) != 0) take_failures();
+}
+
+// Whoever wants the machine to stop would not be heard. Ticks that did not come are not counted: then the
+// computer stood still, and others see to that.
+void Cycle::watch_supervisor() noexcept {
+    constexpr std::int64_t kLongestSilence_ns = 1'000'000'000;
+    const std::uint64_t rounds = io_->urgent.rounds.load(std::memory_order_relaxed);
+    if (rounds != rounds_seen_ || rounds == 0) {
+        rounds_seen_ = rounds;
+        unheard_ns_ = 0;
+        return;
+    }
+    const bool was_heard = unheard_ns_ <= kLongestSilence_ns;
+    unheard_ns_ += config_.has_two_timers() ? config_.io_ticks * config_.period_ns : config_.period_ns;
+    if (!was_heard || unheard_ns_ <= kLongestSilence_ns) return;
+    const bool is_spindle_on = (pulses_.levels() & bit_of(Signal::spindle)) != 0;
+    if (is_at_rest(state_) && !is_spindle_on) return;
+    io_->urgent.failures.fetch_or(failure_bits(AlarmCause::supervisor_stalled), std::memory_order_relaxed);
+}
+
+void Cycle::take_failures() noexcept {
+    const std::uint64_t failures = io_->urgent.failures.exchange(0, std::memory_order_acq_rel);
+    for (std::uint8_t cause = 0; cause < kAlarmCauseCount; ++cause) {
+        if ((failures >> cause & 1U) == 0) continue;
+        Request request{};
+        request.kind = RequestKind::fail;
+        request.axis = static_cast<std::uint8_t>(failures >> kLostAxesShift);
+        request.value = cause;
+        take_request(request);
+    }
+}
+
+void Cycle::take_next_request(RequestRing& ring) noexcept {
+    const Request* const next = ring.front();
+    if (next == nullptr) return;
+    const Request request = *next;
+    ring.pop();
+    take_request(request);
 }
 
 void Cycle::after_step(Executor::Progress progress) noexcept {
@@ -145,7 +208,7 @@ void Cycle::note_new_position(bool by_sensor) noexcept {
 }
 
 void Cycle::write_port() noexcept {
-    written_ = pulses_.levels();
+    written_ = pulses_.levels() | charge_pump_;
     port_->write_outputs(written_, time_ns_);
     if (pulses_.begun_pulses() != 0) end_begun_pulses();
     if (!port_->is_healthy()) raise_alarm(AlarmCause::port_error, kNoAxis);
@@ -155,13 +218,13 @@ void Cycle::end_begun_pulses() noexcept {
     if (is_tracing()) trace_pins(0);
     port_->wait(config_.pulse_ns);
     pulses_.end_begun_pulses();
-    written_ = pulses_.levels();
+    written_ = pulses_.levels() | charge_pump_;
     port_->write_outputs(written_, time_ns_ + config_.pulse_ns);
     if (is_tracing()) trace_pins(config_.pulse_ns);
 }
 
 void Cycle::trace_pins(std::int64_t offset_ns) noexcept {
-    const SignalWord levels = written_ | inputs_.raw();
+    const SignalWord levels = (written_ & kOutputMask) | inputs_.raw();
     trace::TraceEntry entry{};
     entry.tick = tick_;
     entry.offset_ns = static_cast<std::uint32_t>(offset_ns);
@@ -193,6 +256,7 @@ void Cycle::publish() noexcept {
 void Cycle::shut_down() noexcept {
     drop_plan();
     pulses_.make_safe();
+    charge_pump_ = 0;
     write_port();
 }
 

@@ -8,6 +8,7 @@
 #include "rtcore/cycle/cycle_config.hpp"
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/cycle/executor.hpp"
+#include "rtcore/cycle/head_lift.hpp"
 #include "rtcore/cycle/inputs.hpp"
 #include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/cycle/lease.hpp"
@@ -36,7 +37,20 @@ public:
     /// Writes the safe state to the port at time 0.
     Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept;
 
+    /// Schedule two-timer: all that falls into one period of inputs and pulses.
     void tick() noexcept;
+
+    // Schedule two-timer, each half by its own thread; whoever calls lets in one at a time.
+    /// The first half: inputs, limits, requests, and the pulses that wait go out.
+    void take_inputs_and_step() noexcept;
+    /// Whether pulses began that end step_high_ticks later.
+    bool has_pulses_to_end() const noexcept { return has_pulses_to_end_; }
+    void end_pulses() noexcept;
+    /// The second half: one step of the interpolation. Its pulses wait for the first.
+    void interpolate() noexcept;
+    /// So many steps of the interpolation did not come: time that is not made up for.
+    void advance_missed_interpolation(std::uint64_t steps) noexcept;
+
     /// So many ticks' times have passed without a tick: they are counted and never made up for. Call before
     /// the tick() that comes late.
     void advance_missed(std::uint64_t ticks) noexcept;
@@ -47,6 +61,8 @@ public:
     std::uint64_t next_tick() const noexcept { return tick_; }
     MachineState state() const noexcept { return state_; }
     const PulseStage& pulses() const noexcept { return pulses_; }
+    /// On hold, or on their way there or back: the heads are off the path.
+    bool are_heads_lifted() const noexcept { return lift_.is_active(); }
     /// What the sample record shows when it is renewed.
     Sample sample() const noexcept;
 
@@ -55,21 +71,37 @@ public:
 
 private:
     // cycle.cpp: the tick
+    void take_in() noexcept;
+    void put_out() noexcept;
+    void tend_port() noexcept;
+    void toggle_charge_pump() noexcept;
     void take_inputs(SignalWord raw) noexcept;
     void check_limits() noexcept;
     void check_index() noexcept;
     void take_urgent_words() noexcept;
+    void take_failures() noexcept;
+    void watch_supervisor() noexcept;
+    void take_next_request(RequestRing& ring) noexcept;
     void after_step(Executor::Progress progress) noexcept;
     void note_new_position(bool by_sensor) noexcept;
     void write_port() noexcept;
     void end_begun_pulses() noexcept;
     void trace_pins(std::int64_t offset_ns) noexcept;
     void publish() noexcept;
+    void check_gap(std::int64_t gap_ticks) noexcept;
+    // cycle_two_timer.cpp
+    void tick_by_two_timers() noexcept;
     // cycle_states.cpp: states and alarms
     bool apply(MachineEvent event) noexcept;
     void enter(MachineState state) noexcept;
     void program_done() noexcept;
     void came_to_rest() noexcept;
+    void go_on_with_motion() noexcept;
+    void step_lift() noexcept;
+    void slow_down() noexcept;
+    bool lifts_on_hold() const noexcept {
+        return !is_dry_ && (config_.lift_pulses[0] > 0 || config_.lift_pulses[1] > 0);
+    }
     void end_move(MoveEnd end) noexcept;
     void end_after_stop() noexcept;
     void stop() noexcept;
@@ -84,6 +116,7 @@ private:
     // cycle_requests.cpp: what the supervisor asks
     void take_request(const Request& request) noexcept;
     Refusal judge(const Request& request) noexcept;
+    void come_back(std::uint32_t lost_axes) noexcept;
     Refusal start_home(std::uint64_t axes) noexcept;
     Refusal reset_height() noexcept;
     void begin_homing(MachineEvent event, std::uint32_t axes) noexcept;
@@ -105,7 +138,7 @@ private:
     // cycle_test.cpp: the outputs by hand
     Refusal test_pin(const Request& request) noexcept;
     void go_on_with_test() noexcept;
-    void end_test() noexcept;
+    void end_test(MoveEnd end) noexcept;
     Refusal drives_off() noexcept;
     // cycle_reports.cpp
     void report(const FlightRecord& record, std::int64_t expected_pulses = 0) noexcept;
@@ -128,6 +161,7 @@ private:
     }
 
     static constexpr std::uint8_t kAllAxesMask = 0xF;
+    static constexpr std::uint8_t kHeadsMask = 0b11;
 
     CycleConfig config_;
     port::Port* port_;
@@ -135,6 +169,7 @@ private:
     PulseStage pulses_;
     Inputs inputs_;
     Executor executor_;
+    HeadLift lift_;
 
     std::uint64_t tick_ = 0;
     std::int64_t time_ns_ = 0;
@@ -152,10 +187,15 @@ private:
     std::uint32_t epoch_ = 0;
     std::uint32_t stop_seen_ = 0;
     std::uint32_t estop_seen_ = 0;
+    std::uint64_t rounds_seen_ = 0;
+    std::int64_t unheard_ns_ = 0;  ///< so long the supervisor has not come round, in ticks that ran
     SignalWord written_ = 0;
     SignalWord traced_ = 0;
+    SignalWord charge_pump_ = 0;         ///< its level: kChargePumpBit or 0
     std::uint32_t recording_token_ = 0;  ///< whose recording goes on; 0: none
     bool has_new_position_ = false;      ///< of this tick, not traced yet
+    bool has_pulses_to_end_ = false;
+    bool is_port_silent_ = false;  ///< as it was told last
     std::uint64_t next_publish_tick_ = 0;
     std::array<std::int64_t, kAxisCount> published_pulses_{};
 
@@ -164,6 +204,7 @@ private:
     std::uint64_t points_per_layer_ = 0;
     std::uint64_t first_layer_ = 0;  ///< of the job at hand
     std::uint64_t end_layer_ = 0;    ///< one past the last that is to be carved
+    bool is_dry_ = false;            ///< the job at hand
     std::uint64_t job_generation_ = 0;
     std::uint64_t job_start_tick_ = 0;
     std::uint64_t carve_first_tick_ = 0;

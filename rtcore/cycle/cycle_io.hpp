@@ -30,7 +30,7 @@ enum class RequestKind : std::uint8_t {
     reset_height,
     job_loaded,  ///< value: generation; points_total: the job's points. Only sent when no job runs
     override,    ///< value: per cent of the planned feed
-    fail,        ///< value: AlarmCause that the supervisor found (segment lost, missed ticks)
+    fail,        ///< value: AlarmCause that was found outside the tick; by UrgentWords, not by the ring
     jog,         ///< order, lease; one axis by a distance
     jog_on,      ///< order, lease; one axis until it is let go or its travel ends
     move,        ///< order; all its axes to their targets together
@@ -43,7 +43,7 @@ enum class RequestKind : std::uint8_t {
 struct Request {
     std::uint64_t sequence;  ///< echoed in the answer
     RequestKind kind;
-    std::uint8_t axis;  ///< Axis, for back_off
+    std::uint8_t axis;  ///< Axis, for back_off; fail: axes that stand nobody knows where, bit by axis
     std::uint8_t reserved[6];
     std::uint64_t value;
     std::uint64_t points_total;
@@ -68,10 +68,11 @@ enum class Refusal : std::uint8_t {
     at_the_end,    ///< no way is left in this direction
     bad_override,  ///< beyond 10 to 200 per cent
     no_such_layer,
-    not_an_arc,       ///< begin and end are not as far from the centre, or it is too small
-    recording,        ///< another process has the pins recorded, or nobody can
-    heads_not_homed,  ///< psi and y are homed after the heads, or with them
-    port_failed,      ///< the port answered with an error, and is used no more
+    not_an_arc,        ///< begin and end are not as far from the centre, or it is too small
+    recording,         ///< another process has the pins recorded, or nobody can
+    heads_not_homed,   ///< psi and y are homed after the heads, or with them
+    port_failed,       ///< the port still answers with an error
+    port_reset_first,  ///< the port failed: the alarm must be reset before anything moves
 };
 
 /// tick -> supervisor, in the order in which things happened. Each carries the flight-recorder entry of it.
@@ -94,13 +95,15 @@ struct Sample {
     std::uint8_t homed_mask;
     SignalWord signals;
     MoveEnd move_end;
-    std::uint32_t reserved;
+    std::uint16_t is_dry;          ///< the job at hand, or the last: nothing is carved
+    std::uint16_t is_port_silent;  ///< it has not taken the safe state; `signals` may stand on its pins
     std::array<std::int64_t, kAxisCount> position_pulses;
     std::array<std::uint64_t, kAxisCount> emitted_pulses;
     std::uint32_t layer;
     std::uint32_t point;
     std::uint64_t points_done;
     std::uint64_t points_total;
+    std::uint64_t first_layer;  ///< with which the job at hand, or the last, began
     std::uint64_t job_generation;
     std::uint64_t job_start_tick;
     std::uint64_t carve_first_tick;
@@ -123,12 +126,23 @@ struct UrgentWords {
     std::atomic<std::uint32_t> stop_requests{0};
     std::atomic<std::uint32_t> estop_requests{0};
     std::atomic<std::uint64_t> jog_lease{0};  ///< as in the segment
+    std::atomic<std::uint64_t> failures{0};   ///< a set of failure_bits(), which the tick empties
+    /// Of whoever writes these words: the tick sees whether it still comes round. 0: nobody says so.
+    std::atomic<std::uint64_t> rounds{0};
 };
+
+inline constexpr unsigned kLostAxesShift = 32;
+static_assert(kAlarmCauseCount <= kLostAxesShift);
+/// A cause that was found outside the tick. `lost_axes`: those that stand nobody knows where, bit by axis.
+constexpr std::uint64_t failure_bits(AlarmCause cause, std::uint8_t lost_axes = 0) noexcept {
+    return std::uint64_t{1} << static_cast<unsigned>(cause) | std::uint64_t{lost_axes} << kLostAxesShift;
+}
 
 /// All of it together, made once before the tick starts; it is large, so not for a stack. The trace ring is
 /// apart: without one nothing is traced or recorded.
 struct CycleIo {
     RequestRing requests;
+    RequestRing replayed_requests;  ///< of a recorded run: written and read by the thread that ticks
     ReportRing reports;
     IncrementQueue increments;
     UrgentWords urgent;

@@ -18,7 +18,7 @@ Refusal Cycle::record(const Request& request) noexcept {
     if (io_->trace == nullptr || recording_token_ != 0) return Refusal::recording;
     if (state_ != MachineState::off && state_ != MachineState::ready) return Refusal::not_in_this_state;
     recording_token_ = request.lease_token;
-    traced_ = written_ | inputs_.raw();
+    traced_ = (written_ & kOutputMask) | inputs_.raw();
     trace_all(form == RecordingForm::vcd ? Kind::begin_vcd : Kind::begin_binary, recording_token_);
     return Refusal::none;
 }
@@ -27,7 +27,7 @@ Refusal Cycle::record(const Request& request) noexcept {
 void Cycle::trace_all(trace::TraceEntry::Kind kind, std::uint32_t token) noexcept {
     trace::TraceEntry entry{};
     entry.tick = tick_;
-    entry.levels = written_ | inputs_.raw();
+    entry.levels = (written_ & kOutputMask) | inputs_.raw();
     entry.kind = kind;
     entry.token = token;
     entry.position_pulses = pulses_.positions();

@@ -14,13 +14,20 @@ Sample Cycle::sample() const noexcept {
     sample.alarm_axis = alarm_axis_;
     sample.homed_mask = homed_mask_;
     sample.signals = pulses_.levels() | inputs_.raw();
+    // Samples come in step with its toggling: what they show is whether it does.
+    const bool toggles = config_.has_charge_pump && state_ != MachineState::alarm && port_->is_healthy();
+    if (toggles) sample.signals |= kChargePumpBit;
+    sample.is_port_silent = port_->is_silent() ? 1 : 0;
+    sample.signals |= port_->stuck_outputs();
     sample.move_end = move_end_;
+    sample.is_dry = is_dry_ ? 1 : 0;
     sample.position_pulses = pulses_.positions();
     sample.emitted_pulses = pulses_.emitted();
     sample.layer = executor_.layer();
     sample.point = executor_.point();
     sample.points_done = executor_.points_reached();
     sample.points_total = points_total_;
+    sample.first_layer = first_layer_;
     sample.job_generation = job_generation_;
     sample.job_start_tick = job_start_tick_;
     sample.carve_first_tick = carve_first_tick_;
@@ -77,6 +84,7 @@ void Cycle::answer(const Request& request, Refusal refusal) noexcept {
     entry.kind = Report::Kind::answer;
     entry.refusal = refusal;
     push_report(entry);
+    next_publish_tick_ = tick_;  // nobody is told of an answer before what it led to is there to be read
 }
 
 void Cycle::push_report(const Report& report) noexcept {

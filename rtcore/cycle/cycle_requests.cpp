@@ -50,25 +50,37 @@ Refusal Cycle::judge(const Request& request) noexcept {
         case RequestKind::fail:
             break;
     }
-    fail_controlled(static_cast<AlarmCause>(request.value));
+    const auto cause = static_cast<AlarmCause>(request.value);
+    if (cause == AlarmCause::tick_gap) {
+        come_back(request.axis);
+    } else {
+        fail_controlled(cause);
+    }
     return Refusal::none;
+}
+
+// Somebody else had the port meanwhile, the guard or a computer that slept: nothing is slowed down any more,
+// and what stands on the pins is not what was written.
+void Cycle::come_back(std::uint32_t lost_axes) noexcept {
+    port_->forget_written();
+    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~lost_axes);
+    raise_alarm(AlarmCause::tick_gap, kNoAxis);
+    write_port();
 }
 
 // Y and psi only move where the heads are known to be out of their way, or go out first.
 Refusal Cycle::start_home(std::uint64_t axes) noexcept {
-    constexpr std::uint32_t kHeads = 0b11;
     if (!next_state(state_, MachineEvent::home).has_value()) return Refusal::not_in_this_state;
     const auto wanted =
         axes == 0 ? std::uint32_t{kAllAxesMask} : static_cast<std::uint32_t>(axes) & kAllAxesMask;
-    const bool has_others = (wanted & ~kHeads) != 0;
-    if (has_others && ((homed_mask_ | wanted) & kHeads) != kHeads) return Refusal::heads_not_homed;
+    const bool has_others = (wanted & ~std::uint32_t{kHeadsMask}) != 0;
+    if (has_others && ((homed_mask_ | wanted) & kHeadsMask) != kHeadsMask) return Refusal::heads_not_homed;
     begin_homing(MachineEvent::home, wanted);
     request_plan(PlanKind::home, static_cast<std::uint8_t>(wanted));
     return Refusal::none;
 }
 
 Refusal Cycle::reset_height() noexcept {
-    constexpr std::size_t kY = index_of(Axis::y);
     if (!next_state(state_, MachineEvent::reset_height).has_value()) return Refusal::not_in_this_state;
     if (!config_.axes[kY].has_sensor) return Refusal::no_sensor;
     begin_homing(MachineEvent::reset_height, 1U << kY);
@@ -91,6 +103,7 @@ Refusal Cycle::start_job(LayerRange layers) noexcept {
         return Refusal::no_such_layer;
     }
     if (!is_homed()) return Refusal::not_homed;
+    is_dry_ = layers.is_dry;
     first_layer_ = layers.first;
     end_layer_ = layers.count == 0 ? layer_count : first_layer_ + layers.count;
     pulses_.clear_emitted();
@@ -110,13 +123,22 @@ Refusal Cycle::start_interpolation() noexcept {
 
 Refusal Cycle::hold() noexcept {
     if (!apply(MachineEvent::hold)) return Refusal::not_in_this_state;
-    executor_.slow_down();
+    // On their way back to the path the heads turn round.
+    if (lift_.is_active()) {
+        lift_.lift();
+    } else {
+        executor_.slow_down();
+    }
     return Refusal::none;
 }
 
 Refusal Cycle::resume() noexcept {
     if (!apply(MachineEvent::resume)) return Refusal::not_in_this_state;
-    executor_.go_on();
+    if (lift_.is_active()) {
+        lift_.lower();
+    } else {
+        executor_.go_on();
+    }
     return Refusal::none;
 }
 
@@ -149,7 +171,11 @@ Refusal Cycle::take_override(std::uint64_t percent) noexcept {
 
 Refusal Cycle::reset_alarm() noexcept {
     if (state_ != MachineState::alarm) return Refusal::not_in_this_state;
-    if (!port_->is_healthy()) return Refusal::port_failed;
+    if (!port_->is_healthy()) {
+        if (!port_->take_up_again()) return Refusal::port_failed;
+        // Who knows what its lines did meanwhile.
+        homed_mask_ = 0;
+    }
     if (cause_remains()) return Refusal::still_tripped;
     alarm_cause_ = AlarmCause::none;
     alarm_axis_ = kNoAxis;
@@ -162,7 +188,7 @@ Refusal Cycle::back_off(std::uint8_t axis) noexcept {
     if (axis >= kAxisCount || axis == index_of(Axis::psi) || !config_.axes[axis].has_sensor) {
         return Refusal::no_sensor;
     }
-    if (!port_->is_healthy()) return Refusal::port_failed;
+    if (!port_->is_healthy()) return Refusal::port_reset_first;
     if (!inputs_.is_tripped(axis)) return Refusal::sensor_not_tripped;
     if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
     homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~(1U << axis));

@@ -71,18 +71,50 @@ void Cycle::came_to_rest() noexcept {
         end_move(move_end_);
         return;
     }
+    if (state_ == MachineState::holding && lifts_on_hold()) {
+        lift_.lift();
+        return;
+    }
     apply(MachineEvent::at_rest);
     if (state_ != MachineState::stopping) return;
     // An axis that was stopped on its sensor while being homed is no new limit.
     if (executor_.homing_axis() != kNoAxis) {
         limits_exempt_ |= inputs_.accepted() & (bit_of(Signal::r1_limit) << executor_.homing_axis());
     }
-    constexpr std::uint8_t kHeads = 0b11;
-    if ((homed_mask_ & kHeads) == kHeads) {
+    if ((homed_mask_ & kHeadsMask) == kHeadsMask) {
         request_plan(PlanKind::finish);
     } else {
         end_after_stop();
     }
+}
+
+void Cycle::go_on_with_motion() noexcept {
+    if (!executes()) return;
+    if (lift_.is_active()) return step_lift();
+    const Executor::Progress progress = executor_.step(tick_);
+    if (progress != Executor::kNothing) after_step(progress);
+}
+
+void Cycle::step_lift() noexcept {
+    switch (lift_.step(tick_)) {
+        case HeadLift::Progress::going_on:
+            break;
+        case HeadLift::Progress::lifted:
+            apply(MachineEvent::at_rest);
+            break;
+        case HeadLift::Progress::back:
+            executor_.go_on_after_lift(tick_);
+            break;
+        case HeadLift::Progress::halted:
+            lift_.forget();
+            came_to_rest();
+            break;
+    }
+}
+
+void Cycle::slow_down() noexcept {
+    executor_.slow_down();
+    if (lift_.is_active()) lift_.halt();
 }
 
 void Cycle::end_move(MoveEnd end) noexcept {
@@ -108,7 +140,7 @@ void Cycle::stop() noexcept {
     lease_.forget();
     move_end_ = MoveEnd::none;
     if (state_ == MachineState::stopping) {
-        executor_.slow_down();
+        slow_down();
     } else {
         drop_plan();
     }
@@ -123,7 +155,7 @@ void Cycle::fail_controlled(AlarmCause cause) noexcept {
     pending_fail_ = cause;
     lease_.forget();
     apply(MachineEvent::stop);
-    executor_.slow_down();
+    slow_down();
 }
 
 void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expected_pulses,
@@ -141,7 +173,9 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
     report(record_of(RecordKind::alarm, static_cast<std::uint16_t>(cause), axis, seen_pulses),
            expected_pulses);
     apply(MachineEvent::fail);
-    if (pulses_.levels() != written_) {
+    charge_pump_ = 0;
+    // Pulses and inputs have a timer of their own in the other schedule, which writes what it finds.
+    if (!config_.has_two_timers() && pulses_.levels() != written_) {
         written_ = pulses_.levels();
         port_->write_outputs(written_, time_ns_);
     }
@@ -159,6 +193,7 @@ std::uint8_t Cycle::moving_axes() const noexcept {
 void Cycle::drop_plan() noexcept {
     ++epoch_;
     executor_.reset(epoch_);
+    lift_.forget();
     pending_fail_ = AlarmCause::none;
 }
 
@@ -170,6 +205,7 @@ void Cycle::set_feed(bool is_carving) noexcept {
 void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* order) noexcept {
     drop_plan();
     set_feed(kind == PlanKind::carve);
+    executor_.set_still_axes(is_dry_ && kind == PlanKind::carve ? kHeadsMask : 0);
     PlanRequest request{};
     request.epoch = epoch_;
     request.kind = kind;
@@ -183,6 +219,7 @@ void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* or
     request.job_generation = job_generation_;
     request.first_layer = first_layer_;
     request.end_layer = end_layer_;
+    request.is_dry = is_dry_ ? 1 : 0;
     if (order != nullptr) request.order = *order;
     if (!io_->plan_requests.push(request)) raise_alarm(AlarmCause::plan_starved, kNoAxis);
 }

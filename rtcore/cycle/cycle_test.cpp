@@ -11,11 +11,12 @@ Refusal Cycle::test_pin(const Request& request) noexcept {
     if (!next_state(state_, MachineEvent::begin_test).has_value()) return Refusal::not_in_this_state;
     if (is_testing && !lease_.is_of(request.lease_token)) return Refusal::not_in_this_state;
     if (!order.is_on) {
-        if (is_testing) end_test();
+        if (is_testing) end_test(MoveEnd::released);
         return Refusal::none;
     }
     if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
     homed_mask_ = 0;
+    move_end_ = MoveEnd::none;
     lease_.begin(request.lease_token, request.lease_ticks, io_->urgent.jog_lease.load(), tick_);
     const std::int64_t half_ticks = order.half_ms * kNsPerMs / config_.period_ns;
     test_.begin(bit_of(static_cast<Signal>(order.signal)) & kOutputMask, order.pulses,
@@ -26,12 +27,14 @@ Refusal Cycle::test_pin(const Request& request) noexcept {
 }
 
 void Cycle::go_on_with_test() noexcept {
-    if (test_.is_over(tick_)) return end_test();
-    pulses_.force(test_.levels_at(tick_));
+    test_.advance(tick_);
+    if (test_.is_over()) return end_test(MoveEnd::reached);
+    pulses_.force(test_.levels());
 }
 
-void Cycle::end_test() noexcept {
+void Cycle::end_test(MoveEnd end) noexcept {
     lease_.forget();
+    move_end_ = end;
     apply(MachineEvent::end_test);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "rtcore/cycle/straight_way.hpp"
 #include "shared/status.hpp"
 
 namespace psicarve::cycle {
@@ -23,7 +24,18 @@ void Executor::reset(std::uint32_t epoch) noexcept {
     next_axes_ = 0;
     dwell_left_ = 0;
     homing_axis_ = kNoAxis;
-    pulses_->forget_directions();
+    still_axes_ = 0;
+    pulses_->forget_waiting();
+}
+
+void Executor::go_on_after_lift(std::uint64_t tick) noexcept {
+    if (is_taking_up_) {
+        pulses_->want_directions(take_up_way_, tick);
+    } else if (in_motion_) {
+        pulses_->want_directions(block_.delta_pulses, tick);
+        if (block_.kind == BlockKind::path) turn_idle_axes(tick);
+    }
+    go_on();
 }
 
 void Executor::set_feed_ratio(double feed_ratio) noexcept {
@@ -58,7 +70,7 @@ Executor::Progress Executor::advance(std::uint64_t tick) noexcept {
         progress = watch_sensor();
         must_slow = must_slow || sensor_done_ || must_wait_for_sensor();
     }
-    if (must_slow && is_slowest()) {
+    if (must_slow && is_slowest() && !pulses_->is_gate_shut()) {
         rest();
         if (sensor_done_) return progress | end_of_line(tick);
         return slowing_ ? progress | kAtRest : progress;
@@ -77,17 +89,7 @@ Executor::Progress Executor::advance_move(std::uint64_t tick, bool must_slow) no
 }
 
 void Executor::step_fine(std::uint64_t tick, bool must_slow) noexcept {
-    std::uint32_t due = fine_.due();
-    if (due == 0) {
-        fine_.tick(must_slow);
-        due = fine_.due();
-    }
-    for (std::size_t k = 0; due != 0 && k < kAxisCount; ++k) {
-        const std::uint32_t axis = due & (1U << k);
-        if (axis == 0 || !pulses_->may_step(axis, tick)) continue;
-        pulses_->step(axis, tick);
-        fine_.take(k);
-    }
+    step_along(fine_, *pulses_, tick, must_slow, still_axes_);
 }
 
 void Executor::start_fine() noexcept {
@@ -116,7 +118,7 @@ Executor::Progress Executor::emit(std::uint64_t tick) noexcept {
         ++waited_ticks_;
         return kNothing;
     }
-    pulses_->step(next_axes_, tick);
+    pulses_->step(next_axes_ & ~still_axes_, tick);
     next_axes_ = 0;
     profile_.take();
     return dda_.iterations_left() == 0 ? end_of_way(tick) : kNothing;

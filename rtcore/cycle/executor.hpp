@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -45,11 +46,12 @@ public:
           blocks_(&blocks),
           pulses_(&pulses),
           inputs_(&inputs),
-          period_s_(static_cast<double>(config.period_ns) * 1e-9),
+          period_s_(static_cast<double>(config.interpolation_ns()) * 1e-9),
           law_(period_s_) {}
 
     Progress step(std::uint64_t tick) noexcept {
         if (in_motion_) return advance(tick);
+        if (pulses_->is_gate_shut()) return kNothing;
         if (slowing_) return kAtRest;
         return next_block(tick);
     }
@@ -63,9 +65,14 @@ public:
         slowing_ = false;
         law_.aim(feed_ratio_);
     }
+    /// The heads have been elsewhere and are back: as go_on(), with the path's directions.
+    void go_on_after_lift(std::uint64_t tick) noexcept;
     /// So much of the planned feed from the next step on, 0.1 to 2. Paths only know more than 1: lines and
     /// moves keep to their plan then.
     void set_feed_ratio(double feed_ratio) noexcept;
+    /// From the next block on these axes (bit by axis) stand still: the pulses that they would have are not
+    /// sent, all else is as it would be. None after reset().
+    void set_still_axes(std::uint32_t axes) noexcept { still_axes_ = axes; }
     /// Forgets the motion at hand; blocks of other epochs are dropped from now on.
     void reset(std::uint32_t epoch) noexcept;
 
@@ -135,6 +142,8 @@ private:
     double due_way_ = 0.0;        ///< path: where the next iteration is due
     double feed_ratio_ = 1.0;
     std::uint32_t epoch_ = 0;
+    std::uint32_t still_axes_ = 0;
+    std::array<std::int64_t, kAxisCount> take_up_way_{};
     std::uint32_t group_blocks_left_ = 0;
     std::uint32_t next_axes_ = 0;  ///< of the iteration that is due; 0: not made yet
     bool in_motion_ = false;

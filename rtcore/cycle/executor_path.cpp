@@ -33,7 +33,7 @@ Executor::Progress Executor::advance_path(std::uint64_t tick) noexcept {
                 ++waited_ticks_;
                 return progress;
             }
-            pulses_->step(next_axes_, tick);
+            pulses_->step(next_axes_ & ~still_axes_, tick);
             next_axes_ = 0;
             has_stepped = true;
             expect_iteration(iteration_ + 1.0);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-
 #include "rtcore/cycle/executor.hpp"
+#include "rtcore/cycle/straight_way.hpp"
 #include "shared/status.hpp"
 
 namespace psicarve::cycle {
@@ -24,37 +23,24 @@ void Executor::lengthen_by_take_up() noexcept {
 
 bool Executor::begin_take_up(std::uint64_t tick) noexcept {
     if (homing_axis_ != kNoAxis) return false;
-    std::array<std::int64_t, kAxisCount> way{};
-    std::int64_t longest = 0;
+    SpeedLimits4 most_per_tick{};
+    take_up_way_.fill(0);
     for (std::size_t k = 0; k < kAxisCount; ++k) {
+        most_per_tick[k] = config_->axes[k].speed_per_tick;
         const bool up = block_.delta_pulses[k] > 0 || (block_.up_axes >> k & 1U) != 0;
         const bool down = block_.delta_pulses[k] < 0 || (block_.down_axes >> k & 1U) != 0;
-        if (up == down) continue;
+        if (up == down || (still_axes_ >> k & 1U) != 0) continue;
         const std::int64_t extra = pulses_->take_up_pulses(k, up);
-        way[k] = up ? extra : -extra;
-        longest = std::max(longest, extra);
+        take_up_way_[k] = up ? extra : -extra;
     }
-    if (longest == 0) return false;
-    double start = 1.0;
-    double speed = 1.0;
-    double accel = 1.0;
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        if (way[k] == 0) continue;
-        const AxisConfig& axis = config_->axes[k];
-        const double ratio =
-            static_cast<double>(longest) / static_cast<double>(way[k] > 0 ? way[k] : -way[k]);
-        start = std::min(start, axis.start_stop_per_tick * ratio);
-        speed = std::min(speed, axis.speed_per_tick * ratio);
-        accel = std::min(accel, axis.accel_per_tick2 * ratio);
-    }
-    fine_.start(way, std::min(start, speed), speed, accel);
-    pulses_->want_directions(way, tick);
+    if (!start_straight(fine_, *config_, take_up_way_, most_per_tick)) return false;
+    pulses_->want_directions(take_up_way_, tick);
     is_taking_up_ = true;
     return true;
 }
 
 Executor::Progress Executor::advance_take_up(std::uint64_t tick) noexcept {
-    if (slowing_ && fine_.is_slowest()) {
+    if (slowing_ && fine_.is_slowest() && !pulses_->is_gate_shut()) {
         fine_.rest();
         if (block_.kind == BlockKind::path) law_.rest();
         return kAtRest;

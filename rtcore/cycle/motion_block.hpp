@@ -108,7 +108,9 @@ struct PlanRequest {
     std::uint64_t job_generation;
     std::uint64_t first_layer;  ///< position, carve: the layer to begin with
     std::uint64_t end_layer;    ///< carve: one past the last
-    MotionOrder order;          ///< move: targets of all axes
+    std::uint8_t is_dry;        ///< position: heads stay outside, spindle off
+    std::uint8_t reserved[7];
+    MotionOrder order;  ///< move: targets of all axes
 };
 using PlanRequestRing = SpscRing<PlanRequest, 16>;
 

@@ -32,27 +32,30 @@ public:
     void begin(SignalWord output, std::uint64_t pulses, std::uint64_t half_ticks,
                std::uint64_t now_tick) noexcept {
         output_ = output;
-        halves_ = 2 * pulses;
+        halves_left_ = pulses > 0 ? 2 * pulses : kForEver;
         half_ticks_ = half_ticks;
-        begin_tick_ = now_tick;
+        half_begin_tick_ = now_tick;
+    }
+    /// Every tick. A half lasts longer where ticks were missed: none is left out.
+    void advance(std::uint64_t now_tick) noexcept {
+        if (halves_left_ == kForEver || now_tick - half_begin_tick_ < half_ticks_) return;
+        --halves_left_;
+        half_begin_tick_ = now_tick;
     }
     /// The outputs' levels: active first, then inactive.
-    SignalWord levels_at(std::uint64_t now_tick) const noexcept {
-        if (halves_ == 0) return output_;
-        const std::uint64_t half = (now_tick - begin_tick_) / half_ticks_;
-        return half < halves_ && half % 2 == 0 ? output_ : 0;
+    SignalWord levels() const noexcept {
+        return halves_left_ == kForEver || halves_left_ % 2 == 0 ? output_ : 0;
     }
-
     /// All pulses are sent.
-    bool is_over(std::uint64_t now_tick) const noexcept {
-        return halves_ > 0 && (now_tick - begin_tick_) / half_ticks_ >= halves_;
-    }
+    bool is_over() const noexcept { return halves_left_ == 0; }
 
 private:
+    static constexpr std::uint64_t kForEver = ~std::uint64_t{0};
+
     SignalWord output_ = 0;
-    std::uint64_t halves_ = 0;
+    std::uint64_t halves_left_ = kForEver;
     std::uint64_t half_ticks_ = 1;
-    std::uint64_t begin_tick_ = 0;
+    std::uint64_t half_begin_tick_ = 0;
 };
 
 }  // namespace psicarve::cycle

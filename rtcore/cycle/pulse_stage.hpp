@@ -19,6 +19,9 @@ namespace psicarve::cycle {
 ///                    |---4---| then dir may change
 ///     1 dir_setup_ticks   2 step_high_ticks   3 step_low_ticks   4 dir_hold_ticks, each at least 1
 ///
+/// Schedule two-timer: an iteration that steps waits here until the ticks of inputs and pulses let it out,
+/// and the next waits for it. Directions turn at such ticks, too.
+///
 /// RT: yes.
 class PulseStage {
 public:
@@ -26,7 +29,8 @@ public:
         : high_ticks_(ticks(config.step_high_ticks)),
           low_ticks_(ticks(config.step_low_ticks)),
           setup_ticks_(ticks(config.dir_setup_ticks)),
-          hold_ticks_(ticks(config.dir_hold_ticks)) {
+          hold_ticks_(ticks(config.dir_hold_ticks)),
+          has_gate_(config.has_two_timers()) {
         for (std::size_t k = 0; k < kAxisCount; ++k) {
             backlash_[k] = config.axes[k].backlash_pulses;
             has_backlash_ = has_backlash_ || backlash_[k] > 0;
@@ -44,29 +48,50 @@ public:
     void want_directions(const std::array<std::int64_t, kAxisCount>& delta_pulses,
                          std::uint64_t tick) noexcept;
 
-    /// No pulse waits for a turn of direction any more.
-    void forget_directions() noexcept { dir_waiting_ = 0; }
+    /// No pulse waits for a turn of direction or at the gate any more.
+    void forget_waiting() noexcept {
+        dir_waiting_ = 0;
+        at_gate_ = 0;
+    }
 
     /// Whether all these axes (bit by axis) may step at this tick.
     bool may_step(std::uint32_t axes, std::uint64_t tick) const noexcept {
         if ((dir_waiting_ & axes) != 0) return false;
-        for (std::size_t k = 0; k < kAxisCount; ++k) {
-            if ((axes >> k & 1U) != 0 && tick < step_from_[k]) return false;
-        }
-        return true;
+        return has_gate_ ? at_gate_ == 0 : is_time_to_step(axes, tick);
+    }
+    /// The same for an axis that takes no heed of the others.
+    bool may_step_apart(std::uint32_t axis, std::uint64_t tick) const noexcept {
+        return has_gate_ ? ((dir_waiting_ | at_gate_) & axis) == 0 : may_step(axis, tick);
     }
 
-    /// One pulse of each of these axes begins. Requires may_step().
+    /// One pulse of each of these axes begins, or waits at the gate. Requires may_step().
     void step(std::uint32_t axes, std::uint64_t tick) noexcept {
-        for (std::size_t k = 0; k < kAxisCount; ++k) {
-            if ((axes >> k & 1U) == 0) continue;
-            move_tip(k, (levels_ >> (kDirShift + k) & 1U) != 0);
-            ++emitted_[k];
-            last_step_[k] = tick;
-            step_from_[k] = tick + high_ticks_ + low_ticks_;
+        if (has_gate_) {
+            at_gate_ |= axes;
+        } else {
+            begin_pulses(axes, tick);
         }
-        levels_ |= axes;
-        if (high_ticks_ == 0) begun_ |= axes;
+    }
+    /// Two-timer: a tick of inputs and pulses lets out what waits, when the pins' times allow. True when
+    /// pulses began.
+    bool open_gate(std::uint64_t tick) noexcept {
+        if (at_gate_ == 0 || !is_time_to_step(at_gate_, tick)) return false;
+        begin_pulses(at_gate_, tick);
+        at_gate_ = 0;
+        return true;
+    }
+    bool is_gate_shut() const noexcept { return at_gate_ != 0; }
+    /// Pulses over whole ticks whose time is over end.
+    void end_pulses(std::uint64_t tick) noexcept {
+        if (high_ticks_ == 1) {
+            levels_ &= ~kStepMask;
+            return;
+        }
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            if ((levels_ >> k & 1U) != 0 && tick >= last_step_[k] + high_ticks_) {
+                levels_ &= ~(SignalWord{1} << k);
+            }
+        }
     }
     /// Pulses that end in the tick in which they began.
     std::uint32_t begun_pulses() const noexcept { return begun_; }
@@ -78,13 +103,13 @@ public:
     /// Steps low, drives and spindle off, at once.
     void make_safe() noexcept {
         levels_ &= kDirMask;
-        dir_waiting_ = 0;
+        forget_waiting();
         begun_ = 0;
     }
     /// By hand: these levels and no others, until the next. Nothing is counted.
     void force(SignalWord levels) noexcept {
         levels_ = levels & kOutputMask;
-        dir_waiting_ = 0;
+        forget_waiting();
         begun_ = 0;
     }
     void set_enables(std::uint32_t axes, std::uint64_t tick) noexcept;
@@ -126,17 +151,22 @@ private:
         }
     }
     bool emitted_ever(std::size_t axis) const noexcept { return last_step_[axis] != kNever; }
-
-    void end_pulses(std::uint64_t tick) noexcept {
-        if (high_ticks_ == 1) {
-            levels_ &= ~kStepMask;
-            return;
-        }
+    bool is_time_to_step(std::uint32_t axes, std::uint64_t tick) const noexcept {
         for (std::size_t k = 0; k < kAxisCount; ++k) {
-            if ((levels_ >> k & 1U) != 0 && tick >= last_step_[k] + high_ticks_) {
-                levels_ &= ~(SignalWord{1} << k);
-            }
+            if ((axes >> k & 1U) != 0 && tick < step_from_[k]) return false;
         }
+        return true;
+    }
+    void begin_pulses(std::uint32_t axes, std::uint64_t tick) noexcept {
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            if ((axes >> k & 1U) == 0) continue;
+            move_tip(k, (levels_ >> (kDirShift + k) & 1U) != 0);
+            ++emitted_[k];
+            last_step_[k] = tick;
+            step_from_[k] = tick + high_ticks_ + low_ticks_;
+        }
+        levels_ |= axes;
+        if (high_ticks_ == 0) begun_ |= axes;
     }
     void turn_directions(std::uint64_t tick) noexcept;
 
@@ -144,6 +174,8 @@ private:
     std::uint64_t low_ticks_;
     std::uint64_t setup_ticks_;
     std::uint64_t hold_ticks_;
+    bool has_gate_;
+    std::uint32_t at_gate_ = 0;  ///< two-timer: axes whose pulses are not out yet
     SignalWord levels_ = 0;
     std::uint32_t begun_ = 0;
     std::uint32_t dir_waiting_ = 0;  ///< axes whose direction pin must turn before they step

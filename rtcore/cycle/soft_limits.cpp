@@ -8,8 +8,6 @@ namespace {
 
 using Pulses4 = std::array<std::int64_t, kAxisCount>;
 
-constexpr std::size_t kHeads = 2;
-
 bool leaves(std::int64_t from, std::int64_t to, std::int64_t least, std::int64_t most) noexcept {
     return (to < least && to < from) || (to > most && to > from);
 }

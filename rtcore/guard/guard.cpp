@@ -13,13 +13,18 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <string>
 #include <system_error>
 #include <utility>
 
 #include "rtcore/guard/dying.hpp"
 #include "rtcore/guard/last_words.hpp"
+#include "rtcore/port/persistence.hpp"
+#include "rtcore/privileges.hpp"
+#include "rtcore/words.hpp"
 
 namespace psicarve::guard {
 namespace {
@@ -27,6 +32,9 @@ namespace {
 constexpr int kLook_ms = 20;
 constexpr int kSilentLooks = 25;  ///< in a row without a tick: counted, so that a suspended computer is none
 constexpr int kSafeTries = 5;
+/// With a port that does not take the safe state when the core is gone.
+constexpr std::chrono::minutes kPatience{10};
+constexpr int kExitUnsafe = 4;
 constexpr int kSignalExitBase = 128;
 
 Error error_of(const char* what) {
@@ -41,12 +49,23 @@ bool write_safe_state(const port::SafeState& safe_state) noexcept {
     return false;
 }
 
-/// Orders to end, which go on to the core.
+/// Orders to end, which go on to the core. SIGQUIT: it writes the safe state and dies.
 sigset_t orders_to_end() {
     sigset_t orders;
     sigemptyset(&orders);
-    for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&orders, number);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&orders, number);
     return orders;
+}
+
+/// Of the other signals only a fault of its own ends a guard: who ends it leaves a core that nobody watches.
+void ignore_other_signals() {
+    sigset_t kept = orders_to_end();
+    for (const int number : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS, SIGCHLD}) {
+        sigaddset(&kept, number);
+    }
+    for (int number = 1; number <= SIGRTMAX; ++number) {
+        if (sigismember(&kept, number) == 0) signal(number, SIG_IGN);
+    }
 }
 
 class Guard {
@@ -56,18 +75,22 @@ public:
 
     int run() {
         prctl(PR_SET_NAME, "psicarve-guard");
+        ignore_other_signals();
         // On a busy computer it must not wait for its turn, nor for a page from a disk. It hardly ever runs,
         // and goes on without either where they are refused.
         const sched_param lowest{.sched_priority = 1};
         static_cast<void>(sched_setscheduler(0, SCHED_FIFO, &lowest));
         static_cast<void>(mlockall(MCL_CURRENT));
+        static_cast<void>(
+            rtcore::drop_privileges({.priority = 0, .locks_memory = false, .group = duty_.group}));
         const sigset_t order_set = orders_to_end();
         const int orders = signalfd(-1, &order_set, SFD_CLOEXEC | SFD_NONBLOCK);
         while (!core_has_ended(orders)) {
             forward_orders(orders);
             watch_ticks();
+            page_.note_look();
         }
-        return bury();
+        return bury(orders);
     }
 
 private:
@@ -82,44 +105,93 @@ private:
     void forward_orders(int orders) const noexcept {
         signalfd_siginfo order{};
         while (orders >= 0 && read(orders, &order, sizeof order) == ssize_t{sizeof order}) {
-            // What the terminal sends it sends to both of us.
-            const bool is_from_terminal = order.ssi_code == SI_KERNEL;
-            if (!is_from_terminal) kill(core_pid_, static_cast<int>(order.ssi_signo));
+            kill(core_pid_, static_cast<int>(order.ssi_signo));
         }
     }
 
     // A core that is stopped, or starved, puts out no pulses; but a spindle turns on.
     void watch_ticks() noexcept {
         const std::uint64_t ticks = page_.ticks();
-        const bool is_silent = page_.is_ticking() && ticks == ticks_seen_;
+        const bool is_ticking = page_.is_ticking();
+        const bool is_silent = is_ticking && ticks == ticks_seen_;
         ticks_seen_ = ticks;
+        watch_end(is_ticking);
         silent_looks_ = is_silent ? silent_looks_ + 1 : 0;
+        if (owes_safe_state_) repay(is_silent || has_ticked_);
         // Its pipe closes once its memory is given back; a spindle need not turn for so long.
         if (is_silent && is_dying(core_pid_)) write_safe_state(duty_.safe_state);
         if (silent_looks_ != kSilentLooks) return;
-        const bool is_safe = write_safe_state(duty_.safe_state);
+        // First: a core that comes back meanwhile must not write what it had in mind after us.
         page_.note_act();
-        std::fprintf(stderr, "psicarve-rtcore: guard: the core (pid %d) does not tick any more; %s\n",
-                     static_cast<int>(core_pid_), outcome(is_safe));
+        const bool is_safe = write_safe_state(duty_.safe_state);
+        owes_safe_state_ = !is_safe;
+        try_to_say("the core (pid " + std::to_string(core_pid_) + ") does not tick any more; " +
+                   outcome(is_safe));
     }
 
-    int bury() {
+    // One that has put out its last tick may still have traces to end, and does not look after the port.
+    void watch_end(bool is_ticking) noexcept {
+        if (was_ticking_ && !is_ticking) {
+            has_ticked_ = true;
+            owes_safe_state_ = !write_safe_state(duty_.safe_state);
+            if (owes_safe_state_) try_to_say(outcome(false));
+        }
+        was_ticking_ = is_ticking;
+    }
+
+    // A core that ticks again does it itself: it has an alarm.
+    void repay(bool is_ours) noexcept {
+        owes_safe_state_ = is_ours && !duty_.safe_state.write();
+        if (is_ours && !owes_safe_state_) say_it_answers();
+    }
+
+    int bury(int orders) {
         int status = 0;
         while (waitpid(core_pid_, &status, 0) < 0 && errno == EINTR) {
         }
-        // It has made the port safe itself.
-        if (WIFEXITED(status)) return WEXITSTATUS(status);
+        // One that ended in order has made the port safe itself; that its end was one nobody has to believe.
         const bool is_safe = write_safe_state(duty_.safe_state);
-        const int number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-        leave_last_words(duty_.segment_name, duty_.group, static_cast<std::uint32_t>(core_pid_));
-        std::fprintf(stderr, "psicarve-rtcore: guard: the core (pid %d) was ended by signal %d (%s); %s\n",
-                     static_cast<int>(core_pid_), number, strsignal(number), outcome(is_safe));
-        return kSignalExitBase + number;
+        int exit_code = WEXITSTATUS(status);
+        if (WIFEXITED(status)) {
+            if (is_safe) return exit_code;
+            try_to_say(outcome(is_safe));
+        } else {
+            const int number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+            exit_code = kSignalExitBase + number;
+            leave_words(is_safe);
+            try_to_say("the core (pid " + std::to_string(core_pid_) + ") was ended by signal " +
+                       std::to_string(number) + " (" + strsignal(number) + "); " + outcome(is_safe));
+        }
+        if (is_safe) return exit_code;
+        if (!persist(orders)) return exit_code == 0 ? kExitUnsafe : exit_code;
+        say_it_answers();
+        leave_words(true);
+        return exit_code;
     }
 
+    /// An order that comes while it lasts is meant for us: there is nobody else.
+    bool persist(int orders) const {
+        signalfd_siginfo order{};
+        const auto is_ordered = [&] {
+            return orders >= 0 && read(orders, &order, sizeof order) == ssize_t{sizeof order};
+        };
+        while (is_ordered()) {
+        }
+        return port::write_until_taken(duty_.safe_state, kPatience, is_ordered);
+    }
+
+    void leave_words(bool is_safe) const {
+        leave_last_words(duty_.segment_name, duty_.group, static_cast<std::uint32_t>(core_pid_), is_safe);
+    }
+    // What nobody takes at once is not said: the port comes first.
+    static void try_to_say(const std::string& text) noexcept { rtcore::try_to_say("guard: " + text); }
+    static void say_it_answers() noexcept {
+        try_to_say(std::string{"the port answers again; "} + outcome(true));
+    }
     static const char* outcome(bool is_safe) noexcept {
         return is_safe ? "drives and spindle are switched off"
-                       : "the port does not answer: switch the machine off by its own switch";
+                       : "the port does not answer: switch the machine off by its own switch; the guard goes "
+                         "on trying";
     }
 
     GuardDuty duty_;
@@ -128,6 +200,9 @@ private:
     GuardPage page_;
     std::uint64_t ticks_seen_ = 0;
     int silent_looks_ = 0;
+    bool owes_safe_state_ = false;  ///< the port did not take it
+    bool was_ticking_ = false;
+    bool has_ticked_ = false;  ///< and will not any more
 };
 
 }  // namespace
@@ -143,8 +218,8 @@ Result<std::variant<GuardLink, int>> part_from_guard(const GuardDuty& duty) {
         for (const int end : to_core) close(end);
         return error;
     }
-    // A terminal's Ctrl-Z would leave the spindle running.
-    for (const int number : {SIGTSTP, SIGTTIN, SIGTTOU}) signal(number, SIG_IGN);
+    // A terminal's Ctrl-Z would leave the spindle running; and nobody has to hear what we say.
+    for (const int number : {SIGTSTP, SIGTTIN, SIGTTOU, SIGPIPE}) signal(number, SIG_IGN);
     // An order that comes now waits until there is somebody to take it.
     const sigset_t order_set = orders_to_end();
     sigset_t before;
@@ -158,6 +233,9 @@ Result<std::variant<GuardLink, int>> part_from_guard(const GuardDuty& duty) {
         return error;
     }
     if (pid == 0) {
+        // What kills a terminal's job or a shell's process group as a whole kills the guard, and we switch
+        // off.
+        setpgid(0, 0);
         close(to_core[1]);
         close(to_guard[0]);
         return std::variant<GuardLink, int>{GuardLink{to_core[0], to_guard[1], std::move(*page)}};

@@ -19,10 +19,11 @@ struct GuardDuty {
 
 /// Parts this process, which has one thread, from its core:
 ///
-///     the process that was started = guard ── forwards SIGTERM, SIGINT, SIGHUP ──> core = its child
+///     the process that was started = guard ── forwards SIGTERM, SIGINT, SIGHUP ... ──> core = its child
 ///           writes the safe state when the core is gone or has not ticked for half a second
 ///           <───────────── a pipe each way, that closes when its writer is gone ─────────────>
 ///
+/// The core leads a process group of its own: a terminal and a shell reach it by the guard alone.
 /// Comes back in the core with the link to its guard. In the guard it comes back when all is over, with the
 /// exit code: the core's own, or 128 + the signal that killed it. Needs no real-time rights: it sleeps until
 /// something happens. An error: there is no guard, and no second process.

@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 
 #include "rtcore/guard/guard_page.hpp"
 
 namespace psicarve::guard {
+
+/// Whether somebody who counts up again and again has not done so for too long.
+class Silence {
+public:
+    using Time = std::chrono::steady_clock::time_point;
+    bool is_too_long(std::uint64_t count, Time now) noexcept;
+
+private:
+    std::uint64_t seen_ = 0;
+    Time asked_at_{};
+    std::chrono::nanoseconds length_{};
+};
 
 /// The core's side of what ties it to its guard. That the core is gone the guard learns from the pipe that
 /// closes with it, whatever it dies of. Move-only.
@@ -21,16 +34,18 @@ public:
     void note_tick() noexcept { page_.note_tick(); }
     void set_ticking(bool is_ticking) noexcept { page_.set_ticking(is_ticking); }
 
-    /// Supervisor. Asks, does not wait.
-    bool is_guard_gone() const noexcept;
-    /// Supervisor. True once for each time that the guard has made the port safe under us.
+    /// The tick. True once for each time that the guard has made the port safe under us. RT: yes.
     bool guard_has_acted() noexcept;
+    /// Supervisor, again and again. Asks, does not wait: it is dead, or has not looked at us for a long time,
+    /// as one that is stopped.
+    bool is_guard_lost(Silence::Time now) noexcept;
 
 private:
     int from_guard_;
     int to_guard_;
     GuardPage page_;
     std::uint32_t acts_seen_ = 0;
+    Silence silence_;
 };
 
 }  // namespace psicarve::guard

@@ -24,15 +24,20 @@ public:
     bool is_ticking() const noexcept { return words_->is_ticking.load() != 0; }
     std::uint64_t ticks() const noexcept { return words_->ticks.load(std::memory_order_relaxed); }
 
-    /// The guard: the port was put into its safe state under a core that did not tick.
+    /// The guard: the port is put into its safe state under a core that does not tick.
     void note_act() noexcept { words_->acts.fetch_add(1); }
-    std::uint32_t acts() const noexcept { return words_->acts.load(); }
+    std::uint32_t acts() const noexcept { return words_->acts.load(std::memory_order_acquire); }
+
+    /// The guard: it lives.
+    void note_look() noexcept { words_->looks.fetch_add(1, std::memory_order_relaxed); }
+    std::uint64_t looks() const noexcept { return words_->looks.load(std::memory_order_relaxed); }
 
 private:
     struct Words {
         std::atomic<std::uint64_t> ticks;
         std::atomic<std::uint32_t> is_ticking;
         std::atomic<std::uint32_t> acts;
+        std::atomic<std::uint64_t> looks;
     };
     explicit GuardPage(Words* words) noexcept : words_(words) {}
     Words* words_;

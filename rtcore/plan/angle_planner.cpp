@@ -11,9 +11,6 @@
 namespace psicarve::plan {
 namespace {
 
-constexpr std::size_t kPsi = index_of(Axis::psi);
-constexpr std::size_t kHeads = 2;
-
 std::int64_t capacity_of(const TableLine& line) {
     std::int64_t capacity = 0;
     for (const std::int64_t delta : line.delta_pulses) capacity = std::max(capacity, std::abs(delta));

@@ -10,10 +10,6 @@ namespace {
 
 using cycle::Spindle;
 
-constexpr std::size_t kPsi = index_of(Axis::psi);
-constexpr std::size_t kY = index_of(Axis::y);
-constexpr std::size_t kHeads = 2;
-
 SpeedCaps heads_at(const MachineLimits& limits, double speed_mm_s) {
     SpeedCaps caps{};
     for (std::size_t head = 0; head < kHeads; ++head) {
@@ -38,9 +34,11 @@ Pulses4 first_point(const JobView& job, std::uint32_t layer) {
             job.y_pulses(layer, point)};
 }
 
-/// Of the table, whichever head carves it: before the carving the blank reaches out so far all round.
+/// Before the carving the blank reaches out so far all round: as the profile says, or else to the largest of
+/// the table, whichever head carves it.
 double largest_radius_mm(const MachineLimits& limits, const JobView& job) {
-    double largest_mm = 0.0;
+    double largest_mm = limits.blank_radius_mm;
+    for (const JobPass& pass : job.passes()) largest_mm = std::max(largest_mm, pass.clear_mm);
     for (const Axis head : {Axis::r1, Axis::r2}) {
         const std::size_t k = index_of(head);
         const double radius_mm = mm_from_pulses(job.max_radius_pulses(head), limits.axes[k].pulses_per_unit);
@@ -49,19 +47,9 @@ double largest_radius_mm(const MachineLimits& limits, const JobView& job) {
     return largest_mm;
 }
 
-}  // namespace
-
-std::int64_t turns_to_drop(std::int64_t from_pulses, std::int64_t to_pulses, std::int64_t pulses_per_rev) {
-    const std::int64_t ahead = from_pulses - to_pulses + pulses_per_rev / 2;
-    const std::int64_t turns = ahead / pulses_per_rev;
-    return ahead % pulses_per_rev < 0 ? turns - 1 : turns;
-}
-
-std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, const JobView& job,
-                                                const Pulses4& from_pulses, std::uint32_t layer) {
-    const Pulses4 first = first_point(job, layer);
-    Pulses4 from = from_pulses;
-    Pulses4 outside = from;
+/// Where the heads clear the blank all round.
+Pulses4 outside_of(const MachineLimits& limits, const JobView& job) {
+    Pulses4 outside{};
     const double largest_mm = largest_radius_mm(limits, job);
     for (std::size_t k = 0; k < kHeads; ++k) {
         const double counted_mm = largest_mm - limits.tip_offset_mm[k];
@@ -69,7 +57,12 @@ std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, con
             std::min(pulses_from_mm(counted_mm, limits.axes[k].pulses_per_unit) + limits.clearance_pulses[k],
                      limits.axes[k].travel_max_pulses);
     }
-    BlockList list(limits);
+    return outside;
+}
+
+/// Heads outside, then psi the short way, then Y to where `first` is, spindle off.
+void add_way_outside(BlockList& list, const MachineLimits& limits, Pulses4 from, const Pulses4& outside,
+                     const Pulses4& first) {
     list.outputs(kAllDrives, Spindle::off);
     list.move(heads_way(from, outside, true));
     const std::int64_t turns = turns_to_drop(from[kPsi], first[kPsi], limits.pulses_per_rev);
@@ -80,16 +73,66 @@ std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, con
     list.move({0, 0, first[kPsi] - from[kPsi], 0});
     list.move({0, 0, 0, first[kY] - from[kY]});
     list.move(heads_way(from, outside, false));
+}
+
+void add_arrival(BlockList& list, const MachineLimits& limits, const JobView& job, std::uint32_t layer) {
+    list.reach(layer, carved_point(job.joining(), job.point_count(), layer, 0));
+    // The carving may begin at once, and outwards.
+    list.dwell(limits.rest_ticks);
+    list.end();
+}
+
+}  // namespace
+
+std::int64_t turns_to_drop(std::int64_t from_pulses, std::int64_t to_pulses, std::int64_t pulses_per_rev) {
+    const std::int64_t ahead = from_pulses - to_pulses + pulses_per_rev / 2;
+    const std::int64_t turns = ahead / pulses_per_rev;
+    return ahead % pulses_per_rev < 0 ? turns - 1 : turns;
+}
+
+MachineLimits limits_for(MachineLimits limits, const JobView& job) {
+    if (const auto profile = job_profile(job)) limits.blank_radius_mm = profile->blank.reach_mm();
+    return limits;
+}
+
+std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, const JobView& job,
+                                                const Pulses4& from_pulses, std::uint32_t layer) {
+    const Pulses4 outside = outside_of(limits, job);
+    const Pulses4 first = first_point(job, layer);
+    BlockList list(limits);
+    add_way_outside(list, limits, from_pulses, outside, first);
     list.outputs(kAllDrives, Spindle::on);
     list.dwell(limits.spinup_ticks);
     Pulses4 plunge{};
     for (std::size_t k = 0; k < kHeads; ++k) plunge[k] = first[k] - outside[k];
     list.move(plunge, heads_at(limits, limits.plunge_mm_s));
-    list.reach(layer, carved_point(job.joining(), job.point_count(), layer, 0));
-    // The carving may begin at once, and outwards.
-    list.dwell(limits.rest_ticks);
-    list.end();
+    add_arrival(list, limits, job, layer);
     return std::move(list.blocks());
+}
+
+std::vector<cycle::MotionBlock> dry_approach_blocks(const MachineLimits& limits, const JobView& job,
+                                                    const Pulses4& from_pulses, std::uint32_t layer) {
+    BlockList list(limits);
+    add_way_outside(list, limits, from_pulses, outside_of(limits, job), first_point(job, layer));
+    add_arrival(list, limits, job, layer);
+    return std::move(list.blocks());
+}
+
+void add_way_between_passes(BlockList& list, const MachineLimits& limits, const JobView& job,
+                            const Pulses4& from_pulses, std::uint32_t layer) {
+    const Pulses4 outside = outside_of(limits, job);
+    const Pulses4 first = first_point(job, layer);
+    Pulses4 plunge{};
+    for (std::size_t k = 0; k < kHeads; ++k) plunge[k] = first[k] - std::max(from_pulses[k], outside[k]);
+    // The last point may have been reached inwards, and the carving may go on outwards: a motor turns round
+    // at rest.
+    list.dwell(limits.rest_ticks);
+    list.move(heads_way(from_pulses, outside, true));
+    list.move({0, 0, first[kPsi] - from_pulses[kPsi], 0});
+    list.move({0, 0, 0, first[kY] - from_pulses[kY]});
+    list.move(plunge, heads_at(limits, limits.plunge_mm_s));
+    list.reach(layer, carved_point(job.joining(), job.point_count(), layer, 0));
+    list.dwell(limits.rest_ticks);
 }
 
 std::vector<cycle::MotionBlock> finish_blocks(const MachineLimits& limits, const Pulses4& from_pulses) {

@@ -17,8 +17,13 @@ CarveProgram::CarveProgram(const MachineLimits& limits, std::shared_ptr<const Jo
     : TableProgram(limits, std::move(job), layers), at_pulses_(point_at(layers.first, 0)) {}
 
 void CarveProgram::make_layers() {
-    if (layer_ > first_layer_ && !is_spiral()) add_link_to_layer();
-    const std::uint32_t end = std::min(layer_ + layers_at_once(), end_layer_);
+    if (layer_ > first_layer_ && begins_pass()) {
+        add_way_to_pass(at_pulses_);
+        at_pulses_ = point_at(layer_, 0);
+    } else if (layer_ > first_layer_ && !is_spiral()) {
+        add_link_to_layer();
+    }
+    const std::uint32_t end = std::min({layer_ + layers_at_once(), job_->pass_end(layer_), end_layer_});
     lines_.clear();
     for (; layer_ < end; ++layer_) make_lines();
     add_lines();

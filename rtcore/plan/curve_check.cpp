@@ -13,8 +13,6 @@
 namespace psicarve::plan {
 namespace {
 
-constexpr std::size_t kPsi = index_of(Axis::psi);
-constexpr std::size_t kHeads = 2;
 // Narrowed a little further than needed, so that one more fit is enough as a rule.
 constexpr double kMargin = 0.96;
 constexpr double kTurnShare = 0.25;

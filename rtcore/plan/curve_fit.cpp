@@ -63,7 +63,7 @@ private:
     Vec side_by_second_{}, side_by_next_{}, side_after_{};
 };
 
-void CurveFit::solve(const CurveNodes& nodes, const DecidedEnds& decided) {
+void CurveFit::solve(const NodesView& nodes, const DecidedEnds& decided) {
     prepare(nodes);
     start(nodes, decided);
     for (iterations_ = 0;; ++iterations_) {
@@ -85,7 +85,7 @@ void CurveFit::solve(const CurveNodes& nodes, const DecidedEnds& decided) {
 
 // Should rounding ever get the better of an axis, its curve through the middle of the tube is slower, and
 // safe.
-void CurveFit::mend(const CurveNodes& nodes) {
+void CurveFit::mend(const NodesView& nodes) {
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         const auto is_good = [k](const Lanes& control) { return std::isfinite(control[k]); };
         if (std::all_of(control_.begin(), control_.end(), is_good)) continue;
@@ -94,8 +94,8 @@ void CurveFit::mend(const CurveNodes& nodes) {
 }
 
 PSICARVE_FOR_WIDE_REGISTERS
-void CurveFit::prepare(const CurveNodes& nodes) {
-    count_ = nodes.step.size();
+void CurveFit::prepare(const NodesView& nodes) {
+    count_ = nodes.cell.size();
     bend_.assign(count_, Row{});
     value_.assign(count_, Row{0.0, 1.0, 0.0});
     stiffness_.assign(count_, {});
@@ -126,7 +126,7 @@ void CurveFit::prepare(const CurveNodes& nodes) {
 }
 
 PSICARVE_FOR_WIDE_REGISTERS
-void CurveFit::start(const CurveNodes& nodes, const DecidedEnds& decided) {
+void CurveFit::start(const NodesView& nodes, const DecidedEnds& decided) {
     points_.resize(count_);
     side_.resize(count_);
     states_.resize(count_);

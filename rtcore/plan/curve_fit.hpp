@@ -32,7 +32,7 @@ public:
 
     /// The first and the last control point, where not decided, are the middles of their bounds. Requires at
     /// least three nodes, and one control point that is not decided.
-    void solve(const CurveNodes& nodes, const DecidedEnds& decided = {});
+    void solve(const NodesView& nodes, const DecidedEnds& decided = {});
 
     /// One a node, until the next solve().
     const std::vector<Lanes>& control() const noexcept { return control_; }
@@ -68,8 +68,8 @@ private:
         Vec by_distance, by_press, by_both;
     };
 
-    void prepare(const CurveNodes& nodes);
-    void start(const CurveNodes& nodes, const DecidedEnds& decided);
+    void prepare(const NodesView& nodes);
+    void start(const NodesView& nodes, const DecidedEnds& decided);
     void start_pressing();
     void advance_and_eliminate();
     bool note_converged();
@@ -78,7 +78,7 @@ private:
     void correct(const Vec& target);
     void reach_corrected(const Vec& target, Reach& reach);
     void set_steps(const Reach& reach);
-    void mend(const CurveNodes& nodes);
+    void mend(const NodesView& nodes);
 
     Lanes accel_;
     std::size_t count_ = 0;

@@ -16,7 +16,8 @@ constexpr double kStepsInATurn = 2.0;
 // Where speeds change much within a span: cells so short that they are known everywhere.
 constexpr std::size_t kPartsOfALongSpan = 8;
 constexpr double kLongSpan_s = 0.03;
-constexpr std::size_t kHeads = 2;
+// Where points are as dense as that, the curve needs nodes in them alone.
+constexpr double kShortSpan_s = 0.001;
 // Past a span's end, as a share of the tolerance: between nodes it may be a little more.
 constexpr double kBeyondShare = 0.75;
 // Beyond both ends of a span by so little that no pulse comes of it.
@@ -201,7 +202,8 @@ CurveNodes curve_nodes(const MachineLimits& limits, std::span<const PathPoint> p
             span + 1 == last || !corners[span].is_tight ? Grading{} : graded(corners[span].radius, half);
         const std::size_t parts = length > kLongSpan_s || spans[span].is_link ? kPartsOfALongSpan : 2;
         maker.begin_span(span);
-        maker.add_way(from, to, length / static_cast<double>(parts));
+        const bool is_plain = !spans[span].is_link && from.count + to.count == 0;
+        if (length > kShortSpan_s || !is_plain) maker.add_way(from, to, length / static_cast<double>(parts));
         maker.end_span();
         maker.add_point(span + 1, span + 1 == last);
     }

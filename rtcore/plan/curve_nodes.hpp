@@ -31,8 +31,25 @@ struct CurveNodes {
     static constexpr std::uint32_t kNoPoint = ~std::uint32_t{0};
 };
 
-/// Nodes for points [first, last] of a path: two a span, more where the tube is tight. `memory` is used
-/// again.
+/// A part of such a stretch from node to node, as what a fit needs of it. At its ends the curve is what the
+/// fit is told; nothing is asked of it there.
+struct NodesView {
+    std::span<const double> cell, control_step, offset;
+    std::span<const Lanes> low, high;
+
+    /// Nodes [first, last].
+    static NodesView of(const CurveNodes& nodes, std::size_t first, std::size_t last) {
+        const std::size_t count = last + 1 - first;
+        return {std::span(nodes.cell).subspan(first, count),
+                std::span(nodes.control_step).subspan(first, count),
+                std::span(nodes.offset).subspan(first, count), std::span(nodes.low).subspan(first, count),
+                std::span(nodes.high).subspan(first, count)};
+    }
+    static NodesView of(const CurveNodes& nodes) { return of(nodes, 0, nodes.cell.size() - 1); }
+};
+
+/// Nodes for points [first, last] of a path: two a span, one where points are dense, more where the tube is
+/// tight. `memory` is used again.
 CurveNodes curve_nodes(const MachineLimits& limits, std::span<const PathPoint> points,
                        std::span<const PathSpan> spans, std::span<const PathCorner> corners,
                        std::size_t first, std::size_t last, CurveNodes memory = {});

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "rtcore/cycle/motion_order.hpp"
+#include "rtcore/plan/machine_limits.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::plan {
@@ -12,6 +13,10 @@ namespace {
 // What does not fit into a tick is of whole ones.
 std::int64_t ticks_for(std::int64_t time_ns, std::int64_t period_ns) {
     return std::max<std::int64_t>(1, ticks_covering_ns(time_ns, period_ns));
+}
+
+std::int64_t ns_from_us(double time_us) {
+    return round_to_pulse(time_us * static_cast<double>(kNsPerUs));
 }
 
 cycle::SensorEnd sensor_end(HomeSensor home) {
@@ -31,14 +36,28 @@ cycle::SensorEnd sensor_end(HomeSensor home) {
 constexpr std::int64_t kSamplePeriodNs = kNsPerMs;
 
 void set_speeds(cycle::CycleConfig& config, const Profile& profile) {
-    const double tick_s = seconds_from_ns(config.period_ns);
-    const double most_per_tick = 1.0 / static_cast<double>(config.step_high_ticks + config.step_low_ticks);
+    const double tick_s = seconds_from_ns(config.interpolation_ns());
+    const double most_per_tick =
+        config.has_two_timers()
+            ? static_cast<double>(config.interpolation_ticks) / static_cast<double>(config.io_ticks)
+            : 1.0 / static_cast<double>(config.step_high_ticks + config.step_low_ticks);
     for (const Axis axis : kAllAxes) {
         const AxisMotion motion = axis_motion(profile, axis);
         cycle::AxisConfig& to = config.axes[index_of(axis)];
         to.speed_per_tick = std::min(motion.speed_pps * tick_s, most_per_tick);
         to.start_stop_per_tick = std::min(motion.start_stop_pps * tick_s, to.speed_per_tick);
         to.accel_per_tick2 = motion.accel_pps2 * tick_s * tick_s;
+    }
+}
+
+void set_lift(cycle::CycleConfig& config, const Profile& profile) {
+    const double tick_s = seconds_from_ns(config.interpolation_ns());
+    config.rest_ticks = round_to_pulse(kRest_s / tick_s);
+    for (const Axis head : {Axis::r1, Axis::r2}) {
+        const std::size_t k = index_of(head);
+        const double scale = axis_motion(profile, head).pulses_per_unit;
+        if (profile.job.lifts_on_hold) config.lift_pulses[k] = pulses_from_mm(profile.job.retract_mm, scale);
+        config.lower_speed_per_tick[k] = profile.job.plunge_mm_s * scale * tick_s;
     }
 }
 
@@ -50,7 +69,7 @@ cycle::SoftLimits soft_limits(const Profile& profile) {
         limits.least_pulses[k] = motion.has_travel ? motion.travel_min_pulses : -cycle::kFurthestPulses;
         limits.most_pulses[k] = motion.has_travel ? motion.travel_max_pulses : cycle::kFurthestPulses;
     }
-    limits.least_sum_mm = profile.head_clearance_mm - profile.r1.tip_offset_mm - profile.r2.tip_offset_mm;
+    limits.least_sum_mm = profile.head_clearance_mm - profile.r1.tip_mm() - profile.r2.tip_mm();
     for (const Axis head : {Axis::r1, Axis::r2}) {
         const std::size_t k = index_of(head);
         limits.core_pulses[k] = core_radius_pulses(profile, head);
@@ -67,6 +86,10 @@ cycle::CycleConfig cycle_config_from_profile(const Profile& profile) {
     cycle::CycleConfig config;
     const std::int64_t period_ns = tick_period_ns(profile);
     config.period_ns = period_ns;
+    if (profile.tick.schedule == Schedule::two_timer) {
+        config.io_ticks = ticks_for(ns_from_us(profile.tick.io_us), period_ns);
+        config.interpolation_ticks = ticks_for(ns_from_us(profile.tick.interpolation_us), period_ns);
+    }
     for (const Axis axis : kAllAxes) {
         const AxisMotion motion = axis_motion(profile, axis);
         cycle::AxisConfig& to = config.axes[index_of(axis)];
@@ -84,18 +107,18 @@ cycle::CycleConfig cycle_config_from_profile(const Profile& profile) {
         config.step_high_ticks = 0;
         config.step_low_ticks = 1;
     } else {
-        config.step_high_ticks = ticks_for(profile.port.step_high_ns, period_ns);
-        config.step_low_ticks = ticks_for(profile.port.step_low_ns, period_ns);
+        config.step_high_ticks = ticks_between_edges(profile.port.step_high_ns, period_ns);
+        config.step_low_ticks = ticks_between_edges(profile.port.step_low_ns, period_ns);
     }
-    config.dir_setup_ticks = ticks_for(profile.port.dir_setup_ns, period_ns);
-    config.dir_hold_ticks = ticks_for(profile.port.dir_hold_ns, period_ns);
+    config.dir_setup_ticks = ticks_between_edges(profile.port.dir_setup_ns, period_ns);
+    config.dir_hold_ticks = ticks_between_edges(profile.port.dir_hold_ns, period_ns);
     set_speeds(config, profile);
-    const std::int64_t filter_ns =
-        round_to_pulse(profile.port.input_filter_us * static_cast<double>(kNsPerUs));
-    config.filter_ticks = ticks_covering_ns(filter_ns, period_ns);
+    set_lift(config, profile);
+    config.filter_ticks = ticks_covering_ns(ns_from_us(profile.port.input_filter_us), period_ns);
     for (std::size_t signal = kOutputSignalCount; signal < kSignalCount; ++signal) {
         if (profile.port.pins[signal] != 0) config.input_mask |= SignalWord{1} << signal;
     }
+    config.has_charge_pump = profile.port.charge_pump_pin != 0;
     config.has_index = profile.psi.home == HomeSensor::index;
     config.pulses_per_rev = profile.psi.pulses_per_rev;
     config.index_position_pulses = config.axes[index_of(Axis::psi)].has_sensor

@@ -22,10 +22,20 @@ std::int64_t ramp_pulses(const AxisMotion& axis, double speed_pps) {
     return static_cast<std::int64_t>(speed_pps * speed_pps / (2.0 * axis.accel_pps2)) + 1;
 }
 
-// Not so fast that slowing down behind the edge would need more than the mechanics allow.
-double seek_speed_pps(const AxisMotion& axis) {
-    const double room = static_cast<double>(std::max<std::int64_t>(axis.overtravel_pulses - 1, 0));
-    const double stoppable = std::sqrt(2.0 * axis.accel_pps2 * room);
+/// From an input's edge until motion heeds it.
+double heed_s(const MachineLimits& limits) {
+    return seconds_from_ns((cycle::FineMove::kCoarseTicks + 1) * limits.tick.interpolation_ns() +
+                           (limits.tick.io_ticks + limits.tick.filter_ticks) * limits.tick.period_ns);
+}
+
+// Not so fast that slowing down behind the edge would need more than slowing down from home speed does, or
+// than the mechanics allow, what passes until the edge is heeded included: v^2 / 2a + v t = room.
+double seek_speed_pps(const MachineLimits& limits, const AxisMotion& axis) {
+    const double overtravel = static_cast<double>(std::max<std::int64_t>(axis.overtravel_pulses - 1, 0));
+    const double room =
+        std::min(0.5 * axis.home_speed_pps * axis.home_speed_pps / axis.accel_pps2, overtravel);
+    const double heeded = axis.accel_pps2 * heed_s(limits);
+    const double stoppable = std::sqrt(heeded * heeded + 2.0 * axis.accel_pps2 * room) - heeded;
     return std::min(axis.home_speed_pps, std::max(axis.start_stop_pps, stoppable));
 }
 
@@ -53,9 +63,11 @@ void leave_a_little_more(BlockList& list, const AxisMotion& motion, Axis axis) {
     list.homing_move(axis, -towards_sensor(motion) * std::min(wanted, room), motion.home_speed_pps);
 }
 
-void home_linear(BlockList& list, const AxisMotion& motion, Axis axis) {
+void home_linear(BlockList& list, const MachineLimits& limits, Axis axis) {
+    const AxisMotion& motion = limits.axes[index_of(axis)];
     const std::int64_t towards = towards_sensor(motion);
-    list.seek(axis, Until::sensor_tripped, towards * whole_way_pulses(motion), seek_speed_pps(motion));
+    list.seek(axis, Until::sensor_tripped, towards * whole_way_pulses(motion),
+              seek_speed_pps(limits, motion));
     leave_sensor(list, motion, axis);
     const std::int64_t search =
         2 * ramp_pulses(motion, motion.home_speed_pps) + motion.overtravel_pulses + kSearchSparePulses;
@@ -70,7 +82,9 @@ void home_linear(BlockList& list, const AxisMotion& motion, Axis axis) {
 std::int64_t psi_overrun_pulses(const MachineLimits& limits) {
     const AxisMotion& motion = limits.axes[index_of(Axis::psi)];
     const double speed_pps = std::min(motion.home_speed_pps, motion.speed_pps);
-    const double delay_s = seconds_from_ns(2 * cycle::FineMove::kCoarseTicks * limits.tick.period_ns);
+    const double delay_s =
+        seconds_from_ns(2 * cycle::FineMove::kCoarseTicks * limits.tick.interpolation_ns() +
+                        2 * limits.tick.io_ticks * limits.tick.period_ns);
     return ramp_pulses(motion, speed_pps) + static_cast<std::int64_t>(speed_pps * delay_s) + 2;
 }
 
@@ -94,7 +108,7 @@ void home_axis(BlockList& list, const MachineLimits& limits, Axis axis) {
     } else if (motion.home == HomeSensor::index) {
         home_psi(list, limits);
     } else {
-        home_linear(list, motion, axis);
+        home_linear(list, limits, axis);
     }
 }
 

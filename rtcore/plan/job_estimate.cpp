@@ -24,4 +24,10 @@ double JobEstimate::seconds_to(std::uint64_t points_done) const noexcept {
     return before.seconds + ratio * (after->seconds - before.seconds);
 }
 
+double JobEstimate::seconds_left(std::uint64_t points_done, std::uint64_t points_total) const noexcept {
+    const double planned = std::max(0.0, seconds_to(points_total) - seconds_to(points_done));
+    if (points_total <= points()) return planned;
+    return planned + seconds() / static_cast<double>(points()) * static_cast<double>(points_total - points());
+}
+
 }  // namespace psicarve::plan

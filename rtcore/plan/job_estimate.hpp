@@ -23,6 +23,9 @@ public:
     bool is_reference() const noexcept { return marks_.back().is_reference; }
     /// From the first point to the one after which so many are done; past the end: the end.
     double seconds_to(std::uint64_t points_done) const noexcept;
+    /// From `points_done` on to the end at `points_total`. Past what is planned each point takes as long as
+    /// those so far.
+    double seconds_left(std::uint64_t points_done, std::uint64_t points_total) const noexcept;
 
 private:
     std::vector<PlannedSoFar> marks_{PlannedSoFar{.points = 1}};  ///< the first point is where it begins

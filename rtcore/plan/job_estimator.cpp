@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/plan/job_estimator.hpp"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <utility>
 
+#include "rtcore/handler_stack.hpp"
+#include "rtcore/plan/approach.hpp"
 #include "rtcore/plan/carving.hpp"
+#include "rtcore/side_thread.hpp"
 
 namespace psicarve::plan {
 namespace {
 
 constexpr std::chrono::milliseconds kBeforeIt{100};
-constexpr int kLowPriority = 10;  ///< nice
-
-void lower_own_priority() noexcept {
-    // Refused or not: it only asks for less. On Linux each thread has a niceness of its own.
-    static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowPriority));
-}
 
 // The first point is reached before the carving begins.
 PlannedSoFar with_first_point(PlannedSoFar planned) noexcept {
     ++planned.points;
     return planned;
+}
+
+double left_of(const JobEstimate& estimate, std::uint64_t points_done, std::uint64_t points_total) noexcept {
+    const std::uint64_t planned = estimate.points();
+    const bool is_known =
+        points_total <= planned || (points_done < planned && points_total - planned <= planned - points_done);
+    return is_known ? estimate.seconds_left(points_done, points_total) : -1.0;
 }
 
 }  // namespace
@@ -40,36 +41,58 @@ JobEstimator::~JobEstimator() {
 }
 
 void JobEstimator::begin(std::shared_ptr<const JobView> job) {
-    {
-        const std::lock_guard lock(mutex_);
-        job_ = std::move(job);
-        estimate_.reset();
-        ++edition_;
+    next_job_ = std::move(job);
+    has_next_job_ = true;
+    whole_ = nullptr;
+    last_left_s_ = -1.0;
+    static_cast<void>(look());
+}
+
+// Its thread is of low priority: interrupted while it holds the mutex, it keeps it until nobody else is busy.
+std::unique_lock<std::mutex> JobEstimator::look() {
+    std::unique_lock lock(mutex_, std::try_to_lock);
+    if (lock) exchange_with_thread();
+    return lock;
+}
+
+void JobEstimator::exchange_with_thread() {
+    if (!has_next_job_) {
+        if (is_whole_) whole_ = estimate_;
+        return;
     }
+    has_next_job_ = false;
+    job_ = std::move(next_job_);
+    estimate_ = std::make_shared<JobEstimate>();
+    is_whole_ = false;
+    ++edition_;
     changed_.notify_all();
 }
 
-void JobEstimator::set_paused(bool is_paused) {
-    {
-        const std::lock_guard lock(mutex_);
-        if (is_paused_ == is_paused) return;
-        is_paused_ = is_paused;
+std::shared_ptr<const JobEstimate> JobEstimator::estimate() {
+    if (whole_ == nullptr) static_cast<void>(look());
+    return whole_;
+}
+
+double JobEstimator::seconds_left(std::uint64_t points_done, std::uint64_t points_total) {
+    if (points_total == 0) return -1.0;
+    if (whole_ != nullptr) return left_of(*whole_, points_done, points_total);
+    if (const auto lock = look()) {
+        last_left_s_ = estimate_ != nullptr ? left_of(*estimate_, points_done, points_total) : -1.0;
     }
-    changed_.notify_all();
+    return last_left_s_;
 }
 
-std::shared_ptr<const JobEstimate> JobEstimator::estimate() const {
-    const std::lock_guard lock(mutex_);
-    return estimate_;
-}
-
-bool JobEstimator::wait(std::chrono::milliseconds limit) const {
+bool JobEstimator::wait(std::chrono::milliseconds limit) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, limit, [this] { return estimate_ != nullptr; });
+    exchange_with_thread();
+    if (!changed_.wait_for(lock, limit, [this] { return is_whole_; })) return false;
+    exchange_with_thread();
+    return true;
 }
 
 void JobEstimator::run() {
-    lower_own_priority();
+    const rtcore::HandlerStack handler_stack;
+    rtcore::lower_own_priority();
     std::uint64_t edition = 0;
     std::unique_lock lock(mutex_);
     for (;;) {
@@ -86,28 +109,23 @@ void JobEstimator::run() {
     }
 }
 
-bool JobEstimator::is_overtaken(std::uint64_t edition, std::unique_lock<std::mutex>& lock) {
-    changed_.wait(lock, [&] { return !is_paused_ || must_end_ || edition_ != edition; });
-    return must_end_ || edition_ != edition;
-}
-
 void JobEstimator::plan(const std::shared_ptr<const JobView>& job, std::uint64_t edition) {
-    const auto program = carving_of(limits_, job);
-    auto estimate = std::make_shared<JobEstimate>();
+    const auto program = carving_of(limits_for(limits_, *job), job);
     cycle::MotionBlock block{};
     std::uint64_t points = 0;
     while (program->next(block)) {
         const PlannedSoFar planned = program->planned();
         if (planned.points == points) continue;
         points = planned.points;
-        std::unique_lock lock(mutex_);
-        if (is_overtaken(edition, lock)) return;
-        estimate->add(with_first_point(planned));
+        const std::lock_guard lock(mutex_);
+        if (must_end_ || edition_ != edition) return;
+        estimate_->add(with_first_point(planned));
     }
-    estimate->add(with_first_point(program->planned()));
     {
         const std::lock_guard lock(mutex_);
-        if (edition_ == edition) estimate_ = std::move(estimate);
+        if (edition_ != edition) return;
+        estimate_->add(with_first_point(program->planned()));
+        is_whole_ = true;
     }
     changed_.notify_all();
 }

@@ -25,29 +25,36 @@ public:
     JobEstimator(const JobEstimator&) = delete;
     JobEstimator& operator=(const JobEstimator&) = delete;
 
-    /// Any thread, as all of these. Begins with this job, after a moment: one that is started at once has the
-    /// computer to itself first. What was known is of another job and forgotten. The pointer keeps the view's
-    /// blob alive.
+    /// Begins with this job, after a moment: one that is started at once has the computer to itself first.
+    /// What was known is of another job and forgotten. The pointer keeps the view's blob alive. All methods
+    /// are those of one thread, which never waits for the other but in wait(): an answer may be the last one.
     void begin(std::shared_ptr<const JobView> job);
-    /// Goes on when it is false again.
-    void set_paused(bool is_paused);
     /// Of the job, when all of it is planned; else null.
-    std::shared_ptr<const JobEstimate> estimate() const;
+    std::shared_ptr<const JobEstimate> estimate();
+    /// Of a run of the job that ends at `points_total`; negative: not known, as less than half of what is
+    /// left is planned. What one layer takes says little about another.
+    double seconds_left(std::uint64_t points_done, std::uint64_t points_total);
     /// Waits until there is one.
-    bool wait(std::chrono::milliseconds limit) const;
+    bool wait(std::chrono::milliseconds limit);
 
 private:
+    /// With the mutex, unless the thread has it.
+    std::unique_lock<std::mutex> look();
+    void exchange_with_thread();
     void run();
-    bool is_overtaken(std::uint64_t edition, std::unique_lock<std::mutex>& lock);
     void plan(const std::shared_ptr<const JobView>& job, std::uint64_t edition);
 
     MachineLimits limits_;
-    mutable std::mutex mutex_;  // guards all that follow
-    mutable std::condition_variable changed_;
+    std::shared_ptr<const JobView> next_job_;  ///< not handed over yet
+    bool has_next_job_ = false;
+    std::shared_ptr<const JobEstimate> whole_;
+    double last_left_s_ = -1.0;
+    std::mutex mutex_;  // guards all that follow
+    std::condition_variable changed_;
     std::shared_ptr<const JobView> job_;
-    std::shared_ptr<const JobEstimate> estimate_;
+    std::shared_ptr<JobEstimate> estimate_;  ///< grows until it is whole; replaced with each job
+    bool is_whole_ = false;
     std::uint64_t edition_ = 0;  ///< grows with each job
-    bool is_paused_ = false;
     bool must_end_ = false;
     std::thread thread_;  // last: it uses the others
 };

@@ -2,8 +2,11 @@
 #include "rtcore/plan/lookahead_program.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <utility>
 
+#include "rtcore/plan/link_way.hpp"
 #include "rtcore/plan/speed_up.hpp"
 #include "rtcore/plan/wide.hpp"
 
@@ -16,11 +19,16 @@ using cycle::MotionBlock;
 // Stands for "no limit" where an axis does not move.
 constexpr double kNoLimit = 1e30F;
 
+// Shapes of a link that are tried: so many parts of each half.
+constexpr std::array kLinkParts{1, 3};
+
 PSICARVE_FOR_WIDE_REGISTERS
 void set_timing(const MachineLimits& limits, const PathPiece& piece, cycle::PathTiming& timing) {
     timing.length = piece.length;
-    timing.start_speed2 = piece.begin_speed2;
-    timing.end_speed2 = piece.end_speed2;
+    for (std::size_t k = 0; k < timing.start_speed2.size(); ++k) {
+        timing.start_speed2[k] = limits.pace * limits.pace * piece.begin_speed2[k];
+        timing.end_speed2[k] = limits.pace * limits.pace * piece.end_speed2[k];
+    }
     Vec slope, bend;
     load(piece.slope, slope);
     load(piece.bend, bend);
@@ -46,22 +54,26 @@ LookaheadProgram::LookaheadProgram(const MachineLimits& limits, std::shared_ptr<
                                    LayerSpan layers)
     : TableProgram(limits, std::move(job), layers), stretches_(limits_) {
     planned_.is_reference = first_layer_ == 0 && end_layer_ == job_->layer_count();
-    layer_ -= first_layer_ % layers_at_once();
+    if (is_spiral()) layer_ -= (first_layer_ - job_->finishing_layer()) % layers_at_once();
 }
 
 void LookaheadProgram::make_layers() {
     points_.clear();
     const std::uint32_t first = layer_;
-    const std::uint32_t end = std::min(layer_ + layers_at_once(), job_->layer_count());
-    // One point more at either side belongs to them only so that those corners are seen.
-    const bool has_before = is_spiral() ? first > 0 : first > first_layer_;
-    const bool has_after = end < job_->layer_count();
+    const std::uint32_t pass_end = job_->pass_end(layer_);
+    const std::uint32_t end = std::min(layer_ + layers_at_once(), pass_end);
+    // One point more at either side belongs to them only so that those corners are seen; where carving begins
+    // with a later layer, so does the way to it, for which way axes with backlash come from.
+    const bool has_before = !begins_pass();
+    const bool has_way = !is_spiral() && first == first_layer_;
+    const bool has_after = end < pass_end;
+    if (first > first_layer_ && begins_pass()) add_way_to_pass(point_at(first - 1, job_->point_count() - 1));
     if (is_spiral()) {
         gather_rows(end);
     } else {
         gather_layer();
     }
-    add_stretches(has_before ? 1 : 0, points_.size() - (has_after ? 2 : 1));
+    add_stretches(!has_before ? 0 : has_way ? first_of_layer_ : 1, points_.size() - (has_after ? 2 : 1));
     if (first < first_layer_) begin_in_between();
     if (end > end_layer_) end_in_between();
     layer_ = end;
@@ -75,7 +87,7 @@ void LookaheadProgram::add_stretches(std::size_t first, std::size_t last) {
     for (std::size_t i = first + 1; i <= last; ++i) {
         if (i < last && i != first_of_layer_ && !corners[i - 1].is_stop) continue;
         pieces_.clear();
-        planned_.seconds += stretches_.plan(points_, spans, corners, first, i, pieces_);
+        planned_.seconds += stretches_.plan(points_, spans, corners, first, i, pieces_) / limits_.pace;
         add_stretch();
         first = i;
     }
@@ -86,21 +98,21 @@ void LookaheadProgram::gather_layer() {
     const auto point = [this](std::uint32_t layer, std::uint32_t step) {
         return PathPoint{point_at(layer, step), layer, step, false};
     };
-    if (layer_ > first_layer_) {
+    if (!begins_pass()) {
         points_.push_back(point(layer_ - 1, count - 2));
         points_.push_back(point(layer_ - 1, count - 1));
-        add_way_between(points_.back(), point(layer_, 0));
+        add_fastest_link(PathPoint{points_.back()}, point(layer_, 0));
     }
     first_of_layer_ = points_.size();
     for (std::uint32_t step = 0; step < count; ++step) points_.push_back(point(layer_, step));
-    if (layer_ + 1 < job_->layer_count()) points_.push_back(point(layer_ + 1, 0));
+    if (layer_ + 1 < job_->pass_end(layer_)) points_.push_back(point(layer_ + 1, 0));
 }
 
 // Each row begins in the point that the one before ends in. All of them count as one layer: there is no way
 // between them.
 void LookaheadProgram::gather_rows(std::uint32_t end) {
     const std::uint32_t steps = job_->point_count() - 1;
-    if (layer_ > 0) points_.push_back({point_at(layer_ - 1, steps - 1), layer_, 0, false});
+    if (!begins_pass()) points_.push_back({point_at(layer_ - 1, steps - 1), layer_, 0, false});
     first_of_layer_ = points_.size();
     points_.push_back({point_at(layer_, 0), layer_, 0, false});
     std::uint32_t step = 0;
@@ -108,29 +120,41 @@ void LookaheadProgram::gather_rows(std::uint32_t end) {
         for (std::uint32_t i = 1; i <= steps; ++i)
             points_.push_back({point_at(row, i), layer_, ++step, false});
     }
-    if (end < job_->layer_count()) points_.push_back({point_at(end, 1), layer_, ++step, false});
+    if (end < job_->pass_end(layer_)) points_.push_back({point_at(end, 1), layer_, ++step, false});
 }
 
-// Half-way up one layer's cut ends and the next one's begins. Heads that have to move out do so below, those
-// that move in do so above: then neither ever stands deeper than the layer it is in asks.
-void LookaheadProgram::add_way_between(const PathPoint& from, const PathPoint& to) {
-    constexpr std::size_t kY = index_of(Axis::y);
-    const std::int64_t rise_pulses = to.pulses[kY] - from.pulses[kY];
-    PathPoint below = from;
-    below.layer = to.layer;
-    below.is_on_the_way = true;
-    below.pulses[kY] += rise_pulses / 2;
-    PathPoint above = below;
-    above.pulses[kY] += 1;
-    bool moves_out = false;
-    bool moves_in = false;
-    for (std::size_t head = 0; head < 2; ++head) {
-        below.pulses[head] = above.pulses[head] = std::max(from.pulses[head], to.pulses[head]);
-        moves_out = moves_out || to.pulses[head] > from.pulses[head];
-        moves_in = moves_in || to.pulses[head] < from.pulses[head];
+// Which shape is the fastest depends on what of it the rounding to whole pulses leaves, and on where motors
+// may jump.
+void LookaheadProgram::add_fastest_link(const PathPoint& from, const PathPoint& to) {
+    double least_s = std::numeric_limits<double>::infinity();
+    std::vector<PathPoint> way;
+    std::vector<PathPoint> fastest;
+    for (const int parts : kLinkParts) {
+        way.assign(1, from);
+        add_link_way(limits_, from, to, parts, way);
+        way.push_back(to);
+        const bool is_straight = way.size() == 2;
+        const double seconds = is_straight ? 0.0 : seconds_of(way);
+        if (seconds < least_s) fastest.swap(way);
+        if (is_straight) break;
+        least_s = std::min(least_s, seconds);
     }
-    if (moves_out && below.pulses != from.pulses) points_.push_back(below);
-    if (moves_in && above.pulses != to.pulses) points_.push_back(above);
+    points_.insert(points_.end(), fastest.begin() + 1, fastest.end() - 1);
+}
+
+/// From rest to rest.
+double LookaheadProgram::seconds_of(std::span<const PathPoint> way) {
+    const std::vector<PathSpan> spans = path_spans(limits_, way);
+    const std::vector<PathCorner> corners = path_corners(limits_, spans);
+    double seconds = 0.0;
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        if (i + 1 < way.size() && !corners[i - 1].is_stop) continue;
+        pieces_.clear();
+        seconds += stretches_.plan(way, spans, corners, first, i, pieces_);
+        first = i;
+    }
+    return seconds;
 }
 
 void LookaheadProgram::add_stretch() {

@@ -26,7 +26,8 @@ public:
 private:
     void make_layers() override;
     void gather_layer();
-    void add_way_between(const PathPoint& from, const PathPoint& to);
+    void add_fastest_link(const PathPoint& from, const PathPoint& to);
+    double seconds_of(std::span<const PathPoint> way);
     void gather_rows(std::uint32_t end);
     void add_stretches(std::size_t first, std::size_t last);
     void add_stretch();

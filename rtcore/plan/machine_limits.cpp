@@ -11,8 +11,6 @@
 namespace psicarve::plan {
 namespace {
 
-constexpr double kRest_s = 0.01;
-
 struct SineCosine {
     double sine;
     double cosine;
@@ -32,24 +30,32 @@ SineCosine sine_cosine(double angle_rad) {
     return {sine, cosine};
 }
 
+// Pulses leave up to a whole io period late: what the motors' limits grant a pulse that is late at their top
+// speed is used up, and what makes good for it is kept back.
+constexpr double kTwoTimerPace = 0.96;
+
 }  // namespace
 
 MachineLimits machine_limits(const Profile& profile) {
     MachineLimits limits;
     for (const Axis axis : kAllAxes) limits.axes[index_of(axis)] = axis_motion(profile, axis);
     limits.tick = cycle_config_from_profile(profile);
-    const double tick_s = seconds_from_ns(limits.tick.period_ns);
+    if (limits.tick.has_two_timers()) limits.pace = kTwoTimerPace;
+    const double tick_s = seconds_from_ns(limits.tick.interpolation_ns());
     limits.max_iterations_per_s =
-        1.0 / (tick_s * static_cast<double>(limits.tick.step_high_ticks + limits.tick.step_low_ticks));
+        limits.tick.has_two_timers()
+            ? 1.0 / seconds_from_ns(pulse_period_ns(profile))
+            : 1.0 / (tick_s * static_cast<double>(limits.tick.step_high_ticks + limits.tick.step_low_ticks));
     limits.planner = profile.job.planner;
     limits.feed_mm_s = profile.job.feed_mm_s;
     limits.plunge_mm_s = profile.job.plunge_mm_s;
     limits.path_tolerance_mm = profile.job.path_tolerance_mm;
+    limits.blank_radius_mm = profile.blank.reach_mm();
     limits.pulses_per_rev = profile.psi.pulses_per_rev;
     const SineCosine corner = sine_cosine(rad_from_deg(profile.job.corner_deg));
     limits.sin_corner = corner.sine;
     limits.cos_corner = corner.cosine;
-    limits.tip_offset_mm = {profile.r1.tip_offset_mm, profile.r2.tip_offset_mm};
+    limits.tip_offset_mm = {profile.r1.tip_mm(), profile.r2.tip_mm()};
     for (std::size_t head = 0; head < 2; ++head) {
         const double scale = limits.axes[head].pulses_per_unit;
         limits.clearance_pulses[head] = pulses_from_mm(profile.job.clearance_mm, scale);

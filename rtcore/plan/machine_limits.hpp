@@ -20,15 +20,20 @@ struct GroupLimits {
     double accel_per_s2;
 };
 
+/// Seconds after which a motor that stopped with a jump may jump off again.
+inline constexpr double kRest_s = 0.01;
+
 /// A profile as the planners need it: pulses and seconds, and what the ticks allow.
 struct MachineLimits {
     std::array<AxisMotion, kAxisCount> axes;
     psicarve::Planner planner = psicarve::Planner::lookahead;
     cycle::CycleConfig tick;
     double max_iterations_per_s = 0.0;  ///< one axis' step high and low over whole ticks
+    double pace = 1.0;  ///< at which a carving goes that was planned for all that the axes have
     double feed_mm_s = 0.0;
     double plunge_mm_s = 0.0;
     double path_tolerance_mm = 0.0;
+    double blank_radius_mm = 0.0;  ///< 0: the job's largest
     std::int64_t pulses_per_rev = 6400;
     double sin_corner = 0.0;  ///< of corner_deg
     double cos_corner = 1.0;
@@ -38,6 +43,8 @@ struct MachineLimits {
     std::array<double, 2> least_radius_pulses{};  ///< by head, as counted: the core, or the travel's end
     std::int64_t spinup_ticks = 0;
     std::int64_t rest_ticks = 0;  ///< after which a motor that stopped with a jump may jump off again
+
+    double tick_seconds() const noexcept { return 1e-9 * static_cast<double>(tick.interpolation_ns()); }
 };
 MachineLimits machine_limits(const Profile& profile);
 

@@ -8,7 +8,6 @@ namespace psicarve::plan {
 
 std::vector<cycle::MotionBlock> move_blocks(const MachineLimits& limits, const cycle::MotionOrder& order,
                                             const Pulses4& from_pulses) {
-    constexpr std::size_t kPsi = index_of(Axis::psi);
     BlockList list(limits);
     Pulses4 from = from_pulses;
     if (order.drops_turns != 0 && (order.axes >> kPsi & 1U) != 0) {

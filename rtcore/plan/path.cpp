@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "shared/units.hpp"
 
@@ -16,12 +17,16 @@ constexpr double kRoughPulses = 8.0;
 constexpr double kEndBandPulses = 0.45;
 // The share of the tolerance that the table's own deviation may use up.
 constexpr double kPsiShare = 0.25;
+// Nor may it use up more of its own way: it is not to turn back.
+constexpr double kTurnShare = 0.125;
 // The tube is looked at in the nodes; between them the curve may go a little further.
 constexpr double kTubeShare = 0.93;
 constexpr double kFlankShare = 0.75;
-
-constexpr std::size_t kPsi = index_of(Axis::psi);
-constexpr std::size_t kY = index_of(Axis::y);
+// A fitted turn is slower than the widest parabola that the tube has room for: (du/dt)^2 as a share of that
+// one's.
+constexpr double kFittedShare = 0.6;
+// Of the turn's (du/dt)^2, a stop from which motors jump off with less costs more than its own surroundings.
+constexpr double kLeastStopShare = 0.12;
 
 // The tube is measured square to the chord in the plane x = r * dpsi, R. On a steep flank, moving along R
 // hardly leaves the chord: the band of R is wider there, but never so wide that the curve could pass an end
@@ -32,12 +37,15 @@ void set_bands(const MachineLimits& limits, const Pulses4& delta_pulses, PathSpa
     const double largest_mm = std::max({span.radius_mm[0], span.radius_mm[1], tolerance_mm});
     const double turn_pulses = static_cast<double>(std::abs(delta_pulses[kPsi]));
     const double roughness = turn_pulses > kRoughPulses ? kRoughPulses / turn_pulses : 1.0;
-    const double psi_band_mm =
-        std::max(kPsiShare * tolerance_mm, kLeastBandPulses * roughness * rad_per_pulse * largest_mm);
+    const double psi_pulse_mm = rad_per_pulse * largest_mm;
+    const double psi_room_mm = std::min(kPsiShare * tolerance_mm, kTurnShare * turn_pulses * psi_pulse_mm);
+    const double psi_band_mm = std::max(psi_room_mm, kLeastBandPulses * roughness * psi_pulse_mm);
     span.end_band.fill(kEndBandPulses);
-    span.end_band[kPsi] = std::min(kEndBandPulses, psi_band_mm / (rad_per_pulse * largest_mm));
-    span.band[kPsi] = psi_band_mm / (rad_per_pulse * largest_mm);
+    span.end_band[kPsi] = std::min(kEndBandPulses, psi_band_mm / psi_pulse_mm);
+    span.band[kPsi] = psi_band_mm / psi_pulse_mm;
     span.band[kY] = std::max(kLeastBandPulses, tolerance_mm * limits.axes[kY].pulses_per_unit);
+    // Cut on the chord, both heads and the table stand at one place of it, wherever the curve has each.
+    const bool is_on_chord = heads_are_coarse(limits);
     for (std::size_t head = 0; head < 2; ++head) {
         const double scale = limits.axes[head].pulses_per_unit;
         const double along_mm =
@@ -45,14 +53,14 @@ void set_bands(const MachineLimits& limits, const Pulses4& delta_pulses, PathSpa
         const double rise_mm = static_cast<double>(std::abs(delta_pulses[head])) / scale;
         const double chord_mm = std::sqrt(along_mm * along_mm + rise_mm * rise_mm);
         // What psi takes of it, and the rounding of both where the way is cut.
-        const double psi_used_mm = psi_band_mm + 0.5 * rad_per_pulse * largest_mm;
+        const double psi_used_mm = psi_band_mm + 0.5 * psi_pulse_mm;
         const double used_mm =
             chord_mm > 0.0 ? (psi_used_mm * rise_mm + 0.5 * along_mm / scale) / chord_mm : 0.0;
         const double share = rise_mm > along_mm ? kFlankShare : kTubeShare;
         const double left_mm = std::max(share * tolerance_mm - used_mm, kPsiShare * tolerance_mm);
         const double widened_mm = along_mm > 0.0 ? left_mm * chord_mm / along_mm : left_mm + rise_mm;
         const double band_mm = std::min(widened_mm, left_mm + 0.25 * rise_mm);
-        span.band[head] = std::max(kLeastBandPulses, band_mm * scale);
+        span.band[head] = is_on_chord ? kLeastBandPulses : std::max(kLeastBandPulses, band_mm * scale);
     }
     // An axis with backlash must not turn back between two points, not even to take a run-up: it gets no room
     // for that.
@@ -79,33 +87,68 @@ PathSpan span_between(const MachineLimits& limits, const Pulses4& from, const Pu
     return span;
 }
 
+/// Of u: what every axis has for both spans [1/s].
+double accel_along(const MachineLimits& limits, const PathSpan& before, const PathSpan& after) {
+    double accel = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        const double slope = std::max(std::abs(before.slope[k]), std::abs(after.slope[k]));
+        if (slope > 0.0) accel = std::min(accel, limits.axes[k].accel_pps2 / slope);
+    }
+    return accel;
+}
+
+// A turn uses up the acceleration over all of its length and is passed at an even speed; a stop leaves it to
+// the way on both sides: half the length takes length / 2v there, here (sqrt(v0^2 + a * length) - v0) / a.
+bool stop_is_sooner(double accel, double length, double turn_speed2, double stop2) {
+    const double gain = accel * length;
+    return std::sqrt(stop2 + gain) - std::sqrt(stop2) <= 0.5 * gain / std::sqrt(kFittedShare * turn_speed2);
+}
+
 // A turn by K within a tube of half width w takes a length of 8w/K at most, since the parabola that touches
-// both chords leaves them by K * length / 8.
+// both chords leaves them by K * length / 8. A turn that goes away when each of the three points moves within
+// its own tube is but rounding: nobody stops for that.
 PathCorner corner_between(const MachineLimits& limits, const PathSpan& before, const PathSpan& after) {
     const double room = 0.5 * (before.length + after.length);
+    const double offset_per_turn = 0.5 * before.length * after.length / room;
     PathCorner corner{false, false, room};
     double turn_speed2 = 1.0;
+    double turn_length = room;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         const double turn = std::abs(after.slope[k] - before.slope[k]);
         const double band = std::min(before.band[k], after.band[k]);
         if (turn * room <= kLeastBandPulses) continue;
         corner.radius = std::min(corner.radius, 4.0 * band / turn);
-        const double length = std::min(room, 8.0 * band / turn);
-        turn_speed2 = std::min(turn_speed2, limits.axes[k].accel_pps2 * length / turn);
+        const double rounding = 2.0 * std::min(before.end_band[k], after.end_band[k]) / offset_per_turn;
+        if (turn <= rounding) continue;
+        const double true_turn = turn - rounding;
+        const double length = std::min(room, 8.0 * band / true_turn);
+        const double speed2 = limits.axes[k].accel_pps2 * length / true_turn;
+        if (speed2 >= turn_speed2) continue;
+        turn_speed2 = speed2;
+        turn_length = length;
     }
     const double stop2 = std::min(stop_speed2(limits, before.slope, &after.slope),
                                   stop_speed2(limits, after.slope, &before.slope));
-    corner.is_stop = turn_speed2 <= stop2;
     corner.is_tight = corner.radius < room;
+    corner.is_stop = turn_speed2 <= stop2 ||
+                     (kLeastStopShare * turn_speed2 <= stop2 &&
+                      stop_is_sooner(accel_along(limits, before, after), turn_length, turn_speed2, stop2));
     return corner;
 }
 
-// Along a spiral Y keeps to the straight lines between its points.
-void keep_y_on_its_way(std::span<PathSpan> spans) {
+// Along a spiral Y keeps to the straight lines between its points, over psi: what psi leaves its own by takes
+// Y off its line by no more than the tolerance, either.
+void keep_y_on_its_way(const MachineLimits& limits, std::span<PathSpan> spans) {
     const auto rises = [](const PathSpan& span) { return !span.is_link && span.slope[kY] != 0.0; };
     if (std::none_of(spans.begin(), spans.end(), rises)) return;
+    const double tolerance_pulses = height_tolerance_pulses(limits);
     for (PathSpan& span : spans) {
-        if (!span.is_link) span.band[kY] = kLeastBandPulses;
+        if (span.is_link) continue;
+        span.band[kY] = kLeastBandPulses;
+        const double rise = std::abs(span.slope[kY]);
+        const double turn = std::abs(span.slope[kPsi]);
+        if (rise * span.band[kPsi] > turn * tolerance_pulses)
+            span.band[kPsi] = std::max(kLeastBandPulses, turn * tolerance_pulses / rise);
     }
 }
 
@@ -140,6 +183,10 @@ bool heads_are_coarse(const MachineLimits& limits) {
     return limits.path_tolerance_mm * pulses_per_mm < 1.0;
 }
 
+double height_tolerance_pulses(const MachineLimits& limits) {
+    return limits.path_tolerance_mm * limits.axes[kY].pulses_per_unit;
+}
+
 bool cuts_follow_table(const MachineLimits& limits, const std::array<double, 2>& radius_mm) {
     return std::max(radius_mm[0], radius_mm[1]) * rad_from_pulses(1, limits.pulses_per_rev) <
            limits.path_tolerance_mm;
@@ -164,7 +211,7 @@ std::vector<PathSpan> path_spans(const MachineLimits& limits, std::span<const Pa
         spans.push_back(span_between(limits, points[i - 1].pulses, points[i].pulses));
         spans.back().is_link = is_between_layers(points[i - 1], points[i]);
     }
-    keep_y_on_its_way(spans);
+    keep_y_on_its_way(limits, spans);
     return spans;
 }
 

@@ -59,6 +59,8 @@ std::array<double, 2> greatest_radii_mm(const MachineLimits& limits, const Pulse
 /// Whether a head's pulse is coarser than the tolerance: then spans are cut on their chords, as rounding the
 /// curve could leave them by more than the tolerance and a pulse.
 bool heads_are_coarse(const MachineLimits& limits);
+/// How far Y may leave its straight way over psi along a spiral [pulses].
+double height_tolerance_pulses(const MachineLimits& limits);
 /// Whether a span is cut where the curve has the table: where the table's pulses are coarser than the
 /// tolerance, rounding the curve could leave the chord by more than the tolerance and a pulse; rounding the
 /// chord does not.

@@ -10,12 +10,12 @@ namespace psicarve::plan {
 namespace {
 
 constexpr double kLineErrorPulses = 0.25;
-// Cut on the chord, a segment may be half a pulse from the curve already.
+// Cut on the chord, a segment is half a pulse from the curve already.
 constexpr double kLineErrorOnChordPulses = 0.1;
 // Within a bit the curve is taken as straight.
 constexpr double kBitErrorPulses = 0.25;
 // A segment's u is stretched so that its time and its end speeds are the curve's; by so much at most.
-constexpr double kMostStretch = 0.05;
+constexpr double kMostStretch = 0.02;
 // So much less time than the curve a segment may take at twice the feed, where axes are at their limits.
 constexpr double kMostHaste = 0.0005;
 
@@ -147,14 +147,21 @@ void PieceMaker::keep_way(std::uint32_t point, Pulses4& pulses) const {
         pulses[k] = std::clamp(pulses[k], std::min(at_pulses_[k], to.pulses[k]),
                                std::max(at_pulses_[k], to.pulses[k]));
     }
-    if (is_link) return;
-    // Along a layer Y is where the table is on its straight way to the point.
-    constexpr std::size_t kPsi = index_of(Axis::psi);
-    constexpr std::size_t kY = index_of(Axis::y);
-    const auto rise = static_cast<double>(to.pulses[kY] - from.pulses[kY]);
-    const auto turn = static_cast<double>(to.pulses[kPsi] - from.pulses[kPsi]);
-    const auto turned = static_cast<double>(pulses[kPsi] - from.pulses[kPsi]);
-    pulses[kY] = from.pulses[kY] + (turn == 0.0 ? 0 : round_to_pulse(rise * turned / turn));
+    if (!is_link) keep_height(from.pulses, to.pulses, pulses);
+}
+
+// Along a layer Y goes where the curve has it, but only so far from the straight way over psi that the DDA's
+// half pulses of both keep it within the tolerance and a pulse of the way, psi being known to a pulse.
+void PieceMaker::keep_height(const Pulses4& from, const Pulses4& to, Pulses4& pulses) const {
+    const auto rise = static_cast<double>(to[kY] - from[kY]);
+    const auto turn = static_cast<double>(to[kPsi] - from[kPsi]);
+    const double slope = turn == 0.0 ? 0.0 : rise / turn;
+    const double way = static_cast<double>(from[kY]) + slope * static_cast<double>(pulses[kPsi] - from[kPsi]);
+    const double off = 0.5 + 0.5 * std::abs(slope) + (rise == 0.0 ? 0.0 : height_tolerance_pulses(limits_));
+    const auto least = static_cast<std::int64_t>(std::ceil(way - off));
+    const auto most = static_cast<std::int64_t>(std::floor(way + off));
+    pulses[kY] = std::clamp(pulses[kY], least, most);
+    pulses[kY] = std::clamp(pulses[kY], std::min(at_pulses_[kY], to[kY]), std::max(at_pulses_[kY], to[kY]));
 }
 
 bool PieceMaker::is_cut_on_line(std::uint32_t point) const {
@@ -175,22 +182,21 @@ std::int64_t PieceMaker::line_done(std::uint32_t point) const {
 }
 
 Pulses4 PieceMaker::cut_at(std::size_t end, std::uint32_t point) const {
-    constexpr std::size_t kPsi = index_of(Axis::psi);
     Pulses4 pulses;
     for (std::size_t k = 0; k < kAxisCount; ++k) pulses[k] = round_to_pulse(bits_[end - 1].end[k]);
     const Pulses4& from = points_[last_point_].pulses;
     const Pulses4& to = points_[point].pulses;
+    const double share = bits_[end - 1].along / bits_.back().along;
     if (is_cut_on_line(point)) {
         const Pulses4 line = line_to(point);
-        const std::size_t longest = longest_axis(line);
-        const std::int64_t way =
-            line[longest] < 0 ? from[longest] - pulses[longest] : pulses[longest] - from[longest];
-        return along_line(from, line, std::clamp(way, line_done(point), std::abs(line[longest])));
+        const std::int64_t capacity = std::abs(line[longest_axis(line)]);
+        const std::int64_t way = round_to_pulse(static_cast<double>(capacity) * share);
+        return along_line(from, line, std::clamp(way, line_done(point), capacity));
     }
-    keep_way(point, pulses);
-    if (cuts_follow_table(limits_, greatest_radii_mm(limits_, from, to))) return pulses;
-    const auto way = static_cast<double>(to[kPsi] - from[kPsi]);
-    pulses[kPsi] = from[kPsi] + round_to_pulse(way * bits_[end - 1].along / bits_.back().along);
+    if (!cuts_follow_table(limits_, greatest_radii_mm(limits_, from, to))) {
+        const auto way = static_cast<double>(to[kPsi] - from[kPsi]);
+        pulses[kPsi] = from[kPsi] + round_to_pulse(way * share);
+    }
     keep_way(point, pulses);
     return pulses;
 }

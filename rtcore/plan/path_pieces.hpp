@@ -38,8 +38,8 @@ struct PathPiece {
 std::size_t bits_in(const PathCell& cell, double length);
 
 /// Cuts a timed curve into DDA segments: one from point to point where a straight line at an even
-/// acceleration stays within half a pulse of the curve at every instant, at twice the feed too, more where it
-/// does not.
+/// acceleration stays within a quarter of a pulse of the curve at every instant, at twice the feed too, more
+/// where it does not.
 class PieceMaker {
 public:
     PieceMaker(const MachineLimits& limits, std::span<const PathPoint> points, std::uint32_t first_point,
@@ -88,6 +88,7 @@ private:
     bool set_line(std::size_t first, std::size_t end, std::size_t timing, Line& line) const;
     bool is_straight(std::size_t first, std::size_t end);
     void keep_way(std::uint32_t point, Pulses4& pulses) const;
+    void keep_height(const Pulses4& from, const Pulses4& to, Pulses4& pulses) const;
     bool is_cut_on_line(std::uint32_t point) const;
     Pulses4 line_to(std::uint32_t point) const;
     std::int64_t line_done(std::uint32_t point) const;

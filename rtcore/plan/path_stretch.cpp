@@ -13,9 +13,11 @@ namespace {
 // Speeds are looked at in five places of a cell; between them they may be a little higher.
 constexpr double kSpeedShare = 0.998;
 // A curve that leaves its tube between the nodes is fitted again; once is enough as a rule.
-constexpr int kMostFits = 5;
+constexpr int kMostFits = 12;
 // So far to both sides the curve gives way to a narrower tube.
 constexpr std::size_t kSpansAround = 12;
+// A curve is fitted by so many spans, which the processor keeps at hand, and some more beyond them.
+constexpr std::size_t kSpansAWindow = 96;
 // Whole pulses in whole ticks shake a little.
 constexpr double kAccelShare = 0.985;
 
@@ -57,11 +59,13 @@ double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const P
         bound2_[timing].back() = std::min(bound2_[timing].back(), end2);
     }
     timing_.set_path(cells_);
-    timing_.solve(bound2_[0], inner2_[0], speed2_[0]);
+    const std::array<SpeedLimits, kTimingCount> limits{SpeedLimits{bound2_[0], inner2_[0]},
+                                                       SpeedLimits{bound2_[1], inner2_[1]}};
     if (bound2_[1] == bound2_[0]) {
+        timing_.solve(limits[0], speed2_[0]);
         speed2_[1] = speed2_[0];
     } else {
-        timing_.solve(bound2_[1], inner2_[1], speed2_[1]);
+        timing_.solve_both(limits, speed2_);
         // Greedy passes may lose a little where an axis turns back.
         for (std::size_t i = 0; i < speed2_[1].size(); ++i) {
             speed2_[1][i] = std::max(speed2_[1][i], speed2_[0][i]);
@@ -84,12 +88,15 @@ void StretchPlanner::fit(std::span<const PathPoint> points, std::span<const Path
               spans.begin() + static_cast<std::ptrdiff_t>(last),
               spans_.begin() + static_cast<std::ptrdiff_t>(first));
     nodes_ = curve_nodes(limits_, points, spans_, corners, first, last, std::move(nodes_));
-    ranges_.assign(1, {0, nodes_.step.size() - 1});
+    const NodeRange whole{0, nodes_.step.size() - 1};
+    ranges_.assign(1, whole);
     for (int fits = 1;; ++fits) {
         const auto is_fitted = [this](const NodeRange& range) { return fit_again(range); };
-        if (!std::all_of(ranges_.begin(), ranges_.end(), is_fitted)) {
-            ranges_.assign(1, {0, nodes_.step.size() - 1});
-            fit_again(ranges_[0]);
+        const bool is_good =
+            fits == 1 ? fit_in_windows() : std::all_of(ranges_.begin(), ranges_.end(), is_fitted);
+        if (!is_good) {
+            ranges_.assign(1, whole);
+            fit_whole();
         }
         cells_of(nodes_, control_, cells_, cell_at_);
         if (fits == kMostFits) return;
@@ -124,27 +131,36 @@ void StretchPlanner::gather_narrowed_ranges() {
     }
 }
 
+void StretchPlanner::fit_whole() {
+    fit_.solve(NodesView::of(nodes_));
+    control_ = fit_.control();
+}
+
+// From begin to end. How the curve goes on many spans later changes nothing where it is: what was fitted
+// beyond a window is fitted again with the next one. False if one of them was not found.
+bool StretchPlanner::fit_in_windows() {
+    control_.resize(nodes_.step.size());
+    const std::size_t last_span = nodes_.span_at.back();
+    std::size_t span = nodes_.span_at.front();
+    for (NodeRange range{0, 0};; range.first = node_of(span)) {
+        span += kSpansAWindow;
+        const bool is_last = span + kSpansAround >= last_span;
+        range.last = is_last ? nodes_.step.size() - 1 : node_of(span + kSpansAround);
+        if (!fit_part(range, 0)) return false;
+        if (is_last) return true;
+    }
+}
+
 // Outside the range the curve stays as it is. False, and nothing changed, if no curve within was found.
 bool StretchPlanner::fit_again(const NodeRange& range) {
-    const auto copy = [&range](const auto& from, auto& to) {
-        to.assign(from.begin() + static_cast<std::ptrdiff_t>(range.first),
-                  from.begin() + static_cast<std::ptrdiff_t>(range.last) + 1);
-    };
-    const bool is_whole = range.first == 0 && range.last + 1 == nodes_.step.size();
-    if (is_whole) {
-        fit_.solve(nodes_);
-        control_ = fit_.control();
-        return true;
-    }
-    copy(nodes_.step, part_.step);
-    copy(nodes_.cell, part_.cell);
-    copy(nodes_.control_step, part_.control_step);
-    copy(nodes_.offset, part_.offset);
-    copy(nodes_.low, part_.low);
-    copy(nodes_.high, part_.high);
+    return fit_part(range, range.last + 1 < nodes_.step.size() ? 2 : 0);
+}
+
+bool StretchPlanner::fit_part(const NodeRange& range, std::size_t decided_last) {
     const std::span<const Lanes> decided{control_};
-    fit_.solve(part_, {decided.subspan(range.first, range.first > 0 ? 2 : 0),
-                       decided.subspan(range.last - 1, range.last + 1 < nodes_.step.size() ? 2 : 0)});
+    fit_.solve(NodesView::of(nodes_, range.first, range.last),
+               {decided.subspan(range.first, range.first > 0 ? 2 : 0),
+                decided.subspan(range.last - 1, decided_last)});
     if (!fit_.has_converged()) return false;
     std::copy(fit_.control().begin(), fit_.control().end(),
               control_.begin() + static_cast<std::ptrdiff_t>(range.first));
@@ -182,8 +198,6 @@ void cells_of(const CurveNodes& nodes, std::span<const Lanes> control, std::vect
 // Four places of a cell side by side: its begin, a quarter, the half, three quarters.
 PSICARVE_FOR_WIDE_REGISTERS
 void StretchPlanner::limit_speeds() {
-    constexpr std::size_t kPsi = index_of(Axis::psi);
-    constexpr std::size_t kY = index_of(Axis::y);
     constexpr Vec kPlaces{0.0, 0.25, 0.5, 0.75};
     const std::size_t count = cells_.size();
     for (std::size_t timing = 0; timing < kTimingCount; ++timing) {

@@ -36,7 +36,10 @@ private:
              std::span<const PathCorner> corners, std::size_t first, std::size_t last);
     std::size_t node_of(std::size_t span) const;
     void gather_narrowed_ranges();
+    void fit_whole();
+    bool fit_in_windows();
     bool fit_again(const NodeRange& range);
+    bool fit_part(const NodeRange& range, std::size_t decided_last);
     void limit_speeds();
     void add_pieces(std::span<const PathPoint> points, std::vector<PathPiece>& pieces);
 
@@ -51,7 +54,6 @@ private:
     std::vector<std::uint32_t> narrowed_;
     std::vector<NodeRange> ranges_;  ///< around those
     CurveNodes nodes_;
-    CurveNodes part_;             ///< of the nodes
     std::vector<Lanes> control_;  ///< of the curve
     std::vector<PathCell> cells_;
     std::vector<Lanes> cell_at_;  ///< position at each cell's begin [pulses]

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/plan/planner.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "rtcore/plan/approach.hpp"
@@ -18,10 +17,21 @@ using cycle::PlanRequest;
 
 Planner::Planner(const Profile& profile, cycle::CycleIo& io) : limits_(machine_limits(profile)), io_(&io) {}
 
-void Planner::set_job(std::shared_ptr<const JobView> job) {
+void Planner::set_job(std::shared_ptr<const JobView> job, std::uint64_t generation) {
     reference_seconds_.store(-1.0, std::memory_order_relaxed);
+    const double blank_radius_mm = job != nullptr ? limits_for({}, *job).blank_radius_mm : 0.0;
+    KnownJob forgotten{std::move(job), generation, blank_radius_mm};
     const std::lock_guard<std::mutex> lock(job_mutex_);
-    next_job_ = std::move(job);
+    std::swap(known_[0], known_[1]);
+    std::swap(known_[0], forgotten);
+}
+
+Planner::KnownJob Planner::known(std::uint64_t generation) {
+    const std::lock_guard<std::mutex> lock(job_mutex_);
+    for (const KnownJob& job : known_) {
+        if (job.job != nullptr && job.generation == generation) return job;
+    }
+    return {};
 }
 
 bool Planner::wants_poll() const noexcept {
@@ -32,12 +42,7 @@ bool Planner::wants_poll() const noexcept {
 void Planner::poll(const std::function<bool()>& has_time) {
     take_requests();
     while (program_ != nullptr) {
-        if (!has_pending_) {
-            has_pending_ = program_->next(pending_);
-            const PlannedSoFar planned = program_->planned();
-            points_planned_.store(planned.points, std::memory_order_relaxed);
-            seconds_planned_.store(planned.seconds, std::memory_order_relaxed);
-        }
+        if (!has_pending_) has_pending_ = program_->next(pending_);
         if (!has_pending_) {
             if (const PlannedSoFar all = program_->planned(); all.is_reference) {
                 reference_seconds_.store(all.seconds, std::memory_order_relaxed);
@@ -59,8 +64,9 @@ void Planner::take_requests() {
     while (io_->plan_requests.pop_into(request)) {
         has_request = true;
         if (request.kind != PlanKind::position) continue;
-        const std::lock_guard<std::mutex> lock(job_mutex_);
-        job_ = next_job_;
+        KnownJob asked_for = known(request.job_generation);
+        job_ = std::move(asked_for.job);
+        limits_.blank_radius_mm = asked_for.blank_radius_mm;
     }
     if (!has_request) return;
     epoch_ = request.epoch;
@@ -89,9 +95,9 @@ std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
             }
             return list(move_blocks(limits_, request.order, request.position_pulses));
         case PlanKind::position:
-            return job_ == nullptr
-                       ? nullptr
-                       : list(approach_blocks(limits_, *job_, request.position_pulses, first_layer));
+            if (job_ == nullptr) return nullptr;
+            return list((request.is_dry != 0 ? dry_approach_blocks : approach_blocks)(
+                limits_, *job_, request.position_pulses, first_layer));
         case PlanKind::carve:
             break;
     }
@@ -100,19 +106,6 @@ std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
     const LayerSpan layers{first_layer, static_cast<std::uint32_t>(request.end_layer)};
     points_total_.store(std::uint64_t{layers.end} * job_->point_count(), std::memory_order_relaxed);
     return carving_of(limits_, job_, layers);
-}
-
-double Planner::seconds_left(std::uint64_t points_done, const JobEstimate* estimate) const noexcept {
-    const std::uint64_t total = points_total_.load(std::memory_order_relaxed);
-    if (total != 0 && estimate != nullptr) {
-        return std::max(0.0, estimate->seconds_to(total) - estimate->seconds_to(points_done));
-    }
-    const std::uint64_t planned = points_planned_.load(std::memory_order_relaxed);
-    if (total == 0 || planned == 0) return -1.0;
-    if (points_done >= total) return 0.0;
-    // What is not planned yet takes as long a point as what is.
-    return seconds_planned_.load(std::memory_order_relaxed) / static_cast<double>(planned) *
-           static_cast<double>(total - points_done);
 }
 
 }  // namespace psicarve::plan

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -8,7 +9,6 @@
 #include <mutex>
 
 #include "rtcore/cycle/cycle_io.hpp"
-#include "rtcore/plan/job_estimate.hpp"
 #include "rtcore/plan/machine_limits.hpp"
 #include "rtcore/plan/program.hpp"
 #include "shared/job.hpp"
@@ -24,9 +24,10 @@ class Planner {
 public:
     Planner(const Profile& profile, cycle::CycleIo& io);
 
-    /// Any thread. The job for the next `start`; a program that runs keeps the one it began with. The pointer
+    /// Any thread. A job that the tick may be asked to start, by its generation; the one before it stays
+    /// known, should the tick refuse this one. A program that runs keeps the one it began with. The pointer
     /// keeps the view's blob alive: std::shared_ptr<const JobView>(loaded, &loaded->view).
-    void set_job(std::shared_ptr<const JobView> job);
+    void set_job(std::shared_ptr<const JobView> job, std::uint64_t generation);
 
     /// Planner's thread. Cheap: a request waits, or an unfinished program's queue is at most half full.
     bool wants_poll() const noexcept;
@@ -34,9 +35,8 @@ public:
     /// work: whoever has other duties is asked after each block whether there is time for more.
     void poll(const std::function<bool()>& has_time = {});
 
-    /// Any thread. For the running job with so many points reached; negative: unknown. Without an estimate of
-    /// the whole job from how far it is planned.
-    double seconds_left(std::uint64_t points_done, const JobEstimate* estimate = nullptr) const noexcept;
+    /// Any thread. After how many points of its job the carving that was asked for last ends; 0: none was.
+    std::uint64_t points_total() const noexcept { return points_total_.load(std::memory_order_relaxed); }
     /// Any thread. T_ref of the job last planned to its end; negative: there is none.
     double reference_seconds() const noexcept { return reference_seconds_.load(std::memory_order_relaxed); }
 
@@ -44,18 +44,22 @@ private:
     void take_requests();
     std::unique_ptr<Program> program_for(const cycle::PlanRequest& request);
 
-    MachineLimits limits_;
+    MachineLimits limits_;  ///< with the blank of job_
     cycle::CycleIo* io_;
     std::mutex job_mutex_;
-    std::shared_ptr<const JobView> next_job_;  ///< guarded by job_mutex_
+    struct KnownJob {
+        std::shared_ptr<const JobView> job;
+        std::uint64_t generation = 0;
+        double blank_radius_mm = 0.0;  ///< that it was made for
+    };
+    KnownJob known(std::uint64_t generation);
+    std::array<KnownJob, 2> known_;  ///< the newest first; guarded by job_mutex_
     std::shared_ptr<const JobView> job_;
     std::unique_ptr<Program> program_;
     cycle::MotionBlock pending_{};  ///< made, but the queue was full
     bool has_pending_ = false;
     std::uint32_t epoch_ = 0;
     std::atomic<std::uint64_t> points_total_{0};
-    std::atomic<std::uint64_t> points_planned_{0};
-    std::atomic<double> seconds_planned_{0.0};
     std::atomic<double> reference_seconds_{-1.0};
 };
 

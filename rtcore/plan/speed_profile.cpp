@@ -69,9 +69,9 @@ public:
             raise_to(lower, Vec(-rows.most - way));
         }
         const double greatest = least_of(upper);
-        if (least_of(upper_rising) <= greatest && greatest_of(lower) <= greatest)
-            return std::max(greatest, 0.0);
-        return walk_down(end_limit);
+        if (greatest_of(lower) > greatest) return walk_down(end_limit);
+        if (least_of(upper_rising) <= greatest) return std::max(greatest, 0.0);
+        return std::max(cut_down(end_limit), 0.0);
     }
 
 private:
@@ -85,6 +85,69 @@ private:
     };
 
     const Vec& tilt_of(std::size_t row) const { return row < kRows ? accel_.at[row].tilt : kInnerTilt; }
+
+    /// One row over d, by which the end speed is less than its limit.
+    struct Line {
+        double at_limit;
+        double rise;
+        PSICARVE_INLINE double at(double d) const { return at_limit + rise * d; }
+    };
+
+    // The greatest begin speed that all rows together leave, where they leave something at end_limit and so
+    // everywhere below: as a function of d it is concave, and greatest where the first of the lines that fall
+    // meets the last of those that rise.
+    PSICARVE_INLINE double cut_down(double end_limit) const {
+        std::array<Four, kRows + 1> at_limit;
+        at_limit[kRows].axes = inner_ - kInnerTilt * end_limit;
+        for (std::size_t i = 0; i < kRows; ++i)
+            at_limit[i].axes = accel_.at[i].most - accel_.at[i].tilt * end_limit;
+        Line falling = lowest_falling(at_limit, 0.0);
+        for (int tried = 0;; ++tried) {
+            const double d = std::min(end_limit, last_rising(at_limit, falling));
+            const Line least = lowest_falling(at_limit, d);
+            const bool is_first = least.at(d) >= falling.at(d) - kSame * std::fabs(falling.at(d));
+            if (is_first && d < end_limit) return least.at(d);
+            if (is_first || tried == kMostCorners) return lowest_at(at_limit, d);
+            falling = least;
+        }
+    }
+
+    /// The lowest line at d of those that do not rise; of several the one that is lower further on.
+    PSICARVE_INLINE Line lowest_falling(const std::array<Four, kRows + 1>& at_limit, double d) const {
+        const Vec none = Vec{} + kNone;
+        std::array<Four, kRows + 1> at;
+        Vec least = none;
+        for (std::size_t i = 0; i < kRows + 1; ++i) {
+            const Vec& tilt = tilt_of(i);
+            at[i].axes = tilt > 0.0 ? none : at_limit[i].axes + tilt * d;
+            lower_to(least, at[i].axes);
+        }
+        const double value = least_of(least);
+        Vec rise = none;
+        for (std::size_t i = 0; i < kRows + 1; ++i)
+            lower_to(rise, Vec(at[i].axes <= value ? tilt_of(i) : none));
+        const double least_rise = least_of(rise);
+        return {value - least_rise * d, least_rise};
+    }
+
+    /// Where the last of the lines that rise meets `falling`.
+    PSICARVE_INLINE double last_rising(const std::array<Four, kRows + 1>& at_limit,
+                                       const Line& falling) const {
+        Vec last{};
+        for (std::size_t i = 0; i < kRows + 1; ++i) {
+            const Vec& tilt = tilt_of(i);
+            const Vec meets = (falling.at_limit - at_limit[i].axes) / (tilt - falling.rise);
+            raise_to(last, Vec(tilt > 0.0 ? meets : Vec{}));
+        }
+        return greatest_of(last);
+    }
+
+    PSICARVE_INLINE double lowest_at(const std::array<Four, kRows + 1>& at_limit, double d) const {
+        Vec least = at_limit[kRows].axes + kInnerTilt * d;
+        for (std::size_t i = 0; i < kRows; ++i)
+            lower_to(least, Vec(at_limit[i].axes + accel_.at[i].tilt * d));
+        return least_of(least);
+    }
 
     // The set of possible pairs is convex and holds (0, 0): walk down from end_limit along its upper edge
     // as long as the begin speed rises.
@@ -194,21 +257,59 @@ void SpeedProfile::set_path(std::span<const PathCell> cells) {
     }
 }
 
-PSICARVE_FOR_WIDE_REGISTERS
-void SpeedProfile::solve(std::span<const double> bound_speed2, std::span<const InnerSpeeds2> inner_speed2,
-                         std::vector<double>& speed2) {
-    const std::size_t count = rows_.size();
-    reachable2_.resize(count + 1);
-    reachable2_[count] = bound_speed2[count];
-    for (std::size_t i = count; i-- > 0;) {
-        const CellRows rows(rows_[i], bound_speed2[i], inner_speed2[i]);
-        reachable2_[i] = std::max(kLeastSpeed2, rows.greatest_begin(reachable2_[i + 1]));
+/// One timing's way back through the cells and forth again. The results have cells + 1 values.
+class SpeedProfile::Passes {
+public:
+    Passes(const std::vector<AccelRows>& rows, const SpeedLimits& limits, std::vector<double>& reachable2,
+           std::vector<double>& speed2)
+        : rows_(rows), limits_(limits) {
+        reachable2.resize(rows.size() + 1);
+        speed2.resize(rows.size() + 1);
+        reachable2_ = reachable2;
+        speed2_ = speed2;
+        reachable2_.back() = limits.bound2.back();
     }
-    speed2.resize(count + 1);
-    speed2[0] = reachable2_[0];
-    for (std::size_t i = 0; i < count; ++i) {
-        const CellRows rows(rows_[i], bound_speed2[i], inner_speed2[i]);
-        speed2[i + 1] = std::max(kLeastSpeed2, rows.greatest_end(speed2[i], reachable2_[i + 1]));
+    PSICARVE_INLINE void go_back(std::size_t i) {
+        reachable2_[i] = std::max(kLeastSpeed2, cell(i).greatest_begin(reachable2_[i + 1]));
+    }
+    void turn_round() { speed2_.front() = reachable2_.front(); }
+    PSICARVE_INLINE void go_on(std::size_t i) {
+        speed2_[i + 1] = std::max(kLeastSpeed2, cell(i).greatest_end(speed2_[i], reachable2_[i + 1]));
+    }
+
+private:
+    PSICARVE_INLINE CellRows cell(std::size_t i) const {
+        return CellRows(rows_[i], limits_.bound2[i], limits_.inner2[i]);
+    }
+
+    std::span<const AccelRows> rows_;
+    const SpeedLimits& limits_;
+    std::span<double> reachable2_;
+    std::span<double> speed2_;
+};
+
+PSICARVE_FOR_WIDE_REGISTERS
+void SpeedProfile::solve(const SpeedLimits& limits, std::vector<double>& speed2) {
+    Passes passes(rows_, limits, reachable2_[0], speed2);
+    for (std::size_t i = rows_.size(); i-- > 0;) passes.go_back(i);
+    passes.turn_round();
+    for (std::size_t i = 0; i < rows_.size(); ++i) passes.go_on(i);
+}
+
+PSICARVE_FOR_WIDE_REGISTERS
+void SpeedProfile::solve_both(const std::array<SpeedLimits, 2>& limits,
+                              std::array<std::vector<double>, 2>& speed2) {
+    Passes first(rows_, limits[0], reachable2_[0], speed2[0]);
+    Passes second(rows_, limits[1], reachable2_[1], speed2[1]);
+    for (std::size_t i = rows_.size(); i-- > 0;) {
+        first.go_back(i);
+        second.go_back(i);
+    }
+    first.turn_round();
+    second.turn_round();
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        first.go_on(i);
+        second.go_on(i);
     }
 }
 

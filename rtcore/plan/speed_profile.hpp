@@ -22,6 +22,13 @@ struct PathCell {
 /// The greatest (du/dt)^2 at a quarter, at the half and at three quarters of a cell.
 using InnerSpeeds2 = std::array<double, 3>;
 
+/// What one timing of a path keeps to.
+struct SpeedLimits {
+    std::span<const double>
+        bound2;  ///< cells + 1; the first and the last are the speeds to begin and end with
+    std::span<const InnerSpeeds2> inner2;  ///< one entry a cell
+};
+
 /// The fastest timing of a chain of cells: x = (du/dt)^2 at every cell bound, linear in between, with
 ///
 ///     |q' * x' / 2 + q'' * x| <= a_k          in the middle of every cell: its mean acceleration
@@ -39,10 +46,9 @@ public:
 
     /// What all timings of a path share.
     void set_path(std::span<const PathCell> cells);
-    /// bound_speed2: cells + 1 limits; its first and last are also the speeds to begin and end with.
-    /// inner_speed2: one entry a cell. The result has cells + 1 values.
-    void solve(std::span<const double> bound_speed2, std::span<const InnerSpeeds2> inner_speed2,
-               std::vector<double>& speed2);
+    void solve(const SpeedLimits& limits, std::vector<double>& speed2);
+    /// Two timings side by side: each waits for its own cell before, so both take hardly longer than one.
+    void solve_both(const std::array<SpeedLimits, 2>& limits, std::array<std::vector<double>, 2>& speed2);
 
 private:
     /// |x + tilt * z| <= most, by axis, for the squared speeds x and z at a cell's begin and end.
@@ -55,10 +61,11 @@ private:
     };
     /// Three inner places of a cell, and the limit at its begin: x + kInnerTilt * z <= most.
     class CellRows;
+    class Passes;
 
     Lanes inverse_accel_;
     std::vector<AccelRows> rows_;
-    std::vector<double> reachable2_;
+    std::array<std::vector<double>, 2> reachable2_;
 };
 
 /// What an axis may accelerate at a cell's ends, as a share of what it may in the middle.

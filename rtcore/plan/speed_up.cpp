@@ -11,7 +11,7 @@ namespace psicarve::plan {
 namespace {
 
 // Whole pulses in whole ticks shake a little.
-constexpr double kAccelShare = 0.97;
+constexpr double kSpeedUpShare = 0.97;
 
 /// The acceleration that every axis has left at this speed.
 double spare_accel(const cycle::PathTiming& timing, double speed2) {
@@ -19,7 +19,7 @@ double spare_accel(const cycle::PathTiming& timing, double speed2) {
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         spare = std::min(spare, double{timing.accel_free[k]} - double{timing.accel_bend[k]} * speed2);
     }
-    return kAccelShare * std::max(spare, 0.0);
+    return kSpeedUpShare * std::max(spare, 0.0);
 }
 
 // Faster at its end, less is left: what is left there is left all the way.

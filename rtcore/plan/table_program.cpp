@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "rtcore/plan/approach.hpp"
+#include "rtcore/plan/block_list.hpp"
+
 namespace psicarve::plan {
 namespace {
 
@@ -44,6 +47,21 @@ bool TableProgram::next(MotionBlock& block) {
     }
     block = blocks_[next_++];
     return true;
+}
+
+void TableProgram::add_way_to_pass(const Pulses4& from_pulses) {
+    BlockList list(limits_);
+    add_way_between_passes(list, limits_, *job_, from_pulses, layer_);
+    for (const MotionBlock& block : list.blocks()) {
+        planned_.points += block.reaches_points;
+        if (block.kind == BlockKind::dwell) {
+            planned_.seconds += static_cast<double>(block.ticks) * limits_.tick_seconds();
+        } else {
+            planned_.seconds += group_seconds(
+                {block.start_speed_per_s, block.max_speed_per_s, block.accel_per_s2}, block.group_iterations);
+        }
+        blocks_.push_back(block);
+    }
 }
 
 std::uint32_t TableProgram::layers_at_once() const {

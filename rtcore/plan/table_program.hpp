@@ -33,7 +33,11 @@ protected:
     /// Adds the blocks of the next layers to blocks() and moves layer_ on, past them.
     virtual void make_layers() = 0;
 
-    bool is_spiral() const { return job_->joining() == Joining::spiral; }
+    /// Whether the next layers to make are rows of a spiral, which only the finishing pass can be.
+    bool is_spiral() const { return job_->joining() == Joining::spiral && layer_ >= job_->finishing_layer(); }
+    bool begins_pass() const { return job_->begins_pass(layer_); }
+    /// Heads clear between two passes; what it takes counts as planned.
+    void add_way_to_pass(const Pulses4& from_pulses);
     /// So many layers are made at once: nothing stops between the rows of a spiral, so each begins as fast as
     /// the one before it ended.
     std::uint32_t layers_at_once() const;

@@ -4,15 +4,17 @@
 #include <signal.h>
 #include <time.h>
 
+#include <algorithm>
 #include <atomic>
+#include <iterator>
 #include <optional>
 
 namespace psicarve::port {
 namespace {
 
-// Everything that ends a process and that EndRequest does not turn into an orderly end.
-constexpr int kFatalSignals[] = {SIGSEGV, SIGBUS,  SIGILL,  SIGFPE,  SIGABRT, SIGTRAP,   SIGSYS,  SIGQUIT,
-                                 SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM, SIGPROF, SIGVTALRM, SIGPOLL, SIGPWR};
+/// What EndRequest turns into an orderly end, or ignores; and what ends nobody by itself.
+constexpr int kNotFatal[] = {SIGINT,  SIGTERM, SIGHUP,  SIGPIPE, SIGXFSZ, SIGKILL, SIGSTOP,
+                             SIGTSTP, SIGTTIN, SIGTTOU, SIGCHLD, SIGCONT, SIGURG,  SIGWINCH};
 
 // Signal handlers reach nothing but memory of static storage.
 std::optional<SafeState> g_safe_state;
@@ -39,7 +41,10 @@ void handle_fatal_signals() {
     action.sa_handler = write_safe_state_and_die;
     sigfillset(&action.sa_mask);
     action.sa_flags = SA_ONSTACK;
-    for (const int number : kFatalSignals) sigaction(number, &action, nullptr);
+    // Those that the C library keeps to itself it refuses.
+    for (int number = 1; number <= SIGRTMAX; ++number) {
+        if (std::ranges::find(kNotFatal, number) == std::end(kNotFatal)) sigaction(number, &action, nullptr);
+    }
 }
 
 void watch_over(const std::optional<SafeState>& safe_state) noexcept {

@@ -1,12 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/port/open_port.hpp"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include "rtcore/port/ppdev_port.hpp"
 #include "rtcore/port/raw_port.hpp"
 
 namespace psicarve::port {
+namespace {
+
+/// While it lives, signals that would end or stop the process wait: between the claim, which switches things
+/// on, and the safe state nobody else would write it.
+class SignalsHeldBack {
+public:
+    SignalsHeldBack() noexcept {
+        sigset_t held;
+        sigfillset(&held);
+        for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS})
+            sigdelset(&held, fault);
+        pthread_sigmask(SIG_BLOCK, &held, &before_);
+    }
+    ~SignalsHeldBack() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsHeldBack(const SignalsHeldBack&) = delete;
+    SignalsHeldBack& operator=(const SignalsHeldBack&) = delete;
+
+private:
+    sigset_t before_{};
+};
+
+}  // namespace
 
 OpenPort::~OpenPort() {
     for (const int descriptor : descriptors_) ::close(descriptor);
@@ -18,13 +41,9 @@ void OpenPort::keep(OpenPort&& other) {
 }
 
 Result<OpenPort> open_port(const PortAddress& address, const PinMap& pin_map) {
-    auto open = address.kind == PortKind::raw ? open_raw(address.base) : open_ppdev(address.device);
-    if (!open) return open.error();
-    if (!SafeState{open->access(), pin_map}.write()) {
-        return Error{ErrorCode::machine_refused,
-                     open->description() + ": does not take what is written to it; is it still there?"};
-    }
-    return open;
+    const SignalsHeldBack held;
+    return address.kind == PortKind::raw ? open_raw(address.base, pin_map)
+                                         : open_ppdev(address.device, pin_map);
 }
 
 }  // namespace psicarve::port

@@ -41,7 +41,8 @@ private:
     std::string description_;
 };
 
-/// Opens a real port for this process alone and writes its safe state, or says in one line why not.
+/// Opens a real port for this process alone and writes its safe state, for some seconds if it does not take
+/// it at once, or says why not. Signals that would end the process wait meanwhile.
 Result<OpenPort> open_port(const PortAddress& address, const PinMap& pin_map);
 
 }  // namespace psicarve::port

@@ -6,13 +6,6 @@
 #include <sys/ioctl.h>
 
 namespace psicarve::port {
-namespace {
-
-constexpr std::uint16_t kStatusOffset = 1;
-constexpr std::uint16_t kControlOffset = 2;
-
-}  // namespace
-
 bool PortAccess::write(PortRegister reg, std::uint8_t byte) const noexcept {
     if (descriptor_ >= 0) {
         return ioctl(descriptor_, reg == PortRegister::data ? PPWDATA : PPWCONTROL, &byte) == 0;

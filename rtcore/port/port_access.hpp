@@ -7,6 +7,10 @@
 
 namespace psicarve::port {
 
+/// Registers relative to the base address, which is the data register.
+inline constexpr std::uint16_t kStatusOffset = 1;
+inline constexpr std::uint16_t kControlOffset = 2;
+
 /// The registers of a parallel port that is open already, by a descriptor or by an address. It owns nothing:
 /// a plain value that any thread may use, a signal handler too, and any process that has the descriptor or
 /// the right to the addresses. RT: yes; one system call or one bus access each.

@@ -10,7 +10,9 @@
 #include <cerrno>
 #include <system_error>
 
-#include "rtcore/port/kernel_ports.hpp"
+#include "rtcore/port/base_lock.hpp"
+#include "rtcore/port/persistence.hpp"
+#include "shared/kernel_ports.hpp"
 
 namespace psicarve::port {
 namespace {
@@ -31,8 +33,8 @@ Error why_not_opened(const std::string& device, int error) {
                 device, "no such device; load its drivers (modprobe -a parport_pc ppdev), or name another");
         case EACCES:
         case EPERM:
-            return refused(device,
-                           "no right to open it; join the group lp (usermod -aG lp USER, then log in again)");
+            return refused(device, "no right to open it; join its group (usermod -aG " + group_of(device) +
+                                       " USER, then log in again)");
         case ENXIO:
         case ENODEV:
             return refused(device, "no parallel port is behind it; see ls /proc/sys/dev/parport");
@@ -41,16 +43,19 @@ Error why_not_opened(const std::string& device, int error) {
     }
 }
 
-Error why_not_claimed(const std::string& device, int error) {
+Error why_not_claimed(const std::string& device, int descriptor, int error) {
     if (error == ENOTTY || error == EINVAL || error == EOPNOTSUPP)
         return refused(device, "is not a parallel port");
     if (error != ENXIO && error != EBUSY && error != EAGAIN) {
         return refused(device, "cannot be claimed: " + text_of(error));
     }
-    const std::string holders = processes_with(device);
+    const std::string signer = signer_of(descriptor);
+    const std::string holders = signer.empty() ? processes_with(device) : signer;
     if (!holders.empty()) return refused(device, "busy: " + holders + " has it; end that first");
     if (is_lp_loaded()) return refused(device, "busy: the printer driver has it; modprobe -r lp");
-    return refused(device, "busy: another driver has it; see /proc/sys/dev/parport/*/devices");
+    return refused(device,
+                   "busy: another driver has it, or another user's program that did not say its pid; see "
+                   "/proc/sys/dev/parport/*/devices");
 }
 
 }  // namespace
@@ -71,21 +76,24 @@ std::string port_modes_text(unsigned modes) {
     return text.empty() ? "mode unknown" : text;
 }
 
-Result<OpenPort> open_ppdev(const std::string& device) {
+Result<OpenPort> open_ppdev(const std::string& device, const PinMap& pin_map) {
     const int descriptor = ::open(device.c_str(), O_RDWR | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
     if (descriptor < 0) return why_not_opened(device, errno);
     OpenPort open{{descriptor}, PortAccess::ppdev(descriptor), device};
     unsigned modes = 0;
     if (ioctl(descriptor, PPGETMODES, &modes) != 0) return refused(device, "is not a parallel port");
-    // Exclusive first: claiming alone would share the port with others in turns.
-    if (ioctl(descriptor, PPEXCL) != 0 || ioctl(descriptor, PPCLAIM) != 0) {
-        return why_not_claimed(device, errno);
-    }
     if ((modes & PARPORT_MODE_PCSPP) == 0) {
         return refused(device, "has no registers to write (a USB printer cable?); use a port on the bus");
     }
+    // Exclusive first: claiming alone would share the port with others in turns.
+    if (ioctl(descriptor, PPEXCL) != 0 || ioctl(descriptor, PPCLAIM) != 0) {
+        return why_not_claimed(device, descriptor, errno);
+    }
+    sign_device(descriptor);
     int outwards = 0;
-    if (ioctl(descriptor, PPDATADIR, &outwards) != 0) return why_not_claimed(device, errno);
+    const int direction_error = ioctl(descriptor, PPDATADIR, &outwards) == 0 ? 0 : errno;
+    if (const auto safe = make_safe_at_opening(open.access(), pin_map, device); !safe) return safe.error();
+    if (direction_error != 0) return why_not_claimed(device, descriptor, direction_error);
     open.describe(device + ": can do " + port_modes_text(modes) + "; plain register access");
     return open;
 }

@@ -9,9 +9,10 @@
 
 namespace psicarve::port {
 
-/// Opens and claims /dev/parportN for this process alone, its data lines driven. Nothing is written to the
-/// lines; what claiming does to them is the kernel's affair (docs/hardware.md).
-Result<OpenPort> open_ppdev(const std::string& device);
+/// Opens and claims /dev/parportN for this process alone, its data lines driven and its safe state written:
+/// claiming switches things on (docs/hardware.md). Once it is claimed, what is refused is left safe, too, as
+/// far as it takes that.
+Result<OpenPort> open_ppdev(const std::string& device, const PinMap& pin_map);
 
 /// "SPP, PS/2, EPP": what a port can do, by the kernel's PARPORT_MODE bits.
 std::string port_modes_text(unsigned modes);

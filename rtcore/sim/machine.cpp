@@ -71,6 +71,7 @@ void Machine::step_edges(SignalWord changed, std::int64_t time_ns) noexcept {
 void Machine::after_motion(std::size_t axis, std::int64_t time_ns) noexcept {
     AxisUnit& unit = axes_[axis];
     note_event(unit.settle_due_ns());
+    if (workpiece_ != nullptr) carve(axis);
     bool inputs_may_change = unit.sensor().move_to(unit.position_pulses(), time_ns);
     if (has_triggers_) {
         for (SlipFault& slip_fault : slip_faults_) {
@@ -94,6 +95,14 @@ void Machine::after_motion(std::size_t axis, std::int64_t time_ns) noexcept {
         }
     }
     if (inputs_may_change) update_inputs(time_ns);
+}
+
+// Psi and y move the blank past both tips.
+void Machine::carve(std::size_t axis) noexcept {
+    std::array<std::int64_t, kAxisCount> positions{};
+    for (std::size_t i = 0; i < kAxisCount; ++i) positions[i] = axes_[i].position_pulses();
+    if (axis != index_of(Axis::r2)) workpiece_->cut(Axis::r1, positions);
+    if (axis != index_of(Axis::r1)) workpiece_->cut(Axis::r2, positions);
 }
 
 void Machine::run_events(std::int64_t time_ns) noexcept {

@@ -3,12 +3,15 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "rtcore/sim/axis_unit.hpp"
 #include "rtcore/sim/sim_config.hpp"
 #include "rtcore/sim/sim_report.hpp"
 #include "rtcore/sim/wiring.hpp"
+#include "rtcore/sim/workpiece.hpp"
 #include "shared/signal.hpp"
 
 namespace psicarve::sim {
@@ -33,6 +36,10 @@ public:
     /// Where the axis really is.
     std::int64_t position_pulses(Axis axis) const noexcept { return axes_[index_of(axis)].position_pulses(); }
 
+    /// What the tips leave of a blank that stands on the table from here on.
+    void set_workpiece(std::unique_ptr<Workpiece> workpiece) noexcept { workpiece_ = std::move(workpiece); }
+    const Workpiece* workpiece() const noexcept { return workpiece_.get(); }
+
     // Faults while it runs, besides those in its configuration. They act at once.
     /// The axis' mechanics move by themselves.
     void slip(Axis axis, std::int64_t pulses) noexcept;
@@ -51,6 +58,7 @@ private:
     void run_events(std::int64_t time_ns) noexcept;
     void step_edges(SignalWord changed, std::int64_t time_ns) noexcept;
     void after_motion(std::size_t axis, std::int64_t time_ns) noexcept;
+    void carve(std::size_t axis) noexcept;
     void update_inputs(std::int64_t time_ns) noexcept;
     bool faulty_level(const RunningFault& running, bool truth, std::int64_t time_ns) noexcept;
     void note_event(std::int64_t time_ns) noexcept {
@@ -61,6 +69,7 @@ private:
     std::array<AxisUnit, kAxisCount> axes_;
     std::vector<RunningFault> input_faults_;
     std::vector<SlipFault> slip_faults_;
+    std::unique_ptr<Workpiece> workpiece_;  ///< null: nothing on the table
     SignalWord outputs_ = 0;
     SignalWord inputs_ = 0;
     SignalWord held_mask_ = 0;

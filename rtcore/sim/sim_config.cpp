@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/units.hpp"
+
 namespace psicarve::sim {
 namespace {
 
@@ -66,6 +68,7 @@ AxisConfig linear_axis(const Profile& profile, Axis which) {
                     .has_ends = true,
                     .low_end_pulses = pulses(keys.travel_mm[0]) - motion.overtravel_pulses,
                     .high_end_pulses = pulses(keys.travel_mm[1]) + motion.overtravel_pulses,
+                    .pulses_per_mm = keys.pulses_per_mm,
                     .backlash_pulses = motion.backlash_pulses,
                     .sensor = sensor_for(motion),
                     .motor = motor_for(motion)};
@@ -86,15 +89,21 @@ AxisConfig linear_axis(const Profile& profile, Axis which) {
 }  // namespace
 
 SimConfig sim_config_from_profile(const Profile& profile) {
-    SimConfig config{.axes = {linear_axis(profile, Axis::r1), linear_axis(profile, Axis::r2),
-                              rotary_axis(profile), linear_axis(profile, Axis::y)},
-                     .timing = {.dir_setup_ns = profile.port.dir_setup_ns,
-                                .dir_hold_ns = profile.port.dir_hold_ns,
-                                .step_high_ns = profile.port.step_high_ns,
-                                .step_low_ns = profile.port.step_low_ns},
-                     .wiring = {.pins = profile.port.pins},
-                     .input_faults = {},
-                     .slip_faults = {}};
+    SimConfig config{
+        .axes = {linear_axis(profile, Axis::r1), linear_axis(profile, Axis::r2), rotary_axis(profile),
+                 linear_axis(profile, Axis::y)},
+        .heads = {HeadConfig{.tip_mm = profile.r1.tip_mm()},
+                  HeadConfig{.tip_mm = profile.r2.tip_mm(),
+                             .direction_deg = kDegPerRev / 2.0 + profile.head_r2_angle_error_deg,
+                             .height_mm = profile.head_r2_height_error_mm}},
+        .blank = {.diameter_mm = 2.0 * profile.blank.radius_mm, .height_mm = profile.blank.height_mm},
+        .timing = {.dir_setup_ns = profile.port.dir_setup_ns,
+                   .dir_hold_ns = profile.port.dir_hold_ns,
+                   .step_high_ns = profile.port.step_high_ns,
+                   .step_low_ns = profile.port.step_low_ns},
+        .wiring = {.pins = profile.port.pins},
+        .input_faults = {},
+        .slip_faults = {}};
     for (const Axis axis : kAllAxes) {
         config.wiring.positive_is_high[index_of(axis)] = axis_motion(profile, axis).positive_is_high;
     }

@@ -43,9 +43,23 @@ struct AxisConfig {
     std::int64_t low_end_pulses = 0;
     std::int64_t high_end_pulses = 0;
     std::int64_t pulses_per_turn = 0;  ///< psi; 0 for a linear axis
+    double pulses_per_mm = 0.0;        ///< of a linear axis
     std::int64_t backlash_pulses = 0;
     SensorConfig sensor;
     MotorConfig motor;
+};
+
+/// How a head truly stands, whatever the core's profile says.
+struct HeadConfig {
+    double tip_mm = 0.0;         ///< the tip is this much further out than the carriage
+    double direction_deg = 0.0;  ///< the workpiece direction that it faces at table angle 0
+    double height_mm = 0.0;      ///< the tip is this much above the heads' height
+};
+
+/// A cylinder that stands on the table, round its axis; 0: nothing stands there.
+struct BlankConfig {
+    double diameter_mm = 0.0;
+    double height_mm = 0.0;
 };
 
 /// What the drivers ask of their inputs; a pulse that breaks it is lost.
@@ -88,6 +102,8 @@ struct SlipFault {
 
 struct SimConfig {
     std::array<AxisConfig, kAxisCount> axes;  ///< by Axis
+    std::array<HeadConfig, 2> heads;          ///< r1, r2
+    BlankConfig blank;
     DriverTiming timing;
     WiringConfig wiring;
     std::vector<InputFault> input_faults;
@@ -107,10 +123,11 @@ inline constexpr double kStartStopReserve_ratio = 1.3;
 inline constexpr std::int64_t kIndexWidths_per_rev = 400;
 inline constexpr double kYStartOffSensor_mm = 5.0;
 
-/// The usual machine for a profile: sensors where the profile says, mechanical stops an overtravel beyond,
-/// motors with the reserves above, drivers with exactly the profile's timing, wired as in [port.pins]. It
-/// starts with the heads in the middle of their travel, y a little off its sensor, psi a quarter turn before
-/// its index; all of it within its coordinates, so that homing finds nothing to correct.
+/// The usual machine for a profile: heads, with their errors, and sensors where the profile says, mechanical
+/// stops an overtravel beyond, motors with the reserves above, drivers with exactly the profile's timing,
+/// wired as in [port.pins]. It starts with the heads in the middle of their travel, y a little off its
+/// sensor, psi a quarter turn before its index; all of it within its coordinates, so that homing finds
+/// nothing to correct.
 SimConfig sim_config_from_profile(const Profile& profile);
 
 }  // namespace psicarve::sim

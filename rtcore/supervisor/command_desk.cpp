@@ -7,19 +7,57 @@
 #include "rtcore/cycle/request_command.hpp"
 #include "rtcore/supervisor/motion_request.hpp"
 #include "rtcore/supervisor/refusal_text.hpp"
+#include "shared/checkpoint.hpp"
 #include "shared/jog_lease.hpp"
+#include "shared/shared_record.hpp"
 
 namespace psicarve::supervisor {
-void CommandDesk::take_commands(Segment& segment, cycle::RequestRing& requests, const cycle::Sample& sample) {
-    while (requests.size() < cycle::RequestRing::capacity()) {
-        const auto received = take_command(segment);
-        if (!received) return;
-        take_one(segment, *received, requests, sample);
-    }
+namespace {
+
+/// In the ring to the tick, for what the supervisor asks on its own account.
+constexpr std::size_t kPlacesLeft = 4;
+constexpr std::chrono::milliseconds kLongestTrust{100};
+constexpr int kMostOfARound = 16;
+constexpr std::chrono::milliseconds kLookInterval{50};  ///< for slots of senders that died
+
+/// A start that is to resume names no layer: where the checkpoint says, if it is this job's.
+Result<Command> with_layer(const Command& command, Segment& segment, const LoadedJob* job) {
+    if (command.kind != CommandKind::start || (command.axis & kStartResumes) == 0) return command;
+    if (job == nullptr) return Error{ErrorCode::machine_refused, "no job is published; publish one first"};
+    const auto layer =
+        layer_to_resume(read_record(segment.header().checkpoint), job->checksum, job->view.layer_count());
+    if (!layer) return layer.error();
+    Command resuming = command;
+    resuming.value = *layer;
+    return resuming;
+}
+
+}  // namespace
+
+void CommandDesk::take_commands(Segment& segment, cycle::RequestRing& requests, const cycle::Sample& sample,
+                                const LoadedJob* job) {
+    has_more_ = false;
+    const auto take_some = [&](SenderLook look) {
+        for (int left = kMostOfARound; left > 0; --left) {
+            if (requests.size() + kPlacesLeft >= cycle::RequestRing::capacity()) return;
+            const auto received = take_command(segment, look);
+            if (!received) return;
+            take_one(segment, *received, requests, sample, job);
+        }
+        has_more_ = true;
+    };
+    // What came since the last round is from somebody who lived a moment ago. After a longer silence of ours
+    // nobody is trusted: what a dead one wished for is not done.
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_round_ < kLongestTrust) take_some(SenderLook::trusts);
+    last_round_ = now;
+    if (now < next_look_) return;
+    next_look_ = now + kLookInterval;
+    take_some(SenderLook::asks);
 }
 
 void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cycle::RequestRing& requests,
-                           const cycle::Sample& sample) {
+                           const cycle::Sample& sample, const LoadedJob* job) {
     const Command& command = received.command;
     if (command.kind == CommandKind::shutdown) {
         const bool may_end = is_at_rest(sample.state) && sample.state != MachineState::held;
@@ -32,6 +70,20 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
         answer_command(segment, received, AnswerKind::refused, refusal_for_all_);
         return;
     }
+    const bool leaves_alarm =
+        command.kind == CommandKind::reset_alarm || command.kind == CommandKind::back_off;
+    if (leaves_alarm && !refusal_in_alarm_.empty()) {
+        answer_command(segment, received, AnswerKind::refused,
+                       std::string{name_of(command.kind)} + ": " + refusal_in_alarm_);
+        return;
+    }
+    // Looked at once the command is ours: whoever sent it after a job finds that job, or is refused.
+    const std::uint64_t published = published_generation(segment);
+    if (command.kind == CommandKind::start && published != 0 && published != judged_generation_) {
+        answer_command(segment, received, AnswerKind::refused,
+                       "start: a published job is being looked at; start once it is accepted");
+        return;
+    }
     const auto kind = cycle::request_of(command.kind);
     if (!kind) {
         answer_command(segment, received, AnswerKind::refused,
@@ -42,7 +94,9 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
         answer_command(segment, received, AnswerKind::refused, "back-off: no such axis; r1, r2 or y");
         return;
     }
-    auto request = motion_request(command, *kind, *profile_, is_virtual_clock_);
+    const auto placed = with_layer(command, segment, job);
+    auto request = placed ? motion_request(*placed, *kind, *profile_, is_virtual_clock_)
+                          : Result<cycle::Request>{placed.error()};
     if (!request) {
         answer_command(segment, received, AnswerKind::refused, request.error().message);
         return;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rtcore/cycle/cycle_io.hpp"
+#include "rtcore/supervisor/loaded_job.hpp"
 #include "shared/profile.hpp"
 #include "shared/segment.hpp"
 
@@ -20,8 +21,11 @@ public:
     CommandDesk(const Profile& profile, bool is_virtual_clock) noexcept
         : profile_(&profile), is_virtual_clock_(is_virtual_clock) {}
 
-    /// Hands on what is pending. A full request ring leaves the rest for the next round.
-    void take_commands(Segment& segment, cycle::RequestRing& requests, const cycle::Sample& sample);
+    /// Hands on what is pending, but no more than a handful: senders may be faster than we are, and whoever
+    /// wants a stop is heard between two rounds. A full request ring leaves the rest for the next one, too.
+    /// `job`: the one that a start would find; null: none.
+    void take_commands(Segment& segment, cycle::RequestRing& requests, const cycle::Sample& sample,
+                       const LoadedJob* job);
     /// For a report of kind answer.
     void deliver_answer(Segment& segment, const cycle::Report& report, const cycle::Sample& sample);
     /// The segment was replaced: answers to its commands have nowhere to go.
@@ -30,17 +34,28 @@ public:
     /// Of the jog that the tick took last; 0: what it took last was none.
     std::chrono::milliseconds jog_lease() const noexcept { return jog_lease_; }
 
+    /// While this is not empty, an alarm that would come again at once is not left: neither reset, nor by an
+    /// axis that backs off.
+    void keep_in_alarm(const std::string& reason) { refusal_in_alarm_ = reason; }
+    /// Of the published job that was accepted or refused last. While it is not the published one, a start is
+    /// refused: which job it would carve is about to change.
+    void note_judged(std::uint64_t generation) noexcept { judged_generation_ = generation; }
     void refuse_all(const std::string& reason) { refusal_for_all_ = reason; }
 
+    /// Something is with the tick and not answered yet.
+    bool awaits_answer() const noexcept { return !waiting_.empty(); }
+    /// Some were left for the next round.
+    bool has_more() const noexcept { return has_more_; }
     bool shutdown_requested() const noexcept { return shutdown_requested_; }
 
 private:
     void take_one(Segment& segment, const ReceivedCommand& received, cycle::RequestRing& requests,
-                  const cycle::Sample& sample);
-
+                  const cycle::Sample& sample, const LoadedJob* job);
     void note_lease(const Command& command) noexcept;
 
     const Profile* profile_;
+    std::chrono::steady_clock::time_point last_round_{};
+    std::chrono::steady_clock::time_point next_look_{};
     std::chrono::milliseconds jog_lease_{0};
     bool is_virtual_clock_;
     struct Waiting {
@@ -50,7 +65,10 @@ private:
     std::vector<Waiting> waiting_;  ///< handed to the tick, not answered yet
     std::uint64_t last_sequence_ = 0;
     std::string refusal_for_all_;
+    std::string refusal_in_alarm_;
+    std::uint64_t judged_generation_ = 0;
     bool shutdown_requested_ = false;
+    bool has_more_ = false;
 };
 
 }  // namespace psicarve::supervisor

@@ -5,11 +5,13 @@
 #include <cstdio>
 #include <utility>
 
+#include "rtcore/cycle/inputs.hpp"
 #include "rtcore/plan/cycle_config_from_profile.hpp"
 #include "rtcore/port/open_port.hpp"
 #include "rtcore/port/parallel_port.hpp"
 #include "rtcore/port/sim_port.hpp"
 #include "rtcore/sim/sim_config.hpp"
+#include "rtcore/supervisor/piece_file.hpp"
 #include "shared/pin_map.hpp"
 
 namespace psicarve::supervisor {
@@ -32,14 +34,24 @@ trace::TraceStart trace_start_of(const CoreParts& parts) {
     return start;
 }
 
-void make_port(CoreParts& parts, const PinMap& pin_map, PartsRequest& request) {
+Result<void> make_port(CoreParts& parts, const PinMap& pin_map, PartsRequest& request,
+                       const std::string& piece_path) {
     if (!request.real_port) {
-        parts.machine = std::make_unique<sim::Machine>(machine_for(request.machine, request.homed_start));
+        const sim::SimConfig config = machine_for(request.machine, request.homed_start);
+        parts.machine = std::make_unique<sim::Machine>(config);
+        if (!piece_path.empty()) {
+            if (auto put = put_blank_on_table(*parts.machine, config); !put) return put;
+        }
         parts.port = std::make_unique<port::SimPort>(pin_map, *parts.machine);
-        return;
+        return {};
     }
     parts.guard = std::move(request.real_port->guard);
-    parts.port = std::make_unique<port::ParallelPort>(std::move(request.real_port->open), pin_map);
+    // A guard has more of it.
+    constexpr std::chrono::milliseconds kAlone{60'000};
+    const auto patience = parts.guard == nullptr ? kAlone : std::chrono::milliseconds{0};
+    parts.port = std::make_unique<port::ParallelPort>(std::move(request.real_port->open), pin_map,
+                                                      port::PulseTimes{parts.profile.port}, patience);
+    return {};
 }
 
 }  // namespace
@@ -61,14 +73,19 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
     auto parts = std::make_unique<CoreParts>();
     parts->profile = profile;
     parts->period_ns = tick_period_ns(profile);
+    parts->layer_times_path = options.layer_times_path;
     const auto pin_map = PinMap::from_profile(profile);
     if (!pin_map) return pin_map.error();
-    make_port(*parts, *pin_map, request);
+    if (const auto made = make_port(*parts, *pin_map, request, options.piece_path); !made)
+        return made.error();
     if (request.plays_recorded_inputs) {
-        auto recorded = std::make_unique<RecordedInputsPort>(std::move(parts->port));
+        const SignalWord heeded = options.port.is_simulated() ? 0 : cycle::kLimitMask | cycle::kEstopBit;
+        auto recorded = std::make_unique<RecordedInputsPort>(std::move(parts->port), heeded);
         parts->recorded_inputs = recorded.get();
         parts->port = std::move(recorded);
     }
+    parts->traces = TraceOutlet{options.clock == ClockKind::real ? TraceOutlet::WhenFull::loses
+                                                                 : TraceOutlet::WhenFull::waits};
     if (const auto opened = parts->traces.open(options.trace_paths, trace_start_of(*parts)); !opened) {
         return opened.error();
     }
@@ -80,7 +97,8 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
         std::make_unique<cycle::Cycle>(plan::cycle_config_from_profile(profile), *parts->port, *parts->io);
     if (request.homed_start) parts->cycle->assume_homed(*request.homed_start);
     parts->planner = std::make_unique<plan::Planner>(profile, *parts->io);
-    if (!request.homed_start) parts->estimator = std::make_unique<plan::JobEstimator>(profile);
+    if (!request.homed_start && !options.no_estimate)
+        parts->estimator = std::make_unique<plan::JobEstimator>(profile);
     return parts;
 }
 

@@ -13,6 +13,7 @@
 #include "rtcore/plan/job_estimator.hpp"
 #include "rtcore/plan/planner.hpp"
 #include "rtcore/port/port.hpp"
+#include "rtcore/side_thread.hpp"
 #include "rtcore/sim/machine.hpp"
 #include "rtcore/supervisor/guarded_port.hpp"
 #include "rtcore/supervisor/options.hpp"
@@ -29,6 +30,8 @@ using HomedStart = std::optional<std::array<std::int64_t, kAxisCount>>;
 /// The machine and everything between it and the segment, built in the order in which they depend on each
 /// other. One owner; members are used by the threads that their own headers name.
 struct CoreParts {
+    rtcore::SideThread words;  ///< what is said while the machine works; first, for others use it to the end
+    rtcore::SideThread files;  ///< what others asked to be written meanwhile
     Profile profile;
     std::int64_t period_ns = 0;
     std::unique_ptr<sim::Machine> machine;  ///< behind the simulated port; null: a real one
@@ -40,7 +43,8 @@ struct CoreParts {
     std::unique_ptr<cycle::Cycle> cycle;
     std::unique_ptr<plan::Planner> planner;
     std::unique_ptr<plan::JobEstimator> estimator;  ///< null in a replay: nobody asks how long it will take
-    TraceOutlet traces;
+    TraceOutlet traces;                             ///< on the real clock one that loses what does not fit
+    std::string layer_times_path;                   ///< empty: nobody asks
 };
 
 struct PartsRequest {

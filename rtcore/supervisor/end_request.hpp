@@ -11,7 +11,9 @@ inline constexpr int kExitAlarm = 4;
 inline constexpr int kExitNoSegment = 5;
 
 /// When the core has to end: on SIGINT, SIGTERM or SIGHUP in order (stop, come to rest, drives off), on the
-/// second of them by an emergency stop. Installed once in a process; the handlers only count.
+/// second of them by an emergency stop. One that is sent to every process of a group or a service comes here
+/// twice, from its sender and from the guard, and is one. Installed once in a process; the handlers only
+/// count.
 class EndRequest {
 public:
     enum class Progress : std::uint8_t {
@@ -21,9 +23,11 @@ public:
     };
     EndRequest();
     Progress poll(Supervisor& supervisor);
+    /// So many orders to end have come.
+    static int orders() noexcept;
 
 private:
-    int signals_seen_ = 0;
+    int orders_seen_ = 0;
 };
 
 }  // namespace psicarve::supervisor

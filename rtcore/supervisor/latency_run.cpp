@@ -13,13 +13,12 @@
 
 #include "rtcore/clock.hpp"
 #include "rtcore/periodic.hpp"
+#include "rtcore/supervisor/end_request.hpp"
 #include "rtcore/supervisor/realtime_treatment.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::supervisor {
 namespace {
-
-constexpr int kExitDone = 0;
 
 /// Blocks both, so that they wait to be asked for; threads started from here on leave them to us as well.
 sigset_t held_signals() {
@@ -81,7 +80,7 @@ int run_latency_measurement(const CoreOptions& options) {
     wish.priority = options.priority;
     RealtimeTreatment treatment{wish};
     const auto stats = std::make_unique<rtcore::PeriodicStats>();
-    treatment.treat_memory_and_others();
+    treatment.touch_memory();
     std::atomic<bool> must_end{false};
     std::promise<void> is_treated;
     std::thread base{[&] {

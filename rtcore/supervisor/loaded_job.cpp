@@ -19,19 +19,23 @@ Result<std::shared_ptr<const LoadedJob>> load_job(std::vector<std::byte> blob, s
                                                   const Profile& core_profile) {
     auto job = std::make_shared<LoadedJob>();
     job->generation = generation;
+    job->checksum = job_checksum(blob);
     job->blob = std::move(blob);
     auto view = JobView::check(job->blob);
     if (!view) return view.error();
     job->view = *view;
     const auto profile = job_profile(job->view);
     if (!profile) return profile.error();
-    const auto differing = motion_differences(core_profile, *profile);
+    const auto differing = job_differences(*profile, core_profile);
     if (!differing.empty()) {
         return Error{ErrorCode::machine_refused,
                      "the job was made for another machine: " + differences_text(differing) +
                          " differ; slice it again with the core's profile"};
     }
     if (const auto fits = check_job(job->view, core_profile); !fits) return fits.error();
+    if (const auto clear = check_heads_clear(profile->blank, core_profile); !clear) return clear.error();
+    if (const auto other = blank_difference(profile->blank, core_profile.blank))
+        job->remark = blank_difference_text(*other);
     return std::shared_ptr<const LoadedJob>{std::move(job)};
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "shared/job.hpp"
@@ -15,8 +16,10 @@ namespace psicarve::supervisor {
 /// A job in the core's own memory that this machine can carve: bytes and the checked view of them.
 struct LoadedJob {
     std::uint64_t generation;
+    std::uint64_t checksum;  ///< XXH3 over the blob
     std::vector<std::byte> blob;
     JobView view;
+    std::string remark;  ///< what is to be known of it before it is carved; mostly nothing
 };
 
 /// Checks a blob against everything: its own structure, the machine's limits, and the profile it was made

@@ -3,37 +3,52 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 
 namespace psicarve::supervisor {
 
-/// Watches the count of missed ticks for more than the profile allows in a second.
+/// Watches the count of missed ticks for more than the profile allows in any second in which the machine
+/// moves.
 class MissedTicks {
 public:
+    using Time = std::chrono::steady_clock::time_point;
+
     /// 0: never too many.
     explicit MissedTicks(std::int64_t allowed_per_s) noexcept : allowed_per_s_(allowed_per_s) {}
 
-    /// True once for each second in which the limit was passed.
-    bool is_too_many(std::uint64_t missed_ticks, std::chrono::steady_clock::time_point now) noexcept {
-        if (now - window_start_ >= std::chrono::seconds{1}) {
-            window_start_ = now;
-            // As it was when last looked at: a gap that held us up as well belongs to the new second.
-            missed_at_start_ = missed_seen_;
-            has_told_ = false;
-        }
+    /// Again and again, with the count so far. True once the limit is passed; what led to it is forgotten
+    /// then, and at rest.
+    bool is_too_many(std::uint64_t missed_ticks, bool moves, Time now) {
+        const std::uint64_t missed = missed_ticks - missed_seen_;
         missed_seen_ = missed_ticks;
-        const bool is_over = allowed_per_s_ > 0 &&
-                             missed_ticks - missed_at_start_ > static_cast<std::uint64_t>(allowed_per_s_);
-        if (!is_over || has_told_) return false;
-        has_told_ = true;
-        return true;
+        if (!moves) return forget();
+        // Seen now, whenever it was: a gap may have held us up as well.
+        if (missed > 0) gaps_.push_back({now, missed});
+        in_a_second_ += missed;
+        while (!gaps_.empty() && now - gaps_.front().seen >= std::chrono::seconds{1}) {
+            in_a_second_ -= gaps_.front().ticks;
+            gaps_.pop_front();
+        }
+        const bool is_over = allowed_per_s_ > 0 && in_a_second_ > static_cast<std::uint64_t>(allowed_per_s_);
+        if (is_over) forget();
+        return is_over;
     }
 
 private:
+    struct Gap {
+        Time seen;
+        std::uint64_t ticks;
+    };
+    bool forget() {
+        gaps_.clear();
+        in_a_second_ = 0;
+        return false;
+    }
+
     std::int64_t allowed_per_s_;
-    std::chrono::steady_clock::time_point window_start_{};
-    std::uint64_t missed_at_start_ = 0;
+    std::deque<Gap> gaps_;  ///< of the last second
+    std::uint64_t in_a_second_ = 0;
     std::uint64_t missed_seen_ = 0;
-    bool has_told_ = false;
 };
 
 }  // namespace psicarve::supervisor

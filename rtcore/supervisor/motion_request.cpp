@@ -11,6 +11,7 @@
 #include "rtcore/cycle/pin_test.hpp"
 #include "shared/job.hpp"
 #include "shared/jog_lease.hpp"
+#include "shared/recorded_start.hpp"
 #include "shared/recording.hpp"
 #include "shared/units.hpp"
 
@@ -119,13 +120,19 @@ Result<void> add_move(Request& request, const Command& command, const Profile& p
     return {};
 }
 
+static_assert(cycle::packed(cycle::LayerRange{0, 0, true}) == kRecordedDryRun,
+              "readers of the flight recorder look there");
+static_assert((cycle::packed(cycle::LayerRange{7, 3, true}) & kRecordedFirstLayer) == 7,
+              "readers of the flight recorder look there");
+
 Result<void> add_layers(Request& request, const Command& command) {
     const bool is_layer = command.value >= 0.0 && command.value < kMaxJobCount;
     const std::uint32_t first = is_layer ? static_cast<std::uint32_t>(command.value) : 0;
     if (!is_layer || static_cast<double>(first) != command.value)
         return refused("start: layers are counted from 0, in whole numbers");
     if (command.value2 > kMaxJobCount) return refused("start: the job has no such layer; the first is 0");
-    request.value = cycle::packed(cycle::LayerRange{first, static_cast<std::uint32_t>(command.value2)});
+    request.value = cycle::packed(cycle::LayerRange{first, static_cast<std::uint32_t>(command.value2),
+                                                    (command.axis & kStartsDry) != 0});
     return {};
 }
 
@@ -140,20 +147,19 @@ Result<void> add_recording(Request& request, const Command& command) {
 
 Result<void> add_pin_test(Request& request, const Command& command, const Profile& profile,
                           bool is_virtual_clock) {
-    if (command.axis >= kOutputSignalCount) return refused("test-pin: no such output");
+    if (command.axis >= kOutputSignalCount) return refused("pins: no such output");
     const std::string name{name_of(static_cast<Signal>(command.axis))};
-    if (profile.port.pins[command.axis] == 0)
-        return refused("test-pin: " + name + " is not wired to any pin");
+    if (profile.port.pins[command.axis] == 0) return refused("pins: " + name + " is not wired to any pin");
     const bool is_end = command.value == 0.0;
     if (command.lease_token == 0 || (command.lease_ms == 0 && !is_end))
-        return refused("test-pin: nobody holds its lease");
+        return refused("pins: nobody holds its lease");
     cycle::PinOrder order;
     order.signal = static_cast<std::uint8_t>(command.axis);
     order.is_on = !is_end;
     if (command.value2 != 0) {
         const bool is_rate = command.speed >= kLeastTestRate_hz && command.speed <= kMostTestRate_hz;
         if (!is_rate || command.value2 > kMostTestPulses)
-            return refused("test-pin: 1 to 10000 pulses, 1 to 500 in a second");
+            return refused("pins: 1 to 10000 pulses, 1 to 500 in a second");
         order.pulses = static_cast<std::uint32_t>(command.value2);
         order.half_ms = static_cast<std::uint32_t>(kMsPerSecond / 2.0 / command.speed);
     }

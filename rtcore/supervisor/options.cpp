@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/supervisor/options.hpp"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdio>
@@ -76,8 +78,11 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
         ->check(check_not_empty);
     app.add_option(
            "--machine", options.machine_path,
-           "What the simulated machine really is, as a profile: motors, sensors, wiring; without it the "
-           "core's own profile, with some reserve in its motors")
+           "What the simulated machine really is, as a profile: motors, sensors, wiring, how its heads "
+           "stand, its blank; without it the core's own profile, with some reserve in its motors")
+        ->check(check_not_empty);
+    app.add_option("--piece", options.piece_path,
+                   "At the end, write what the tips left of the simulated machine's blank (CSV)")
         ->check(check_not_empty);
     app.add_option(
            "--trace", options.trace_paths,
@@ -108,6 +113,13 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
     app.add_option("--lateness", options.lateness_path,
                    "At the end, write how many ticks were how many microseconds late (CSV; real clock)")
         ->check(check_not_empty);
+    app.add_option(
+           "--layer-times", options.layer_times_path,
+           "Whenever a job is planned, write when each of its layers is over, in seconds from its first "
+           "point (CSV); fd:N: into an open descriptor")
+        ->check(check_not_empty);
+    app.add_flag("--no-estimate", options.no_estimate,
+                 "Do not plan a job ahead to know how long it takes; the time left stays unknown");
     app.add_flag("--measure-latency", options.measures_latency,
                  "Only measure how late an empty tick is, and print it as JSON; see psicarve latency");
     app.add_option("--seconds", options.measure_seconds, "With --measure-latency: how long")
@@ -117,6 +129,28 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
         ->capture_default_str()
         ->check(CLI::Range(10, 1'000'000).description(""));
     app.set_version_flag("--version", PSICARVE_VERSION);
+}
+
+/// What would be ignored in silence is not what was meant.
+Result<void> check_meant(const CLI::App& app, const CoreOptions& options) {
+    const auto wrong = [](const char* option, const char* why) {
+        return Error{ErrorCode::bad_usage, std::string{option} + ": " + why};
+    };
+    const bool ticks_really = options.clock == ClockKind::real || options.measures_latency;
+    for (const char* option : {"--lateness", "--cpu"}) {
+        if (!ticks_really && app.count(option) > 0)
+            return wrong(option, "on the virtual clock nothing is late; --clock real");
+    }
+    if (options.assume_homed && options.replay_path.empty())
+        return wrong("--assume-homed", "is for --replay on a real port; home the machine instead");
+    const long processors = sysconf(_SC_NPROCESSORS_CONF);
+    if (options.measures_latency && options.cpu && *options.cpu >= processors)
+        return wrong("--cpu", "this computer has no such processor");
+    for (const char* option : {"--seconds", "--period-us"}) {
+        if (!options.measures_latency && app.count(option) > 0)
+            return wrong(option, "is for --measure-latency");
+    }
+    return {};
 }
 
 Result<void> take_port(const std::string& text, CoreOptions& options) {
@@ -131,6 +165,7 @@ Result<void> take_port(const std::string& text, CoreOptions& options) {
         return wrong("a real machine keeps real time; --clock real, or --port sim");
     }
     if (!options.machine_path.empty()) return wrong("--machine is for the simulated machine, --port sim");
+    if (!options.piece_path.empty()) return wrong("--piece is for the simulated machine, --port sim");
     if (!options.replay_path.empty() && !options.assume_homed) {
         return wrong(
             "--replay takes the machine to stand at its home positions; home it, carve instead, or say "
@@ -166,12 +201,14 @@ std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
     if (!texts.clock.empty()) {
         options.clock = texts.clock == "real" ? ClockKind::real : ClockKind::virtual_time;
     }
-    if (const auto taken = take_port(texts.port, options); !taken) {
+    options.takes_any_cpu = texts.cpu == "any";
+    options.cpu = cpu_from(texts.cpu);
+    auto taken = take_port(texts.port, options);
+    if (taken) taken = check_meant(app, options);
+    if (!taken) {
         std::fprintf(stderr, "psicarve-rtcore: %s\n", taken.error().message.c_str());
         return kExitUsage;
     }
-    options.takes_any_cpu = texts.cpu == "any";
-    options.cpu = cpu_from(texts.cpu);
     if (!texts.capacity.empty()) {
         auto parsed = parse_capacity(texts.capacity, options);
         if (parsed) parsed = check_shared_memory_for(options.capacity_layers, options.capacity_points);

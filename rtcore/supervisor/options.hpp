@@ -23,6 +23,7 @@ struct CoreOptions {
     ClockKind clock = ClockKind::real;
     std::string profile_path;  ///< TOML, or a job file whose profile is meant; empty: built-in default
     std::string machine_path;  ///< profile of the simulated machine; empty: the core's own
+    std::string piece_path;    ///< at the end: what the tips left of the blank, CSV; simulated machine
     std::vector<std::string> trace_paths;  ///< file or "fd:N"; ".vcd": value-change dump, else binary
     std::string replay_path;               ///< job or snapshot file; empty: serve commands
     std::uint32_t capacity_layers = kDefaultCapacityLayers;
@@ -37,8 +38,10 @@ struct CoreOptions {
     bool measures_latency = false;   ///< nothing else: neither segment nor port
     std::uint32_t measure_seconds = 10;
     std::uint32_t measure_period_us = 50;
-    std::string lateness_path;  ///< at the end: how late ticks were, CSV; real clock
-    int priority = 80;          ///< of the tick, SCHED_FIFO
+    std::string lateness_path;     ///< at the end: how late ticks were, CSV; real clock
+    int priority = 80;             ///< of the tick, SCHED_FIFO
+    bool no_estimate = false;      ///< nobody asks how long a job takes
+    std::string layer_times_path;  ///< when each job is planned: when its layers are over, CSV
 };
 
 /// The options, or the exit code of a run that is over (help and version were asked for, or the usage was

@@ -1,32 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
 #include <future>
 #include <thread>
 
-#include "rtcore/clock.hpp"
-#include "rtcore/periodic.hpp"
+#include "rtcore/handler_stack.hpp"
 #include "rtcore/supervisor/missed_ticks.hpp"
+#include "rtcore/supervisor/outlets.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
+#include "rtcore/supervisor/tick_threads.hpp"
 
 namespace psicarve::supervisor {
 namespace {
 
 constexpr std::chrono::milliseconds kSupervisorWait{5};
 constexpr std::chrono::microseconds kPlannerWait{500};
+/// While an answer is due from the tick, which wakes nobody; in so many rounds it comes, or the tick is late.
+constexpr std::chrono::microseconds kLeastAnswerWait{100};
+constexpr int kAnswerRounds = 50;
 
-/// What the three threads share besides the rings.
-struct Threads {
-    std::atomic<bool> tick_must_end{false};
-    std::atomic<bool> planner_must_end{false};
-    std::atomic<bool> record_is_over{false};
-    std::atomic<bool> record_may_begin{false};
-    rtcore::PeriodicStats stats;
-};
-
-void run_planner(plan::Planner& planner, const Threads& threads) {
-    while (!threads.planner_must_end.load()) {
+void run_planner(plan::Planner& planner, const std::atomic<bool>& must_end) {
+    const rtcore::HandlerStack handler_stack;
+    while (!must_end.load()) {
         if (planner.wants_poll()) {
             planner.poll();
         } else {
@@ -35,58 +30,35 @@ void run_planner(plan::Planner& planner, const Threads& threads) {
     }
 }
 
-void run_ticks(CoreParts& parts, RecordDirector* record, Threads& threads) {
-    rtcore::RealClock clock;
-    const rtcore::PeriodicOptions options{
-        .period_ns = parts.period_ns,
-        .least_gap_ns = least_tick_gap_ns(parts.profile),
-    };
-    guard::GuardLink* const guard = parts.guard.get();
-    if (guard != nullptr) guard->set_ticking(true);
-    rtcore::run_periodic(clock, options, threads.stats, [&](const rtcore::PeriodicTick& tick) noexcept {
-        if (tick.missed_before > 0) parts.cycle->advance_missed(tick.missed_before);
-        if (record != nullptr) {
-            const std::uint64_t next_tick = parts.cycle->next_tick();
-            if (!record->has_begun() && threads.record_may_begin.load()) record->begin(next_tick);
-            record->before_tick(next_tick, parts);
-            if (record->is_over(next_tick)) threads.record_is_over.store(true);
-        }
-        parts.cycle->tick();
-        if (guard != nullptr) guard->note_tick();
-        return !threads.tick_must_end.load(std::memory_order_relaxed);
-    });
-    if (guard != nullptr) guard->set_ticking(false);
-    parts.cycle->shut_down();
-}
-
-void move_traces(CoreParts& parts) {
-    parts.traces.drain(*parts.trace_ring);
-    for (const std::string& line : parts.traces.take_errors())
-        std::fprintf(stderr, "psicarve-rtcore: %s\n", line.c_str());
-}
-
-LatenessFacts lateness_of(const rtcore::PeriodicReport& report) {
+/// Of both timers, where there are two.
+LatenessFacts lateness_of(const TickThreads& threads) {
+    const rtcore::PeriodicReport ticks = threads.stats.report();
+    const rtcore::PeriodicReport interpolation = threads.interpolation_stats.report();
     LatenessFacts facts;
-    facts.max_ns = report.max_lateness_ns;
-    facts.histogram = report.lateness_histogram;
+    facts.max_ns = std::max(ticks.max_lateness_ns, interpolation.max_lateness_ns);
+    for (std::size_t bin = 0; bin < facts.histogram.size(); ++bin) {
+        facts.histogram[bin] = ticks.lateness_histogram[bin] + interpolation.lateness_histogram[bin];
+    }
     return facts;
 }
 
 /// The supervisor's own loop. Returns the exit code.
 int serve(CoreParts& parts, Supervisor& supervisor, const Directors& directors, EndRequest& end,
-          RealtimeTreatment& treatment, Threads& threads) {
+          RealtimeTreatment& treatment, TickThreads& threads) {
     MissedTicks missed{parts.profile.tick.missed_alarm_per_s};
+    const std::chrono::nanoseconds answer_wait =
+        std::max<std::chrono::nanoseconds>(kLeastAnswerWait, std::chrono::nanoseconds{parts.period_ns});
+    int answer_rounds = 0;
     for (;;) {
-        supervisor.set_lateness(lateness_of(threads.stats.report()));
+        supervisor.note_round();
+        if (supervisor.poll()) answer_rounds = kAnswerRounds;
+        supervisor.set_lateness(lateness_of(threads));
         supervisor.set_realtime(treatment.facts());
-        supervisor.poll();
         move_traces(parts);
-        // A replay's tick is the only writer of the request ring; and at rest a missed tick harms nothing.
-        const bool may_ask = directors.record == nullptr && !is_at_rest(supervisor.sample().state);
-        if (missed.is_too_many(supervisor.sample().missed_ticks, std::chrono::steady_clock::now()) &&
-            may_ask) {
-            supervisor.request(cycle::RequestKind::fail,
-                               static_cast<std::uint64_t>(AlarmCause::missed_ticks));
+        // At rest a missed tick harms nothing.
+        const bool moves = !is_at_rest(supervisor.sample().state);
+        if (missed.is_too_many(supervisor.sample().missed_ticks, moves, std::chrono::steady_clock::now())) {
+            supervisor.fail(cycle::failure_bits(AlarmCause::missed_ticks));
         }
         if (directors.job != nullptr) {
             const auto progress = directors.job->poll(supervisor);
@@ -102,7 +74,9 @@ int serve(CoreParts& parts, Supervisor& supervisor, const Directors& directors, 
         if (end.poll(supervisor) == EndRequest::Progress::may_end || supervisor.shutdown_requested())
             return kExitDone;
         parts.traces.flush();
-        supervisor.wait(kSupervisorWait);
+        const bool is_prompt = answer_rounds > 0 && supervisor.awaits_answer();
+        if (is_prompt) --answer_rounds;
+        supervisor.wait(is_prompt ? answer_wait : std::chrono::nanoseconds{kSupervisorWait});
     }
 }
 
@@ -110,10 +84,13 @@ int serve(CoreParts& parts, Supervisor& supervisor, const Directors& directors, 
 
 int run_on_real_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors, EndRequest& end,
                       RealtimeTreatment& treatment) {
-    Threads threads;
-    treatment.treat_memory_and_others();
+    TickThreads threads;
+    const bool has_two_timers = parts.profile.tick.schedule == Schedule::two_timer;
+    treatment.touch_memory();
     std::promise<bool> may_tick;
+    const rtcore::HandlerStack handler_stack;
     std::thread base{[&] {
+        const rtcore::HandlerStack own_handler_stack;
         const bool may = treatment.treat_this_thread();
         if (may) treatment.begin_counting();
         may_tick.set_value(may);
@@ -123,16 +100,24 @@ int run_on_real_clock(CoreParts& parts, Supervisor& supervisor, const Directors&
         base.join();
         return kExitAlarm;
     }
-    std::thread planner{[&] { run_planner(*parts.planner, threads); }};
+    std::thread interpolation;
+    if (has_two_timers) {
+        interpolation = std::thread{[&] {
+            const rtcore::HandlerStack own_handler_stack;
+            treatment.treat_interpolation_thread();
+            run_interpolation(parts, threads);
+        }};
+    }
+    std::atomic<bool> planner_must_end{false};
+    std::thread planner{[&] { run_planner(*parts.planner, planner_must_end); }};
     const int exit_code = serve(parts, supervisor, directors, end, treatment, threads);
-    threads.tick_must_end.store(true);
+    threads.must_end.store(true);
     base.join();
-    threads.planner_must_end.store(true);
+    if (interpolation.joinable()) interpolation.join();
+    planner_must_end.store(true);
     planner.join();
-    treatment.write_lateness(threads.stats);
-    move_traces(parts);
-    parts.traces.finish(parts.cycle->next_tick());
-    move_traces(parts);
+    treatment.write_lateness(threads.stats, threads.interpolation_stats);
+    finish_traces_in_time(parts);
     return exit_code;
 }
 

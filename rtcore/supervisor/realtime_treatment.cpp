@@ -3,10 +3,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <span>
 #include <string>
 
+#include "rtcore/clock.hpp"
+#include "rtcore/words.hpp"
 #include "shared/atomic_file.hpp"
 
 namespace psicarve::supervisor {
@@ -20,15 +23,18 @@ RealtimeTreatment::RealtimeTreatment(const RealtimeWish& wish) : wish_(wish), cp
     if (!cpu_ && !wish.takes_any_cpu) cpu_ = rtcore::isolated_cpu();
     steps_ = rtcore::set_up_process_memory();
     steps_.push_back(awake_.hold());
+    // Now, so that no thread of the core's parts ever runs there.
+    if (cpu_) rtcore::keep_off_cpu(*cpu_);
 }
 
-void RealtimeTreatment::treat_memory_and_others() {
+void RealtimeTreatment::touch_memory() {
     steps_.push_back(rtcore::touch_heap());
-    if (cpu_) rtcore::keep_off_cpu(*cpu_);
 }
 
 bool RealtimeTreatment::treat_this_thread() {
     thread_ = gettid();
+    // The kernel's page with the time is no memory that can be locked: it comes with the first look at it.
+    (void)rtcore::RealClock{}.now_ns();
     for (rtcore::SetupStep& step : rtcore::set_up_realtime_thread(wish_.priority, cpu_)) {
         steps_.push_back(std::move(step));
     }
@@ -52,21 +58,27 @@ bool RealtimeTreatment::treat_this_thread() {
     return may_tick;
 }
 
+// What may be had the first thread has found out and told. Only what is decided is read here.
+void RealtimeTreatment::treat_interpolation_thread() const {
+    static_cast<void>(rtcore::set_up_realtime_thread(std::max(1, wish_.priority - 1), cpu_));
+}
+
 void RealtimeTreatment::begin_counting() {
     // The first reading makes pages of its own, which the second does not find again.
     (void)rtcore::counts_of_thread(thread_);
     before_ = rtcore::counts_of_thread(thread_).value_or(rtcore::ThreadCounts{});
 }
 
-void RealtimeTreatment::write_lateness(const rtcore::PeriodicStats& stats) const {
+void RealtimeTreatment::write_lateness(const rtcore::PeriodicStats& stats,
+                                       const rtcore::PeriodicStats& interpolation_stats) const {
     if (wish_.lateness_path.empty()) return;
     std::string text = "late_us,ticks\n";
     for (std::size_t late_us = 0; late_us < rtcore::kFineBins; ++late_us) {
-        const std::uint64_t ticks = stats.ticks_at_us(late_us);
+        const std::uint64_t ticks = stats.ticks_at_us(late_us) + interpolation_stats.ticks_at_us(late_us);
         if (ticks > 0) text += std::to_string(late_us) + "," + std::to_string(ticks) + "\n";
     }
     const auto written = write_file_atomically(wish_.lateness_path, std::as_bytes(std::span{text}));
-    if (!written) std::fprintf(stderr, "psicarve-rtcore: %s\n", written.error().message.c_str());
+    if (!written) rtcore::try_to_say(written.error().message);
 }
 
 RealtimeFacts RealtimeTreatment::facts() {

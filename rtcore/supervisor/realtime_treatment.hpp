@@ -18,7 +18,7 @@ namespace psicarve::supervisor {
 struct RealtimeWish {
     std::optional<int> cpu;      ///< of the tick; nothing: see takes_any_cpu
     bool takes_any_cpu = false;  ///< false: an isolated one, when there is one
-    int priority = rtcore::kTickPriority;
+    int priority = kTickPriority;
     std::string lateness_path;  ///< empty: not written
     bool is_needed = false;     ///< real hardware: nothing runs without what keeps the tick in time
 };
@@ -41,17 +41,20 @@ public:
     explicit RealtimeTreatment(const RealtimeWish& wish);
 
     /// Once all that the tick touches has been made, before threads start.
-    void treat_memory_and_others();
+    void touch_memory();
     /// In the thread that will tick. Says on standard error how everything went. False: it must not tick.
     bool treat_this_thread();
+    /// Schedule two-timer: in the thread that interpolates, once the other ticks. Below it, beside it.
+    void treat_interpolation_thread() const;
     /// The last thing before its first tick.
     void begin_counting();
 
     /// Any thread, once treat_this_thread() has returned. Reads the kernel's counts now and then, not every
     /// time.
     RealtimeFacts facts();
-    /// When the last tick is over: the file that was wished for.
-    void write_lateness(const rtcore::PeriodicStats& stats) const;
+    /// When the last tick is over: the file that was wished for. Schedule two-timer: of both its threads.
+    void write_lateness(const rtcore::PeriodicStats& stats,
+                        const rtcore::PeriodicStats& interpolation_stats) const;
 
 private:
     RealtimeWish wish_;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/supervisor/refusal_text.hpp"
 
-#include <cstdio>
-
+#include "shared/decimals.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::supervisor {
@@ -37,12 +36,6 @@ std::string tripped_inputs(SignalWord signals) {
     return names;
 }
 
-std::string mm_text(double value_mm) {
-    char text[32];
-    (void)std::snprintf(text, sizeof text, "%.3f mm", value_mm);
-    return text;
-}
-
 /// The soft limit that is in the way.
 std::string limit_text(const cycle::Report& answer, const Profile& profile) {
     using R = cycle::Refusal;
@@ -51,13 +44,13 @@ std::string limit_text(const cycle::Report& answer, const Profile& profile) {
     const std::string name{name_of(axis)};
     const AxisMotion motion = axis_motion(profile, axis);
     const auto at = [&](std::int64_t pulses) {
-        return mm_text(mm_from_pulses(pulses, motion.pulses_per_unit));
+        return mm_text(mm_from_pulses(pulses, motion.pulses_per_unit), 3);
     };
     if (answer.refusal == R::heads_too_close)
         return name + " would bring the tips closer than head_clearance_mm, " +
-               mm_text(profile.head_clearance_mm);
+               mm_text(profile.head_clearance_mm, 3);
     if (answer.refusal == R::inside_core_radius)
-        return name + " would go inside the core radius, " + mm_text(profile.core_radius_mm);
+        return name + " would go inside the core radius, " + mm_text(profile.core_radius_mm, 3);
     if (answer.refusal == R::at_the_end) return name + " has no way left in this direction";
     if (!motion.has_travel) return name + " cannot count so far";
     return name + " would leave its travel, " + at(motion.travel_min_pulses) + " to " +
@@ -79,7 +72,7 @@ std::string refusal_text(const cycle::Report& answer, CommandKind command, const
                 return std::string{name_of(command)} + ": there is no alarm";
             }
             if (command == CommandKind::test_pin && sample.state == MachineState::ready)
-                return "test-pin: only with the drives off; drives-off first, positions are lost then";
+                return "pins: only with the drives off; drives-off first, positions are lost then";
             if (sample.state == MachineState::testing) return "an output is being tested; end the test first";
             return std::string{name_of(command)} + ": not while " + state + "; " + remedy_in(sample.state);
         case R::no_job:
@@ -106,7 +99,10 @@ std::string refusal_text(const cycle::Report& answer, CommandKind command, const
         case R::heads_not_homed:
             return "home: psi and y after r1 and r2, or with them; home r1 and r2 first";
         case R::port_failed:
-            return "the port answered with an error; see to cable and driver, then start the core again";
+            return "the port does not answer: switch the machine off by its own switch, see to card and "
+                   "driver, then reset the alarm again";
+        case R::port_reset_first:
+            return "the port has failed; reset the alarm, then home";
         case R::bad_override:
             return "override: 10 to 200 per cent of the planned feed, whole";
     }

@@ -9,13 +9,11 @@ JobDirector::Progress JobDirector::poll(Supervisor& supervisor) {
     switch (stage_) {
         case Stage::wait_for_job:
             if (sample.job_generation == 0 || sample.state != MachineState::ready) break;
-            supervisor.request(cycle::RequestKind::start);
-            stage_ = Stage::starting;
+            if (supervisor.request(cycle::RequestKind::start)) stage_ = Stage::starting;
             break;
         case Stage::starting:
             if (sample.state != MachineState::waiting) break;
-            supervisor.request(cycle::RequestKind::start_interpolation);
-            stage_ = Stage::carving;
+            if (supervisor.request(cycle::RequestKind::start_interpolation)) stage_ = Stage::carving;
             break;
         case Stage::carving:
             if (sample.state != MachineState::ready || sample.job_end_tick == 0) break;
@@ -43,13 +41,17 @@ void RecordDirector::before_tick(std::uint64_t next_tick, CoreParts& parts) noex
 void RecordDirector::apply(const ReplayStep& step, CoreParts& parts) noexcept {
     switch (step.kind) {
         case ReplayStep::Kind::request: {
+            if (step.request == cycle::RequestKind::fail) {
+                parts.io->urgent.failures.fetch_or(cycle::failure_bits(static_cast<AlarmCause>(step.value)));
+                break;
+            }
             cycle::Request request{};
             request.kind = step.request;
             request.axis = step.axis;
             request.value = step.value;
             request.order = step.order;
             request.order.drops_turns = step.request == cycle::RequestKind::move ? 1 : 0;
-            parts.io->requests.push(request);
+            parts.io->replayed_requests.push(request);
             break;
         }
         case ReplayStep::Kind::gap:

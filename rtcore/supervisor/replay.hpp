@@ -24,8 +24,8 @@ private:
     Stage stage_ = Stage::wait_for_job;
 };
 
-/// Applies a recorded script to the tick. The base thread's, before each tick; it is then the only writer of
-/// the request ring. RT: yes.
+/// Applies a recorded script to the tick. The base thread's, before each tick: it writes to no ring that
+/// another thread writes to. RT: yes.
 class RecordDirector {
 public:
     RecordDirector(const ReplayScript& script, std::uint64_t end_tick)

@@ -13,11 +13,13 @@
 #include <variant>
 
 #include "rtcore/port/fatal_signals.hpp"
+#include "rtcore/privileges.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/core_profile.hpp"
 #include "rtcore/supervisor/end_request.hpp"
 #include "rtcore/supervisor/guarded_port.hpp"
 #include "rtcore/supervisor/latency_run.hpp"
+#include "rtcore/supervisor/piece_file.hpp"
 #include "rtcore/supervisor/realtime_treatment.hpp"
 #include "rtcore/supervisor/replay.hpp"
 #include "rtcore/supervisor/replay_script.hpp"
@@ -134,12 +136,25 @@ int run_loop(CoreParts& parts, Supervisor& supervisor, std::optional<Replay>& re
                                 : run_on_real_clock(parts, supervisor, directors, end, *treatment);
 }
 
+/// Before any thread starts and any output is opened; port, segment and memory are there.
+void leave_privileges(const CoreOptions& options) {
+    const bool is_realtime = options.clock == ClockKind::real;
+    const auto stayed = rtcore::drop_privileges({.priority = is_realtime ? options.priority : 0,
+                                                 .locks_memory = is_realtime,
+                                                 .group = options.group});
+    for (const std::string& name : stayed) {
+        std::fprintf(stderr, "psicarve-rtcore: %s stays: its limit cannot be raised here\n", name.c_str());
+    }
+}
+
 /// The segment is ours.
 int serve_segment(const CoreOptions& options, const Profile& profile, PartsRequest request, Segment segment,
                   std::optional<Replay>& replay) {
     EndRequest end;
     std::optional<RealtimeTreatment> treatment;
     if (options.clock == ClockKind::real) treatment.emplace(wish_of(options));
+    leave_privileges(options);
+    const Profile machine = request.machine;
     auto parts = build_core(options, profile, std::move(request));
     if (!parts) return fail(parts.error());
     const CoreFacts facts{.period_ns = (*parts)->period_ns,
@@ -156,6 +171,10 @@ int serve_segment(const CoreOptions& options, const Profile& profile, PartsReque
     supervisor.segment().sign_core();
     const int exit_code = run_loop(**parts, supervisor, replay, end, treatment ? &*treatment : nullptr);
     supervisor.leave();
+    if (!options.piece_path.empty()) {
+        const auto written = write_piece(options.piece_path, *(*parts)->machine, machine);
+        if (!written) return fail(written.error());
+    }
     return exit_code;
 }
 
@@ -182,6 +201,7 @@ int run_core(const CoreOptions& options) {
     auto segment = Segment::create_or_attach(segment_options_of(options));
     if (!segment) return fail(segment.error());
     if (const auto claimed = segment->take_core_lock(); !claimed) return fail(claimed.error());
+    if (const auto fitted = segment->fit_rights(options.group); !fitted) return fail(fitted.error());
     if (!segment->warning().empty())
         std::fprintf(stderr, "psicarve-rtcore: %s\n", segment->warning().c_str());
     return serve_segment(options, *profile, std::move(request), std::move(*segment), *replay);

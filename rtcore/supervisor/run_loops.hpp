@@ -15,12 +15,14 @@ struct Directors {
     RecordDirector* record = nullptr;
 };
 
-/// One thread does everything in turn, as fast as it goes. Time stands still while the machine is at rest
-/// (docs/decisions 0002). Returns the exit code.
+/// One thread does everything in turn, as fast as it goes; only traces and words are written by others. Time
+/// stands still while the machine is at rest (docs/decisions 0002) and while a trace's reader is behind.
+/// Returns the exit code.
 int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors,
                          EndRequest& end);
 
-/// Three threads: tick, planner, and this one for the segment. Returns the exit code.
+/// Three threads: tick, planner, and this one for the segment; what may block others do. Returns the exit
+/// code.
 int run_on_real_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors, EndRequest& end,
                       RealtimeTreatment& treatment);
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/supervisor/supervisor.hpp"
 
+#include <optional>
+
+#include "rtcore/clock.hpp"
 #include "shared/event.hpp"
 #include "shared/recording.hpp"
 #include "shared/shared_record.hpp"
@@ -9,6 +12,8 @@ namespace psicarve::supervisor {
 namespace {
 
 constexpr std::chrono::milliseconds kSegmentCheckInterval{50};
+/// More than a look's own length (rtcore::slept_ns), less than any sleep.
+constexpr std::int64_t kLeastSleep_ns = 100'000'000;
 
 /// No job runs, but the tick is busy: what is published waits until it is at rest.
 bool must_wait_with_job(MachineState state) noexcept {
@@ -18,6 +23,12 @@ bool must_wait_with_job(MachineState state) noexcept {
 
 bool may_load_job(MachineState state) noexcept {
     return state == MachineState::off || state == MachineState::ready || state == MachineState::alarm;
+}
+
+std::int64_t first_sleep_ns() {
+    std::optional<std::int64_t> slept;
+    while (!slept) slept = rtcore::slept_ns();
+    return *slept;
 }
 
 SimFacts sim_facts(const sim::Machine& machine) {
@@ -39,61 +50,73 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
                        const CoreFacts& facts)
     : parts_(&parts),
       segment_options_(segment_options),
-      segment_(std::move(segment)),
+      segment_(std::make_shared<Segment>(std::move(segment))),
       desk_(parts.profile, facts.is_virtual_clock),
       mirror_(facts),
       is_virtual_clock_(facts.is_virtual_clock),
+      promptness_(!facts.is_virtual_clock),
       sample_(read_sample()),
-      stop_seen_(segment_.header().stop_requests.load()),
-      estop_seen_(segment_.header().estop_requests.load()),
-      judged_generation_(0) {
-    segment_.header().core_profile_hash.store(profile_hash(parts.profile));
+      stop_seen_(segment_->header().stop_requests.load()),
+      estop_seen_(segment_->header().estop_requests.load()),
+      judged_generation_(0),
+      loader_(parts.profile, !facts.is_virtual_clock),
+      layer_times_(parts.layer_times_path, parts.files),
+      slept_ns_(first_sleep_ns()) {
+    segment_->header().core_profile_hash.store(profile_hash(parts.profile));
     parts.traces.set_recording_taker([this](std::uint32_t token, std::span<const std::uint8_t> bytes) {
-        recording_.put(segment_.header(), token, bytes, std::chrono::steady_clock::now());
+        recording_.put(segment_->header(), token, bytes, std::chrono::steady_clock::now());
     });
     publish_status();
 }
 
 bool Supervisor::poll() {
-    const std::uint32_t wake_count = event_count(segment_.header().command_raised);
+    const std::uint32_t wake_count = event_count(segment_->header().command_raised);
     sample_ = read_sample();
-    check_segment();
-    watch_guard();
+    // What was asked for first; everything else may take its time.
     bool handed_on = mirror_urgent_words();
     mirror_jog_lease();
     const std::size_t requests_before = parts_->io->requests.size();
     take_job();
-    desk_.take_commands(segment_, parts_->io->requests, sample_);
+    const LoadedJob* const job = loading_job_ != nullptr ? loading_job_.get() : job_.get();
+    desk_.note_judged(judged_generation_);
+    desk_.take_commands(*segment_, parts_->io->requests, sample_, job);
     handed_on = handed_on || parts_->io->requests.size() > requests_before;
+    promptness_.lower();
+    check_segment();
+    watch_guard();
+    watch_sleep();
     drain_reports();
     drain_increments();
     watch_recording();
+    keeper_.note(segment_->header(), sample_, job_.get());
     publish_status();
-    wake_seen_ = wake_count;
+    wake_seen_ = desk_.has_more() ? wake_count - 1 : wake_count;
     return handed_on;
 }
 
-void Supervisor::wait(std::chrono::milliseconds limit) noexcept {
-    event_wait_past(segment_.header().command_raised, wake_seen_, limit);
+void Supervisor::wait(std::chrono::nanoseconds limit) noexcept {
+    promptness_.raise();
+    event_wait_past(segment_->header().command_raised, wake_seen_, limit);
 }
 
-bool Supervisor::request(cycle::RequestKind kind, std::uint64_t value) {
+bool Supervisor::request(cycle::RequestKind kind, std::uint64_t value, std::uint8_t axis) {
     cycle::Request request{};
     request.sequence = kOwnRequest;
     request.kind = kind;
+    request.axis = axis;
     request.value = value;
     return parts_->io->requests.push(request);
 }
 
 bool Supervisor::mirror_urgent_words() {
     bool changed = false;
-    const std::uint32_t estops = segment_.header().estop_requests.load(std::memory_order_acquire);
+    const std::uint32_t estops = segment_->header().estop_requests.load(std::memory_order_acquire);
     if (estops != estop_seen_) {
         estop_seen_ = estops;
         request_emergency_stop();
         changed = true;
     }
-    const std::uint32_t stops = segment_.header().stop_requests.load(std::memory_order_acquire);
+    const std::uint32_t stops = segment_->header().stop_requests.load(std::memory_order_acquire);
     if (stops != stop_seen_) {
         stop_seen_ = stops;
         request_stop();
@@ -104,7 +127,7 @@ bool Supervisor::mirror_urgent_words() {
 
 // On the virtual clock ticks say nothing about how long somebody has been silent: there the lease runs here.
 void Supervisor::mirror_jog_lease() {
-    const std::uint64_t word = segment_.header().jog_lease.load(std::memory_order_acquire);
+    const std::uint64_t word = segment_->header().jog_lease.load(std::memory_order_acquire);
     const bool is_renewed = word != parts_->io->urgent.jog_lease.load(std::memory_order_relaxed);
     const bool is_leased = sample_.state == MachineState::moving || sample_.state == MachineState::testing;
     if (!is_virtual_clock_ || !is_leased || is_renewed) {
@@ -113,37 +136,45 @@ void Supervisor::mirror_jog_lease() {
     parts_->io->urgent.jog_lease.store(word, std::memory_order_release);
     if (!is_virtual_clock_ || desk_.jog_lease().count() == 0) return;
     if (std::chrono::steady_clock::now() - jog_renewed_ < desk_.jog_lease()) return;
-    jog_renewed_ = std::chrono::steady_clock::now();
-    request(cycle::RequestKind::end_jog, static_cast<std::uint64_t>(MoveEnd::lease_gone));
+    if (request(cycle::RequestKind::end_jog, static_cast<std::uint64_t>(MoveEnd::lease_gone)))
+        jog_renewed_ = std::chrono::steady_clock::now();
 }
 
 void Supervisor::take_job() {
     // One at a time, and never while a request is on its way: a start must find the job it was given for.
-    if (loading_job_ != nullptr || parts_->io->requests.size() > 0) return;
-    const std::uint64_t generation = published_generation(segment_);
-    if (generation == 0 || generation == judged_generation_ || must_wait_with_job(sample_.state)) return;
-    auto taken = take_published_job(segment_, judged_generation_);
-    if (!taken) {
-        judged_generation_ = generation;
-        acknowledge_job(segment_, generation, false, taken.error().message);
+    if (loading_job_ != nullptr || parts_->io->requests.size() > 0 || must_wait_with_job(sample_.state))
         return;
+    if (!loader_.is_busy()) {
+        const std::uint64_t generation = published_generation(*segment_);
+        if (generation == 0 || generation == judged_generation_) return;
+        // As long as its tables are, where there is no other thread for it.
+        promptness_.lower();
+        is_look_stale_ = false;
+        loader_.begin(segment_, judged_generation_, generation);
     }
-    if (!taken->has_value()) return;
-    PublishedJob& published = **taken;
-    judged_generation_ = published.generation;
+    if (auto outcome = loader_.take_outcome()) judge_job(std::move(*outcome));
+}
+
+void Supervisor::judge_job(JobLoader::Outcome outcome) {
+    if (outcome.generation == 0 || is_look_stale_) return;
+    judged_generation_ = outcome.generation;
     if (!may_load_job(sample_.state)) {
-        acknowledge_job(
-            segment_, published.generation, false,
-            "a job runs (" + std::string{name_of(sample_.state)} + "); stop it or wait for its end");
-        return;
+        outcome.job = nullptr;
+        outcome.refusal =
+            "a job runs (" + std::string{name_of(sample_.state)} + "); stop it or wait for its end";
     }
-    auto job = load_job(std::move(published.blob), published.generation, parts_->profile);
-    if (!job) {
-        acknowledge_job(segment_, published.generation, false, job.error().message);
-        return;
+    if (outcome.job == nullptr) {
+        acknowledge_job(*segment_, outcome.generation, false, outcome.refusal);
+    } else {
+        offer_job(std::move(outcome.job));
     }
-    loading_job_ = *job;
-    parts_->planner->set_job(std::shared_ptr<const JobView>{loading_job_, &loading_job_->view});
+}
+
+void Supervisor::offer_job(std::shared_ptr<const LoadedJob> job) {
+    loading_job_ = std::move(job);
+    is_offer_stale_ = false;
+    parts_->planner->set_job(std::shared_ptr<const JobView>{loading_job_, &loading_job_->view},
+                             loading_job_->generation);
     cycle::Request request{};
     request.sequence = kJobRequest;
     request.kind = cycle::RequestKind::job_loaded;
@@ -156,21 +187,26 @@ void Supervisor::take_job() {
 void Supervisor::finish_job(const cycle::Report& report) {
     const bool accepted = report.refusal == cycle::Refusal::none;
     const std::uint64_t generation = loading_job_->generation;
+    const std::string remark = accepted ? loading_job_->remark : "the machine is busy; try again";
     if (accepted) {
         job_ = std::move(loading_job_);
+        keeper_.note_new_job();
         if (parts_->estimator != nullptr)
             parts_->estimator->begin(std::shared_ptr<const JobView>{job_, &job_->view});
     } else if (job_ != nullptr) {
-        parts_->planner->set_job(std::shared_ptr<const JobView>{job_, &job_->view});
+        parts_->planner->set_job(std::shared_ptr<const JobView>{job_, &job_->view}, job_->generation);
     }
     loading_job_.reset();
-    acknowledge_job(segment_, generation, accepted, accepted ? "" : "the machine is busy; try again");
+    // The segment that it came from is gone: nobody in the new one asked.
+    if (!is_offer_stale_) acknowledge_job(*segment_, generation, accepted, remark);
 }
 
 cycle::Sample Supervisor::read_sample() const {
     // On the virtual clock the tick runs in this very thread, and may rest for long with its record not
     // renewed.
-    return is_virtual_clock_ ? parts_->cycle->sample() : parts_->io->sample.read();
+    cycle::Sample sample = is_virtual_clock_ ? parts_->cycle->sample() : parts_->io->sample.read();
+    sample.trace_lost += parts_->traces.lost();
+    return sample;
 }
 
 void Supervisor::drain_reports() {
@@ -182,7 +218,7 @@ void Supervisor::drain_reports() {
         if (report.kind == cycle::Report::Kind::answer && sample_.tick < report.record.tick) return;
         parts_->io->reports.pop();
         const FlightRecord& record = report.record;
-        if (record.kind != RecordKind::none) append_to_ring(segment_.header().recorder, record);
+        if (record.kind != RecordKind::none) append_to_ring(segment_->header().recorder, record);
         if (record.kind == RecordKind::alarm) mirror_.note_alarm(record, report.expected_pulses);
         if (record.kind == RecordKind::alarm || record.kind == RecordKind::state_change) ++changes_;
         if (report.kind != cycle::Report::Kind::answer) continue;
@@ -191,31 +227,35 @@ void Supervisor::drain_reports() {
         if (report.sequence == kJobRequest) {
             if (loading_job_ != nullptr) finish_job(report);
         } else {
-            desk_.deliver_answer(segment_, report, sample_);
+            desk_.deliver_answer(*segment_, report, sample_);
         }
     }
 }
 
 void Supervisor::drain_increments() {
     IncrementEntry entry;
-    while (parts_->io->increments.pop_into(entry)) append_to_ring(segment_.header().increments, entry);
+    while (parts_->io->increments.pop_into(entry)) append_to_ring(segment_->header().increments, entry);
 }
 
 void Supervisor::watch_recording() {
-    if (!recording_.is_abandoned(segment_.header(), std::chrono::steady_clock::now())) return;
-    parts_->traces.drop_recording();
-    request(cycle::RequestKind::record, static_cast<std::uint64_t>(RecordingForm::none));
+    if (recording_.is_abandoned(segment_->header(), std::chrono::steady_clock::now())) {
+        parts_->traces.drop_recording();
+        must_end_recording_ = true;
+    }
+    if (must_end_recording_ &&
+        request(cycle::RequestKind::record, static_cast<std::uint64_t>(RecordingForm::none)))
+        must_end_recording_ = false;
 }
 
 PlannedTimes Supervisor::planned_times() {
     std::shared_ptr<const plan::JobEstimate> estimate;
+    PlannedTimes times{.left_s = -1.0, .reference_s = parts_->planner->reference_seconds()};
     if (parts_->estimator != nullptr) {
-        // On the virtual clock what plans ahead of the pins is all that the wall clock waits for.
-        if (is_virtual_clock_) parts_->estimator->set_paused(!is_at_rest(sample_.state));
         estimate = parts_->estimator->estimate();
+        times.left_s = parts_->estimator->seconds_left(sample_.points_done, parts_->planner->points_total());
     }
-    PlannedTimes times{.left_s = parts_->planner->seconds_left(sample_.points_done, estimate.get()),
-                       .reference_s = parts_->planner->reference_seconds()};
+    // Before the status tells that the job is planned.
+    if (!layer_times_.tell(estimate, job_)) return {.left_s = -1.0, .reference_s = -1.0};
     if (estimate == nullptr) return times;
     if (!runs_job(sample_.state)) times.left_s = estimate->seconds();
     if (times.reference_s < 0.0 && estimate->is_reference()) times.reference_s = estimate->seconds();
@@ -224,56 +264,68 @@ PlannedTimes Supervisor::planned_times() {
 
 void Supervisor::publish_status() {
     if (parts_->machine != nullptr && !is_machine_frozen_) mirror_.set_sim(sim_facts(*parts_->machine));
-    write_record(segment_.header().status, mirror_.compose(sample_, planned_times()));
+    write_record(segment_->header().status, mirror_.compose(sample_, planned_times()));
     if (changes_ != changes_told_) {
         changes_told_ = changes_;
-        event_signal(segment_.header().status_changed);
+        event_signal(segment_->header().status_changed);
     }
 }
 
 void Supervisor::watch_guard() {
     if (parts_->guard == nullptr) return;
-    // The tick may not have noticed: a machine at rest with its spindle on misses nothing by a pause.
-    if (parts_->guard->guard_has_acted())
-        request(cycle::RequestKind::fail, static_cast<std::uint64_t>(AlarmCause::tick_gap));
     // For ever: without it nothing moves any more, whoever resets the alarm.
-    if (sample_.state != MachineState::alarm && !is_guard_lost_told_ && parts_->guard->is_guard_gone()) {
-        is_guard_lost_told_ =
-            request(cycle::RequestKind::fail, static_cast<std::uint64_t>(AlarmCause::guard_lost));
-    } else if (sample_.state == MachineState::alarm) {
+    const bool is_lost = parts_->guard->is_guard_lost(std::chrono::steady_clock::now());
+    desk_.keep_in_alarm(is_lost ? "the guard process ended; start the core again" : "");
+    if (sample_.state == MachineState::alarm) {
         is_guard_lost_told_ = false;
+    } else if (is_lost && !is_guard_lost_told_) {
+        is_guard_lost_told_ = true;
+        fail(cycle::failure_bits(AlarmCause::guard_lost));
     }
+}
+
+// No program sees its time go by, the tick least of all; but drives and port had no power meanwhile.
+void Supervisor::watch_sleep() {
+    if (is_virtual_clock_) return;
+    const auto slept = rtcore::slept_ns();
+    if (!slept || *slept - slept_ns_ < kLeastSleep_ns) return;
+    constexpr std::uint8_t kAllAxes_mask = 0xF;
+    slept_ns_ = *slept;
+    fail(cycle::failure_bits(AlarmCause::tick_gap, kAllAxes_mask));
 }
 
 void Supervisor::check_segment() {
     const auto now = std::chrono::steady_clock::now();
     if (now < next_segment_check_) return;
     next_segment_check_ = now + kSegmentCheckInterval;
-    if (!is_segment_lost_ && segment_.is_still_linked()) return;
+    if (!is_segment_lost_ && segment_->is_still_linked()) return;
     if (!is_segment_lost_) {
         is_segment_lost_ = true;
-        request(cycle::RequestKind::fail, static_cast<std::uint64_t>(AlarmCause::segment_lost));
+        fail(cycle::failure_bits(AlarmCause::segment_lost));
     }
     take_new_segment();
 }
 
 void Supervisor::take_new_segment() {
-    auto fresh = Segment::create_or_attach(segment_options_);
-    if (!fresh) {
-        // What stands there is no segment any more (truncated under us, garbage): ours to replace, we served
-        // it.
-        if (!Segment::remove(segment_options_.name)) return;
-        fresh = Segment::create_or_attach(segment_options_);
-        if (!fresh) return;
-    }
-    if (!fresh->claim_core()) return;
+    // What we served is ours to replace, truncated or overwritten as it is; so is garbage in its place.
+    // Anything else is somebody's; we ask again.
+    if (!segment_->give_up_name()) return;
+    SegmentOptions options = segment_options_;
+    options.replaces_damaged = true;
+    options.patience = std::chrono::milliseconds{5};  // we come round again
+    auto fresh = Segment::create_or_attach(options);
+    if (!fresh) return;
+    if (!fresh->claim_core() || !fresh->fit_rights(options.group)) return;
     desk_.forget_all();
-    segment_ = std::move(*fresh);
-    segment_.header().core_profile_hash.store(profile_hash(parts_->profile));
+    segment_ = std::make_shared<Segment>(std::move(*fresh));
+    segment_->header().core_profile_hash.store(profile_hash(parts_->profile));
     // It is new: whatever has been asked for in it was asked of us.
     stop_seen_ = 0;
     estop_seen_ = 0;
     judged_generation_ = 0;
+    is_look_stale_ = true;
+    is_offer_stale_ = true;
+    keeper_.write_anew(segment_->header());
     is_segment_lost_ = false;
 }
 
@@ -281,9 +333,10 @@ void Supervisor::leave() {
     sample_ = read_sample();
     drain_reports();
     drain_increments();
+    keeper_.note(segment_->header(), sample_, job_.get());
     publish_status();
-    event_signal(segment_.header().status_changed);
-    segment_.release_core();
+    event_signal(segment_->header().status_changed);
+    segment_->release_core();
 }
 
 }  // namespace psicarve::supervisor

@@ -6,8 +6,12 @@
 #include <memory>
 #include <string>
 
+#include "rtcore/promptness.hpp"
+#include "rtcore/supervisor/checkpoint_keeper.hpp"
 #include "rtcore/supervisor/command_desk.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
+#include "rtcore/supervisor/job_loader.hpp"
+#include "rtcore/supervisor/layer_times.hpp"
 #include "rtcore/supervisor/loaded_job.hpp"
 #include "rtcore/supervisor/pin_recording.hpp"
 #include "rtcore/supervisor/status_mirror.hpp"
@@ -28,13 +32,23 @@ public:
 
     /// One round of everything. True when something was handed to the tick.
     bool poll();
-    /// Sleeps until a command or job comes, or the limit passes.
-    void wait(std::chrono::milliseconds limit) noexcept;
+    /// Sleeps until a command or job comes, or the limit passes. On the real clock whoever sends something
+    /// does not keep us from it: the next round's commands are taken before anything ordinary runs.
+    void wait(std::chrono::nanoseconds limit) noexcept;
+    /// The tick has been asked for something, and what came of it is not known yet.
+    bool awaits_answer() const noexcept {
+        return desk_.awaits_answer() || loading_job_ != nullptr || loader_.is_busy();
+    }
 
     void set_lateness(const LatenessFacts& lateness) noexcept { mirror_.set_lateness(lateness); }
     void set_realtime(const RealtimeFacts& realtime) noexcept { mirror_.set_realtime(realtime); }
-    /// Asks the tick for something on the supervisor's own account; answers to it go nowhere.
-    bool request(cycle::RequestKind kind, std::uint64_t value = 0);
+    /// Asks the tick for something on the supervisor's own account; answers to it go nowhere. False: too much
+    /// else waits for the tick, ask again.
+    [[nodiscard]] bool request(cycle::RequestKind kind, std::uint64_t value = 0, std::uint8_t axis = 0);
+    /// `failure`: cycle::failure_bits(). Seen at the next tick, whatever else waits.
+    void fail(std::uint64_t failure) noexcept { parts_->io->urgent.failures.fetch_or(failure); }
+    /// On the real clock, every round: the tick watches over us as long as we tell it.
+    void note_round() noexcept { parts_->io->urgent.rounds.fetch_add(1, std::memory_order_relaxed); }
     void request_stop() noexcept { parts_->io->urgent.stop_requests.fetch_add(1); }
     void request_emergency_stop() noexcept { parts_->io->urgent.estop_requests.fetch_add(1); }
 
@@ -48,12 +62,12 @@ public:
 
     /// On the virtual clock: time stands still until whoever has the pins recorded has read more, or is gone.
     bool must_wait_for_reader() const noexcept {
-        return is_virtual_clock_ && recording_.is_reader_behind(segment_.header());
+        return is_virtual_clock_ && recording_.is_reader_behind(segment_->header());
     }
 
     bool shutdown_requested() const noexcept { return desk_.shutdown_requested(); }
     const cycle::Sample& sample() const noexcept { return sample_; }
-    Segment& segment() noexcept { return segment_; }
+    Segment& segment() noexcept { return *segment_; }
     /// The last thing: status as it stands, and nobody serves the segment any more.
     void leave();
 
@@ -62,6 +76,8 @@ private:
     bool mirror_urgent_words();
     void mirror_jog_lease();
     void take_job();
+    void judge_job(JobLoader::Outcome outcome);
+    void offer_job(std::shared_ptr<const LoadedJob> job);
     void finish_job(const cycle::Report& report);
     void drain_reports();
     void drain_increments();
@@ -69,6 +85,7 @@ private:
     PlannedTimes planned_times();
     void publish_status();
     void watch_guard();
+    void watch_sleep();
     void check_segment();
     void take_new_segment();
 
@@ -77,11 +94,13 @@ private:
 
     CoreParts* parts_;
     SegmentOptions segment_options_;
-    Segment segment_;
+    std::shared_ptr<Segment> segment_;  ///< with whoever looks at a job in it
     CommandDesk desk_;
     StatusMirror mirror_;
     PinRecording recording_;
+    CheckpointKeeper keeper_;
     bool is_virtual_clock_;
+    rtcore::Promptness promptness_;
     cycle::Sample sample_;
     std::uint32_t stop_seen_;
     std::uint32_t estop_seen_;
@@ -90,11 +109,17 @@ private:
     std::uint64_t judged_generation_;
     std::shared_ptr<const LoadedJob> loading_job_;  ///< offered to the tick, not answered yet
     std::shared_ptr<const LoadedJob> job_;
+    JobLoader loader_;
+    bool is_look_stale_ = false;   ///< the loader looks into a segment that was replaced
+    bool is_offer_stale_ = false;  ///< loading_job_ came from one
+    LayerTimesFile layer_times_;
     std::uint64_t changes_ = 0;  ///< state changes and alarms mirrored so far
     std::uint64_t changes_told_ = 0;
     std::chrono::steady_clock::time_point next_segment_check_{};
+    std::int64_t slept_ns_ = 0;
     bool is_segment_lost_ = false;
     bool is_guard_lost_told_ = false;
+    bool must_end_recording_ = false;
     bool is_machine_frozen_ = false;
 };
 

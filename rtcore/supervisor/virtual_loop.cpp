@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 #include "rtcore/plan/cycle_config_from_profile.hpp"
+#include "rtcore/supervisor/outlets.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
 
 namespace psicarve::supervisor {
@@ -42,10 +42,17 @@ public:
         return has_run;
     }
 
+    /// While a reader is behind: what was asked for takes effect, and nothing else happens.
+    void run_one_tick() {
+        constexpr std::size_t kMostEntries = 64;  // of one tick
+        if (parts_->trace_ring->size() + kMostEntries < trace::TraceRing::capacity()) tick();
+    }
+
 private:
     bool is_settling() const { return settle_left_ > 0 && is_at_rest(parts_->cycle->state()); }
     bool has_work() const {
         if (settle_left_ > 0 || parts_->io->requests.size() > 0) return true;
+        if (parts_->io->replayed_requests.size() > 0 || parts_->io->urgent.failures.load() != 0) return true;
         return record_ != nullptr && record_->has_begun() && !record_->is_over(parts_->cycle->next_tick());
     }
     void tick() {
@@ -88,12 +95,6 @@ private:
     std::uint64_t settle_left_;
 };
 
-void move_traces(CoreParts& parts) {
-    parts.traces.drain(*parts.trace_ring);
-    for (const std::string& line : parts.traces.take_errors())
-        std::fprintf(stderr, "psicarve-rtcore: %s\n", line.c_str());
-}
-
 }  // namespace
 
 int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors,
@@ -120,11 +121,13 @@ int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directo
         }
         const auto ending = end.poll(supervisor);
         if (ending == EndRequest::Progress::may_end || supervisor.shutdown_requested()) break;
-        if (supervisor.must_wait_for_reader()) {
+        const bool must_be_heard = has_news || ending == EndRequest::Progress::told_tick;
+        if (supervisor.must_wait_for_reader() || parts.trace_ring->size() > 0) {
+            if (must_be_heard) time.run_one_tick();
             supervisor.wait(kReaderWait);
             continue;
         }
-        if (!time.run_slice(has_news || ending == EndRequest::Progress::told_tick)) {
+        if (!time.run_slice(must_be_heard)) {
             parts.traces.flush();
             supervisor.wait(kIdleWait);
         }
@@ -133,9 +136,7 @@ int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directo
     // it.
     supervisor.freeze_machine();
     parts.cycle->shut_down();
-    move_traces(parts);
-    parts.traces.finish(parts.cycle->next_tick());
-    move_traces(parts);
+    finish_whole_traces(parts);
     return exit_code;
 }
 

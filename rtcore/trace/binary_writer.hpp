@@ -18,6 +18,7 @@ public:
     void add(const TraceEntry& entry) noexcept override;
     void flush() noexcept override { out_.flush(); }
     void finish(std::uint64_t end_tick) noexcept override;
+    WrittenBytes written_bytes() const noexcept override { return out_.written_bytes(); }
     std::optional<Error> take_error() override { return out_.take_error(); }
 
 private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -35,6 +36,9 @@ public:
     virtual void flush() noexcept = 0;
     /// Completes the trace, which covers all ticks before `end_tick`. Without it a trace reads as cut off.
     virtual void finish(std::uint64_t end_tick) noexcept = 0;
+    /// A count of what the operating system has taken, to be read by any thread; outlives this.
+    using WrittenBytes = std::shared_ptr<const std::atomic<std::uint64_t>>;
+    virtual WrittenBytes written_bytes() const noexcept = 0;
     /// The first failed write, once; after that, and without one, nothing.
     virtual std::optional<Error> take_error() = 0;
 };

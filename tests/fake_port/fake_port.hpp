@@ -32,7 +32,7 @@ struct Wire {
     std::uint8_t is_inverted;
 };
 
-enum class Sensor : std::uint8_t { above, below, index };
+enum class Sensor : std::uint8_t { none, above, below, index };
 
 /// One axis: it counts every rising step edge of its enabled drive, and its sensor sees the count.
 struct FakeAxis {
@@ -56,12 +56,15 @@ struct State {
     std::atomic<std::uint32_t> modes;      ///< PARPORT_MODE bits
     std::atomic<std::int32_t> open_errno;  ///< open() fails with this
     std::atomic<std::int32_t> claim_errno;
+    std::atomic<std::int32_t> direction_errno;  ///< PPDATADIR, which comes after the claim
     // What the test plays meanwhile.
     std::atomic<std::uint32_t> status_flip;       ///< status bits that show the opposite of the truth
     std::atomic<std::uint32_t> status_chatter;    ///< status bits that flip from one read to the next
     std::atomic<std::int64_t> accesses_to_fault;  ///< reads and writes that still go well; negative: all
     std::atomic<std::int64_t> faults;             ///< so many then fail; negative: all
     std::atomic<std::int32_t> fault_errno;
+    std::atomic<std::uint32_t> delay_every;    ///< every so many writes one takes effect later ...
+    std::atomic<std::uint32_t> delay_ns;       ///< ... by this, as by a host that takes the computer away
     std::atomic<std::uint64_t> flip_at_write;  ///< before this write (counted from 1) status_flip becomes ...
     std::atomic<std::uint64_t> flip_at_pulse;  ///< the same, by the pulses that the axes have taken
     std::atomic<std::uint32_t> flip_to;        ///< ... this; 0: never

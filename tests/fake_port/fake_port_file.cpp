@@ -51,21 +51,18 @@ void wire(State& state) {
 /// So near, because tests home on the real clock.
 constexpr std::int64_t kOffSensor_pulses = 12;
 
-void stand(State& state, const Profile& profile) {
-    for (const Axis axis : kAllAxes) {
-        const AxisMotion motion = axis_motion(profile, axis);
-        FakeAxis& to = state.axes[index_of(axis)];
-        to.edge_pulses = motion.home_position_pulses;
-        to.sensor = motion.home == HomeSensor::max   ? Sensor::above
-                    : motion.home == HomeSensor::min ? Sensor::below
-                                                     : Sensor::index;
-        to.position_pulses.store(to.edge_pulses +
-                                 (to.sensor == Sensor::above ? -kOffSensor_pulses : kOffSensor_pulses));
+Sensor sensor_for(HomeSensor home) {
+    switch (home) {
+        case HomeSensor::none:
+            return Sensor::none;
+        case HomeSensor::max:
+            return Sensor::above;
+        case HomeSensor::min:
+            return Sensor::below;
+        case HomeSensor::index:
+            break;
     }
-    FakeAxis& psi = state.axes[index_of(Axis::psi)];
-    psi.pulses_per_rev = profile.psi.pulses_per_rev;
-    psi.index_pulses = std::max<std::int64_t>(1, profile.psi.pulses_per_rev / 400);
-    psi.position_pulses.store(psi.edge_pulses - kOffSensor_pulses);
+    return Sensor::index;
 }
 
 }  // namespace
@@ -82,11 +79,26 @@ FakePortFile::FakePortFile(const std::string& folder, const Profile& profile)
     state_->modes.store(PARPORT_MODE_PCSPP | PARPORT_MODE_TRISTATE);
     state_->accesses_to_fault.store(-1);
     wire(*state_);
-    stand(*state_, profile);
+    stand(profile);
 }
 
 FakePortFile::~FakePortFile() {
     ::munmap(state_, sizeof(State));
+}
+
+void FakePortFile::stand(const Profile& profile) {
+    for (const Axis axis : kAllAxes) {
+        const AxisMotion motion = axis_motion(profile, axis);
+        FakeAxis& to = state_->axes[index_of(axis)];
+        to.edge_pulses = motion.home_position_pulses;
+        to.sensor = sensor_for(motion.home);
+        to.position_pulses.store(to.edge_pulses +
+                                 (to.sensor == Sensor::above ? -kOffSensor_pulses : kOffSensor_pulses));
+    }
+    FakeAxis& psi = state_->axes[index_of(Axis::psi)];
+    psi.pulses_per_rev = profile.psi.pulses_per_rev;
+    psi.index_pulses = std::max<std::int64_t>(1, profile.psi.pulses_per_rev / 400);
+    psi.position_pulses.store(psi.edge_pulses - kOffSensor_pulses);
 }
 
 FakePortFile::Preload::Preload(const FakePortFile& port) {

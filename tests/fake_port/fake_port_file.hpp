@@ -26,6 +26,9 @@ public:
     FakePortFile(const FakePortFile&) = delete;
     FakePortFile& operator=(const FakePortFile&) = delete;
 
+    /// Another machine on the cable, its axes a few pulses off their sensors.
+    void stand(const Profile& profile);
+
     State& state() noexcept { return *state_; }
     const std::string& device() const noexcept { return device_; }
 

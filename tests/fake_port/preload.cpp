@@ -80,7 +80,14 @@ int claim() {
     if (const int error = g_state->claim_errno.load(); error != 0) return fail(error);
     if (is_other_alive(g_state->excluded_by.load())) return fail(ENXIO);
     g_state->claimed_by.store(static_cast<std::uint32_t>(getpid()));
+    constexpr std::uint32_t kAfterClaim = 0x0c;  // as parport_pc sets the control register
+    g_state->control.store(kAfterClaim);
     return 0;
+}
+
+int set_direction() {
+    const int error = g_state->direction_errno.load();
+    return error == 0 ? 0 : fail(error);
 }
 
 bool level(const Wire& wire, std::uint32_t data, std::uint32_t control) {
@@ -104,6 +111,7 @@ void turn_axes(std::uint32_t old_data, std::uint32_t old_control) {
 
 bool is_tripped(const FakeAxis& axis) {
     const std::int64_t at = axis.position_pulses.load();
+    if (axis.sensor == Sensor::none) return false;
     if (axis.sensor == Sensor::above) return at > axis.edge_pulses;
     if (axis.sensor == Sensor::below) return at < axis.edge_pulses;
     const std::int64_t past = (at - axis.edge_pulses) % axis.pulses_per_rev;
@@ -131,10 +139,15 @@ bool fails_now() {
 }
 
 void write_register(Register reg, std::uint8_t value) {
+    const std::uint64_t number = g_state->write_count.load();
+    const std::uint32_t delay_every = g_state->delay_every.load();
+    if (delay_every != 0 && number % delay_every == 0) {
+        const timespec delay{.tv_sec = 0, .tv_nsec = static_cast<long>(g_state->delay_ns.load())};
+        nanosleep(&delay, nullptr);
+    }
     timespec now{};
     clock_gettime(CLOCK_MONOTONIC, &now);
     constexpr std::uint64_t kNsPerS = 1'000'000'000;
-    const std::uint64_t number = g_state->write_count.load();
     if (number + 1 == g_state->flip_at_write.load()) g_state->status_flip.store(g_state->flip_to.load());
     Write& entry = g_state->writes[number % kMostWrites];
     entry.time_ns =
@@ -187,6 +200,7 @@ int answer(unsigned long request, void* argument) {
             std::memcpy(argument, &g_state->modes, sizeof(std::uint32_t));
             return 0;
         case PPDATADIR:
+            return set_direction();
         case PPSETMODE:
         case PPNEGOT:
             return 0;

@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string_view>
 
 #include "shared/pin_map.hpp"
 #include "shared/profile.hpp"
-
-namespace {
-
-void require(bool holds, const char* what) {
-    if (holds) return;
-    std::fprintf(stderr, "broken: %s\n", what);
-    std::abort();
-}
-
-}  // namespace
+#include "tests/fuzz/require.hpp"
 
 // Any text: refused in one line, or a profile that prints, reads back equal and can be worked with.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace psicarve;
+    using fuzz::require;
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     const auto profile = parse_profile(text, "f.toml");
     if (!profile) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <span>
 #include <string>
@@ -12,17 +10,13 @@
 #include "shared/job.hpp"
 #include "shared/profile.hpp"
 #include "shared/snapshot_file.hpp"
+#include "tests/fuzz/require.hpp"
 
 namespace {
 
 using namespace psicarve;
+using fuzz::require;
 using Bytes = std::vector<std::byte>;
-
-void require(bool holds, const char* what) {
-    if (holds) return;
-    std::fprintf(stderr, "broken: %s\n", what);
-    std::abort();
-}
 
 const std::string& default_profile_text() {
     static const std::string s_text = profile_to_toml(Profile{});
@@ -36,6 +30,8 @@ void use_job(const Bytes& blob) {
     std::uint64_t sum = 0;
     for (std::uint32_t layer = 0; layer < job->layer_count(); ++layer) {
         sum += static_cast<std::uint64_t>(job->y_pulses(layer, job->point_count() / 2));
+        require(job->pass_of(layer) < job->passes().size() && job->pass_end(layer) > layer,
+                "a layer has a pass");
         for (const std::int32_t radius : job->r_left_pulses(layer)) sum += static_cast<std::uint32_t>(radius);
         for (const std::int32_t radius : job->r_right_pulses(layer))
             sum += static_cast<std::uint32_t>(radius);

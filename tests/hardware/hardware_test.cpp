@@ -13,7 +13,8 @@ using std::chrono::seconds;
 
 constexpr seconds kBootLimit{300};
 constexpr seconds kRunLimit{600};
-constexpr std::size_t kRuns = 4;
+constexpr std::size_t kRuns = 5;
+constexpr std::uint32_t kR2LimitBit = 0x80;
 
 class Hardware : public two_process::PortRig {
 protected:
@@ -23,7 +24,7 @@ protected:
         save_job(coarse_job(2), "job.psi");
         save_job(coarse_job(60), "long.psi");
         const std::string problem =
-            lab_.prepare(folder_, {file("machine.toml"), file("job.psi"), file("long.psi")});
+            lab_.prepare(file("."), {file("machine.toml"), file("job.psi"), file("long.psi")});
         ASSERT_EQ(problem, "");
     }
     void save_job(const JobTable& table, const std::string& name) const {
@@ -31,10 +32,36 @@ protected:
         snapshot.job_blob = job_blob_from_table(table);
         ASSERT_TRUE(save_snapshot(snapshot, file(name)));
     }
+    /// These status bits flip somewhere in the job that is about to begin: the count of pulses then.
+    std::uint64_t flip_after(std::size_t pulses, std::uint32_t status_bits) {
+        const std::uint64_t at = port_.state().pulse_count.load() + pulses;
+        port_.state().flip_to.store(status_bits);
+        port_.state().flip_at_pulse.store(at);
+        return at;
+    }
     void expect_safe_lines() {
         constexpr std::uint32_t kLines = 0x0f;  // the driver keeps the interrupt's bit as it likes
         EXPECT_EQ(port_.state().data.load(), safe().data);
         EXPECT_EQ(port_.state().control.load() & kLines, safe().control & kLines);
+    }
+    /// On the real clock, driving a real port, with all of a root's rights at the start.
+    static void expect_no_privileges(const std::string& console) {
+        const std::string nothing =
+            "CapInh=0000000000000000 CapPrm=0000000000000000 CapEff=0000000000000000 CapBnd=0000000000000000 "
+            "CapAmb=0000000000000000 NoNewPrivs=1 ";
+        int threads = 0;
+        for (const char* process : {"LAB rights of core: ", "LAB rights of guard: "}) {
+            std::size_t at = console.find(process);
+            EXPECT_NE(at, std::string::npos) << console;
+            for (; at != std::string::npos; at = console.find(process, at + 1), ++threads) {
+                EXPECT_EQ(console.compare(at + std::string{process}.size(), nothing.size(), nothing), 0)
+                    << console.substr(at, 200);
+            }
+        }
+        EXPECT_GE(threads, 5) << "tick, planner, supervisor, estimator, and the guard";
+        EXPECT_EQ(console.find(" stays: "), std::string::npos) << "limits took the place of all of them";
+        EXPECT_NE(console.find("LAB tick after that: priority 80, locked "), std::string::npos) << console;
+        EXPECT_EQ(console.find("LAB tick after that: priority 80, locked 0 kB"), std::string::npos);
     }
     Lab lab_;
 };
@@ -50,9 +77,17 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     expect_safe_lines();
     ASSERT_TRUE(lab_.wait_for("LAB begin estop", kRunLimit)) << lab_.console();
     // Somewhere in the long job: its pulses are many more than homing and approach take.
-    port_.state().flip_to.store(kEstopStatusBit);
-    port_.state().flip_at_pulse.store(port_.state().pulse_count.load() + wanted.size() * 2);
+    const std::uint64_t estop_pulse = flip_after(wanted.size() * 2, kEstopStatusBit);
+    ASSERT_TRUE(lab_.wait_for("LAB emergency stop is pressed", kRunLimit)) << lab_.console();
+    // The axes of the tick that was under way.
+    EXPECT_GE(port_.state().pulse_count.load(), estop_pulse);
+    EXPECT_LT(port_.state().pulse_count.load() - estop_pulse, kAxisCount);
+    const std::uint64_t limit_pulse = flip_after(wanted.size() * 2, kR2LimitBit);
+    port_.state().status_flip.store(0);
     ASSERT_TRUE(lab_.wait_for("LAB begin refusals", kRunLimit)) << lab_.console();
+    // A tick more: the limit's filter.
+    EXPECT_GE(port_.state().pulse_count.load(), limit_pulse);
+    EXPECT_LT(port_.state().pulse_count.load() - limit_pulse, 2 * kAxisCount);
     const std::size_t runs_writes = port_.state().write_count.load();
     EXPECT_TRUE(lab_.wait_for("LAB over", kRunLimit)) << lab_.console();
     EXPECT_TRUE(lab_.wait_for_end(seconds{60}));
@@ -62,13 +97,19 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     EXPECT_NE(console.find("LAB end of run on ppdev:/dev/parport0: ready"), std::string::npos) << console;
     EXPECT_NE(console.find("LAB end of run on io:0x378: ready"), std::string::npos) << console;
     EXPECT_NE(console.find("LAB end of run on ppdev:/dev/parport0: alarm"), std::string::npos) << console;
-    EXPECT_NE(console.find("emergency stop"), std::string::npos) << console;
+    EXPECT_NE(console.find("in alarm (emergency stop"), std::string::npos) << console;
+    const std::size_t limited = console.find("LAB begin limit");
+    EXPECT_NE(console.find("LAB end of run on ppdev:/dev/parport0: alarm", limited), std::string::npos)
+        << console;
+    EXPECT_NE(console.find("in alarm (limit of r2", limited), std::string::npos) << console;
     EXPECT_NE(console.find("LAB refusal psicarve-rtcore: --port io:0x2f8"), std::string::npos) << console;
     for (const char* second : {"LAB second ", "LAB third "}) {
         const std::size_t said = console.find(second);
         ASSERT_NE(said, std::string::npos) << console;
         EXPECT_NE(console.find("busy: psicarve-guard (pid ", said), std::string::npos) << console;
     }
+
+    expect_no_privileges(console);
 
     const auto all_writes = port_.writes();
     ASSERT_LE(runs_writes, all_writes.size());
@@ -85,6 +126,8 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     EXPECT_GT(runs[5].size(), 10U) << "until the core was killed";
     EXPECT_LT(runs[7].size(), wanted.size() * 2) << "into the emergency stop";
     EXPECT_GT(runs[7].size(), 10U);
+    EXPECT_LT(runs[9].size(), wanted.size() * 2) << "into the limit";
+    EXPECT_GT(runs[9].size(), 10U);
     expect_safe_lines();
 }
 

@@ -1,7 +1,7 @@
 #!/bin/busybox sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The one process of the guest: loads the port's drivers, carves through both kinds of port, until the core is killed, and into an
-# emergency stop, and switches the machine off. Lines for the test begin with LAB.
+# The one process of the guest: loads the port's drivers, carves through both kinds of port, until the core is killed, into an emergency
+# stop and into a limit, and switches the machine off. Lines for the test begin with LAB.
 B=/bin/busybox
 $B mount -t devtmpfs dev /dev
 $B mount -t proc proc /proc
@@ -51,12 +51,27 @@ until psicarve status >/dev/null 2>&1; do $B sleep 0.1; done
 quietly psicarve home && quietly psicarve publish /long.psi && quietly psicarve start --carve
 core=$(psicarve status --json | $B sed -n 's/.*"core_pid": *\([0-9]*\).*/\1/p')
 [ "$core" != $guard ] || say "failed: the core is its own guard"
+# Started by root with every capability: what each thread of core and guard kept, and what goes on without.
+for process in core:$core guard:$guard; do
+    for status in /proc/${process#*:}/task/*/status; do
+        $B sed -n 's/^\(Cap[A-Z][a-z]*\|NoNewPrivs\):[^0-9]*\([0-9a-f]*\)$/\1=\2/p' "$status" | $B tr '\n' ' ' | $B sed "s/^/LAB rights of ${process%:*}: /"
+        echo
+    done
+done
+say "tick after that: priority $(psicarve status --json | $B sed -n 's/.*"tick_priority": *\([0-9]*\).*/\1/p' | $B head -n 1), locked $($B sed -n 's/^VmLck:[^0-9]*\([0-9]*\) kB/\1/p' /proc/$core/status) kB"
 $B sleep 1
 $B kill -KILL "$core"
 wait $guard
 say "killed core's guard ended $?"
 $B sleep 2  # the test looks at the port
 say "begin estop"
+run ppdev:/dev/parport0 /long.psi
+# Until the test has let go of the stop: what status bit 3 shows, read past every driver.
+estop() { echo $(($($B dd if=/dev/port bs=1 skip=$((0x379)) count=1 2>/dev/null | $B hexdump -v -e '1/1 "%u"') & 8)); }
+pressed=$(estop)
+say "emergency stop is pressed: $pressed"
+while [ "$(estop)" = "$pressed" ]; do $B sleep 0.1; done
+say "begin limit"
 run ppdev:/dev/parport0 /long.psi
 say "begin refusals"
 psicarve-rtcore --port io:0x2f8 --profile /machine.toml 2>&1 | $B sed 's/^/LAB refusal /'

@@ -34,14 +34,16 @@ pid_t start(std::vector<std::string> words, const std::string& output) {
 
 }  // namespace
 
-std::string Lab::prepare(const std::string& folder, const std::vector<std::string>& files) {
+std::string Lab::prepare(const std::string& folder, const std::vector<std::string>& files,
+                         const std::string& init, const std::vector<std::string>& programs) {
     folder_ = folder;
     const std::string source = PSICARVE_HARDWARE_SOURCE;
     std::vector<std::string> words{source + "/prepare.sh", PSICARVE_HARDWARE_CACHE, folder + "/lab",
-                                   source + "/init.sh"};
+                                   source + "/" + init};
     words.insert(words.end(), files.begin(), files.end());
-    const std::string programs = PSICARVE_BIN;
-    words.insert(words.end(), {"--", programs + "/psicarve-rtcore", programs + "/psicarve"});
+    const std::string ours = PSICARVE_BIN;
+    words.insert(words.end(), {"--", ours + "/psicarve-rtcore", ours + "/psicarve"});
+    words.insert(words.end(), programs.begin(), programs.end());
     const std::string log = folder + "/prepare.log";
     const pid_t script = start(words, log);
     int status = -1;

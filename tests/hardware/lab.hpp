@@ -15,9 +15,10 @@ namespace psicarve::hardware {
 /// real port as far as it can tell, and every access to its registers arrives at the fake port.
 class Lab {
 public:
-    /// Makes kernel and file system ready: `files` stand in the guest's root folder. What went wrong, or
-    /// nothing.
-    std::string prepare(const std::string& folder, const std::vector<std::string>& files);
+    /// Makes kernel and file system ready: `files` stand in the guest's root folder, and beside the project's
+    /// own these programs of the host's; `init` is the guest's first. What went wrong, or nothing.
+    std::string prepare(const std::string& folder, const std::vector<std::string>& files,
+                        const std::string& init = "init.sh", const std::vector<std::string>& programs = {});
 
     /// Boots it. Guest time is counted instructions, so that a busy host loses no tick of it.
     void boot(const fake_port::FakePortFile& port);

@@ -56,6 +56,7 @@ while (($#)) && [[ $1 != -- ]]; do
 done
 shift
 for program in "$@"; do
+    program=$(command -v "$program") || fail "a program of the guest is not here; scripts/deps.sh test, or PSICARVE_SKIP_HARDWARE=1"
     cp "$program" "$root/bin/"
     ldd "$program" | grep -o '/[^ ]*' | sort -u | while read -r library; do
         mkdir -p "$root$(dirname "$library")"

@@ -132,11 +132,14 @@ Carved carved(const Profile& profile, const JobTable& table, const Disturbance& 
     result.order = order_of(rig.port->writes);
     result.iterations = result.order.size();
     result.waited_ticks = rig.cycle->sample().waited_ticks;
-    drain_while([&] { return rig.cycle->state() == MachineState::finishing; });
+    drain_while([&] {
+        return rig.cycle->state() == MachineState::finishing || rig.cycle->state() == MachineState::stopping;
+    });
     EXPECT_EQ(rig.cycle->state(), MachineState::ready);
     const cycle::Sample sample = rig.cycle->sample();
     result.carve_s = static_cast<double>(sample.carve_last_tick - sample.carve_first_tick) *
                      static_cast<double>(tick_period_ns(profile)) * 1e-9;
+    result.t_ref_s = rig.planner->reference_seconds();
     result.report = witness.finish();
     return result;
 }

@@ -33,6 +33,7 @@ struct Carved {
     verify::VerifyReport report;
     std::vector<std::uint32_t> order;  ///< which axes stepped together while the job was carved
     double carve_s = 0.0;
+    double t_ref_s = -1.0;  ///< the planner's own; -1: it has none
     std::uint64_t waited_ticks = 0;
     std::uint64_t iterations = 0;
 };

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -DUNIT= -DCORE= -P this: the options in the unit's ExecStart are the core's own. With the virtual clock, which a
+# cmake -DUNIT= -DRULES= -DCORE= -P this: the options in the unit's ExecStart are the core's own. With the virtual clock, which a
 # real port refuses when all else is right, so that nothing is opened.
 cmake_minimum_required(VERSION 3.25)
 file(STRINGS "${UNIT}" lines REGEX "^ExecStart=")
@@ -14,6 +14,23 @@ separate_arguments(arguments UNIX_COMMAND "${CMAKE_MATCH_2}")
 execute_process(COMMAND "${CORE}" ${arguments} --clock virtual RESULT_VARIABLE result ERROR_VARIABLE said)
 if(NOT result EQUAL 2 OR NOT said MATCHES "a real machine keeps real time")
     message(FATAL_ERROR "${CORE} ${arguments}: ${result}: ${said}")
+endif()
+# A core whose guard died has to live until its spindle is off, and hears of an end by itself.
+file(STRINGS "${UNIT}" settings REGEX "^[A-Za-z]+=")
+foreach(setting "ExitType=cgroup" "KillMode=control-group")
+    if(NOT "${setting}" IN_LIST settings)
+        message(FATAL_ERROR "${UNIT} lacks ${setting}")
+    endif()
+endforeach()
+# Who starts it on a computer without the port is told so.
+file(STRINGS "${UNIT}" conditions REGEX "^Condition")
+if(conditions)
+    message(FATAL_ERROR "${UNIT} may be skipped without a word: ${conditions}")
+endif()
+# The rule gives the port to the group that the service has.
+file(STRINGS "${RULES}" rules REGEX "SUBSYSTEM==\"ppdev\"")
+if(NOT rules MATCHES "GROUP=\"psicarve\"" OR NOT "Group=psicarve" IN_LIST settings)
+    message(FATAL_ERROR "${RULES}: ${rules}: another group than that of ${UNIT}")
 endif()
 find_program(systemd_analyze systemd-analyze)
 if(systemd_analyze)

@@ -1,110 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// No allocation, lock or page fault in a million ticks: counted. This program puts counters before the C
-// library's own functions, so it is not built with a sanitizer, which does the same.
-#include <dlfcn.h>
+// No allocation, lock, page fault or system call in a million ticks: counted. tick_counters.cpp puts counters
+// before the C library's own functions, so this is not built with a sanitizer, which does the same.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <linux/futex.h>
+#include <linux/ppdev.h>
 #include <pthread.h>
-#include <sys/resource.h>
+#include <semaphore.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <thread>
 
 #include "rtcore/clock.hpp"
 #include "rtcore/periodic.hpp"
+#include "rtcore/port/parallel_port.hpp"
 #include "rtcore/rt_setup.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
-
-namespace {
-
-thread_local bool is_counting = false;
-thread_local std::uint64_t allocations = 0;
-thread_local std::uint64_t locks = 0;
-
-void note(std::uint64_t& counter) {
-    if (is_counting) ++counter;
-}
-
-template <typename Function>
-Function next_of(const char* name) {
-    return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
-}
-
-}  // namespace
-
-extern "C" {
-void* __libc_malloc(std::size_t bytes);
-void* __libc_calloc(std::size_t count, std::size_t bytes);
-void* __libc_realloc(void* memory, std::size_t bytes);
-void* __libc_memalign(std::size_t alignment, std::size_t bytes);
-void __libc_free(void* memory);
-
-void* malloc(std::size_t bytes) {
-    note(allocations);
-    return __libc_malloc(bytes);
-}
-void* calloc(std::size_t count, std::size_t bytes) {
-    note(allocations);
-    return __libc_calloc(count, bytes);
-}
-void* realloc(void* memory, std::size_t bytes) {
-    note(allocations);
-    return __libc_realloc(memory, bytes);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t bytes) {
-    note(allocations);
-    return __libc_memalign(alignment, bytes);
-}
-void free(void* memory) {
-    note(allocations);
-    __libc_free(memory);
-}
-int pthread_mutex_lock(pthread_mutex_t* mutex) {
-    static const auto next = next_of<int (*)(pthread_mutex_t*)>("pthread_mutex_lock");
-    note(locks);
-    return next(mutex);
-}
-int pthread_mutex_trylock(pthread_mutex_t* mutex) {
-    static const auto next = next_of<int (*)(pthread_mutex_t*)>("pthread_mutex_trylock");
-    note(locks);
-    return next(mutex);
-}
-}
+#include "tests/rtcore/tick_counters.hpp"
 
 namespace psicarve::cycle {
 namespace {
 
-struct Counts {
-    std::uint64_t allocations = 0;
-    std::uint64_t locks = 0;
-    std::uint64_t page_faults = 0;
-};
-
-std::uint64_t page_faults_so_far() {
-    rusage usage{};
-    getrusage(RUSAGE_THREAD, &usage);
-    return static_cast<std::uint64_t>(usage.ru_minflt + usage.ru_majflt);
-}
-
-/// Counts what `work` does in this thread.
-template <typename Work>
-void count_into(Counts& counts, Work&& work) {
-    allocations = 0;
-    locks = 0;
-    const std::uint64_t faults_before = page_faults_so_far();
-    is_counting = true;
-    work();
-    is_counting = false;
-    counts.page_faults += page_faults_so_far() - faults_before;
-    counts.allocations += allocations;
-    counts.locks += locks;
-}
+using tick_counters::count_into;
+using tick_counters::Counts;
+using tick_counters::kPortDescriptor;
 
 void expect_nothing(const Counts& counts) {
     EXPECT_EQ(counts.allocations, 0U);
     EXPECT_EQ(counts.locks, 0U);
+    EXPECT_EQ(counts.other_system_calls, 0U) << "the last was number " << counts.last_other_call;
     EXPECT_EQ(counts.page_faults, 0U);
 }
 
@@ -123,6 +56,14 @@ protected:
         request.kind = RequestKind::start_interpolation;
         rig_->io->requests.push(request);
     }
+    /// In a thread of its own: one that is watched stays so.
+    template <typename Work>
+    void watched(Work&& work) {
+        std::thread{[&] {
+            ASSERT_TRUE(tick_counters::watch_this_thread());
+            work();
+        }}.join();
+    }
     void drain() {
         Report report;
         while (rig_->io->reports.pop_into(report)) {
@@ -134,45 +75,139 @@ protected:
     std::unique_ptr<MachineRig> rig_;
 };
 
-TEST_F(TickCounts, TheCountersCount) {
+void take_every_kind_of_lock() {
+    const timespec past{};
+    pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+    pthread_mutex_lock(&mutex);
+    pthread_mutex_unlock(&mutex);
+    if (pthread_mutex_trylock(&mutex) == 0) pthread_mutex_unlock(&mutex);
+    if (pthread_mutex_clocklock(&mutex, CLOCK_MONOTONIC, &past) == 0) pthread_mutex_unlock(&mutex);
+    if (pthread_mutex_timedlock(&mutex, &past) == 0) pthread_mutex_unlock(&mutex);
+    pthread_rwlock_t lock = PTHREAD_RWLOCK_INITIALIZER;
+    for (const auto take :
+         {pthread_rwlock_rdlock, pthread_rwlock_wrlock, pthread_rwlock_tryrdlock, pthread_rwlock_trywrlock}) {
+        take(&lock);
+        pthread_rwlock_unlock(&lock);
+    }
+    pthread_spinlock_t spin{};
+    pthread_spin_init(&spin, PTHREAD_PROCESS_PRIVATE);
+    pthread_spin_lock(&spin);
+    pthread_spin_unlock(&spin);
+    pthread_cond_t condition = PTHREAD_COND_INITIALIZER;
+    pthread_cond_timedwait(&condition, &mutex, &past);
+    sem_t semaphore{};
+    sem_init(&semaphore, 0, 1);
+    sem_wait(&semaphore);
+    sem_trywait(&semaphore);
+}
+constexpr std::uint64_t kKindsOfLock = 12;
+
+TEST_F(TickCounts, TheCountersCountLocksAndMemory) {
     Counts counts;
+    count_into(counts, take_every_kind_of_lock);
+    EXPECT_EQ(counts.locks, kKindsOfLock);
+    EXPECT_EQ(counts.allocations, 0U);
     count_into(counts, [] {
-        pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
-        pthread_mutex_lock(&mutex);
-        pthread_mutex_unlock(&mutex);
         const auto text = std::make_unique<std::string>(100, 'x');
+        void* aligned = nullptr;
+        if (posix_memalign(&aligned, 64, 64) == 0) std::free(aligned);
         auto* volatile page = static_cast<char*>(std::malloc(std::size_t{64} << 20));
         for (std::size_t at = 0; at < std::size_t{64} << 20; at += 4096) page[at] = text->front();
         std::free(page);
     });
-    EXPECT_EQ(counts.locks, 1U);
-    EXPECT_GE(counts.allocations, 6U);
+    EXPECT_EQ(counts.allocations, 8U);
     EXPECT_GT(counts.page_faults, 0U);
+}
+
+TEST_F(TickCounts, TheCountersCountEverySystemCallWhoeverMakesIt) {
+    Counts counts;
+    watched([&] {
+        count_into(counts, [] {
+            const int file = open("/dev/zero", O_RDWR | O_CLOEXEC);
+            char byte = 0;
+            EXPECT_EQ(read(file, &byte, 1), 1);
+            EXPECT_EQ(write(file, &byte, 1), 1);
+            void* const page = mmap(nullptr, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+            munmap(page, 4096);
+            close(file);
+            std::atomic<int> word{0};
+            word.notify_all();
+            syscall(SYS_futex, &word, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
+            long number = SYS_getppid;
+            asm volatile("syscall" : "+a"(number) : : "rcx", "r11", "memory");
+            EXPECT_EQ(number, getppid());
+        });
+        EXPECT_EQ(counts.last_other_call, SYS_getppid);
+        count_into(counts, [] {
+            const timespec moment{.tv_sec = 0, .tv_nsec = 1'000'000};
+            clock_nanosleep(CLOCK_MONOTONIC, 0, &moment, nullptr);
+            std::uint8_t byte = 0;
+            ioctl(kPortDescriptor, PPRSTATUS, &byte);
+            EXPECT_EQ(byte, 0x80);
+        });
+    });
+    EXPECT_EQ(counts.other_system_calls, 9U);
+    EXPECT_EQ(counts.port_accesses, 1U);
+    EXPECT_EQ(counts.sleeps, 1U);
+    EXPECT_GE(counts.switches, 1U);
 }
 
 TEST_F(TickCounts, NothingInAMillionTicksOnTheVirtualClock) {
     for (const Planner planner : {Planner::lookahead, Planner::angle}) {
         ASSERT_NO_FATAL_FAILURE(start(planner));
         Counts counts;
-        for (int tick = 0; tick < 500'000; ++tick) {
-            if (rig_->planner->wants_poll()) rig_->planner->poll();
-            count_into(counts, [&] { rig_->cycle->tick(); });
-            if (tick % 64 == 0) drain();
-        }
+        watched([&] {
+            for (int tick = 0; tick < 500'000; ++tick) {
+                if (rig_->planner->wants_poll()) rig_->planner->poll();
+                count_into(counts, [&] { rig_->cycle->tick(); });
+                if (tick % 64 == 0) drain();
+            }
+        });
         expect_nothing(counts);
+        EXPECT_EQ(counts.sleeps, 0U);
         // They were worth it: it has carved.
         EXPECT_GT(rig_->cycle->sample().points_done, 1000U);
     }
 }
 
+TEST_F(TickCounts, OverARealPortOneReadAndTheRegistersThatChange) {
+    ASSERT_NO_FATAL_FAILURE(start(Planner::lookahead));
+    port::ParallelPort parallel{port::OpenPort{{}, port::PortAccess::ppdev(kPortDescriptor), "port"},
+                                PinMap::from_profile(rig_->profile).value(),
+                                port::PulseTimes{rig_->profile.port}, std::chrono::milliseconds{0}};
+    rig_->port->beside = &parallel;
+    constexpr std::uint64_t kTicks = 100'000;
+    Counts counts;
+    watched([&] {
+        for (std::uint64_t tick = 0; tick < kTicks; ++tick) {
+            if (rig_->planner->wants_poll()) rig_->planner->poll();
+            const std::uint64_t accesses = counts.port_accesses;
+            count_into(counts, [&] { rig_->cycle->tick(); });
+            EXPECT_GE(counts.port_accesses, accesses + 1U);
+            EXPECT_LE(counts.port_accesses, accesses + 3U) << "status, data, control";
+            if (tick % 64 == 0) drain();
+        }
+    });
+    expect_nothing(counts);
+    EXPECT_GT(counts.port_accesses, kTicks + 1000U) << "it has stepped";
+    rig_->port->beside = nullptr;
+}
+
+/// By the wall clock, so the suite takes fewer than the million that PSICARVE_LONG=1 does, in a minute.
+std::uint64_t ticks_on_the_real_clock() {
+    const char* const is_long = std::getenv("PSICARVE_LONG");
+    return is_long != nullptr && std::string{is_long} == "1" ? 1'000'000 : 50'000;
+}
+
 TEST_F(TickCounts, NothingInTheLoopOnTheRealClock) {
     ASSERT_NO_FATAL_FAILURE(start(Planner::lookahead));
-    constexpr std::uint64_t kTicks = 50'000;
+    const std::uint64_t wanted_ticks = ticks_on_the_real_clock();
     std::atomic<bool> is_over{false};
     Counts counts;
     rtcore::PeriodicStats stats;
     std::thread base{[&] {
-        rtcore::set_up_realtime_thread(rtcore::kTickPriority);
+        ASSERT_TRUE(tick_counters::watch_this_thread());
+        rtcore::set_up_realtime_thread(kTickPriority);
         rtcore::RealClock clock;
         std::uint64_t ticks = 0;
         count_into(counts, [&] {
@@ -181,7 +216,7 @@ TEST_F(TickCounts, NothingInTheLoopOnTheRealClock) {
                                      if (tick.missed_before > 0)
                                          rig_->cycle->advance_missed(tick.missed_before);
                                      rig_->cycle->tick();
-                                     return ++ticks < kTicks;
+                                     return ++ticks < wanted_ticks;
                                  });
         });
         is_over.store(true);
@@ -193,7 +228,14 @@ TEST_F(TickCounts, NothingInTheLoopOnTheRealClock) {
     }
     base.join();
     expect_nothing(counts);
-    EXPECT_EQ(stats.report().ticks_run, kTicks);
+    EXPECT_EQ(stats.report().ticks_run, wanted_ticks);
+    // One sleep a tick, and nothing else that it waits for.
+    EXPECT_EQ(counts.sleeps, wanted_ticks);
+    EXPECT_LE(counts.switches, wanted_ticks);
+    std::printf("%llu ticks on the real clock, %llu more missed, %llu points carved: nothing counted\n",
+                static_cast<unsigned long long>(wanted_ticks),
+                static_cast<unsigned long long>(stats.report().ticks_missed),
+                static_cast<unsigned long long>(rig_->cycle->sample().points_done));
 }
 
 }  // namespace

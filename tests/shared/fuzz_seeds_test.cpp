@@ -8,9 +8,10 @@
 
 #include "shared/atomic_file.hpp"
 #include "shared/snapshot_file.hpp"
+#include "tests/shared/passes_fixture.hpp"
 
 // The inputs that the fuzzer of snapshots begins with lose their worth when the layout changes: then it sees
-// nothing but refusals by version. snapshot.psi is made anew by
+// nothing but refusals by version. snapshot.psi and passes.psi are made anew by
 //   PSICARVE_WRITE_SEEDS=1 build/dev/tests/shared_file_test --gtest_filter='FuzzSeeds.*'
 namespace psicarve {
 namespace {
@@ -42,6 +43,32 @@ TEST(FuzzSeeds, HoldASnapshotOfThisLayout) {
         ASSERT_TRUE(write_file_atomically(seed("snapshot.psi"), wanted).has_value());
     }
     const auto kept = read_whole_file(seed("snapshot.psi"));
+    ASSERT_TRUE(kept.has_value()) << kept.error().message;
+    EXPECT_TRUE(*kept == wanted) << "the layout has changed: make it anew, see above";
+}
+
+/// Three layers of two points, the first of them a roughing pass.
+std::vector<std::byte> job_of_passes() {
+    JobTable table;
+    table.layer_count = 3;
+    table.point_count = 2;
+    table.psi_sweep_pulses = 3200;
+    table.feed_mm_s = 20.0;
+    table.layer_height_pulses = {110, 100, 120};
+    table.r_left_pulses.assign(6, 4000);
+    table.r_right_pulses.assign(6, 4000);
+    set_passes(table, {1, 2});
+    Snapshot snapshot;
+    snapshot.job_blob = job_blob_from_table(table);
+    return snapshot_bytes(snapshot);
+}
+
+TEST(FuzzSeeds, HoldAJobOfSeveralPasses) {
+    const auto wanted = job_of_passes();
+    if (std::getenv("PSICARVE_WRITE_SEEDS") != nullptr) {
+        ASSERT_TRUE(write_file_atomically(seed("passes.psi"), wanted).has_value());
+    }
+    const auto kept = read_whole_file(seed("passes.psi"));
     ASSERT_TRUE(kept.has_value()) << kept.error().message;
     EXPECT_TRUE(*kept == wanted) << "the layout has changed: make it anew, see above";
 }

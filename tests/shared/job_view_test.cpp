@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
         Harm{"Joining", [](JobHeader& h) { h.joining = 3; }, "unknown number 3"},
         Harm{"SignZero", [](JobHeader& h) { h.direction_sign[2] = 0; }, "direction sign is 0"},
         Harm{"SignTwo", [](JobHeader& h) { h.direction_sign[0] = -2; }, "direction sign is -2"},
-        Harm{"Reserved", [](JobHeader& h) { h.reserved = 1; }, "must be 0"},
+        Harm{"Passes", [](JobHeader& h) { h.pass_count = 1; }, "counts need"},
         Harm{"FeedZero", [](JobHeader& h) { h.feed_mm_s = 0.0; }, "feed"},
         Harm{"FeedNegative", [](JobHeader& h) { h.feed_mm_s = -1.0; }, "feed"},
         Harm{"FeedNan", [](JobHeader& h) { h.feed_mm_s = std::numeric_limits<double>::quiet_NaN(); }, "feed"},

@@ -152,6 +152,26 @@ TEST(PinMap, ActiveLowEnablesOnOnePinAreActiveWhileEitherIs) {
     EXPECT_EQ(sut.encode(bit_of(Signal::psi_enable)).data, 0x00);
 }
 
+TEST(PinMap, TheChargePumpIsABitOfItsOwn) {
+    Profile profile;
+    profile.port.pins[index_of(Signal::y_enable)] = 6;
+    for (const int pin : {1, -1}) {
+        profile.port.charge_pump_pin = pin;
+        const PinMap sut = map_of(profile);
+        EXPECT_EQ(sut.pin_of(Signal::charge_pump), 1);
+        for (SignalWord levels = 0; levels <= kOutputMask; ++levels) {
+            const OutputRegisters still = sut.encode(levels);
+            const OutputRegisters pumped = sut.encode(levels | kChargePumpBit);
+            ASSERT_EQ(still.data, pumped.data);
+            ASSERT_EQ(still.control ^ pumped.control, 1);
+            ASSERT_EQ(sut.outputs_from_registers(pumped), sut.outputs_from_registers(still) | kChargePumpBit);
+            ASSERT_EQ(sut.outputs_from_registers(still) & kChargePumpBit, 0U);
+        }
+        // Safe: the pin is low, or high where it is active low.
+        EXPECT_EQ(sut.pins_from_registers(sut.encode(0)) >> 1 & 1U, pin < 0 ? 1U : 0U);
+    }
+}
+
 TEST(PinMap, PinLevelsAreElectric) {
     const PinMap sut = map_of({});
     EXPECT_EQ(sut.pins_from_registers({0x00, 0x0B}), 0U);

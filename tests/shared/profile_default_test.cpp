@@ -168,6 +168,8 @@ TEST(ProfileToml, EveryWordAndTextSurvivesPrinting) {
     profile.r2.home_position_mm = 0.5;
     profile.job.planner = Planner::angle;
     profile.job.joining = Joining::spiral;
+    profile.tool = {ToolShape::vee, 6.35, 45.0, 12.0};
+    profile.blank = {30.0, 60.0, 1.5, -2.25, 12.0};
     profile.port.pins[index_of(Signal::r1_step)] = -5;
     EXPECT_EQ(parsed(profile_to_toml(profile)), profile);
 }
@@ -244,6 +246,31 @@ TEST(MotionDifferences, SpeedsMatterAndTheNameDoesNot) {
                 testing::ElementsAre("axis.psi.speed_deg_s", "axis.y.travel_mm"));
 }
 
+TEST(JobDifferences, LeaveTheBlankToTheJobThatKnowsIt) {
+    Profile job;
+    Profile machine;
+    EXPECT_THAT(job_differences(job, machine), testing::IsEmpty());
+    machine.blank.radius_mm = 20.0;
+    EXPECT_THAT(job_differences(job, machine), testing::ElementsAre("blank.radius_mm"));
+    job.blank.radius_mm = 10.0;
+    EXPECT_THAT(job_differences(job, machine), testing::IsEmpty());
+    machine.blank.radius_mm = 0.0;
+    EXPECT_THAT(job_differences(job, machine), testing::IsEmpty());
+    job.y.pulses_per_mm = 200.0;
+    EXPECT_THAT(job_differences(job, machine), testing::ElementsAre("axis.y.pulses_per_mm"));
+}
+
+TEST(PlaceDifferences, AreThoseByWhichPulsesStandElsewhere) {
+    Profile other;
+    other.psi.accel_deg_s2 = 1000.0;
+    other.job.planner = Planner::angle;
+    EXPECT_THAT(place_differences(Profile{}, other), testing::IsEmpty());
+    other.r1.tip_offset_mm = 0.5;
+    other.y.pulses_per_mm = 200.0;
+    EXPECT_THAT(place_differences(Profile{}, other),
+                testing::ElementsAre("axis.r1.tip_offset_mm", "axis.y.pulses_per_mm"));
+}
+
 TEST(ProfileKeys, EveryFieldIsReachedByExactlyOneKey) {
     Profile profile;
     std::vector<const void*> places;
@@ -252,8 +279,8 @@ TEST(ProfileKeys, EveryFieldIsReachedByExactlyOneKey) {
     }
     std::sort(places.begin(), places.end());
     EXPECT_EQ(std::adjacent_find(places.begin(), places.end()), places.end());
-    // 3 of its own, 5 tick, 3 x 12 linear, 10 psi, 2 head, 10 job, 6 port, 18 pins.
-    EXPECT_EQ(places.size(), 90U);
+    // 3 of its own, 5 tick, 3 x 13 linear, 10 psi, 2 head, 11 job, 4 tool, 5 blank, 6 port, 19 pins.
+    EXPECT_EQ(places.size(), 107U);
 }
 
 }  // namespace

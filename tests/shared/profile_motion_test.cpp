@@ -78,6 +78,18 @@ TEST(CoreRadius, IsACountedPositionOfTheRealTip) {
     EXPECT_EQ(core_radius_pulses(profile, Axis::r2), 1250);
 }
 
+TEST(TicksBetweenEdges, LeaveRoomForTheWrites) {
+    EXPECT_EQ(ticks_between_edges(0, 50'000), 1);
+    EXPECT_EQ(ticks_between_edges(47'500, 50'000), 1);
+    EXPECT_EQ(ticks_between_edges(47'501, 50'000), 2);
+    EXPECT_EQ(ticks_between_edges(50'000, 50'000), 2);
+    EXPECT_EQ(ticks_between_edges(97'500, 50'000), 2);
+    Profile profile;
+    profile.port.step_high_ns = 120'000;
+    profile.port.step_low_ns = 49'000;
+    EXPECT_EQ(pulse_period_ns(profile), 5 * 50'000);
+}
+
 TEST(TickPeriod, IsWholeNanoseconds) {
     Profile profile;
     EXPECT_EQ(tick_period_ns(profile), 50'000);

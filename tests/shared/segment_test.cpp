@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
-#include <grp.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -14,7 +13,6 @@
 #include <string>
 
 #include "shared/process_identity.hpp"
-#include "shared/segment_object.hpp"
 #include "shared/shared_record.hpp"
 #include "tests/shared/segment_fixture.hpp"
 
@@ -63,18 +61,6 @@ protected:
         EXPECT_THAT(attached.error().message, HasSubstr(name_.get()));
         EXPECT_THAT(attached.error().message, HasSubstr("--segment"));
         return attached.error().message;
-    }
-    /// Makes the object another user's. Only root can: false when we are not.
-    bool give_away_to(uid_t user, gid_t group = static_cast<gid_t>(-1)) {
-        return ::fchown(RawObject{name_.get()}.get(), user, group) == 0;
-    }
-    /// What the rule that attaching asks says of our object, were it another user's; empty: it may be used.
-    std::string rule_for_owner(uid_t user, const std::string& group, gid_t owner_group = 0) {
-        struct stat facts = RawObject{name_.get()}.facts();
-        facts.st_uid = user;
-        facts.st_gid = owner_group;
-        const auto judged = check_segment_owner(name_.get(), facts, group);
-        return judged ? "" : judged.error().message;
     }
     test::SegmentName name_;
 };
@@ -198,69 +184,6 @@ TEST_F(SegmentTest, CapacityThatDoesNotFitTheOffsetsIsRefused) {
 
         EXPECT_THAT(refusal(), HasSubstr("damaged"));
     }
-}
-
-TEST_F(SegmentTest, AnotherUsersIsRefused) {
-    { const Segment segment = make(); }
-    if (!give_away_to(12345)) {
-        EXPECT_THAT(rule_for_owner(12345, ""), HasSubstr("uid 12345"));
-        return;
-    }
-    EXPECT_THAT(refusal(), HasSubstr("uid 12345"));
-}
-
-TEST_F(SegmentTest, OneThatEverybodyMayWriteIsRefused) {
-    { const Segment segment = make(); }
-    ASSERT_EQ(::fchmod(RawObject{name_.get()}.get(), 0666), 0);
-
-    EXPECT_THAT(refusal(), HasSubstr("every user may read or write it"));
-}
-
-/// A group that we may give a file to: for root one that is not its own.
-const ::group& group_of_ours() {
-    std::array<gid_t, 64> ours{::getegid()};
-    const int count = ::geteuid() == 0 ? 0 : ::getgroups(static_cast<int>(ours.size()), ours.data());
-    const gid_t another =
-        ::geteuid() == 0 ? gid_t{1} : ours[count > 0 ? static_cast<std::size_t>(count) - 1 : 0];
-    return *::getgrgid(another);
-}
-
-TEST_F(SegmentTest, GroupGetsItWithReadAndWrite) {
-    const ::group group = group_of_ours();
-    SegmentOptions options = name_.options();
-    options.group = group.gr_name;
-    ASSERT_TRUE(Segment::create_or_attach(options).has_value());
-
-    const struct stat facts = RawObject{name_.get()}.facts();
-    EXPECT_EQ(facts.st_mode & 0777U, 0660U);
-    EXPECT_EQ(facts.st_gid, group.gr_gid);
-}
-
-TEST_F(SegmentTest, AGroupsServiceUserIsTrustedByThoseWhoNameTheGroup) {
-    // Group and user of this name exist on every Debian, both with the number 1.
-    constexpr uid_t kDaemon = 1;
-    { const Segment segment = make(); }
-    if (!give_away_to(kDaemon, kDaemon)) {
-        EXPECT_EQ(rule_for_owner(kDaemon, "daemon", kDaemon), "");
-        EXPECT_THAT(rule_for_owner(kDaemon, "daemon", kDaemon + 1), HasSubstr("is not of group daemon"));
-        EXPECT_THAT(rule_for_owner(kDaemon, ""), HasSubstr("uid 1"));
-        EXPECT_THAT(rule_for_owner(kDaemon, "bin"), HasSubstr("uid 1"));
-        return;
-    }
-    EXPECT_TRUE(Segment::attach(name_.get(), "daemon").has_value());
-    EXPECT_FALSE(Segment::attach(name_.get()).has_value());
-    EXPECT_FALSE(Segment::attach(name_.get(), "bin").has_value());
-}
-
-TEST_F(SegmentTest, GroupThatDoesNotExistIsWrongUsageAndLeavesNothing) {
-    SegmentOptions options = name_.options();
-    options.group = "no-such-group-here";
-
-    const auto made = Segment::create_or_attach(options);
-
-    ASSERT_FALSE(made.has_value());
-    EXPECT_EQ(made.error().code, ErrorCode::bad_usage);
-    EXPECT_LT(::shm_open(name_.get().c_str(), O_RDONLY, 0), 0);
 }
 
 TEST_F(SegmentTest, EmptyObjectOfADeadCreatorIsTakenOver) {

@@ -2,9 +2,13 @@
 #include "shared/snapshot_file.hpp"
 
 #include <gmock/gmock.h>
+#include <grp.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cstring>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -159,6 +163,29 @@ TEST(SnapshotFile, StatusOfAForeignLayoutIsRefusedButAJobOutlivesIt) {
     EXPECT_TRUE(parse_snapshot(job, "job.psi").has_value());
 }
 
+TEST(SnapshotFile, StatusOfAnOlderLayoutWithTheSameStructuresIsRead) {
+    Bytes snapshot = snapshot_bytes(full_snapshot());
+    put(snapshot, offsetof(SnapshotHeader, layout_version), kOldestStatusVersion);
+    EXPECT_TRUE(parse_snapshot(snapshot, "s.psi").has_value());
+    put(snapshot, offsetof(SnapshotHeader, layout_version), kOldestStatusVersion - 1);
+    EXPECT_THAT(refusal_of(snapshot), HasSubstr("layout version"));
+}
+
+TEST(SnapshotFile, KeepsTheCheckpointAndNoImpossibleOne) {
+    Snapshot saved = full_snapshot();
+    EXPECT_FALSE(parse_snapshot(snapshot_bytes(saved), "s.psi")->checkpoint.has_value());
+    saved.checkpoint = checkpoint_at(77, 3, 10);
+    Bytes bytes = snapshot_bytes(saved);
+    const auto parsed = parse_snapshot(bytes, "s.psi");
+    ASSERT_TRUE(parsed.has_value());
+    ASSERT_TRUE(parsed->checkpoint.has_value());
+    EXPECT_EQ(parsed->checkpoint->job_checksum, 77U);
+    EXPECT_EQ(parsed->checkpoint->next_layer, 3U);
+    EXPECT_EQ(parsed->checkpoint->layer_count, 10U);
+    put(bytes, offsetof(SnapshotHeader, checkpoint_next_layer), std::uint32_t{11});
+    EXPECT_THAT(refusal_of(bytes), HasSubstr("checkpoint"));
+}
+
 TEST(SnapshotFile, SizesAndOffsetsThatCannotBeAreRefusedEvenWithARightChecksum) {
     const Bytes bytes = snapshot_bytes(full_snapshot());
     for (std::size_t offset = offsetof(SnapshotHeader, status_offset);
@@ -194,6 +221,30 @@ TEST(SnapshotFile, LoadingNamesTheFileAndTheCause) {
                 HasSubstr("none.psi: cannot be read: No such"));
     EXPECT_THAT(load_snapshot(folder.path("")).error().message, HasSubstr("is a folder"));
     EXPECT_THAT(load_snapshot("/dev/zero").error().message, HasSubstr("no regular file"));
+}
+
+mode_t rights_of_file(const std::string& path) {
+    struct stat facts {};
+    EXPECT_EQ(::stat(path.c_str(), &facts), 0);
+    return facts.st_mode & 0777;
+}
+
+TEST(SnapshotFile, IsForItsOwnerAloneOrForTheGroupThatIsNamed) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.path("a.snap");
+    std::ofstream{path} << "readable by all";
+    ASSERT_EQ(::chmod(path.c_str(), 0644), 0);
+    ASSERT_TRUE(save_snapshot(full_snapshot(), path));
+    EXPECT_EQ(rights_of_file(path), 0600U);
+    const std::string group = ::getgrgid(::getegid())->gr_name;
+    ASSERT_TRUE(save_snapshot(full_snapshot(), path, group));
+    EXPECT_EQ(rights_of_file(path), 0660U);
+    EXPECT_FALSE(save_snapshot(full_snapshot(), path, "no-such-group-here"));
+    // A job is made to be passed on.
+    ASSERT_TRUE(save_snapshot(job_only(), folder.path("a.job")));
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    EXPECT_EQ(rights_of_file(folder.path("a.job")), 0666U & ~mask);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -179,6 +180,33 @@ TEST_F(TraceOutputTest, WritesToAPipeThatAParentReads) {
     std::array<char, 16> text{};
     EXPECT_EQ(read(ends[0], text.data(), text.size()), 7);
     EXPECT_EQ(read(ends[0], text.data(), text.size()), 0) << "closed with the writer";
+    close(ends[0]);
+}
+
+TEST_F(TraceOutputTest, CountsWhatAPipeHasTakenWhileTheRestWaits) {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(pipe(ends.data()), 0);
+    const auto room = static_cast<std::uint64_t>(fcntl(ends[1], F_GETPIPE_SZ));
+    ASSERT_GT(room, 4096U);
+    TraceOutput sut = TraceOutput::open("fd:" + std::to_string(ends[1])).value();
+    const auto written = sut.written_bytes();
+    std::thread writer{[&] {
+        sut.write(std::string(2 * room, '#'));
+        sut.flush();
+    }};
+    const auto reaches = [&](std::uint64_t bytes) {
+        for (int n = 0; written->load() < bytes && n < 2000; ++n)
+            std::this_thread::sleep_for(std::chrono::milliseconds{5});
+        return written->load() == bytes;
+    };
+    EXPECT_TRUE(reaches(room)) << written->load();
+    std::array<char, 4096> page{};
+    EXPECT_EQ(read(ends[0], page.data(), page.size()), 4096);
+    EXPECT_TRUE(reaches(room + 4096)) << written->load();
+    for (std::uint64_t left = 2 * room - 4096; left > 0;)
+        left -= static_cast<std::uint64_t>(read(ends[0], page.data(), page.size()));
+    writer.join();
+    EXPECT_EQ(written->load(), 2 * room);
     close(ends[0]);
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <sys/stat.h>
 
+#include <fstream>
 #include <limits>
 #include <map>
 
+#include "shared/profile.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 
 namespace psicarve::test {
@@ -99,6 +101,31 @@ TEST_F(Carve, ASpiralsReplayIsTheSameEveryTime) {
     ASSERT_EQ(psicarve({"replay", job, "--trace", file("b.trace")}).exit_code, 0);
     EXPECT_EQ(text_of(file("a.trace")), text_of(file("b.trace")));
     EXPECT_EQ(psicarve({"verify", job, file("a.trace"), "--picture", file("a.png")}).exit_code, 0);
+    const Outcome piece = psicarve({"verify", job, file("a.trace"), "--piece", file("a.ply")});
+    EXPECT_EQ(piece.exit_code, 0) << piece.error;
+    EXPECT_NE(piece.out.find("mm3 taken off"), std::string::npos) << piece.out;
+    EXPECT_EQ(text_of(file("a.ply")).rfind("ply\nformat binary_little_endian 1.0\n", 0), 0U);
+    EXPECT_EQ(psicarve({"verify", job, file("a.trace"), "--piece", file("a.obj")}).exit_code, 3);
+}
+
+TEST_F(Carve, ATraceIsJudgedByTheLimitsOfAnotherMachineButNotByItsScales) {
+    const std::string job = slice_box();
+    ASSERT_EQ(psicarve({"replay", job, "--trace", file("pins.trace")}).exit_code, 0);
+    const auto judged_by = [&](const Profile& machine) {
+        std::ofstream{file("machine.toml")} << profile_to_toml(machine);
+        return psicarve({"verify", job, file("pins.trace"), "--profile", file("machine.toml")});
+    };
+    Profile weak;
+    weak.psi.accel_deg_s2 = 0.5 * weak.psi.accel_deg_s2;
+    const Outcome judged = judged_by(weak);
+    EXPECT_EQ(judged.exit_code, 6) << judged.error;
+    EXPECT_NE(judged.out.find("psi asks its motor for more acceleration than it has"), std::string::npos)
+        << judged.out;
+    Profile coarse;
+    coarse.y.pulses_per_mm = 200.0;
+    const Outcome refused = judged_by(coarse);
+    EXPECT_EQ(refused.exit_code, 3);
+    EXPECT_NE(refused.error.find("axis.y.pulses_per_mm differ"), std::string::npos) << refused.error;
 }
 
 TEST_F(Carve, AJobAndItsTraceVerifyOnTheirOwn) {

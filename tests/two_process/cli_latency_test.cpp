@@ -18,6 +18,10 @@ TEST(LatencyCommand, CountsEachTickOnce) {
     EXPECT_EQ(ticks_in(json.at("histogram_us")), json.at("ticks").get<std::uint64_t>());
     EXPECT_LE(json.at("late_us").at("p50"), json.at("late_us").at("p99"));
     EXPECT_EQ(json.at("period_us"), 1000);
+    // Where nothing was refused, memory is locked.
+    if (json.at("refused").empty()) {
+        EXPECT_EQ(json.at("page_faults"), 0);
+    }
 }
 
 TEST(LatencyCommand, ShowsWhatItMeasuredWhenInterrupted) {
@@ -32,7 +36,17 @@ TEST(LatencyCommand, ShowsWhatItMeasuredWhenInterrupted) {
     sut.send(SIGINT);
     ASSERT_EQ(sut.wait(), 0) << sut.error();
     EXPECT_NE(sut.out().find("late       median"), std::string::npos) << sut.out();
-    EXPECT_NE(sut.out().find("us late   ticks"), std::string::npos) << sut.out();
+    EXPECT_NE(sut.out().find("us late   ticks   (bars are logarithmic)"), std::string::npos) << sut.out();
+}
+
+TEST(LatencyCommand, LooksAtWhatItIsGivenBeforeItMeasures) {
+    const Outcome no_folder =
+        psicarve({"latency", "--seconds", "100000", "--csv", "/no/such/folder/late.csv"});
+    EXPECT_EQ(no_folder.exit_code, 3) << no_folder.error;
+    EXPECT_NE(no_folder.error.find("/no/such/folder/late.csv"), std::string::npos);
+    const Outcome no_cpu = psicarve({"latency", "--seconds", "100000", "--cpu", "5000"});
+    EXPECT_EQ(no_cpu.exit_code, 2);
+    EXPECT_NE(no_cpu.error.find("no processor"), std::string::npos) << no_cpu.error;
 }
 
 TEST(DoctorCommand, ReportsEveryFindingAndTheLatency) {

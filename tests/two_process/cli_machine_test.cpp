@@ -1,77 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <functional>
-#include <memory>
-#include <optional>
-
-#include "shared/recording.hpp"
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
-#include "tests/hmi/cli/program_run.hpp"
-#include "tests/two_process/slow_machine.hpp"
+#include "tests/two_process/cli_machine_rig.hpp"
 
 namespace psicarve::test {
 namespace {
-
-using std::chrono::milliseconds;
-
-/// A core on a segment of its own that users talk to by commands.
-class Machine : public CliTest {
-protected:
-    ~Machine() override {
-        // One that outlived the carve that began it is nobody's child.
-        if (const auto pid = core_pid()) kill(static_cast<pid_t>(*pid), SIGKILL);
-    }
-    void start_core(const std::vector<std::string>& more = {}) {
-        std::vector<std::string> arguments{"--segment", segment_};
-        if (std::ranges::find(more, "--clock") == more.end())
-            arguments.insert(arguments.end(), {"--clock", "virtual"});
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        core_ = std::make_unique<RunningProgram>("psicarve-rtcore", arguments);
-        ASSERT_TRUE(eventually([&] { return core_pid().has_value(); }));
-    }
-    /// Of a core that has said who it is. One that only has the lock as yet has pid 0, which to kill() means
-    /// this test and whoever runs it.
-    std::optional<std::uint32_t> core_pid() const {
-        const auto segment = Segment::attach(segment_);
-        const auto pid = segment ? segment->core_pid() : std::nullopt;
-        return pid == 0U ? std::nullopt : pid;
-    }
-    MachineState state() const {
-        const auto segment = Segment::attach(segment_);
-        if (!segment) return MachineState::off;
-        const auto status = read_record(segment->header().status);
-        return status ? status->state : MachineState::off;
-    }
-    std::string job(const std::string& layers, const std::string& points) const {
-        const std::string path = file("box.job");
-        const Outcome outcome =
-            psicarve({"slice", box_stl("box.stl"), "-o", path, "--layers", layers, "--points", points});
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
-        return path;
-    }
-    /// Whether a program makes the machine carve; what it said when it ended instead.
-    testing::AssertionResult makes_it_carve(RunningProgram& program) const {
-        bool carves = false;
-        const bool is_decided = eventually([&] {
-            carves = state() == MachineState::carving;
-            return carves || program.has_ended();
-        });
-        if (carves) return testing::AssertionSuccess();
-        if (!is_decided) return testing::AssertionFailure() << "it neither carves nor ends";
-        const int exit_code = program.wait();
-        return testing::AssertionFailure() << "ended with " << exit_code << ": " << program.error();
-    }
-    /// What stands in the segment, as a file.
-    std::string published_job() const {
-        const std::string path = file("published.job");
-        EXPECT_EQ(run({"snapshot", "save", path}).exit_code, 0);
-        return path;
-    }
-    /// Takes several seconds on the virtual clock: long enough to be disturbed in the middle.
-    std::string long_job() const { return job("400", "400"); }
-
-    std::unique_ptr<RunningProgram> core_;
-};
 
 TEST_F(Machine, CarvesStepByStep) {
     start_core();
@@ -142,6 +73,12 @@ TEST_F(Machine, ARunningCoresPinsAreDrawnTracedAndJudged) {
     }
 }
 
+constexpr int kMostTries = 8;
+
+bool is_tick_gap(const nlohmann::json& report) {
+    return !report["alarms"].empty() && report["alarms"].back()["cause"] == "tick gap";
+}
+
 // A computer that misses ticks may break rule 3; it must not lose a pulse on the way here.
 TEST_F(Machine, ARunningCoreByTheWallClockIsJudgedAsWell) {
     write("slow.toml", profile_to_toml(two_process::slow_machine()));
@@ -150,8 +87,16 @@ TEST_F(Machine, ARunningCoreByTheWallClockIsJudgedAsWell) {
         "slice",     box_stl("box.stl", 1.0), "-o", file("slow.job"), "--layers", "1", "--points", "3",
         "--profile", file("slow.toml")};
     ASSERT_EQ(psicarve(slice).exit_code, 0);
-    const auto report = run({"carve", file("slow.job"), "--trace", file("pins.vcd"), "--json"}).json();
-    EXPECT_TRUE(report["verified"].is_boolean()) << report;
+    const auto carve = [&] {
+        return run({"carve", file("slow.job"), "--trace", file("pins.vcd"), "--json"}).json();
+    };
+    nlohmann::json report = carve();
+    // A host that takes this computer away for longer than a rotor coasts is rightly an alarm.
+    for (int tries = 1; tries < kMostTries && is_tick_gap(report); ++tries) {
+        run({"reset-alarm"});
+        report = carve();
+    }
+    ASSERT_TRUE(report["verified"].is_boolean()) << report;
     EXPECT_EQ(report["verification"]["points_visited"], 3) << report;
     const auto judged = psicarve({"verify", file("slow.job"), file("pins.vcd"), "--json"}).json();
     EXPECT_EQ(judged["verified"], report["verification"]["verified"]);
@@ -344,25 +289,45 @@ TEST_F(Machine, APrivateCoreEndsWithAKilledCarve) {
 TEST_F(Machine, ACoreOnTheRealClockCarvesOnWhenItsCarveIsKilled) {
     const std::string profile = profile_to_toml(two_process::slow_machine());
     write("slow.toml", profile);
-    RunningProgram carve{
-        "psicarve",
-        {"carve", box_stl("box.stl"), "--layers", "4", "--points", "9", "--real-time", "--trace",
-         file("pins.trace"), "--profile", file("slow.toml"), "--segment", segment_}};
-    ASSERT_TRUE(makes_it_carve(carve));
-    const auto pid = core_pid();
-    ASSERT_TRUE(pid.has_value());
-    carve.send(SIGKILL);
-    EXPECT_EQ(carve.wait(), 128 + SIGKILL) << carve.error();
     const auto status = [&] { return run({"status", "--json"}).json(); };
-    EXPECT_TRUE(eventually([&] { return !core_pid() || state() == MachineState::ready; }));
-    ASSERT_EQ(core_pid(), pid) << "the core ended with the carve";
-    const auto end = status();
+    const auto is_at_rest = [&] {
+        return !core_pid() || state() == MachineState::ready || state() == MachineState::alarm;
+    };
+    std::optional<std::uint32_t> pid;
+    nlohmann::json end;
+    // Again, should the host take this computer away for longer than a rotor coasts.
+    for (int tries = 1; tries <= kMostTries; ++tries) {
+        RunningProgram carve{
+            "psicarve",
+            {"carve", box_stl("box.stl"), "--layers", "4", "--points", "9", "--real-time", "--trace",
+             file("pins.trace"), "--profile", file("slow.toml"), "--segment", segment_}};
+        const auto has_begun = makes_it_carve(carve);
+        if (!has_begun && carve.error().find("tick gap") != std::string::npos) continue;
+        ASSERT_TRUE(has_begun);
+        pid = core_pid();
+        ASSERT_TRUE(pid.has_value());
+        carve.send(SIGKILL);
+        EXPECT_EQ(carve.wait(), 128 + SIGKILL) << carve.error();
+        EXPECT_TRUE(eventually(is_at_rest));
+        ASSERT_EQ(core_pid(), pid) << "the core ended with the carve";
+        end = status();
+        if (end["alarm_cause"] != "tick gap") break;
+        kill(static_cast<pid_t>(*pid), SIGTERM);
+        EXPECT_TRUE(eventually([&] { return !core_pid(); }));
+    }
+    ASSERT_TRUE(pid.has_value());
     EXPECT_EQ(end["points_done"], 4 * 9) << end;
     EXPECT_EQ(end["alarm_cause"], nullptr) << end;
     kill(static_cast<pid_t>(*pid), SIGTERM);
     EXPECT_TRUE(eventually([&] { return !core_pid(); }));
     const Outcome verified = run({"verify", published_job(), file("pins.trace")});
-    EXPECT_EQ(verified.exit_code, 0) << verified.error << verified.out;
+    // A tick that the host did not let run delays pulses: then it is not their times that can be judged.
+    if (end["missed_ticks"] == 0) {
+        EXPECT_EQ(verified.exit_code, 0) << verified.error << verified.out;
+    }
+    EXPECT_NE((verified.error + verified.out).find("points 36 of 36, largest deviation 0 pulses"),
+              std::string::npos)
+        << verified.error << verified.out;
 }
 
 TEST_F(Machine, AnInterruptedCarveEndsItsOwnCoreInOrder) {

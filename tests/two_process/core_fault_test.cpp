@@ -15,6 +15,27 @@ protected:
         for (const Axis axis : kAllAxes) sum += now.emitted_pulses[index_of(axis)];
         return sum;
     }
+    /// It slowed down on the path: no step was lost, and the machine stands where the core says.
+    void expect_alarm_on_a_new_segment() {
+        ASSERT_TRUE(eventually([&] {
+            auto fresh = Segment::attach(segment_name_);
+            if (!fresh || fresh->core_pid() != std::uint32_t(core_->pid())) return false;
+            segment_ = std::make_unique<Segment>(std::move(*fresh));
+            return true;
+        }));
+        ASSERT_TRUE(reaches(MachineState::alarm));
+        const CoreStatus end = status();
+        EXPECT_EQ(end.alarm_cause, AlarmCause::segment_lost);
+        EXPECT_EQ(end.homed_mask, 0xF);
+        const std::int64_t turn = Profile{}.psi.pulses_per_rev;
+        for (const Axis axis : kAllAxes) {
+            const std::size_t k = index_of(axis);
+            EXPECT_EQ(end.sim_stalls[k], 0U) << name_of(axis);
+            EXPECT_EQ(end.sim_ignored_pulses[k], 0U) << name_of(axis);
+            const std::int64_t off = end.sim_true_position_pulses[k] - end.position_pulses[k];
+            EXPECT_EQ(axis == Axis::psi ? off % turn : off, 0) << name_of(axis);
+        }
+    }
     std::string publish_bytes(const std::vector<std::byte>& blob) {
         const auto generation = publish_job(*segment_, blob);
         if (!generation) return generation.error().message;
@@ -122,10 +143,18 @@ TEST_F(CoreFault, AnUnlinkedSegmentIsAnAlarmOnANewOne) {
     start_carving();
     ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
     ASSERT_TRUE(Segment::remove(segment_name_));
-    attach();
-    ASSERT_TRUE(eventually([&] { return segment_->core_pid() == std::uint32_t(core_->pid()); }));
-    ASSERT_TRUE(reaches(MachineState::alarm));
-    EXPECT_EQ(status().alarm_cause, AlarmCause::segment_lost);
+    expect_alarm_on_a_new_segment();
+}
+
+TEST_F(CoreFault, ASegmentTruncatedWhileItCarvesIsAControlledStop) {
+    start_core();
+    home();
+    ASSERT_EQ(publish(long_job()), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 10; }));
+    const std::string path = "/dev/shm" + segment_name_;
+    ASSERT_EQ(truncate(path.c_str(), 4096), 0);
+    expect_alarm_on_a_new_segment();
 }
 
 TEST_F(CoreFault, ATruncatedSegmentKillsNobody) {
@@ -133,12 +162,32 @@ TEST_F(CoreFault, ATruncatedSegmentKillsNobody) {
     home();
     const std::string path = "/dev/shm" + segment_name_;
     ASSERT_EQ(truncate(path.c_str(), 4096), 0);
-    ASSERT_TRUE(eventually([&] {
-        auto fresh = Segment::attach(segment_name_);
-        if (!fresh || fresh->core_pid() != std::uint32_t(core_->pid())) return false;
-        segment_ = std::make_unique<Segment>(std::move(*fresh));
-        return true;
-    }));
+    expect_alarm_on_a_new_segment();
+}
+
+TEST_F(CoreFault, WhatALivingProcessPutInTheSegmentsPlaceIsNotTakenAway) {
+    start_core();
+    home();
+    const std::string other_name = segment_name_ + "-other";
+    SegmentOptions options;
+    options.name = other_name;
+    options.capacity_layers = 10;
+    options.capacity_points = 10;
+    auto other = Segment::create_or_attach(options);
+    ASSERT_TRUE(other);
+    other->header().layout_version = kLayoutVersion + 1;
+    const std::string path = "/dev/shm" + segment_name_;
+    ASSERT_EQ(rename(("/dev/shm" + other_name).c_str(), path.c_str()), 0);
+    struct stat before {};
+    ASSERT_EQ(stat(path.c_str(), &before), 0);
+    std::this_thread::sleep_for(milliseconds{300});
+    struct stat after {};
+    ASSERT_EQ(stat(path.c_str(), &after), 0);
+    EXPECT_EQ(after.st_ino, before.st_ino);
+    // As soon as it is gone the core makes its own.
+    ASSERT_TRUE(Segment::remove(segment_name_));
+    attach();
+    ASSERT_TRUE(eventually([&] { return segment_->core_pid() == std::uint32_t(core_->pid()); }));
     ASSERT_TRUE(reaches(MachineState::alarm));
     EXPECT_EQ(status().alarm_cause, AlarmCause::segment_lost);
 }

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <thread>
 
 #include "tests/two_process/port_rig.hpp"
 
@@ -12,8 +17,8 @@ class CoreGuard : public PortRig {
 protected:
     pid_t guard_pid() const { return core_->pid(); }
 
-    void carve_for_long() {
-        start_port_core();
+    void carve_for_long(bool leads_group = false) {
+        start_port_core({}, leads_group);
         ASSERT_NE(core_pid_, guard_pid());
         home();
         ASSERT_EQ(publish(coarse_job(40)), "");
@@ -25,27 +30,20 @@ protected:
         const auto levels = fake_port::levels_of(port_.writes(), profile_);
         return !levels.empty() && (levels.back() & bit_of(Signal::spindle)) != 0;
     }
-    /// From then to the write after which the outputs stayed safe.
-    double milliseconds_until_safe(std::uint64_t from_ns) const {
-        const auto writes = port_.writes();
-        const auto levels = fake_port::levels_of(writes, profile_);
-        std::size_t safe = writes.size() - 1;
-        while (safe > 0 && (levels[safe - 1] & ~kDirMask) == 0) --safe;
-        return static_cast<double>(writes[safe].time_ns - from_ns) * 1e-6;
+    static std::uint64_t now_ns() {
+        timespec now{};
+        clock_gettime(CLOCK_MONOTONIC, &now);
+        return static_cast<std::uint64_t>(now.tv_sec) * 1'000'000'000 +
+               static_cast<std::uint64_t>(now.tv_nsec);
     }
     CoreStatus last_status() const { return load_words<CoreStatus>(segment_->header().status.words); }
 };
 
 TEST_F(CoreGuard, AKilledCoreLeavesTheMachineSwitchedOffAndSaysSo) {
     carve_for_long();
-    timespec now{};
-    clock_gettime(CLOCK_MONOTONIC, &now);
     kill(core_pid_, SIGKILL);
     EXPECT_EQ(core_->wait_for_exit(), 128 + SIGKILL);
     expect_safe_registers();
-    const std::uint64_t killed_ns =
-        static_cast<std::uint64_t>(now.tv_sec) * 1'000'000'000 + static_cast<std::uint64_t>(now.tv_nsec);
-    std::printf("safe %.3f ms after the kill\n", milliseconds_until_safe(killed_ns));
     const std::string said = text_of(file("core.err"));
     EXPECT_NE(said.find("pid " + std::to_string(core_pid_)), std::string::npos) << said;
     EXPECT_NE(said.find("switched off"), std::string::npos) << said;
@@ -58,6 +56,60 @@ TEST_F(CoreGuard, AKilledCoreLeavesTheMachineSwitchedOffAndSaysSo) {
     EXPECT_EQ(last.homed_mask, 0);
     EXPECT_EQ(last.signals & kOutputMask, 0U);
     EXPECT_GT(last.points_done, 3U);
+}
+
+TEST_F(CoreGuard, APortThatFailsWhenTheCoreIsKilledIsMadeSafeOnceItAnswers) {
+    carve_for_long();
+    fail_port(EIO, -1);
+    kill(core_pid_, SIGKILL);
+    ASSERT_TRUE(eventually([&] { return last_status().alarm_cause == AlarmCause::core_lost; }));
+    EXPECT_EQ(last_status().is_port_silent, 1U);
+    EXPECT_NE(last_status().signals & bit_of(Signal::spindle), 0U) << "it still turns";
+    ASSERT_TRUE(eventually(
+        [&] { return text_of(file("core.err")).find("the port does not answer") != std::string::npos; }));
+    std::this_thread::sleep_for(std::chrono::milliseconds{300});
+    EXPECT_FALSE(is_safe());
+    mend_port();
+    EXPECT_EQ(core_->wait_for_exit(), 128 + SIGKILL);
+    expect_safe_registers();
+    EXPECT_EQ(last_status().is_port_silent, 0U);
+    EXPECT_EQ(last_status().signals & kOutputMask, 0U);
+    EXPECT_EQ(last_status().alarm_count, 1U) << "one death";
+}
+
+TEST_F(CoreGuard, APortThatFailsUnderAStoppedCoreIsMadeSafeOnceItAnswers) {
+    carve_for_long();
+    fail_port(EIO, -1);
+    kill(core_pid_, SIGSTOP);
+    ASSERT_TRUE(eventually(
+        [&] { return text_of(file("core.err")).find("the port does not answer") != std::string::npos; }));
+    EXPECT_FALSE(is_safe());
+    mend_port();
+    EXPECT_TRUE(eventually([&] { return is_safe(); }));
+    kill(core_pid_, SIGKILL);
+    EXPECT_EQ(core_->wait_for_exit(), 128 + SIGKILL);
+}
+
+// The spec's number. A busy computer may take itself away for as long once, not in most cases.
+TEST_F(CoreGuard, SwitchesOffWithinATenthOfASecond) {
+    constexpr std::size_t kKills = 9;
+    std::vector<double> times_ms;
+    while (times_ms.size() < kKills) {
+        start_port_core();
+        ASSERT_TRUE(eventually([&] { return status().tick > 10; }));
+        // At rest the core itself writes nothing.
+        const std::size_t written = port_.writes().size();
+        const std::uint64_t killed_ns = now_ns();
+        kill(core_pid_, SIGKILL);
+        EXPECT_EQ(core_->wait_for_exit(), 128 + SIGKILL);
+        const auto writes = port_.writes();
+        ASSERT_GE(writes.size(), written + 2) << "both registers";
+        times_ms.push_back(static_cast<double>(writes[written + 1].time_ns - killed_ns) * 1e-6);
+    }
+    std::ranges::sort(times_ms);
+    std::printf("safe after %.1f to %.1f ms, median %.1f\n", times_ms.front(), times_ms.back(),
+                times_ms[kKills / 2]);
+    EXPECT_LT(times_ms[kKills / 2], 100.0);
 }
 
 TEST_F(CoreGuard, AfterACrashNothingMovesBeforeItIsHomedAndTheJobGoesOn) {
@@ -92,12 +144,48 @@ TEST_F(CoreGuard, WithoutItsGuardACoreStopsInOrderAndMovesNoMore) {
     EXPECT_EQ(status().homed_mask, 0xF) << "it slowed down: no step is lost";
     expect_safe_registers_but_directions();
     EXPECT_EQ(segment_->core_pid(), static_cast<std::uint32_t>(core_pid_));
-    ASSERT_EQ(refusal_of(CommandKind::reset_alarm), "");
-    ASSERT_TRUE(eventually([&] { return status().alarm_count == 2; }));
-    ASSERT_TRUE(reaches(MachineState::alarm));
+    EXPECT_NE(refusal_of(CommandKind::reset_alarm).find("start the core again"), std::string::npos);
+    EXPECT_EQ(status().state, MachineState::alarm);
+    EXPECT_EQ(status().alarm_count, 1U);
     const std::uint64_t pulses = pulses_on_the_cable();
     EXPECT_NE(refusal_of(CommandKind::home), "");
     EXPECT_EQ(pulses_on_the_cable(), pulses);
+}
+
+// An alarm leaves one motion open; without a guard it leaves none.
+TEST_F(CoreGuard, WithoutItsGuardNoAxisBacksOffEither) {
+    carve_for_long();
+    constexpr std::uint32_t kR1LimitBit = 0x10;
+    port_.state().status_flip.store(kR1LimitBit);
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    ASSERT_EQ(status().alarm_cause, AlarmCause::limit);
+    kill(guard_pid(), SIGKILL);
+    core_->wait_for_exit();
+    const std::uint64_t heartbeat = status().heartbeat;
+    ASSERT_TRUE(eventually([&] { return status().heartbeat > heartbeat + 3; }));
+    const std::uint64_t pulses = pulses_on_the_cable();
+    const std::string refusal = refusal_of(CommandKind::back_off, Axis::r1);
+    EXPECT_NE(refusal.find("back-off: the guard process ended; start the core again"), std::string::npos)
+        << refusal;
+    EXPECT_EQ(status().state, MachineState::alarm);
+    const std::uint64_t tick = status().tick;
+    ASSERT_TRUE(eventually([&] { return status().tick > tick + 200; }));
+    EXPECT_EQ(pulses_on_the_cable(), pulses);
+    expect_safe_registers_but_directions();
+}
+
+TEST_F(CoreGuard, AStoppedGuardIsNoGuard) {
+    carve_for_long();
+    kill(guard_pid(), SIGSTOP);
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    EXPECT_EQ(status().alarm_cause, AlarmCause::guard_lost);
+    EXPECT_EQ(status().homed_mask, 0xF) << "it slowed down: no step is lost";
+    kill(guard_pid(), SIGCONT);
+    ASSERT_TRUE(eventually([&] {
+        return refusal_of(CommandKind::reset_alarm).empty() && status().state == MachineState::ready;
+    })) << "it is there again";
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    EXPECT_EQ(core_->wait_for_exit(), 0);
 }
 
 TEST_F(CoreGuard, AStoppedCoreDoesNotKeepTheSpindleTurning) {
@@ -123,6 +211,76 @@ TEST_F(CoreGuard, AnOrderToEndGoesOnToTheCore) {
     expect_safe_registers();
     EXPECT_FALSE(segment_->core_pid());
     EXPECT_NE(last_status().alarm_cause, AlarmCause::core_lost);
+}
+
+// As a shell sends it to a job, or systemd to whatever a service started.
+TEST_F(CoreGuard, AnOrderThatReachesBothIsOneOrder) {
+    carve_for_long();
+    kill(core_pid_, SIGTERM);
+    ASSERT_TRUE(eventually([&] { return status().state == MachineState::stopping; }));
+    kill(guard_pid(), SIGTERM);
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+    EXPECT_EQ(last_status().alarm_count, 0U) << name_of(last_status().alarm_cause);
+    EXPECT_EQ(last_status().homed_mask, 0xF) << "it slowed down";
+    expect_safe_registers();
+}
+
+TEST_F(CoreGuard, AnOrderToTheProcessGroupIsOneOrder) {
+    carve_for_long(true);
+    killpg(guard_pid(), SIGTERM);
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+    EXPECT_EQ(last_status().alarm_count, 0U) << name_of(last_status().alarm_cause);
+    expect_safe_registers();
+}
+
+TEST_F(CoreGuard, ASecondOrderIsAnEmergencyStop) {
+    carve_for_long();
+    kill(guard_pid(), SIGTERM);
+    ASSERT_TRUE(eventually([&] { return status().state == MachineState::stopping; }));
+    kill(guard_pid(), SIGINT);
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+    EXPECT_EQ(last_status().alarm_cause, AlarmCause::emergency_stop);
+    expect_safe_registers();
+}
+
+// What a shell does to a job that must go at once.
+TEST_F(CoreGuard, AKilledProcessGroupLeavesNoSpindleOn) {
+    carve_for_long(true);
+    killpg(guard_pid(), SIGKILL);
+    core_->wait_for_exit();
+    ASSERT_TRUE(eventually([&] { return !is_spindle_on(); }));
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    EXPECT_EQ(status().alarm_cause, AlarmCause::guard_lost);
+    expect_safe_registers_but_directions();
+}
+
+TEST_F(CoreGuard, NoSignalMeantForOthersEndsIt) {
+    start_port_core();
+    for (const int number : {SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGPOLL, SIGPWR, SIGXCPU, SIGPIPE,
+                             SIGSTKFLT, SIGRTMIN, SIGRTMAX}) {
+        kill(guard_pid(), number);
+    }
+    // It still does its work.
+    kill(guard_pid(), SIGTERM);
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+    EXPECT_FALSE(segment_->core_pid());
+    EXPECT_EQ(last_status().alarm_count, 0U);
+}
+
+TEST_F(CoreGuard, LivesOnWhenNobodyReadsItsWords) {
+    ASSERT_EQ(mkfifo(file("core.err").c_str(), 0600), 0);
+    const int reader = open(file("core.err").c_str(), O_RDONLY | O_NONBLOCK);
+    start_port_core();
+    ASSERT_TRUE(eventually([&] { return status().tick > 10; }));
+    close(reader);
+    kill(core_pid_, SIGSTOP);
+    const std::uint64_t written = port_.state().write_count.load();
+    ASSERT_TRUE(eventually([&] { return port_.state().write_count.load() > written; })) << "the guard acts";
+    kill(core_pid_, SIGCONT);
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    EXPECT_EQ(status().alarm_cause, AlarmCause::tick_gap);
+    kill(guard_pid(), SIGTERM);
+    EXPECT_EQ(core_->wait_for_exit(), 0);
 }
 
 TEST_F(CoreGuard, WithoutGuardTheCoreIsTheProcessThatWasStarted) {

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 
+#include "shared/kernel_ports.hpp"
 #include "tests/two_process/port_rig.hpp"
 
 namespace psicarve::two_process {
@@ -47,8 +48,9 @@ TEST_F(CorePortRefusal, EveryReasonIsOneLineWithItsRemedy) {
     expect_one_line_with(start_on("ppdev:/dev/no/parport0", false), 4, "modprobe");
     expect_one_line_with(start_on("ppdev:/dev/null", false), 4, "is not a parallel port");
     expect_one_line_with(start_on(ppdev(), false), 4, "is not a parallel port");
+    port_.state().control.store(safe().control);
     port_.state().open_errno.store(EACCES);
-    expect_one_line_with(start_on(ppdev()), 4, "group lp");
+    expect_one_line_with(start_on(ppdev()), 4, "usermod -aG " + group_of(port_.device()));
     port_.state().open_errno.store(ENXIO);
     expect_one_line_with(start_on(ppdev()), 4, "no parallel port is behind it");
     port_.state().open_errno.store(0);
@@ -58,6 +60,7 @@ TEST_F(CorePortRefusal, EveryReasonIsOneLineWithItsRemedy) {
     port_.state().modes.store(0);
     expect_one_line_with(start_on(ppdev()), 4, "no registers");
     EXPECT_EQ(port_.state().write_count.load(), 0U) << "nothing was written before it was refused";
+    EXPECT_EQ(port_.state().control.load(), safe().control) << "what is refused was not claimed either";
 }
 
 TEST_F(CorePortRefusal, ARealPortTakesNoVirtualClockNoOtherMachineAndNoReplayFromNowhere) {
@@ -72,11 +75,67 @@ TEST_F(CorePortRefusal, ARealPortTakesNoVirtualClockNoOtherMachineAndNoReplayFro
     EXPECT_EQ(port_.state().claimed_by.load(), 0U);
 }
 
-TEST_F(CorePortRefusal, APortThatTakesNoWriteIsRefused) {
+TEST_F(CorePortRefusal, WhatWouldBeIgnoredIsRefused) {
+    expect_one_line_with(start_refused({"--clock", "virtual", "--lateness", file("late.csv")}), 2,
+                         "--clock real");
+    expect_one_line_with(start_refused({"--clock", "virtual", "--cpu", "0"}), 2, "--clock real");
+    expect_one_line_with(start_refused({"--assume-homed"}), 2, "--replay");
+    expect_one_line_with(start_refused({"--seconds", "3"}), 2, "--measure-latency");
+    expect_one_line_with(start_refused({"--measure-latency", "--cpu", "5000"}), 2, "no such processor");
+}
+
+TEST_F(CorePortRefusal, APortThatTakesNoWriteIsRefusedWithWhatMayBeOn) {
     fail_port(EIO, -1);
     const Refused refused = start_on(ppdev());
     EXPECT_EQ(refused.exit_code, 4);
     EXPECT_NE(refused.said.find("does not take"), std::string::npos) << refused.said;
+    EXPECT_NE(refused.said.find("spindle"), std::string::npos) << refused.said;
+    EXPECT_NE(refused.said.find("y_enable"), std::string::npos) << refused.said;
+    EXPECT_NE(refused.said.find("its own switch"), std::string::npos) << refused.said;
+}
+
+// The claim itself has switched the spindle on.
+TEST_F(CorePortRefusal, HoweverManyAccessesFailAtOpeningTheSafeStateFollowsTheClaim) {
+    for (const std::int64_t good : {0, 1, 2}) {
+        for (const std::int64_t faults : {1, 2, 5, 50}) {
+            port_.state().fault_errno.store(EIO);
+            port_.state().faults.store(faults);
+            port_.state().accesses_to_fault.store(good);
+            const fake_port::FakePortFile::Preload preload{port_};
+            CoreProcess core{port_arguments(segment_name_), file("opening.err")};
+            EXPECT_TRUE(eventually([&] { return port_.state().write_count.load() > 0 && is_safe(); }))
+                << faults << " faults after " << good << ": " << text_of(file("opening.err"));
+            EXPECT_TRUE(eventually([&] { return port_.state().faults.load() == 0; }));
+            core.send_signal(SIGTERM);
+            core.wait_for_exit();
+            expect_safe_registers();
+            port_.state().write_count.store(0);
+        }
+    }
+}
+
+TEST_F(CorePortRefusal, AnOrderToEndWaitsUntilTheClaimedPortIsSafe) {
+    fail_port(EIO, -1);
+    const fake_port::FakePortFile::Preload preload{port_};
+    CoreProcess core{port_arguments(segment_name_), file("opening.err")};
+    ASSERT_TRUE(eventually([&] { return port_.state().claimed_by.load() != 0; }));
+    ASSERT_TRUE(eventually([&] {
+        return text_of(file("opening.err")).find("does not take") != std::string::npos;
+    })) << "it is said while it lasts";
+    for (const int number : {SIGTERM, SIGINT, SIGHUP, SIGTSTP}) core.send_signal(number);
+    std::this_thread::sleep_for(std::chrono::milliseconds{50});
+    EXPECT_FALSE(is_safe());
+    mend_port();
+    ASSERT_TRUE(eventually([&] { return is_safe(); })) << text_of(file("opening.err"));
+    core.send_signal(SIGCONT);
+    EXPECT_GT(core.wait_for_exit(), 128);
+    expect_safe_registers();
+}
+
+TEST_F(CorePortRefusal, WhatFailsAfterTheClaimLeavesTheSafeState) {
+    port_.state().direction_errno.store(EIO);
+    expect_one_line_with(start_on(ppdev()), 4, "cannot be claimed");
+    expect_safe_registers();
 }
 
 TEST_F(CorePortRefusal, WithoutRealTimeRightsItIsRefusedBeforeThePortIsTouched) {

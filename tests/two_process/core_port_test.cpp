@@ -39,6 +39,25 @@ TEST_F(CorePort, CarvesAJobWithExactlyThePulsesOfTheSimulatedPort) {
     EXPECT_EQ(port_.state().claimed_by.load(), 0U) << "given back";
 }
 
+TEST_F(CorePort, AMachineWithoutAnySensorIsHomedWhereItStandsAndCarvesTheSame) {
+    const std::vector<Pulse> wanted = pulses_of_the_simulated_run(coarse_job(2));
+    for (LinearAxisProfile* axis : {&profile_.r1, &profile_.r2, &profile_.y}) axis->home = HomeSensor::none;
+    profile_.psi.home = HomeSensor::none;
+    write_profile();
+    port_.stand(profile_);
+    start_port_core();
+    home();
+    EXPECT_EQ(pulses_on_the_cable(), 0U) << "there is nothing to look for";
+    ASSERT_EQ(publish(coarse_job(2)), "");
+    start_carving();
+    ASSERT_TRUE(
+        eventually([&] { return status().job_end_tick != 0 || status().state == MachineState::alarm; }));
+    EXPECT_EQ(status().state, MachineState::ready) << name_of(status().alarm_cause);
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    EXPECT_EQ(core_->wait_for_exit(), 0) << text_of(file("core.err"));
+    EXPECT_EQ(fake_port::pulses_with_spindle(fake_port::levels_of(port_.writes(), profile_)), wanted);
+}
+
 TEST_F(CorePort, APulseWithinATickLastsLongEnoughAndIsTheSamePulse) {
     const std::vector<Pulse> wanted = pulses_of_the_simulated_run(coarse_job(2));
     profile_.port.pulses = PulseForm::within_tick;
@@ -76,8 +95,11 @@ TEST_F(CorePort, WritesOnlyRegistersThatChange) {
     EXPECT_EQ(core_->wait_for_exit(), 0);
     std::array<int, 2> held{-1, -1};
     const std::vector<Write> writes = port_.writes();
-    ASSERT_GT(writes.size(), 4U);
-    for (std::size_t i = 0; i + 2 < writes.size(); ++i) {
+    // The core's safe state, and the guard's after its last tick and after its end, are written whatever the
+    // registers hold.
+    constexpr std::size_t kLastWords = 6;
+    ASSERT_GT(writes.size(), 2 * kLastWords);
+    for (std::size_t i = 0; i + kLastWords < writes.size(); ++i) {
         int& register_holds = held[static_cast<std::size_t>(writes[i].reg)];
         EXPECT_NE(register_holds, writes[i].value) << "write " << i;
         register_holds = writes[i].value;
@@ -125,33 +147,94 @@ TEST_F(CorePort, ALimitThatChattersFromTickToTickStopsNothing) {
     EXPECT_EQ(status().state, MachineState::ready) << name_of(status().alarm_cause);
 }
 
-TEST_F(CorePort, OneErrorIsAnAlarmThatStaysAndNothingMovesAfterIt) {
+TEST_F(CorePort, HoweverManyAccessesFailTheMachineIsSwitchedOffOnceThePortAnswers) {
+    for (const int faults : {1, 2, 5, 50}) {
+        start_port_core();
+        ASSERT_EQ(refusal_of(CommandKind::home), "");
+        ASSERT_TRUE(eventually([&] { return pulses_on_the_cable() > 10; }));
+        EXPECT_NE(status().signals & kEnableMask, 0U);
+        fail_port(EIO, faults);
+        ASSERT_TRUE(reaches(MachineState::alarm));
+        EXPECT_EQ(status().alarm_cause, AlarmCause::port_error);
+        EXPECT_TRUE(eventually([&] { return is_safe(); })) << faults << " accesses failed";
+        EXPECT_TRUE(eventually([&] { return status().is_port_silent == 0; }));
+        EXPECT_EQ(status().signals & (kEnableMask | bit_of(Signal::spindle)), 0U);
+        const std::uint64_t writes = port_.state().write_count.load();
+        const std::uint64_t tick = status().tick;
+        ASSERT_TRUE(eventually([&] { return status().tick > tick + 100; }));
+        EXPECT_EQ(port_.state().write_count.load(), writes) << "what was taken is not written again";
+        EXPECT_NE(refusal_of(CommandKind::home), "");
+        // As the remedy says.
+        ASSERT_EQ(refusal_of(CommandKind::reset_alarm), "");
+        EXPECT_EQ(status().state, MachineState::off);
+        ASSERT_EQ(refusal_of(CommandKind::home), "");
+        kill(core_->pid(), SIGTERM);
+        EXPECT_EQ(core_->wait_for_exit(), 0);
+        expect_safe_registers();
+        port_.stand(profile_);
+        for (auto& axis : port_.state().axes) axis.pulses.store(0);
+    }
+}
+
+TEST_F(CorePort, AnOutageWhileCarvingEndsWithTheMachineSwitchedOff) {
     start_port_core();
     home();
     ASSERT_EQ(publish(coarse_job(40)), "");
     start_carving();
     ASSERT_TRUE(eventually([&] { return status().points_done > 3; }));
-    fail_port(EIO, 1);
+    fail_port(EIO, -1);
     ASSERT_TRUE(reaches(MachineState::alarm));
-    EXPECT_EQ(status().alarm_cause, AlarmCause::port_error);
-    EXPECT_NE(refusal_of(CommandKind::reset_alarm).find("port"), std::string::npos);
-    EXPECT_NE(refusal_of(CommandKind::home), "");
-    expect_safe_registers();
+    ASSERT_TRUE(eventually([&] { return status().is_port_silent == 1; }));
+    EXPECT_NE(status().signals & bit_of(Signal::spindle), 0U) << "it has not been switched off";
+    EXPECT_NE(refusal_of(CommandKind::reset_alarm).find("its own switch"), std::string::npos);
+    EXPECT_FALSE(is_safe());
     const std::uint64_t pulses = pulses_on_the_cable();
+    mend_port();
+    EXPECT_TRUE(eventually([&] { return is_safe(); }));
+    EXPECT_TRUE(eventually([&] { return status().is_port_silent == 0; }));
+    EXPECT_EQ(status().signals & (kEnableMask | bit_of(Signal::spindle)), 0U);
+    // Once more, in alarm: what it took may be lost, and an emergency stop is no less.
+    fail_port(EIO, -1);
+    ASSERT_TRUE(eventually([&] { return status().is_port_silent == 1; }));
+    port_.state().data.store(0x70);
+    segment_->header().estop_requests.fetch_add(1);
+    mend_port();
+    EXPECT_TRUE(eventually([&] { return is_safe(); }));
+    EXPECT_EQ(pulses_on_the_cable(), pulses);
     ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
     EXPECT_EQ(core_->wait_for_exit(), 0);
-    EXPECT_EQ(pulses_on_the_cable(), pulses);
-    expect_safe_first_and_last();
 }
 
-TEST_F(CorePort, APortThatVanishesIsAnAlarmAndTheCoreLivesOn) {
+TEST_F(CorePort, APortThatVanishesWhileCarvingIsAnAlarmAndTheGuardWaitsForIt) {
+    start_port_core();
+    home();
+    ASSERT_EQ(publish(coarse_job(40)), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 3; }));
+    fail_port(ENODEV, -1);
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    EXPECT_EQ(status().alarm_cause, AlarmCause::port_error);
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    ASSERT_TRUE(eventually(
+        [&] { return text_of(file("core.err")).find("the port does not answer") != std::string::npos; }));
+    EXPECT_FALSE(is_safe());
+    mend_port();
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+    expect_safe_registers();
+    EXPECT_NE(text_of(file("core.err")).find("the port answers again"), std::string::npos);
+}
+
+TEST_F(CorePort, AtRestAPortThatVanishesIsFoundByReadingAndAnOrderEndsTheGuardsWaiting) {
     start_port_core();
     home();
     fail_port(ENODEV, -1);
-    ASSERT_TRUE(reaches(MachineState::alarm)) << "at rest as well: reading is enough";
+    ASSERT_TRUE(reaches(MachineState::alarm));
     EXPECT_EQ(status().alarm_cause, AlarmCause::port_error);
     ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
-    EXPECT_EQ(core_->wait_for_exit(), 0);
+    ASSERT_TRUE(eventually(
+        [&] { return text_of(file("core.err")).find("the port does not answer") != std::string::npos; }));
+    kill(core_->pid(), SIGTERM);
+    EXPECT_EQ(core_->wait_for_exit(), 4) << "nobody may take it for safe";
 }
 
 TEST_F(CorePort, ASecondCoreIsRefusedWithThePidOfTheFirst) {
@@ -166,9 +249,11 @@ TEST_F(CorePort, ASecondCoreIsRefusedWithThePidOfTheFirst) {
     [[maybe_unused]] const auto removed = Segment::remove(other_segment);
 }
 
+// Without a guard, which would write it as well.
 TEST_F(CorePort, AFatalSignalLeavesTheSafeStateBehind) {
-    for (const int number : {SIGSEGV, SIGBUS}) {
-        start_port_core();
+    for (const int number : {SIGSEGV, SIGRTMIN + 6}) {
+        start_port_core({"--no-guard"});
+        ASSERT_EQ(core_pid_, core_->pid());
         home();
         ASSERT_EQ(publish(coarse_job(40)), "");
         start_carving();

@@ -21,8 +21,9 @@ namespace psicarve::two_process {
 /// A real psicarve-rtcore, started by a test and gone when the object is.
 class CoreProcess {
 public:
+    /// `leads_group`: of processes, as whatever a shell starts.
     explicit CoreProcess(const std::vector<std::string>& arguments,
-                         const std::string& error_path = "/dev/null") {
+                         const std::string& error_path = "/dev/null", bool leads_group = false) {
         std::vector<std::string> words{std::string{PSICARVE_BIN} + "/psicarve-rtcore"};
         words.insert(words.end(), arguments.begin(), arguments.end());
         std::vector<char*> pointers;
@@ -33,7 +34,18 @@ public:
         posix_spawn_file_actions_init(&actions);
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, error_path.c_str(),
                                          O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        if (posix_spawn(&pid_, words[0].c_str(), &actions, nullptr, pointers.data(), environ) != 0) pid_ = -1;
+        posix_spawnattr_t attributes;
+        posix_spawnattr_init(&attributes);
+        // Whoever runs the tests may ignore it, and so would the core.
+        sigset_t default_signals;
+        sigemptyset(&default_signals);
+        sigaddset(&default_signals, SIGPIPE);
+        posix_spawnattr_setsigdefault(&attributes, &default_signals);
+        posix_spawnattr_setflags(&attributes, static_cast<short>(POSIX_SPAWN_SETSIGDEF |
+                                                                 (leads_group ? POSIX_SPAWN_SETPGROUP : 0)));
+        if (posix_spawn(&pid_, words[0].c_str(), &actions, &attributes, pointers.data(), environ) != 0)
+            pid_ = -1;
+        posix_spawnattr_destroy(&attributes);
         posix_spawn_file_actions_destroy(&actions);
     }
     CoreProcess(const CoreProcess&) = delete;

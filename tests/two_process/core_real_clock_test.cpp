@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <sstream>
+
 #include "shared/realtime_step.hpp"
 #include "tests/two_process/core_rig.hpp"
 #include "tests/two_process/slow_machine.hpp"
@@ -27,6 +30,7 @@ protected:
         ASSERT_TRUE(eventually([&] { return segment_->core_pid() == std::uint32_t(core_->pid()); }))
             << text_of(file("core.err"));
     }
+    void home_and_carve_in_order(const Profile& profile);
 };
 
 /// A machine that creeps: whatever a busy computer does to its ticks, no rotor coasts into a lost step.
@@ -47,10 +51,18 @@ Profile creeping_machine() {
     return profile;
 }
 
-// Three threads meet here: also run under ThreadSanitizer, whose findings end the core with another exit
-// code.
-TEST_F(CoreOnTheRealClock, HomesCarvesAndEndsInOrder) {
-    const Profile profile = slow_machine();
+/// Of its first thread, as the kernel tells it.
+std::string realtime_priority(pid_t process) {
+    const std::string stat = text_of("/proc/" + std::to_string(process) + "/stat");
+    std::istringstream fields{stat.substr(std::min(stat.rfind(')') + 1, stat.size()))};
+    constexpr int kPriorityField =
+        38;  // proc(5): rt_priority is number 40, the state behind the name number 3
+    std::string field;
+    for (int i = 0; i < kPriorityField; ++i) fields >> field;
+    return field;
+}
+
+void CoreOnTheRealClock::home_and_carve_in_order(const Profile& profile) {
     ASSERT_NO_FATAL_FAILURE(start_core_with(profile, {"--trace", file("real.trace")}));
     home();
     ASSERT_EQ(publish(square_job(profile)), "");
@@ -71,6 +83,21 @@ TEST_F(CoreOnTheRealClock, HomesCarvesAndEndsInOrder) {
     EXPECT_EQ(core_->wait_for_exit(), 0) << text_of(file("core.err"));
 }
 
+// Three threads meet here: also run under ThreadSanitizer, whose findings end the core with another exit
+// code.
+TEST_F(CoreOnTheRealClock, HomesCarvesAndEndsInOrder) {
+    home_and_carve_in_order(slow_machine());
+}
+
+// Four: inputs and pulses have one of their own.
+TEST_F(CoreOnTheRealClock, HomesCarvesAndEndsInOrderByTwoTimersToo) {
+    Profile profile = slow_machine();
+    profile.tick.schedule = Schedule::two_timer;
+    profile.tick.interpolation_us = 1000.0;
+    profile.tick.io_us = 2000.0;
+    home_and_carve_in_order(profile);
+}
+
 TEST_F(CoreOnTheRealClock, TellsHowItsTickIsTreatedAndWhatToDo) {
     ASSERT_NO_FATAL_FAILURE(start_core_with(slow_machine(), {"--cpu", "1023", "--priority", "7"}));
     ASSERT_TRUE(eventually([&] { return status().realtime_asked != 0; }));
@@ -84,6 +111,11 @@ TEST_F(CoreOnTheRealClock, TellsHowItsTickIsTreatedAndWhatToDo) {
     EXPECT_EQ(now.has_realtime_rights != 0,
               (now.realtime_done & kNeededRealtimeSteps) == kNeededRealtimeSteps);
     ASSERT_TRUE(eventually([&] { return status().tick_sleeps > 0; }));
+    // No more than one a tick; a few before the first.
+    const CoreStatus later = status();
+    EXPECT_LE(later.tick_sleeps, later.tick + 4);
+    // Who serves commands waits before everything ordinary, and is an ordinary thread while it does the rest.
+    EXPECT_TRUE(eventually([&] { return realtime_priority(core_->pid()) == (is_realtime ? "1" : "0"); }));
     ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
     EXPECT_EQ(core_->wait_for_exit(), 0);
     const std::string said = text_of(file("core.err"));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include "shared/shared_record.hpp"
 #include "shared/snapshot_file.hpp"
 #include "shared/units.hpp"
+#include "tests/shared/temporary_folder.hpp"
 #include "tests/two_process/core_process.hpp"
 
 namespace psicarve::two_process {
@@ -39,13 +41,15 @@ protected:
     CoreRig();
     ~CoreRig() override;
 
-    std::string file(const std::string& name) const { return folder_ + "/" + name; }
+    std::string file(const std::string& name) const { return folder_.path(name); }
 
     void start_core(std::vector<std::string> more = {});
     void attach();
 
     template <typename Condition>
     static bool eventually(Condition condition, milliseconds limit = kLimit) {
+        // What comes after a failure comes at once or not at all.
+        if (::testing::Test::HasFatalFailure()) limit = std::min(limit, milliseconds{2000});
         const auto end = std::chrono::steady_clock::now() + limit;
         while (!condition()) {
             if (std::chrono::steady_clock::now() > end) return false;
@@ -64,7 +68,7 @@ protected:
     void start_carving();
 
     std::string segment_name_;
-    std::string folder_;
+    test::TemporaryFolder folder_;
     std::unique_ptr<Segment> segment_;
     std::unique_ptr<CoreProcess> core_;
 };

@@ -79,13 +79,15 @@ protected:
                 "100x20",
                 "--allow-no-realtime"};
     }
-    void start_port_core() {
+    void start_port_core(const std::vector<std::string>& more = {}, bool leads_group = false) {
         core_.reset();
         segment_.reset();
         [[maybe_unused]] const auto removed = Segment::remove(segment_name_);
         {
             const fake_port::FakePortFile::Preload preload{port_};
-            core_ = std::make_unique<CoreProcess>(port_arguments(segment_name_), file("core.err"));
+            std::vector<std::string> arguments = port_arguments(segment_name_);
+            arguments.insert(arguments.end(), more.begin(), more.end());
+            core_ = std::make_unique<CoreProcess>(arguments, file("core.err"), leads_group);
         }
         attach();
         ASSERT_TRUE(eventually([&] {
@@ -105,6 +107,13 @@ protected:
         port_.state().fault_errno.store(error);
         port_.state().faults.store(times);
         port_.state().accesses_to_fault.store(0);
+    }
+    void mend_port() {
+        port_.state().accesses_to_fault.store(-1);
+        port_.state().faults.store(0);
+    }
+    bool is_safe() {
+        return port_.state().data.load() == safe().data && port_.state().control.load() == safe().control;
     }
     OutputRegisters safe() const { return PinMap::from_profile(profile_)->encode(0); }
     void expect_safe_registers() {
@@ -145,7 +154,7 @@ protected:
 
     pid_t core_pid_ = 0;  ///< of the core itself; core_ is its guard
     Profile profile_ = machine_with_estop();
-    fake_port::FakePortFile port_{folder_, profile_};
+    fake_port::FakePortFile port_{file(""), profile_};
 };
 
 }  // namespace psicarve::two_process

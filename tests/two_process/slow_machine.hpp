@@ -5,8 +5,8 @@
 
 namespace psicarve::two_process {
 
-/// A coarse, slow and small machine: a gap in ticks that a busy computer makes loses no step of it, and it
-/// homes in seconds.
+/// A coarse, slow and small machine: a gap in ticks that a busy computer makes, up to half a second, loses no
+/// step of it, and it homes in seconds.
 inline Profile slow_machine() {
     Profile profile;
     profile.name = "slow";
@@ -16,7 +16,7 @@ inline Profile slow_machine() {
         axis->pulses_per_mm = 10.0;
         axis->speed_mm_s = 40.0;
         axis->accel_mm_s2 = 200.0;
-        axis->start_stop_mm_s = 1.0;
+        axis->start_stop_mm_s = 0.2;
         axis->home_speed_mm_s = 20.0;
         axis->overtravel_mm = 3.0;
         axis->travel_mm = {0.0, 20.0};
@@ -26,7 +26,7 @@ inline Profile slow_machine() {
     profile.psi.pulses_per_rev = 200;
     profile.psi.speed_deg_s = 360.0;
     profile.psi.accel_deg_s2 = 720.0;
-    profile.psi.start_stop_deg_s = 18.0;
+    profile.psi.start_stop_deg_s = 3.6;
     profile.psi.home_speed_deg_s = 90.0;
     profile.job.feed_mm_s = 200.0;
     profile.job.plunge_mm_s = 40.0;

@@ -73,7 +73,11 @@ struct Core {
         ask(cycle::RequestKind::job_loaded, 1);
         ask(cycle::RequestKind::start, 0);
         answer_plan(cycle::BlockKind::program_end);
-        while (cycle.state() != MachineState::waiting) cycle.tick();
+        cycle.tick();
+        if (cycle.state() != MachineState::waiting) {
+            std::printf("the core did not start; there is nothing to measure\n");
+            std::exit(1);
+        }
         cycle::PlanRequest request{};
         while (io->plan_requests.pop_into(request)) epoch = request.epoch;
         fill();
@@ -83,7 +87,7 @@ struct Core {
         cycle::Request request{};
         request.kind = kind;
         request.value = value;
-        request.points_total = 1'000'000'000;
+        request.points_total = request.points_per_layer = 1'000'000'000;
         io->requests.push(request);
         cycle.tick();
     }

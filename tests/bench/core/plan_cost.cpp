@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What planning a job costs: processor time a point, and as a share of the time that the carving takes.
+// What planning a job costs: processor time a point, as a share of the time that the carving takes, and until
+// the first block can go to the tick. The heap is kept as the core keeps its own.
 //
 //     plan_cost JOB...     jobs as psicarve slice writes them; the profile is each job's own
+#include <malloc.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -27,6 +30,7 @@ double processor_s() {
 
 struct Cost {
     double seconds = 1e30;  ///< the least of all rounds
+    double first_s = 1e30;  ///< until there was a block
     std::uint64_t blocks = 0;
     double carving_s = 0.0;
 };
@@ -46,6 +50,7 @@ Cost cost_of(const plan::MachineLimits& limits, const std::shared_ptr<const JobV
         cost.blocks = 0;
         cost.carving_s = 0.0;
         while (program.next(block)) {
+            if (cost.blocks == 0) cost.first_s = std::min(cost.first_s, processor_s() - begin_s);
             ++cost.blocks;
             cost.carving_s += seconds_of(block);
         }
@@ -64,9 +69,10 @@ Result<void> measure(const char* path) {
     const auto job = std::make_shared<const JobView>(view.value());
     const Cost cost = cost_of(plan::machine_limits(profile.value()), job);
     const double points = static_cast<double>(job->layer_count()) * job->point_count();
-    std::printf("%s: %.0f ns a point, %.4f %% of %.0f s of carving, %.2f segments a point\n", path,
-                cost.seconds / points * 1e9, 100.0 * cost.seconds / cost.carving_s, cost.carving_s,
-                static_cast<double>(cost.blocks) / points);
+    std::printf(
+        "%s: %.0f ns a point, %.4f %% of %.3f s of carving, %.2f segments a point, the first after %.2f ms\n",
+        path, cost.seconds / points * 1e9, 100.0 * cost.seconds / cost.carving_s, cost.carving_s,
+        static_cast<double>(cost.blocks) / points, cost.first_s * 1e3);
     return {};
 }
 
@@ -77,6 +83,8 @@ int main(int argc, char** argv) {
         std::fputs("usage: plan_cost JOB...\n", stderr);
         return 2;
     }
+    mallopt(M_TRIM_THRESHOLD, -1);
+    mallopt(M_MMAP_MAX, 0);
     bool all_read = true;
     for (int i = 1; i < argc; ++i) {
         const auto measured = measure(argv[i]);

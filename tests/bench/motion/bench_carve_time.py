@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Carving time of five jobs against its own reference time, an independent one, the angle planner and LinuxCNC.
+"""Carving time of six jobs against its own reference time, an independent one, the angle planner and LinuxCNC.
 
-usage: bench_carve_time.py BUILD [--work DIR] [--jobs NAME ...] [--scan MESH] [--layers N ...]
+usage: bench_carve_time.py BUILD [--work DIR] [--machines NAME ...] [--jobs NAME ...] [--scan MESH] [--layers N ...]
                            [--halvings N] [--no-reference] [--linuxcnc] [--json]
 
 BUILD is a build folder with psicarve, psicarve-rtcore and job_from_csv. All carving is on the virtual clock, so the
-figures are the machine's and the same everywhere; every run is verified on its pins, and the script fails if one is not as
-its job asks. Columns:
+figures are the machine's and the same everywhere; every run is verified on its pins. The script fails if one is not as its
+job asks, or if a ratio is beyond what is wanted of it: ahead/T_ref at most 1.01 (1.003 where a tick is 10 us or less),
+T_ref/bending at most 1.02, angle/ahead at least 1, linuxcnc/ahead above 1. Columns:
 
   whole job     angle, ahead       carving time with either planner [s]; angle/ahead
                 ahead/T_ref        T_ref: reference_seconds of the same run
@@ -15,7 +16,8 @@ its job asks. Columns:
                 T_ref/least        and against the least time over all curves that it found
                 linuxcnc/ahead     LinuxCNC's time over ours, both without a feed (--linuxcnc)
 
---scan MESH adds a job from a mesh of your own, scaled to 30 mm. The references take minutes a layer; what was found
+bunny is a real scan, from Debian's glmark2-data, which the script downloads. --scan MESH adds a job from a mesh of your
+own, scaled to 30 mm. The references take minutes a layer; what was found
 once is kept in the working folder.
 """
 
@@ -24,6 +26,7 @@ import json
 import pathlib
 import sys
 import tempfile
+import tomllib
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "reference"))
@@ -33,8 +36,23 @@ import linuxcnc_time
 from layer_time import least_layer_time
 from machine_limits import read_layers, read_limits
 
-NAMES = ("vase", "figurine", "gear", "relief", "scan")
+NAMES = ("vase", "figurine", "gear", "relief", "scan", "bunny")
 WHOLE_LAYERS = 8
+
+
+MOST = {"ahead/t_ref": 1.01, "t_ref/bending": 1.02}
+LEAST = {"angle/ahead": 1.0, "linuxcnc/ahead": 1.0}
+MOST_OF_FAST_TICKS = {"ahead/t_ref": 1.003}
+FAST_TICK_US = 10.0
+
+
+def beyond(figures, tick_us):
+    """The ratios that are not as wanted, in words."""
+    most = MOST | (MOST_OF_FAST_TICKS if tick_us <= FAST_TICK_US else {})
+    return [f"{key} {figures[key]:.4f}, wanted at most {limit}" for key, limit in most.items()
+            if figures.get(key) is not None and figures[key] > limit] + [
+            f"{key} {figures[key]:.4f}, wanted at least {limit}" for key, limit in LEAST.items()
+            if figures.get(key) is not None and figures[key] < limit]
 
 
 def ratio(over, under):
@@ -90,6 +108,10 @@ def linuxcnc(layer, limits):
     return {"linuxcnc_s": seconds, "linuxcnc_cut_mm": cut_mm}
 
 
+def read_tick_us(profile):
+    return float(tomllib.loads(profile.read_text())["tick"]["period_us"])
+
+
 def say(title, figures):
     words = [f"{key} {'-' if value is None else format(value, '.4g')}" for key, value in figures.items()]
     print(f"{title:22s} {'  '.join(words)}", flush=True)
@@ -98,11 +120,14 @@ def say(title, figures):
 def measure(options, work):
     programs = jobs.Programs.in_build(options.build)
     report = []
-    for machine in jobs.MACHINES:
+    for machine in (machine for machine in jobs.MACHINES if machine.name in options.machines):
+        tick_us = read_tick_us(jobs.profile_file(programs, machine, work, "lookahead"))
         for name in options.jobs + (["own-scan"] if options.scan else []):
             table = jobs.table_file(programs, machine, work, name, WHOLE_LAYERS, options.scan)
             figures = whole_job(programs, machine, work, table)
             singles = [single_layer(programs, machine, work, table, n, options) for n in options.layers]
+            for one in [figures, *singles]:
+                jobs.found_wrong += [f"{name}, {machine.name}: {words}" for words in beyond(one, tick_us)]
             report.append({"job": name, "machine": machine.name, "whole": figures, "layers": singles})
             if not options.json:
                 say(f"{name}, {machine.name}", figures)
@@ -115,6 +140,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--work", type=pathlib.Path, help="kept and used again; default: a temporary folder")
+    machines = [machine.name for machine in jobs.MACHINES]
+    parser.add_argument("--machines", nargs="+", choices=machines, default=machines)
     parser.add_argument("--jobs", nargs="+", choices=NAMES, default=list(NAMES))
     parser.add_argument("--scan", type=pathlib.Path, metavar="MESH")
     parser.add_argument("--layers", nargs="+", type=int, default=[2], help=f"single layers, of 0-{WHOLE_LAYERS - 1}")

@@ -8,6 +8,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
@@ -36,6 +37,7 @@ class Machine:
 
 MACHINES = (
     Machine("default", (), 500),
+    Machine("dense", (), 2400),  # the built-in profile: three points to four pulses of psi
     Machine("fine", ("--profile", str(ROOT / "examples" / "fine.toml")), 1000),
 )
 
@@ -57,9 +59,24 @@ def model_file(name, work, scan):
         return ROOT / "examples" / "figurine.stl"
     if name == "own-scan":
         return scan
+    if name == "bunny":
+        return bunny_file(work)
     path = work / f"{name}.stl"
     if not path.exists():
         run(sys.executable, "-B", HERE / "make_models.py", name, path)
+    return path
+
+
+def bunny_file(work):
+    """The Stanford bunny, a real scan, out of Debian's glmark2-data: downloaded, never installed."""
+    path = work / "bunny" / "usr" / "share" / "glmark2" / "models" / "bunny.obj"
+    if not path.exists():
+        with tempfile.TemporaryDirectory(dir=work) as folder:
+            done = subprocess.run(["apt-get", "-qq", "download", "glmark2-data"], cwd=folder, capture_output=True, text=True)
+            packages = list(pathlib.Path(folder).glob("glmark2-data_*.deb"))
+            if done.returncode != 0 or not packages:
+                sys.exit(f"bunny: glmark2-data cannot be downloaded (apt-get update?): {done.stderr}")
+            run("dpkg-deb", "-x", packages[0], work / "bunny")
     return path
 
 
@@ -77,8 +94,10 @@ def table_file(programs, machine, work, name, layers, scan):
     """The whole job's table as CSV: every planner and every single layer starts from this one."""
     job, table = work / f"{name}-{machine.name}.job", work / f"{name}-{machine.name}.csv"
     words = ["--layers", layers, "--points", machine.points, *machine.profile]
-    if name == "own-scan":
+    if name in ("own-scan", "bunny"):
         words += ["--height", "30", "--axis-at", "best"]
+    if name == "bunny":
+        words += ["--up", "y"]
     run(programs.psicarve, "slice", model_file(name, work, scan), "-o", job, *words)
     table.write_text(run(programs.psicarve, "snapshot", "export", job, "--format", "csv"))
     return table

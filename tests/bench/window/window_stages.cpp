@@ -9,12 +9,14 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <thread>
 
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/ui/mesh_view.hpp"
+#include "hmi/ui/state_pill.hpp"
 #include "tests/bench/slice/measure.hpp"
 #include "tests/bench/slice/relief_mesh.hpp"
 
@@ -27,6 +29,7 @@ using S = MachineState;
 
 constexpr std::size_t kTriangles = 2'000'000;
 constexpr double kBlockTarget_ms = 50.0;
+constexpr double kLossTarget_ms = 500.0;
 constexpr int kPresses = 40;
 constexpr double kSliceLimit_s = 120.0;  // also when the numbers asked for are refused
 /// Less is the picture before, put there once more.
@@ -143,16 +146,18 @@ void print_memory(const char* when) {
     std::printf("memory %-34s %7.1f MB, of it its own %7.1f MB\n", when, all_mb, own_mb);
 }
 
-void print_longest(WatchedApplication& application, const char* stage) {
+void print_longest(WatchedApplication& application, const char* stage, Judge& judge) {
     const auto turns = application.take_turns();
     if (turns.empty()) return;
+    for (const Turn& turn : turns) judge.look(turn.wall_ms, turn.cpu_ms, kBlockTarget_ms);
     const Turn& longest = turns.front();
     std::printf("longest turn, %-26s %7.2f ms (its own %7.2f ms): %s; %.2f of the %.0f ms allowed\n", stage,
                 longest.wall_ms, longest.cpu_ms, longest.what.c_str(), longest.wall_ms / kBlockTarget_ms,
                 kBlockTarget_ms);
 }
 
-bool load_and_slice(WatchedApplication& application, ui::MainWindow& window, const std::string& folder) {
+bool load_and_slice(WatchedApplication& application, ui::MainWindow& window, const std::string& folder,
+                    Judge& judge) {
     const std::string path = write_stl(relief_mesh(kTriangles), folder);
     session::JobDesk& desk = window.bench().desk;
     tabs(window).setCurrentIndex(kModelTab);
@@ -162,7 +167,7 @@ bool load_and_slice(WatchedApplication& application, ui::MainWindow& window, con
     window.open(QString::fromStdString(path));
     if (!application.run_until([&] { return desk.sight().state == DeskState::model; })) return false;
     std::printf("%zu triangles: opened in %.0f ms\n", desk.mesh()->triangles.size(), since_ms(begin));
-    print_longest(application, "opening");
+    print_longest(application, "opening", judge);
     auto* const view = static_cast<ui::MeshView*>(window.findChild<QWidget*>("model_view"));
     begin = Clock::now();
     const auto is_painted = [view] {
@@ -174,28 +179,28 @@ bool load_and_slice(WatchedApplication& application, ui::MainWindow& window, con
                 view->picture().bodies.front().scene->facets.size(),
                 view->picture().bodies.front().scene->coarse_facets.size());
     application.run_for(0.5);
-    print_longest(application, "looking for undercut");
+    print_longest(application, "looking for undercut", judge);
     begin = Clock::now();
     if (!click(application, window, "slice")) return false;
     if (!application.run_until([&] { return desk.sight().state == DeskState::job; }, kSliceLimit_s))
         return false;
     std::printf("sliced in %.0f ms\n", since_ms(begin));
     application.run_for(0.5);
-    print_longest(application, "slicing");
+    print_longest(application, "slicing", judge);
     tabs(window).setCurrentIndex(kLayersTab);
     application.run_for(1.0);
-    print_longest(application, "showing the layers");
+    print_longest(application, "showing the layers", judge);
     print_memory("with the model and its job");
     return true;
 }
 
-bool carve(WatchedApplication& application, ui::MainWindow& window) {
+bool carve(WatchedApplication& application, ui::MainWindow& window, Judge& judge) {
     if (!click(application, window, "publish")) return false;
     const auto is_published = [&] { return window.bench().desk.sight().state == DeskState::published; };
     if (!application.run_until(is_published, 60.0)) return false;
     tabs(window).setCurrentIndex(kCarvingTab);
     application.run_for(1.0);
-    print_longest(application, "publishing, Carving");
+    print_longest(application, "publishing, Carving", judge);
     if (!click(application, window, "home") || !comes_to(application, window, S::ready)) return false;
     application.watch_view("carving_view");
     const double messages_ms = busy_ms_per_s(application, window, kMessagesTab);
@@ -218,7 +223,7 @@ bool carve(WatchedApplication& application, ui::MainWindow& window) {
     return true;
 }
 
-bool press_buttons(WatchedApplication& application, ui::MainWindow& window) {
+bool press_buttons(WatchedApplication& application, ui::MainWindow& window, Judge& judge) {
     auto link = machine::MachineLink::attach(window.bench().machine.options().segment_name);
     if (!link) return false;
     std::vector<double> pressed_ms;
@@ -249,7 +254,21 @@ bool press_buttons(WatchedApplication& application, ui::MainWindow& window) {
         "window %.2f ms, %.2f times\n",
         median(pressed_ms), *std::max_element(pressed_ms.begin(), pressed_ms.end()), median(sent_ms),
         median(pressed_ms) / median(sent_ms));
-    print_longest(application, "pressing buttons");
+    print_longest(application, "pressing buttons", judge);
+    return true;
+}
+
+bool lose_core(WatchedApplication& application, ui::MainWindow& window, pid_t core, Judge& judge) {
+    if (!start_anew(application, window)) return false;
+    auto* const pill = static_cast<ui::StatePill*>(window.findChild<QWidget*>("state_pill"));
+    const auto begin = Clock::now();
+    if (::kill(core, SIGKILL) != 0) return false;
+    if (!application.run_until([pill] { return pill->word() == "NO CORE"; }, 60.0)) return false;
+    application.processEvents();  // painted
+    const double taken_ms = since_ms(begin);
+    std::printf("core killed to the window saying so: %.0f ms, of the %.0f ms allowed\n", taken_ms,
+                kLossTarget_ms);
+    judge.look(taken_ms, taken_ms, kLossTarget_ms);  // a wait is no excuse here
     return true;
 }
 

@@ -44,6 +44,26 @@ TEST(JobBuilder, MakesAJobThatTheMachineAccepts) {
     EXPECT_TRUE(accepted.has_value()) << (accepted ? "" : accepted.error().message);
 }
 
+TEST(JobBuilder, RoughsAsTheProfileAsks) {
+    const model::Mesh mesh = shapes::box({-4, -4, 0}, {4, 4, 4});
+    Profile profile;
+    profile.roughing = {2.0, 0.5, 0.0};
+    EXPECT_THAT(refused(mesh, profile, small(4, 31)).message,
+                HasSubstr("roughing begins at the blank's surface"));
+    profile.blank.radius_mm = 8.0;
+    for (const Joining joining : {Joining::continuous, Joining::zigzag, Joining::spiral}) {
+        JobOptions options = small(4, 31);
+        options.joining = joining;
+        const BuiltJob sut = built(mesh, profile, options);
+        // 6 and 4.5 mm, and the finishing pass.
+        ASSERT_EQ(sut.table.passes.size(), 3U) << name_of(joining);
+        EXPECT_EQ(sut.table.passes[0].depth_mm, 6.0);
+        EXPECT_EQ(sut.table.passes[0].allowance_mm, 0.5);
+    }
+    profile.roughing.stepdown_mm = 0.0;
+    EXPECT_TRUE(built(mesh, profile, small(4, 31)).table.passes.empty());
+}
+
 TEST(JobBuilder, PutsR1AtTheTablesAngleAndR2Opposite) {
     // An arm along +x only: at psi = 0 R1 meets it, R2 does not.
     const model::Mesh mesh = shapes::box({-2, -2, 0}, {9, 2, 8});
@@ -278,7 +298,7 @@ TEST(JobSize, AUsualModelGetsTheOriginalsTable) {
 TEST(SliceReport, WarnsWhereTheFilesFloatsAreCoarserThanAPulse) {
     model::Mesh mesh = oblong();
     mesh.facts.coordinate_step = 0.0024;  // a pulse is 0.0025 mm
-    EXPECT_TRUE(built(mesh, Profile{}, small(4, 5)).report.warnings.empty());
+    EXPECT_THAT(built(mesh, Profile{}, small(4, 5)).report.warnings, Not(Contains(HasSubstr("rounded to"))));
     mesh.facts.coordinate_step = 0.0078;
     EXPECT_THAT(built(mesh, Profile{}, small(4, 5)).report.warnings,
                 Contains(AllOf(HasSubstr("rounded to 0.0078 mm"), HasSubstr("a pulse (0.0025 mm)"))));
@@ -319,13 +339,32 @@ TEST(SliceReport, OffersABetterAxisWhereOneIs) {
                                  .mesh();
     const BuiltJob centre = built(mesh, Profile{}, small(40, 30));
     EXPECT_GT(centre.report.layers_without_axis, 30U);
-    EXPECT_THAT(centre.report.warnings, Contains(HasSubstr("--axis-at best")));
+    EXPECT_THAT(centre.report.warnings, Contains(HasSubstr("layers, by the same look this axis")));
     JobOptions options = small(40, 30);
     options.axis_at = AxisAt::best;
     const BuiltJob best = built(mesh, Profile{}, options);
     EXPECT_EQ(best.report.layers_without_axis, 0U);
     ASSERT_TRUE(centre.report.axis_search.has_value());
     EXPECT_EQ(best.report.axis, centre.report.axis_search->best);
+}
+
+TEST(JobBuilder, RefusesAnAxisFromWhichNothingIsSeen) {
+    JobOptions options = small(10, 11);
+    options.axis_at = AxisAt::point;
+    options.axis_x = 500.0;
+    options.axis_y = 1.0;
+    const auto job = build_job(shapes::box({-1, -1, 0}, {1, 1, 8}), Profile{}, options);
+    ASSERT_FALSE(job);
+    EXPECT_NE(
+        job.error().message.find("the axis passes beside the model and no sample meets it: nothing but the "
+                                 "core would be carved; --axis-at moves the axis"),
+        std::string::npos)
+        << job.error().message;
+    // Beside it, but seen.
+    options.axis_x = 8.0;
+    EXPECT_TRUE(build_job(shapes::box({-1, -5, 0}, {1, 5, 8}), Profile{}, options));
+    // All of it within the core, but about the axis.
+    EXPECT_TRUE(build_job(shapes::box({-0.5, -0.5, 0}, {0.5, 0.5, 8}), Profile{}, small(10, 11)));
 }
 
 TEST(SliceReport, CountsOpenPoints) {

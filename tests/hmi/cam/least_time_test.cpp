@@ -9,7 +9,7 @@ namespace psicarve::cam {
 namespace {
 
 /// Two layers of half a turn; radii go from `from_mm` to `to_mm` and back, point by point.
-double seconds_of(double from_mm, double to_mm, double feed_mm_s) {
+LeastTime time_of(double from_mm, double to_mm, double feed_mm_s) {
     const Profile profile;
     JobTable table;
     table.layer_count = 2;
@@ -24,7 +24,13 @@ double seconds_of(double from_mm, double to_mm, double feed_mm_s) {
     }
     table.profile_toml = profile_to_toml(profile);
     const auto blob = job_blob_from_table(table);
-    return least_carving_seconds(JobView::check(blob).value(), profile);
+    const LeastTime time = least_time_of(JobView::check(blob).value(), profile);
+    EXPECT_EQ(time.total(), least_carving_seconds(JobView::check(blob).value(), profile));
+    return time;
+}
+
+double seconds_of(double from_mm, double to_mm, double feed_mm_s) {
+    return time_of(from_mm, to_mm, feed_mm_s).total();
 }
 
 TEST(LeastTime, OfACylinderIsItsSurfaceByTheFeed) {
@@ -39,6 +45,22 @@ TEST(LeastTime, IsTheTablesWhereTheFeedIsMoreThanItCanTurn) {
 TEST(LeastTime, IsTheHeadsWhereTheyHaveALongWay) {
     const Profile profile;
     EXPECT_NEAR(seconds_of(10.0, 20.0, 1000.0), 200 * 10.0 / profile.r1.speed_mm_s, 1e-6);
+}
+
+TEST(LeastTime, SaysWhatEachWayWaitsFor) {
+    const LeastTime slow = time_of(10.0, 10.0, 20.0);
+    EXPECT_EQ(slow.feed_seconds, slow.total());
+    ASSERT_EQ(slow.layer_seconds.size(), 2U);
+    EXPECT_NEAR(slow.layer_seconds[0], 0.5 * slow.total(), 1e-9);
+    EXPECT_NEAR(slow.layer_seconds[1], 0.5 * slow.total(), 1e-9);
+    EXPECT_NEAR(slow.path_mm[0], 2.0 * 10.0 * std::numbers::pi, 1e-9);
+    EXPECT_NEAR(slow.path_mm[1], 2.0 * 10.0 * std::numbers::pi, 1e-9);
+    const LeastTime fast = time_of(10.0, 10.0, 1000.0);
+    EXPECT_EQ(fast.axis_seconds[index_of(Axis::psi)], fast.total());
+    const LeastTime deep = time_of(10.0, 20.0, 1000.0);
+    EXPECT_EQ(deep.axis_seconds[index_of(Axis::r1)], deep.total());
+    EXPECT_GT(deep.path_mm[0], 200 * 10.0);
+    EXPECT_LT(deep.path_mm[1], 100.0);
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ const std::vector<BrokenFile>& broken_models() {
         {"flat.stl", [] { return binary_stl(1, 1); }},
         {"garbage.obj", [] { return std::string{"\x01\x02\x03 v v v f f f\n"}; }},
         {"unknown.xyz", [] { return std::string{"1 2 3\n4 5 6\n"}; }},
+        {"picture.gif", [] { return std::string{"GIF89a and more"}; }},
         {"no_zip.3mf", [] { return std::string{"no archive at all\n"}; }},
         {"no_model.3mf", [] { return mesh_files::three_mf_surroundings().bytes(); }},
         {"cut.3mf", [] { return mesh_files::three_mf_archive("<model><build>").bytes(); }},
@@ -83,6 +84,27 @@ TEST_F(BrokenInput, ModelsAreRefusedBySlice) {
         write(model.name, model.bytes());
         expect_refused({"slice", file(model.name), "-o", file("out.job")}, model.name);
     }
+}
+
+TEST_F(BrokenInput, WhatIsNotReadIsSaidBeforeWhatItsOptionsAreFor) {
+    write("a.gif", "GIF89a and more");
+    write("a.foo", "what is this");
+    for (const std::string option : {"--diameter 20", "--relief", "--engrave 1", "--full-turn"}) {
+        for (const std::string name : {"a.gif", "a.foo"}) {
+            std::vector<std::string> arguments{"slice", file(name), "-o", file("out.job")};
+            for (const std::string& word : words_of(option)) arguments.push_back(word);
+            const Outcome outcome = psicarve(arguments);
+            EXPECT_EQ(outcome.exit_code, 3) << option;
+            EXPECT_NE(outcome.error.find(name == "a.gif" ? "a GIF picture, which is not read; save it as PNG"
+                                                         : "nothing that can be read here: a mesh"),
+                      std::string::npos)
+                << outcome.error;
+        }
+    }
+    // A mesh is still told what they are for.
+    const Outcome mesh = psicarve({"slice", box_stl("box.stl"), "-o", file("out.job"), "--diameter", "20"});
+    EXPECT_EQ(mesh.exit_code, 2);
+    EXPECT_NE(mesh.error.find("are for pictures"), std::string::npos) << mesh.error;
 }
 
 TEST_F(BrokenInput, ModelsAreRefusedByCarveAndPublishBeforeAnythingIsMade) {

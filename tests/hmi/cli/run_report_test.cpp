@@ -5,10 +5,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hmi/cli/carved_piece.hpp"
 #include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/judged_pins.hpp"
+#include "tests/shared/job_fixture.hpp"
 
 namespace psicarve::cli {
 namespace {
+
+using report::run_exit_code;
+using report::run_json;
+using report::verdict_of;
 
 RunReport verified_run() {
     RunReport report;
@@ -43,6 +50,66 @@ TEST(RunReport, ThatWasNotVerifiedIsNeither) {
     sut.verification.reset();
     sut.lost_steps = "r1 stalls 3";
     EXPECT_TRUE(nlohmann::json::parse(run_json(sut))["verified"].is_null());
+}
+
+RunReport cut_off_run() {
+    RunReport report;
+    report.has_started = true;
+    report.figures.is_complete = true;
+    add_verification(report, bad_input("the core's trace: it was cut off"));
+    return report;
+}
+
+TEST(RunReport, OfPinsThatWereNotJudgedSaysWhy) {
+    const RunReport sut = cut_off_run();
+    EXPECT_FALSE(verdict_of(sut)) << "a job is carved all the same where others have its pins";
+    EXPECT_EQ(nlohmann::json::parse(run_json(sut))["unverified_reason"], "the core's trace: it was cut off");
+    EXPECT_FALSE(nlohmann::json::parse(run_json(verified_run())).contains("unverified_reason"));
+}
+
+TEST(RunReport, ThatMustBeVerifiedHasFailedWithoutThat) {
+    RunReport sut = cut_off_run();
+    require_verification(sut);
+    ASSERT_TRUE(verdict_of(sut));
+    EXPECT_EQ(verdict_of(sut)->message, "not verified: the core's trace: it was cut off");
+    EXPECT_EQ(run_exit_code(sut, *verdict_of(sut)), kExitMachine);
+    RunReport right = verified_run();
+    require_verification(right);
+    EXPECT_FALSE(verdict_of(right));
+    // A recorded run that does not reach its job's end.
+    RunReport part = cut_off_run();
+    part.figures.is_complete = false;
+    require_verification(part);
+    EXPECT_FALSE(verdict_of(part));
+}
+
+TEST(RunReport, WithoutThePictureThatWasAskedForHasFailed) {
+    const Profile profile;
+    const auto blob = job_blob_from_table(small_job(profile));
+    const auto job = JobView::check(blob);
+    ASSERT_TRUE(job);
+    const auto verifier = verify::Verifier::make(*job, profile);
+    ASSERT_TRUE(verifier);
+    RunReport sut = cut_off_run();
+    add_picture(sut, *job, verifier->surface(), "");
+    EXPECT_FALSE(verdict_of(sut));
+    add_picture(sut, *job, verifier->surface(), "out.png");
+    ASSERT_TRUE(verdict_of(sut));
+    EXPECT_NE(verdict_of(sut)->message.find("out.png"), std::string::npos);
+    EXPECT_NE(verdict_of(sut)->message.find("it was cut off"), std::string::npos);
+}
+
+TEST(RunReport, WithoutThePieceThatWasAskedForHasFailed) {
+    PreparedJob job;
+    job.blob = job_blob_from_table(small_job());
+    job.view = *JobView::check(job.blob);
+    const auto piece = CarvedPiece::make(job, nullptr, {.mesh = "out.stl", .picture = {}});
+    ASSERT_TRUE(piece) << piece.error().message;
+    RunReport sut = cut_off_run();
+    add_piece(sut, *piece);
+    ASSERT_TRUE(verdict_of(sut));
+    EXPECT_NE(verdict_of(sut)->message.find("out.stl"), std::string::npos);
+    EXPECT_TRUE(sut.piece_path.empty());
 }
 
 }  // namespace

@@ -104,6 +104,20 @@ TEST_F(SliceCommand, OptionsReachTheSlicer) {
     EXPECT_EQ(JobView::check(load_snapshot(file("box.job"))->job_blob)->joining(), Joining::zigzag);
 }
 
+TEST_F(SliceCommand, ToolAndBlankReachTheJob) {
+    const Outcome outcome = psicarve({"slice", box_stl("box.stl"), "-o", file("box.job"), "--layers", "2",
+                                      "--points", "5", "--tool", "vee:2.5:90", "--blank", "8x2", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    EXPECT_EQ(outcome.json()["report"]["tool"], "vee 2.5 mm 90 deg");
+    EXPECT_NE(outcome.error.find("the blank's radius of 8.00 mm is less than the model's"), std::string::npos)
+        << outcome.error;
+    const auto read = load_snapshot(file("box.job"));
+    const auto profile = job_profile(JobView::check(read->job_blob).value());
+    ASSERT_TRUE(profile);
+    EXPECT_EQ(profile->tool, (ToolProfile{ToolShape::vee, 2.5, 90.0, 0.0}));
+    EXPECT_EQ(profile->blank, (BlankProfile{8.0, 2.0}));
+}
+
 TEST_F(SliceCommand, ASpiralOfTwoLayersHasThreeRows) {
     const Outcome outcome = psicarve({"slice", box_stl("box.stl"), "-o", file("box.job"), "--layers", "2",
                                       "--points", "5", "--joining", "spiral", "--json"});
@@ -126,6 +140,46 @@ TEST_F(SliceCommand, WarningsGoToStandardErrorAndTheJobIsMade) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
     EXPECT_NE(outcome.error.find("psicarve: warning: "), std::string::npos) << outcome.error;
     EXPECT_TRUE(outcome.json().is_object()) << outcome.out;
+}
+
+TEST_F(SliceCommand, TurnsMirrorsAndFitsTheModel) {
+    const std::string model = box_stl("box.stl");  // 20 x 14 x 6
+    const auto report = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"slice", model,      "-o", file("a.job"), "--layers",
+                                           "4",     "--points", "9",  "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = psicarve(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+        return outcome.json()["report"];
+    };
+    const auto quarter = report({"--rotate", "90"})["bounding_box_mm"];
+    EXPECT_NEAR(quarter[0].get<double>(), 14.0, 1e-6);
+    EXPECT_NEAR(quarter[1].get<double>(), 20.0, 1e-6);
+    // About the axis that stands upright: the box on its side is 20 high.
+    const auto on_side = report({"--rotate", "90", "--up", "x"})["bounding_box_mm"];
+    EXPECT_NEAR(on_side[0].get<double>(), 6.0, 1e-6);
+    EXPECT_NEAR(on_side[2].get<double>(), 20.0, 1e-6);
+    const auto tipped = report({"--rotate", "90,0,0", "--mirror", "x"});
+    EXPECT_NEAR(tipped["bounding_box_mm"][2].get<double>(), 14.0, 1e-6);
+    EXPECT_EQ(tipped["turn"]["mirror"], "x");
+    const auto fitted = report({"--fit", "--blank", "10x60"});
+    const auto box = fitted["bounding_box_mm"];
+    EXPECT_NEAR(std::hypot(box[0].get<double>(), box[1].get<double>()), 20.0, 1e-3);
+}
+
+TEST_F(SliceCommand, RefusesTurnsAndFitsThatSayNothing) {
+    const std::string model = box_stl("box.stl");
+    const std::vector<std::vector<std::string>> wrong{{"--rotate", "left"},        {"--rotate", "1,2"},
+                                                      {"--rotate", "1,2,"},        {"--rotate", "1,2,3,4"},
+                                                      {"--mirror", "xy"},          {"--rotate", "nan,0,0"},
+                                                      {"--fit", "--height", "20"}, {"--fit", "--scale", "2"}};
+    for (const auto& more : wrong) {
+        std::vector<std::string> arguments{"slice", model, "-o", file("a.job")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = psicarve(arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << more.back() << outcome.error;
+        EXPECT_EQ(outcome.error_lines(), 1U) << outcome.error;
+    }
 }
 
 }  // namespace

@@ -1,69 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <grp.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <cerrno>
 
 #include "hmi/doctor/checks.hpp"
 #include "shared/layout.hpp"
+#include "tests/hmi/doctor/made_up_computer.hpp"
 
 namespace psicarve::doctor {
 namespace {
 
-/// A computer as its kernel tells about it, made of files; at first one that is in perfect order.
-class MadeUpComputer : public ::testing::Test {
-protected:
-    MadeUpComputer() {
-        root_ = testing::TempDir() + "psicarve-doctor-" + std::to_string(getpid());
-        std::filesystem::remove_all(root_);
-        user("0000000000000000", 1000, "1000 100");
-        put("/proc/self/limits",
-            "Limit                     Soft Limit           Hard Limit           Units\n"
-            "Max locked memory         unlimited            unlimited            bytes\n"
-            "Max realtime priority     99                   99\n");
-        put("/proc/sys/kernel/osrelease", "6.1.0-rt\n");
-        put("/sys/kernel/realtime", "1\n");
-        put("/sys/devices/system/cpu/isolated", "2-3\n");
-        put("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor", "performance\n");
-        put("/sys/devices/system/cpu/cpufreq/boost", "1\n");
-        put("/sys/devices/system/clocksource/clocksource0/current_clocksource", "tsc\n");
-        put("/proc/swaps", "Filename\tType\tSize\tUsed\tPriority\n");
-        put("/proc/cpuinfo", "processor\t: 0\nflags\t\t: fpu tsc\n");
-        put("/proc/modules", "ppdev 24576 0 - Live 0x0\n");
-        put("/proc/sys/dev/parport/parport0/devices/active", "none\n");
-        put("/dev/parport0", "");
-        put("/dev/cpu_dma_latency", "");
-        mode("/dev/parport0", 0666);
-        mode("/dev/cpu_dma_latency", 0666);
-        std::filesystem::create_directories(root_ + "/dev/shm");
-    }
-    ~MadeUpComputer() override { std::filesystem::remove_all(root_); }
-
-    void put(const std::string& path, const std::string& text) const {
-        std::filesystem::create_directories(std::filesystem::path{root_ + path}.parent_path());
-        std::ofstream{root_ + path} << text;
-    }
-    void mode(const std::string& path, unsigned bits) const {
-        std::filesystem::permissions(root_ + path, static_cast<std::filesystem::perms>(bits));
-    }
-    void remove(const std::string& path) const { std::filesystem::remove_all(root_ + path); }
-    void user(const std::string& capabilities, unsigned id, const std::string& groups) const {
-        const std::string ids = std::to_string(id) + "\t" + std::to_string(id) + "\t" + std::to_string(id) +
-                                "\t" + std::to_string(id);
-        put("/proc/self/status", "Name:\tdoctor\nUid:\t" + ids + "\nGid:\t" + ids + "\nGroups:\t" + groups +
-                                     "\nCapEff:\t" + capabilities + "\n");
-    }
-    void limits(const std::string& memory, const std::string& priority) const {
-        put("/proc/self/limits", "Max locked memory         " + memory + "   " + memory +
-                                     "   bytes\nMax realtime priority     " + priority + "  " + priority +
-                                     "\n");
-    }
-    SystemFiles files() const { return SystemFiles{root_}; }
-
-    std::string root_;
-};
+using test::MadeUpComputer;
 
 void expect_bad(const Finding& finding, Verdict verdict, const std::string& remedy_part) {
     EXPECT_EQ(finding.verdict, verdict) << finding.name << ": " << finding.seen;
@@ -82,11 +31,11 @@ TEST_F(MadeUpComputer, InPerfectOrderHasNoProblem) {
 
 TEST_F(MadeUpComputer, WithoutRightsNamesLimitsFile) {
     limits("8388608", "0");
-    expect_bad(check_scheduling(files()), Verdict::problem, "rtprio 99");
+    expect_bad(check_scheduling(files()), Verdict::problem, "rtprio 90");
     expect_bad(check_locked_memory(files()), Verdict::problem, "memlock unlimited");
     EXPECT_EQ(check_locked_memory(files()).seen, "at most 8192 KiB");
     limits("unlimited", "50");
-    expect_bad(check_scheduling(files()), Verdict::problem, "rtprio 99");
+    expect_bad(check_scheduling(files()), Verdict::problem, "rtprio 90");
     EXPECT_EQ(check_locked_memory(files()).verdict, Verdict::ok);
 }
 
@@ -105,7 +54,8 @@ TEST_F(MadeUpComputer, DevicesBelongToGroupsOrToNobodyElse) {
     mode("/dev/parport0", 0660);
     mode("/dev/cpu_dma_latency", 0600);
     user("0000000000000000", 54321, "54322");
-    expect_bad(check_ports(files()).front(), Verdict::problem, "lp");
+    expect_bad(check_ports(files()).front(), Verdict::problem,
+               std::string{"adduser USER "} + ::getgrgid(own_group)->gr_name + ",");
     expect_bad(check_wake_latency(files()), Verdict::warning, "udev");
     user("0000000000000000", 54321, "54322 " + std::to_string(own_group));
     EXPECT_EQ(check_ports(files()).front().verdict, Verdict::ok);
@@ -114,6 +64,29 @@ TEST_F(MadeUpComputer, DevicesBelongToGroupsOrToNobodyElse) {
     EXPECT_EQ(check_wake_latency(files()).verdict, Verdict::ok);
     remove("/dev/cpu_dma_latency");
     expect_bad(check_wake_latency(files()), Verdict::warning, "max_cstate");
+}
+
+TEST(RawAddresses, AreARightThatNobodyHasToHaveWhoHasADevice) {
+    EXPECT_EQ(check_raw_access(std::nullopt, true).seen, "allowed by CAP_SYS_RAWIO");
+    const Finding unneeded = check_raw_access(raw_refusal(ENOSYS, true), true);
+    EXPECT_EQ(unneeded.verdict, Verdict::ok);
+    EXPECT_TRUE(unneeded.seen.starts_with("this kernel lets nobody at addresses; ")) << unneeded.seen;
+    expect_bad(check_raw_access(raw_refusal(ENOSYS, true), false), Verdict::warning, "use --port ppdev");
+    expect_bad(check_raw_access(raw_refusal(EPERM, false), false), Verdict::warning, "CAP_SYS_RAWIO");
+}
+
+// What the core would be told, which a capability alone does not say.
+TEST_F(MadeUpComputer, SaysOfRawAddressesWhatThisKernelSays) {
+    user("0000000000020000", 1000, "1000");
+    const auto refusal = ask_for_addresses(0x378, 3);
+    const Finding with_device = check_all(files()).back();
+    EXPECT_EQ(with_device.verdict, Verdict::ok);
+    remove("/dev/parport0");
+    const Finding without = check_all(files()).back();
+    EXPECT_EQ(without.name, "raw addresses");
+    EXPECT_EQ(without.seen, refusal ? refusal->reason : "allowed by CAP_SYS_RAWIO");
+    EXPECT_EQ(without.verdict, refusal ? Verdict::warning : Verdict::ok);
+    EXPECT_TRUE(with_device.seen.starts_with(without.seen)) << with_device.seen;
 }
 
 TEST_F(MadeUpComputer, PortInAnothersHandsNamesIt) {
@@ -131,9 +104,10 @@ TEST_F(MadeUpComputer, ModuleLpIsAWarningAndItsNameMustBeWhole) {
     expect_bad(check_ports(files()).back(), Verdict::warning, "blacklist lp");
 }
 
-TEST_F(MadeUpComputer, WithoutAPortMayStillSimulate) {
+TEST_F(MadeUpComputer, WithoutAPortDrivesNoRealMachine) {
     remove("/dev/parport0");
-    expect_bad(check_ports(files()).front(), Verdict::warning, "modprobe ppdev");
+    expect_bad(check_ports(files()).front(), Verdict::problem, "modprobe ppdev");
+    EXPECT_EQ(worst_of(check_all(files())), Verdict::problem);
     remove("/proc/sys/dev/parport");
     EXPECT_EQ(check_ports(files()).front().seen, "none");
 }

@@ -189,7 +189,12 @@ TEST(BrokenMesh, RandomBytes) {
 }
 
 TEST(BrokenMesh, TextThatIsNoMesh) {
-    EXPECT_THAT(refusal("a.txt", "Dear reader, this is a letter.\n"), HasSubstr("not a mesh"));
+    EXPECT_THAT(refusal("a.txt", "Dear reader, this is a letter.\n"),
+                HasSubstr("nothing that can be read here: a mesh"));
+    EXPECT_THAT(refusal("a.step", "ISO-10303-21;\nHEADER;\n"),
+                HasSubstr("a.step: a STEP model, which is not read; save it as STL or 3MF"));
+    EXPECT_THAT(refusal("a.pdf", "%PDF-1.4\n"),
+                HasSubstr("a PDF drawing, which is not read; save it as SVG"));
     for (const char* name : {"a.stl", "a.obj", "a.ply", "a.3mf", "a.off"}) {
         EXPECT_NE(refusal(name, "Dear reader, this is a letter.\n"), "") << name;
     }
@@ -272,6 +277,9 @@ TEST(BrokenMesh, FacesThatNameNoVertexAreRefused) {
     EXPECT_THAT(refusal("a.obj", "v 0 0 0\nf 0 1 1\n"), HasSubstr("line 2"));
     EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), HasSubstr("line 6"));
     EXPECT_THAT(refusal("a.off", "OFF\n3 1 0\n0 0 0\n"), HasSubstr("1 of 3 vertices"));
+    EXPECT_THAT(refusal("a.off", "# made\nOFF\n3 1 0\n0 0 x\n"), HasSubstr("line 4"));
+    EXPECT_THAT(refusal("a.off", std::string("OFF BINARY\n\0\0\0\3", 15)), HasSubstr("save it as text"));
+    EXPECT_THAT(refusal("a.off", "# nothing\n# else"), HasSubstr("not a number of vertices"));
 }
 
 TEST(BrokenMesh, NumbersOfVerticesThatAreNoneAreRefused) {

@@ -66,6 +66,37 @@ TEST(LoadMesh, ReadsPly) {
 TEST(LoadMesh, ReadsOff) {
     expect_spring("a.off", mesh_files::off(spring()), "OFF");
 }
+TEST(LoadMesh, ReadsOffWithCommentsAnywhereAndWithoutItsFirstWord) {
+    const std::string plain = mesh_files::off(spring());
+    const std::string body = plain.substr(plain.find('\n') + 1);
+    expect_spring("a.off", "# by a tool\n#CBP\n\n  # closed 1\n" + plain, "OFF");
+    expect_spring("a.mesh", "#by a tool\r\nOFF # format\n# counts\n" + body, "OFF");
+    expect_spring("a.off", "# first word left out\n" + body, "OFF");
+    std::string commented = "OFF\n" + body;
+    for (std::size_t at = commented.find('\n'); at != std::string::npos; at = commented.find('\n', at + 8))
+        commented.insert(at, " # 1 2");
+    expect_spring("a.off", commented, "OFF");
+}
+
+TEST(LoadMesh, PassesOverColoursAndNormalsOfAnOff) {
+    const std::string plain = mesh_files::off(spring());
+    const std::size_t points = (3 * spring().triangles.size());
+    const auto with = [&](const std::string& kind, const std::string& of_point, const std::string& of_face) {
+        std::string out = kind;
+        std::size_t line = 0;
+        for (const char c : plain.substr(plain.find('\n'))) {
+            if (c == '\n' && line > 1) out += line <= points + 1 ? of_point : of_face;
+            if (c == '\n') ++line;
+            out += c;
+        }
+        return out;
+    };
+    expect_spring("a.off", with("COFF", " 255 0 0 255", " 0.5 0.5 0.5"), "OFF");
+    expect_spring("a.off", with("NOFF", " 0 0 1", ""), "OFF");
+    expect_spring("a.off", with("STCNOFF", " 0 0 1 1 0 0 1 0.5 0.5", " 7"), "OFF");
+    expect_spring("a.off", with("OFF", "", " 255 0 0"), "OFF");
+}
+
 TEST(LoadMesh, Reads3mfWhereItsBuildPlacesIt) {
     expect_spring("a.3mf", mesh_files::three_mf(spring()), "3MF", 5.0);
 }

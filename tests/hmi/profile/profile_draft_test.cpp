@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -94,10 +95,24 @@ TEST_F(ProfileFile, KeepsCommentsAndABackup) {
     EXPECT_EQ(read(ProfileDraft::backup_path(path)), kMachine);
     EXPECT_EQ(sut.changed_count(), 0U);
     EXPECT_EQ(load_profile(path).value(), sut.profile().value());
-    ASSERT_TRUE(sut.take_backup());
+    ASSERT_TRUE(sut.take_backup(ProfileDraft::backup_path(path)));
     EXPECT_EQ(sut.typed(speed), "8.0");
     EXPECT_EQ(sut.changed_count(), 2U);
     EXPECT_EQ(sut.saved(speed), "9.0");
+}
+
+TEST_F(ProfileFile, KeepsItsLastBackups) {
+    ProfileDraft sut = opened();
+    for (const char* speed_mm_s : {"11", "12", "13", "14", "15", "16", "17"}) {
+        sut.type(speed, speed_mm_s);
+        ASSERT_TRUE(sut.save());
+    }
+    const auto speed_in = [](const std::string& file) { return load_profile(file).value().r1.speed_mm_s; };
+    EXPECT_EQ(speed_in(path), 17.0);
+    EXPECT_EQ(speed_in(ProfileDraft::backup_path(path)), 16.0);
+    EXPECT_EQ(speed_in(ProfileDraft::older_backup_path(path, 1)), 15.0);
+    EXPECT_EQ(speed_in(ProfileDraft::older_backup_path(path, ProfileDraft::kOlderBackups)), 12.0);
+    EXPECT_FALSE(load_profile(ProfileDraft::older_backup_path(path, ProfileDraft::kOlderBackups + 1)));
 }
 
 TEST_F(ProfileFile, IsWrittenAnewWhereItsWayOfWritingCannotBeKept) {
@@ -107,6 +122,17 @@ TEST_F(ProfileFile, IsWrittenAnewWhereItsWayOfWritingCannotBeKept) {
     sut.type(speed, "9");
     ASSERT_TRUE(sut.save());
     EXPECT_EQ(load_profile(path)->r1.speed_mm_s, 9.0);
+}
+
+TEST_F(ProfileFile, ThatIsALinkStaysOne) {
+    const std::string link = path + ".link";
+    std::filesystem::create_symlink(path, link);
+    auto sut = ProfileDraft::open(link);
+    ASSERT_TRUE(sut);
+    sut->type(key_named("name"), "new one");
+    ASSERT_TRUE(sut->save());
+    EXPECT_TRUE(std::filesystem::is_symlink(link));
+    EXPECT_THAT(read(path), HasSubstr("new one")) << "its own file is the one that is written";
 }
 
 TEST_F(ProfileFile, ThatSomebodyElseChangedIsNotOverwritten) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "hmi/replay/carving_timeline.hpp"
+#include "shared/recorded_start.hpp"
 #include "tests/hmi/replay/recorded_run.hpp"
 
 namespace psicarve::replay {
@@ -46,6 +47,35 @@ TEST_F(SnapshotReplay, ShowsTheMachineAtEachEntryAndWholeAtTheEnd) {
     EXPECT_EQ(end->status.points_done, saved->status->points_done);
     EXPECT_EQ(end->status.tick, saved->status->tick);
     EXPECT_EQ(end->carving_time, kLayers);
+}
+
+TEST_F(SnapshotReplay, ShowsNothingCarvedOfADryRun) {
+    record();
+    auto saved = load_snapshot(snapshot());
+    ASSERT_TRUE(saved);
+    saved->status->is_dry = 1;
+    for (FlightRecord& record : saved->records) {
+        const bool is_start = record.kind == RecordKind::command &&
+                              record.code == static_cast<std::uint16_t>(CommandKind::start);
+        if (is_start)
+            record.value =
+                static_cast<std::int64_t>(static_cast<std::uint64_t>(record.value) | kRecordedDryRun);
+    }
+    const std::string dry = snapshot() + ".dry.snap";
+    ASSERT_TRUE(save_snapshot(*saved, dry));
+    const auto opened = open_recording({dry, {}, Profile{}}, {});
+    ASSERT_TRUE(opened);
+    bool was_at_job = false;
+    for (const Entry& entry : (*opened)->facts().entries) {
+        const auto shown = (*opened)->at(entry.time_ns, false);
+        if (shown->status.state == MachineState::carving) {
+            was_at_job = true;
+            EXPECT_EQ(shown->status.is_dry, 1U);
+        }
+        EXPECT_EQ(shown->carving_time, 0);
+    }
+    EXPECT_TRUE(was_at_job);
+    EXPECT_EQ((*opened)->at((*opened)->facts().end_ns, false)->carving_time, 0);
 }
 
 TEST_F(SnapshotReplay, HasTheStatesOfItsEntries) {

@@ -116,11 +116,90 @@ std::string failing_check(const MachineSight& machine, DeskState desk) {
 
 TEST(Preflight, SaysWhatIsMissing) {
     EXPECT_EQ(failing_check(machine_in(S::ready), DeskState::published), "");
-    EXPECT_EQ(failing_check(machine_in(S::off, 0x3), DeskState::published), "Axes homed: Ψ Y not homed; ");
+    EXPECT_EQ(failing_check(machine_in(S::off, 0x3), DeskState::published), "Axes homed: Ψ Y; ");
     EXPECT_EQ(failing_check(machine_in(S::ready), DeskState::job), "Job published: publish first; ");
     EXPECT_EQ(failing_check(limit_alarm(Axis::r1), DeskState::published),
-              "No alarm: reset first; Limits clear: R1 closed; Axes homed: R1 not homed; ");
+              "No alarm: reset first; Limits clear: R1 closed; Axes homed: R1; ");
     EXPECT_EQ(failing_check(MachineSight{}, DeskState::empty), "Core alive: no core; ");
+}
+
+TEST(Preflight, TellsTheClearanceThatTheJobKeeps) {
+    MachineSight machine = machine_in(S::ready);
+    const auto clearance_row = [&](DeskState desk) {
+        for (const Check& check : preflight_checks(machine, JobSight{desk, false, 10})) {
+            if (in_english(check.name) == "Head clearance") return check;
+        }
+        return Check{};
+    };
+    machine.profile.reset();
+    EXPECT_EQ(in_english(clearance_row(DeskState::published).detail), "not known");
+    machine.profile = Profile{};
+    machine.profile->head_clearance_mm = 3.5;
+    EXPECT_EQ(in_english(clearance_row(DeskState::published).detail), "≥ 3.5 mm");
+    EXPECT_EQ(clearance_row(DeskState::published).verdict, Check::Verdict::pass);
+    EXPECT_EQ(clearance_row(DeskState::model).verdict, Check::Verdict::info) << "nothing keeps it yet";
+}
+
+TEST(Preflight, TellsOfAnotherBlankThanTheMachinesProfile) {
+    MachineSight machine = machine_in(S::ready);
+    machine.profile = Profile{};
+    JobSight job{DeskState::published, false, 10};
+    const auto row_for = [&](const BlankProfile& of_job, const BlankProfile& of_machine) {
+        job.blank_difference = blank_difference(of_job, of_machine);
+        for (const Check& check : preflight_checks(machine, job)) {
+            const std::string name = in_english(check.name);
+            if (name == "Blank matches job" || name == "Profile matches job") return check;
+        }
+        return Check{};
+    };
+    EXPECT_EQ(row_for({20.0, 60.0}, {20.0, 60.0}).verdict, Check::Verdict::pass);
+    const Check larger = row_for({20.0, 60.0}, {25.0, 60.0});
+    EXPECT_EQ(larger.verdict, Check::Verdict::fail);
+    EXPECT_EQ(in_english(larger.name), "Blank matches job");
+    EXPECT_EQ(in_english(larger.detail), "r 20.0 ≠ 25.0");
+    const Check smaller = row_for({20.0, 60.0}, {15.0, 60.0});
+    EXPECT_EQ(smaller.verdict, Check::Verdict::info);
+    EXPECT_EQ(in_english(smaller.detail), "r 20.0 ≠ 15.0");
+    EXPECT_EQ(in_english(row_for({20.0, 60.0}, {20.0, 62.0}).detail), "h 60.0 ≠ 62.0");
+    EXPECT_EQ(in_english(row_for({20.0, 60.0}, {20.0, 60.0, 3.0, 4.0}).detail), "5.0 mm beside");
+    // The core's own, where nothing is open.
+    job.state = DeskState::empty;
+    machine.status->job_generation = 1;
+    EXPECT_EQ(row_for({20.0, 60.0}, {25.0, 60.0}).verdict, Check::Verdict::fail);
+}
+
+TEST(Preflight, TellsInWhatTheJobsMachineIsAnother) {
+    MachineSight machine = machine_in(S::ready);
+    machine.profile = Profile{};
+    JobSight job{DeskState::job, false, 10};
+    const auto profile_row = [&] {
+        const auto checks = preflight_checks(machine, job);
+        EXPECT_EQ(checks.size(), kMostChecks);
+        const auto row = std::find_if(checks.begin(), checks.end(), [](const Check& check) {
+            return in_english(check.name) == "Profile matches job";
+        });
+        return row == checks.end() ? Check{} : *row;
+    };
+    EXPECT_EQ(in_english(profile_row().detail), "default");
+    EXPECT_EQ(profile_row().verdict, Check::Verdict::pass);
+    job.profile_difference = "r1.pulses_per_mm";
+    EXPECT_EQ(in_english(profile_row().detail), "r1.pulses_per_mm");
+    EXPECT_EQ(profile_row().verdict, Check::Verdict::fail);
+    machine.status->state = S::carving;
+    EXPECT_EQ(profile_row().verdict, Check::Verdict::pass) << "the job at work is the core's own";
+    job.profile_difference.clear();
+    machine = machine_in(S::ready);
+    machine.profile.reset();
+    EXPECT_EQ(in_english(profile_row().detail), "not known");
+    EXPECT_EQ(profile_row().verdict, Check::Verdict::info);
+    job.state = DeskState::model;
+    EXPECT_EQ(profile_row().verdict, Check::Verdict::info) << "there is no job";
+    machine = machine_in(S::ready);
+    job.state = DeskState::empty;
+    EXPECT_EQ(profile_row().verdict, Check::Verdict::pass) << "the core's own";
+    machine.status->job_generation = 0;
+    EXPECT_EQ(profile_row().verdict, Check::Verdict::info);
+    EXPECT_EQ(in_english(profile_row().detail), "no job");
 }
 
 // Whatever has been opened or sliced since: the checks are of the job that runs.

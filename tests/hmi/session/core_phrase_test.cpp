@@ -43,7 +43,7 @@ bool is_known(const std::string& message) {
 
 // What the readers say, as they say it.
 TEST(ErrorPhrase, KnowsWhatReadersSay) {
-    const test::TemporaryFolder folder;
+    const psicarve::test::TemporaryFolder folder;
     const auto written = [&folder](const std::string& name, const std::string& content) {
         std::ofstream{folder.path(name), std::ios::binary} << content;
         return folder.path(name);

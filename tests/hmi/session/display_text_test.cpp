@@ -74,8 +74,107 @@ TEST(DisplayText, TellsTheTimeLeft) {
     EXPECT_DOUBLE_EQ(done_ratio(machine), 0.63);
     EXPECT_EQ(in_english(time_text(machine)), "12:38 left");
     machine.status->state = S::alarm;
+    machine.status->job_start_tick = 500;
     EXPECT_EQ(in_english(time_text(machine)), "stopped");
     EXPECT_LT(done_ratio(machine_in(S::ready)), 0.0);
+}
+
+TEST(DisplayText, AnAlarmCutsShortOnlyTheRunThatItEnded) {
+    MachineSight machine = machine_in(S::alarm);
+    CoreStatus& status = *machine.status;
+    status.alarm_count = 1;
+    status.alarms[0].tick = 900;
+    EXPECT_FALSE(is_cut_short(machine)) << "there is no job";
+    EXPECT_EQ(in_english(time_text(machine)), "No job running");
+    status.points_total = 100;
+    status.seconds_left = 60.0;
+    EXPECT_FALSE(is_cut_short(machine)) << "it was not started";
+    EXPECT_EQ(in_english(time_text(machine)), "1:00 planned");
+    status.job_start_tick = 500;
+    status.points_done = 40;
+    EXPECT_TRUE(is_cut_short(machine));
+    EXPECT_EQ(in_english(time_text(machine)), "stopped");
+    status.state = S::backing_off;
+    EXPECT_TRUE(is_cut_short(machine));
+    status.state = S::alarm;
+    status.alarm_count = 2;
+    status.alarms[1].tick = 2000;
+    EXPECT_FALSE(is_cut_short(machine)) << "the alarm before did, and was reset";
+    status.alarms[0].tick = 400;
+    EXPECT_TRUE(is_cut_short(machine)) << "the alarm before was before the run";
+    status.points_done = 100;
+    status.job_end_tick = 800;
+    EXPECT_FALSE(is_cut_short(machine)) << "it was done";
+    EXPECT_EQ(in_english(time_text(machine)), "done");
+    status.points_done = 40;
+    EXPECT_FALSE(is_cut_short(machine)) << "it was stopped in order";
+    EXPECT_EQ(in_english(time_text(machine)), "");
+    EXPECT_FALSE(is_left_undone(machine)) << "the alarm first";
+    status.state = S::ready;
+    EXPECT_TRUE(is_left_undone(machine));
+    EXPECT_EQ(in_english(time_text(machine)), "stopped");
+    EXPECT_EQ(in_english(time_text(machine, 10)), "stopped in layer 5") << "four are done";
+    status.points_done = 100;
+    EXPECT_FALSE(is_left_undone(machine));
+}
+
+TEST(DisplayText, TellsOfARunOnlyBesideItsOwnJob) {
+    MachineSight machine = machine_in(S::ready);
+    EXPECT_TRUE(tells_of_run(machine, {DeskState::published}));
+    EXPECT_TRUE(tells_of_run(machine, {DeskState::empty}));
+    EXPECT_FALSE(tells_of_run(machine, {DeskState::model}));
+    EXPECT_FALSE(tells_of_run(machine, {DeskState::job}));
+    for (const S state : {S::carving, S::held, S::waiting}) {
+        machine.status->state = state;
+        EXPECT_TRUE(tells_of_run(machine, {DeskState::model})) << name_of(state);
+    }
+    machine = machine_in(S::alarm);
+    EXPECT_FALSE(tells_of_run(machine, {DeskState::model}));
+    machine.status->points_total = 100;
+    machine.status->points_done = 40;
+    machine.status->job_start_tick = 500;
+    EXPECT_TRUE(tells_of_run(machine, {DeskState::model})) << "the alarm is of that run";
+}
+
+TEST(DisplayText, KnowsThePlannedTimeOfAJobThatIsNotBegun) {
+    MachineSight machine = machine_in(S::ready);
+    EXPECT_FALSE(planned_seconds(machine));
+    machine.status->points_total = 100;
+    machine.status->seconds_left = 60.0;
+    EXPECT_EQ(planned_seconds(machine), 60.0);
+    machine.status->points_done = 1;
+    EXPECT_FALSE(planned_seconds(machine)) << "that is what is left";
+    machine.status->points_done = 0;
+    machine.status->state = S::positioning;
+    EXPECT_FALSE(planned_seconds(machine));
+}
+
+TEST(DisplayText, SaysThatThereIsNoJob) {
+    EXPECT_EQ(in_english(time_text(machine_in(S::ready))), "No job running");
+    EXPECT_EQ(in_english(time_text(machine_in(S::off))), "No job running");
+    MachineSight machine = machine_in(S::homing);
+    EXPECT_TRUE(time_text(machine).is_empty());
+    machine = machine_in(S::ready);
+    machine.life = CoreLife::silent;
+    EXPECT_TRUE(time_text(machine).is_empty()) << "nobody knows";
+}
+
+TEST(DisplayText, TellsWhenTheAlarmStoppedTheMachine) {
+    MachineSight machine = machine_in(S::alarm);
+    CoreStatus& status = *machine.status;
+    status.period_ns = 50'000;
+    status.tick = 1'000'000;
+    status.alarm_count = 9;
+    status.alarms[0].tick = 960'000;  // the ninth
+    machine.status_time = std::chrono::system_clock::time_point{std::chrono::hours{1}};
+    ASSERT_TRUE(alarm_time(machine));
+    EXPECT_EQ(machine.status_time - *alarm_time(machine), std::chrono::seconds{2});
+    status.is_virtual_clock = 1;
+    EXPECT_FALSE(alarm_time(machine)) << "its clock is not the wall's";
+    status.is_virtual_clock = 0;
+    status.state = S::ready;
+    EXPECT_FALSE(alarm_time(machine)) << "it is over";
+    EXPECT_FALSE(alarm_time(MachineSight{}));
 }
 
 TEST(DisplayText, TellsHowLongTheOpenJobTakes) {
@@ -95,15 +194,78 @@ TEST(DisplayText, TellsHowLongTheOpenJobTakes) {
     EXPECT_FALSE(planned.is_least);
     EXPECT_EQ(in_english(job_times(machine, false, 61.0).time), "at least 1:01") << "it is another job's";
     EXPECT_TRUE(job_times(machine, false, 61.0).reference.is_empty());
+    const machine::PlannedTime ours{70.0, {}, 65.0};
+    EXPECT_EQ(in_english(job_times(machine, false, 61.0, ours).time), "1:10 planned");
+    EXPECT_EQ(in_english(job_times(machine, false, 61.0, ours).reference), "1:05");
+    EXPECT_FALSE(job_times(machine, false, 61.0, ours).is_least);
+    EXPECT_EQ(in_english(job_times(machine, true, 61.0, ours).time), "12:38 planned")
+        << "by the machine's core";
     machine.status->state = S::carving;
-    EXPECT_EQ(in_english(job_times(machine, false, 61.0).time), "12:38 left");
+    EXPECT_EQ(in_english(job_times(machine, false, 61.0, ours).time), "12:38 left");
+    EXPECT_EQ(in_english(job_times(machine, false, 61.0, ours).reference), "1:05") << "as before";
+    machine.life = CoreLife::none;
+    EXPECT_EQ(in_english(job_times(machine, true, 61.0).time), "at least 1:01") << "the core is gone";
+    machine.life = CoreLife::alive;
     machine.status->seconds_left = -1.0;
     EXPECT_TRUE(job_times(machine, true, 61.0).time.is_empty());
+    EXPECT_TRUE(in_english(job_times(machine, true, 61.0, ours).time).ends_with(" planned"))
+        << "until the core has planned what is left";
 }
 
 TEST(Phrase, PutsArgumentsInPlace) {
     EXPECT_EQ(in_english(phrase("%2 of %1, 100 %", "a", "b")), "b of a, 100 %");
     EXPECT_EQ(in_english(phrase("%1 and %3", "a")), "a and ");
+}
+
+TEST(DisplayText, TellsHowFarTheWorkIsWhileAJobRuns) {
+    MachineSight machine = machine_in(S::carving);
+    machine.status->layer = 314;
+    machine.status->point = 211;
+    machine.status->period_ns = 50'000;
+    machine.status->job_start_tick = 1'000;
+    machine.status->tick = 1'000 + 1292 * 20'000;
+    machine.status->override_percent = 80;
+    EXPECT_EQ(in_english(work_text(machine, 500, 500)),
+              "Layer 315 / 500 · point 212 / 500 · elapsed 21:32 · override 80 %");
+    EXPECT_TRUE(work_text(machine_in(S::ready), 500, 500).is_empty());
+}
+
+TEST(DisplayText, TellsByTheClockWhenARunningJobEnds) {
+    using std::chrono::seconds;
+    const auto now = std::chrono::system_clock::time_point{seconds{1'000'000}};
+    MachineSight machine = machine_in(S::carving);
+    machine.status->seconds_left = 600.0;
+    EXPECT_EQ(end_time(machine, now), now + seconds{600});
+    machine.status->is_virtual_clock = 1;
+    EXPECT_FALSE(end_time(machine, now)) << "its seconds are not ours";
+    machine.status->is_virtual_clock = 0;
+    machine.status->state = S::held;
+    EXPECT_FALSE(end_time(machine, now)) << "nobody knows how long it rests";
+}
+
+TEST(DisplayText, TellsWhereASimulatedMachineReallyStands) {
+    MachineSight machine = at(Axis::r1, 8617);
+    machine.status->is_simulator = 0;
+    EXPECT_EQ(in_english(commanded_and_actual(machine, Axis::r1)), "8\u2009617 pulses");
+    machine.status->is_simulator = 1;
+    machine.status->sim_true_position_pulses[index_of(Axis::r1)] = 8600;
+    EXPECT_EQ(in_english(commanded_and_actual(machine, Axis::r1)),
+              "8\u2009617 pulses counted; the simulated machine stands at 8\u2009600");
+}
+
+TEST(DisplayText, SaysOfADryRunThatItIsOne) {
+    MachineSight machine = machine_in(S::carving);
+    machine.status->is_dry = 1;
+    machine.status->layer = 2;
+    EXPECT_EQ(in_english(state_text(machine, 5).word), "DRY RUN");
+    EXPECT_EQ(in_english(state_text(machine, 5).second), "Layer 3 of 5");
+    machine.status->state = S::held;
+    EXPECT_EQ(in_english(state_text(machine, 5).word), "HELD");
+    EXPECT_EQ(in_english(state_text(machine, 5).second), "Dry run, layer 3 of 5");
+    machine.status->state = S::waiting;
+    EXPECT_EQ(in_english(state_text(machine, 5).second), "Dry run: at its beginning");
+    machine.status->state = S::ready;
+    EXPECT_EQ(in_english(state_text(machine, 5).word), "READY");
 }
 
 }  // namespace

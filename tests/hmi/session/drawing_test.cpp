@@ -73,6 +73,66 @@ TEST(LayerRim, GoesOnceRoundWithBothHalves) {
     EXPECT_DOUBLE_EQ(rim.r1.front().radius_mm, 20.0);
 }
 
+TEST(LayerCurves, HasBothRadiiOverTheTablesAngle) {
+    const auto job = two_halves(Joining::continuous);
+    const LayerCurves curves = layer_curves(job, 1);
+    EXPECT_EQ(curves.psi_deg, (std::vector<double>{180.0, 225.0, 270.0, 315.0, 360.0}));
+    EXPECT_EQ(curves.r1_mm, std::vector<double>(5, 20.0));
+    EXPECT_EQ(curves.r2_mm, std::vector<double>(5, 10.0));
+    EXPECT_EQ(layer_curves(job, 2).psi_deg.front(), 0.0) << "a whole turn on";
+}
+
+TEST(RingOutline, IsACircleFromAnySideAndInFrontOfWhatItGoesRound) {
+    const std::array<double, 3> size{20.0, 20.0, 50.0};
+    const std::array<double, 3> centre{8.0, -3.0, 12.0};
+    for (const double elevation_rad : {0.0, 0.4, kPi / 2.0}) {
+        const SceneCamera camera{size, {1.1, elevation_rad}, 640.0, 480.0};
+        const auto middle = camera.project(centre);
+        double widest_px = 0.0;
+        for (const SceneLine& line : ring_outline(camera, centre, 5.0, 0xFF0000)) {
+            EXPECT_EQ(line.rgb, 0xFF0000U);
+            const auto at = camera.project(line.from);
+            const double off_px = std::hypot(at[0] - middle[0], at[1] - middle[1]);
+            EXPECT_NEAR(off_px, 5.0 * camera.px_per_unit(), 0.04 * 5.0 * camera.px_per_unit());
+            EXPECT_GT(at[2], middle[2]);
+            widest_px = std::max(widest_px, off_px);
+        }
+        EXPECT_NEAR(widest_px, 5.0 * camera.px_per_unit(), 1e-6);
+    }
+}
+
+TEST(HalfSpans, ChangeSidesFromLayerToLayerOfAContinuousJob) {
+    const auto job = two_halves(Joining::continuous);
+    for (const std::uint32_t layer : {0U, 1U, 2U}) {
+        const auto spans = half_spans(job, layer);
+        ASSERT_EQ(spans.size(), 2U);
+        EXPECT_EQ(spans[0].from_deg, 0.0);
+        EXPECT_EQ(spans[0].to_deg, 180.0);
+        EXPECT_EQ(spans[0].is_r2, layer == 1);
+        EXPECT_EQ(spans[1].to_deg, 360.0);
+        EXPECT_EQ(spans[1].is_r2, layer != 1);
+    }
+    for (const std::uint32_t layer : {0U, 1U})
+        EXPECT_FALSE(half_spans(two_halves(Joining::zigzag), layer)[0].is_r2);
+}
+
+TEST(HalfSpans, GoOnBeyondDirectionNought) {
+    auto job = two_halves(Joining::continuous);
+    job.profile.psi.pulses_per_rev = job.view.psi_sweep_pulses() * 4;  // a sweep is a quarter of a turn
+    const auto quarter = half_spans(job, 1);
+    ASSERT_EQ(quarter.size(), 3U);
+    EXPECT_TRUE(quarter[0].is_r2);
+    EXPECT_EQ(quarter[0].to_deg, 90.0);
+    EXPECT_FALSE(quarter[1].is_r2);
+    EXPECT_EQ(quarter[1].to_deg, 270.0);
+    EXPECT_TRUE(quarter[2].is_r2);
+    const auto late = half_spans(job, 3);
+    ASSERT_EQ(late.size(), 3U);
+    EXPECT_FALSE(late[0].is_r2);
+    EXPECT_TRUE(late[1].is_r2);
+    EXPECT_EQ(late[1].from_deg, 90.0);
+}
+
 class MeshPicture : public ::testing::Test {
 protected:
     MeshPicture() {
@@ -164,6 +224,27 @@ TEST_F(MeshPicture, LooksFromTheRightAndKnowsWhatStandsInFront) {
     const auto one = draw(scene, view, 50, 50);
     std::swap(scene.facets[0], scene.facets[1]);
     EXPECT_EQ(draw(scene, view, 50, 50).argb, one.argb);
+}
+
+TEST(AxisTriad, StandsWhereItIsWantedAndPointsAsTheFileDoes) {
+    for (const slice::Up up : {slice::Up::x, slice::Up::y, slice::Up::z}) {
+        SceneView view;
+        view.azimuth_rad = -kPi / 2.0;  // from the front: placed x to the right, z up
+        view.zoom = 3.0;
+        view.pan_x = 0.2;
+        view.up = up;
+        const SceneCamera camera{{10.0, 20.0, 30.0}, view, 400.0, 300.0};
+        const auto axes = axis_triad(camera, up, 350.0, 260.0, 25.0, 0);
+        const auto from = slice::source_coordinate(up);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto begin = camera.project(axes[from[k]].from);
+            const auto end = camera.project(axes[from[k]].to);
+            EXPECT_NEAR(begin[0], 350.0, 1e-9);
+            EXPECT_NEAR(begin[1], 260.0, 1e-9);
+            EXPECT_NEAR(end[0] - begin[0], k == 0 ? 25.0 : 0.0, 1e-9);
+            EXPECT_NEAR(end[1] - begin[1], k == 2 ? -25.0 : 0.0, 1e-9) << "down is more";
+        }
+    }
 }
 
 }  // namespace

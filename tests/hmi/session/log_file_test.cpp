@@ -30,6 +30,8 @@ TEST(LogLine, SaysWhenHowBadAndWhatToDoInOneLine) {
     message.what = phrase("%1", "two\nlines");
     message.remedy = {};
     EXPECT_EQ(log_line(message), "1970-01-01T00:00:00.000Z info    two lines\n");
+    message.axes = "R1 R2";
+    EXPECT_EQ(log_line(message), "1970-01-01T00:00:00.000Z info    two lines (R1 R2)\n");
 }
 
 TEST(StateFolder, IsTheUsersOwn) {
@@ -40,7 +42,7 @@ TEST(StateFolder, IsTheUsersOwn) {
 }
 
 TEST(LogFile, BecomesAnOldOneWhenItIsFullAndTheOldestGoes) {
-    const test::TemporaryFolder folder;
+    const psicarve::test::TemporaryFolder folder;
     const std::string path = folder.path("below/psicarve.log");
     LogFile sut{path, 10};
     for (const char* line : {"first\n", "second\n", "third\n", "fourth\n"}) ASSERT_TRUE(sut.add(line));
@@ -54,7 +56,7 @@ TEST(LogFile, BecomesAnOldOneWhenItIsFullAndTheOldestGoes) {
 }
 
 TEST(LogKeeper, WritesEveryMessageOnce) {
-    const test::TemporaryFolder folder;
+    const psicarve::test::TemporaryFolder folder;
     MessageLog log;
     {
         LogKeeper sut{folder.path("state")};
@@ -70,7 +72,7 @@ TEST(LogKeeper, WritesEveryMessageOnce) {
 }
 
 TEST(LogKeeper, SaysOnceThatItCannotWrite) {
-    const test::TemporaryFolder folder;
+    const psicarve::test::TemporaryFolder folder;
     std::ofstream{folder.path("in_the_way")} << "a file, no folder";
     MessageLog log;
     LogKeeper sut{folder.path("in_the_way")};

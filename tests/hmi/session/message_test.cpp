@@ -35,6 +35,19 @@ TEST(AlarmText, NamesTheSwitchTheAxisAndTheRemedy) {
               "Limit switch Y closed (lower end, pin 10)");
 }
 
+TEST(AlarmHeads, AreWhereTheAlarmIsToBeLookedFor) {
+    EXPECT_EQ(alarm_heads(limit_alarm(Axis::r2)), std::vector{Axis::r2});
+    EXPECT_EQ(alarm_heads(limit_alarm(Axis::y)), (std::vector{Axis::r1, Axis::r2})) << "the slide of both";
+    EXPECT_TRUE(alarm_heads(limit_alarm(Axis::psi)).empty());
+    MachineSight machine = limit_alarm(Axis::r1);
+    machine.status->alarm_axis = kNoAxis;
+    EXPECT_TRUE(alarm_heads(machine).empty()) << "the computer's, say";
+    machine = limit_alarm(Axis::r1);
+    machine.status->state = MachineState::ready;
+    EXPECT_TRUE(alarm_heads(machine).empty()) << "it is over";
+    EXPECT_TRUE(alarm_heads(MachineSight{}).empty());
+}
+
 TEST(AlarmText, SaysWhichAxisToHomeWhenItIsOne) {
     MachineSight machine = limit_alarm(Axis::r2);
     machine.status->homed_mask = 0b1101;  // all but R2
@@ -114,14 +127,59 @@ TEST(MessageLog, TellsOfASecondAlarmAndOfAJob) {
 }
 
 TEST(MessageLog, TellsThatTheCoreIsGoneOrSilent) {
-    MachineSight gone = machine_in(S::carving);
-    gone.life = CoreLife::none;
-    EXPECT_EQ(told(machine_in(S::carving), gone), "The core has ended; ");
-    MachineSight half_done = limit_alarm(Axis::r2);
-    half_done.status->layer = 13;
-    EXPECT_EQ(told(half_done, gone), "The core has ended in layer 14; ");
-    gone.life = CoreLife::silent;
-    EXPECT_EQ(told(machine_in(S::carving), gone), "The core is silent; ");
+    const auto lost = [](MachineSight machine, CoreLife life) {
+        machine.heard_state = machine.state();
+        machine.life = life;
+        return machine;
+    };
+    MachineSight ready = machine_in(S::ready);
+    EXPECT_EQ(told(ready, lost(ready, CoreLife::none)), "The core has ended; ");
+    EXPECT_EQ(told(ready, lost(ready, CoreLife::silent)), "The core is silent; ");
+    ready.status->layer = 13;
+    ready.status->points_done = 1000;  // stopped there
+    ready.status->points_total = 2000;
+    EXPECT_EQ(told(ready, lost(ready, CoreLife::none)), "The core has ended in layer 14; ");
+}
+
+TEST(MessageLog, TellsAsAnAlarmThatTheCoreWasLostAtWork) {
+    MachineSight carving = machine_in(S::carving);
+    carving.heard_state = S::carving;
+    carving.status->layer = 13;
+    carving.status->points_done = 1000;
+    carving.status->points_total = 2000;
+    for (const CoreLife life : {CoreLife::none, CoreLife::silent}) {
+        MachineSight lost = carving;
+        lost.life = life;
+        const auto messages = changes_between(carving, lost);
+        ASSERT_EQ(messages.size(), 1U);
+        EXPECT_EQ(messages[0].severity, Severity::alarm);
+        EXPECT_EQ(in_english(messages[0].what), life == CoreLife::none
+                                                    ? "The core has ended in layer 14, point 1"
+                                                    : "The core is silent, in layer 14, point 1");
+        EXPECT_EQ(in_english(messages[0].remedy),
+                  "Use the wired emergency stop, or the machine's own switch");
+        EXPECT_TRUE(changes_between(lost, lost).empty());
+        if (life == CoreLife::silent) {
+            EXPECT_EQ(told(lost, carving), "The core is heard again; ");
+        }
+    }
+}
+
+TEST(MessageLog, TellsOnceThatTheChosenProfileIsNotTheMachines) {
+    MachineSight machine = machine_in(S::ready);
+    machine.core_profile_hash = 7;
+    EXPECT_EQ(told(machine, machine), "");
+    MachineSight other = machine;
+    other.unused_profile = "fine";
+    EXPECT_EQ(told(machine, other),
+              "Profile fine of --profile is not the machine's, which counts by its own, default; ");
+    EXPECT_EQ(told(other, other), "");
+    EXPECT_EQ(told(MachineSight{}, other),
+              "Core found, process 42; Profile fine of --profile is not the "
+              "machine's, which counts by its own, default; ");
+    other.profile.reset();
+    EXPECT_EQ(told(machine, other),
+              "Profile fine of --profile is not the machine's, which counts by another one; ");
 }
 
 TEST(MessageLog, KeepsTheNewest) {
@@ -131,6 +189,26 @@ TEST(MessageLog, KeepsTheNewest) {
     EXPECT_EQ(sut.messages().size(), MessageLog::kMost);
     EXPECT_EQ(in_english(sut.messages().front().what), "5");
     EXPECT_EQ(sut.count(), MessageLog::kMost + 5);
+}
+
+TEST(Messages, NameTheAxesThatTheyAreOf) {
+    MachineSight before = machine_in(S::homing);
+    before.status->homed_mask = 0b0100;
+    MachineSight after = machine_in(S::homing);
+    after.status->homed_mask = 0b0111;
+    auto told = changes_between(before, after);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(in_english(told[0].what), "Homed");
+    EXPECT_EQ(told[0].axes, "R1 R2");
+    EXPECT_EQ(changes_between(after, before).size(), 0U) << "homing anew forgets what it will find";
+    before.status->state = S::ready;
+    told = changes_between(after, before);
+    ASSERT_EQ(told.size(), 2U);
+    EXPECT_EQ(in_english(told[1].what), "Position not certain any more");
+    EXPECT_EQ(told[1].axes, "R1 R2");
+    told = changes_between(machine_in(S::carving), limit_alarm(Axis::r2));
+    ASSERT_FALSE(told.empty());
+    EXPECT_EQ(told[0].axes, "R2");
 }
 
 }  // namespace

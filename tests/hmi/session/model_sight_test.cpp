@@ -38,6 +38,23 @@ TEST(ModelSight, FindsWhatAnotherWallHidesAndNothingElse) {
     EXPECT_EQ(painted.vertex_rgb[1], 0x111111U);
 }
 
+TEST(ModelSight, KnowsFromWhereWhatIsHiddenIsSeen) {
+    const model::Mesh mesh = column_behind_a_plate();
+    cam::JobOptions options;
+    options.axis_at = cam::AxisAt::origin;
+    const MeshScene scene = make_mesh_scene(mesh);
+    auto sight = look_at_model(mesh, scene, Profile{}, options);
+    ASSERT_TRUE(sight) << sight.error().message;
+    // The plate's inner face alone: from the side of -x, where nothing but the column stands before it.
+    for (std::size_t i = 0; i < scene.vertices.size(); ++i)
+        sight->is_hidden[i] = std::abs(scene.vertices[i][0] + scene.middle[0] - 20.0) < 0.01 ? 1 : 0;
+    const auto view = view_of_hidden(scene, *sight, slice::Up::z);
+    ASSERT_TRUE(view);
+    EXPECT_LT(std::cos(view->azimuth_rad), -0.3);
+    std::fill(sight->is_hidden.begin(), sight->is_hidden.end(), std::uint8_t{0});
+    EXPECT_FALSE(view_of_hidden(scene, *sight, slice::Up::z));
+}
+
 TEST(ModelSight, SeesAllOfAColumnAndMeasuresItsBlank) {
     const model::Mesh mesh = shapes::box({-5, -5, 0}, {5, 5, 40});
     cam::JobOptions options;
@@ -49,6 +66,66 @@ TEST(ModelSight, SeesAllOfAColumnAndMeasuresItsBlank) {
     EXPECT_EQ(sight->undercut_share, 0.0);
     EXPECT_NEAR(sight->blank_radius, std::hypot(5, 5), 0.05);
     EXPECT_DOUBLE_EQ(sight->mm_per_unit, 2.0);
+}
+
+// A drawing's axis is its centroid, as the slicer has it.
+TEST(ModelSight, TurnsADrawingAboutItsCentroid) {
+    model::Mesh mesh = shapes::box({-5, -5, 0}, {5, 5, 40});
+    mesh.axis_hint = std::array{1.0, 2.0};
+    const MeshScene scene = make_mesh_scene(mesh);
+    cam::JobOptions options;
+    const auto sight = look_at_model(mesh, scene, Profile{}, options);
+    ASSERT_TRUE(sight) << sight.error().message;
+    EXPECT_NEAR(sight->blank_radius, std::hypot(6, 7), 0.1);
+    options.up = slice::Up::x;
+    EXPECT_NEAR(look_at_model(mesh, scene, Profile{}, options)->blank_radius, std::hypot(5, 20), 0.1);
+}
+
+class BlankOfSight : public ::testing::Test {
+protected:
+    /// A column 10 units wide that stands 3 mm above the table, 2 mm a unit.
+    BlankOfSight() {
+        const model::Mesh mesh = shapes::box({-5, -5, 0}, {5, 5, 40});
+        cam::JobOptions options;
+        options.scale = 2.0;
+        profile_.job.base_height_mm = 3.0;
+        auto sight = look_at_model(mesh, make_mesh_scene(mesh), profile_, options);
+        EXPECT_TRUE(sight) << sight.error().message;
+        sight_ = std::move(*sight);
+    }
+    Profile profile_;
+    ModelSight sight_;
+};
+
+TEST_F(BlankOfSight, IsTheLeastUnlessOneIsChosen) {
+    const BlankOutline least = blank_outline(sight_, profile_);
+    EXPECT_FALSE(least.is_chosen);
+    EXPECT_NEAR(least.diameter_mm, 4.0 * std::hypot(5, 5), 0.2);
+    EXPECT_EQ(least.centre, sight_.axis);
+    EXPECT_DOUBLE_EQ(least.high, 20.0);
+    profile_.blank = {18.0, 0.0, 1.0, -3.0, 0.0};
+    EXPECT_EQ(blank_outline(sight_, profile_), (BlankOutline{{0.5, -1.5}, 9.0, -20.0, 20.0, 36.0, true}));
+    profile_.blank.height_mm = 90.0;
+    EXPECT_EQ(blank_outline(sight_, profile_), (BlankOutline{{0.5, -1.5}, 9.0, -21.5, 23.5, 36.0, true}))
+        << "it stands on the table";
+}
+
+// The words are the slicer's own.
+TEST_F(BlankOfSight, IsWarnedOfBeforeSlicingAsTheSlicerDoes) {
+    EXPECT_TRUE(blank_warnings(sight_, profile_).empty());
+    profile_.blank.radius_mm = 14.3;
+    EXPECT_TRUE(blank_warnings(sight_, profile_).empty()) << "large enough";
+    profile_.blank.radius_mm = 12.0;
+    const auto small = blank_warnings(sight_, profile_);
+    ASSERT_EQ(small.size(), 1U);
+    EXPECT_EQ(small[0].find("the blank's radius of 12.00 mm is less than the model's, 14.1"), 0U) << small[0];
+    profile_.blank = {16.0, 50.0, -4.0, 0.0, 0.0};
+    const auto off = blank_warnings(sight_, profile_);
+    ASSERT_EQ(off.size(), 2U);
+    EXPECT_NE(off[0].find("stands out of the blank, which is off the table's axis, by up to "),
+              std::string::npos)
+        << off[0];
+    EXPECT_EQ(off[1], "the blank's top stands 50.00 mm above the table, the model's 83.00 mm");
 }
 
 TEST(ModelSight, CanBeEnded) {

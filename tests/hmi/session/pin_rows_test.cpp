@@ -34,5 +34,22 @@ TEST(PinRows, KnowTheBusyPinAndActiveLowWiring) {
     }
 }
 
+TEST(PinRows, HaveShortLabelsForTheConnector) {
+    EXPECT_EQ(in_english(pin_label({Signal::y_dir})), "Y dir");
+    EXPECT_EQ(in_english(pin_label({Signal::r1_enable, Signal::psi_enable})), "R1 Ψ en");
+    EXPECT_EQ(in_english(pin_label({Signal::psi_index})), "Ψ index");
+    EXPECT_EQ(in_english(pin_label({Signal::r1_enable, Signal::spindle})), "R1 en, Spindle");
+    EXPECT_TRUE(pin_label({}).is_empty());
+}
+
+TEST(PinRows, TellWhichSwitchesStopTheMachine) {
+    const SignalWord all = ~SignalWord{0};
+    EXPECT_EQ(tripped_stops(all), bit_of(Signal::r1_limit) | bit_of(Signal::r2_limit) |
+                                      bit_of(Signal::y_limit) | bit_of(Signal::estop));
+    EXPECT_EQ(tripped_stops(bit_of(Signal::psi_index) | bit_of(Signal::spindle)), 0U)
+        << "the index stops nothing";
+    EXPECT_EQ(tripped_stops(bit_of(Signal::y_limit)), bit_of(Signal::y_limit));
+}
+
 }  // namespace
 }  // namespace psicarve::session

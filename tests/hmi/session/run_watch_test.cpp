@@ -28,7 +28,7 @@ MachineSight running(S state, std::uint64_t start_tick, std::uint64_t emitted) {
 }
 
 std::string value_of(const RunWatch& watch, const std::string& name) {
-    for (const ReportRow& row : run_rows(*watch.run(), watch.is_over(), 10)) {
+    for (const ReportRow& row : run_rows(*watch.run(), watch.is_over(), 10, {}, watch.seen_from_layer())) {
         if (in_english(row.name) == name) return in_english(row.value);
     }
     return "no such row";
@@ -50,12 +50,12 @@ TEST(RunWatch, TellsARunFromStartToEndAndNothingOfWhatComesAfter) {
     EXPECT_TRUE(sut.is_over());
     sut.note(running(S::moving, 500, 9'999), kNow);  // a jog
     EXPECT_EQ(value_of(sut, "Result"), "carved to the last point");
-    EXPECT_EQ(value_of(sut, "Pulses of Y"), "2\u2009345");
+    EXPECT_EQ(value_of(sut, "Pulses of Y, with the ways in and out"), "2\u2009345");
     EXPECT_EQ(value_of(sut, "Carving time"), "0:01");
     EXPECT_EQ(value_of(sut, "Total time"), "0:02");
     sut.note(running(S::positioning, 90'000, 5), kNow);
     EXPECT_FALSE(sut.is_over());
-    EXPECT_EQ(value_of(sut, "Pulses of R1"), "5");
+    EXPECT_EQ(value_of(sut, "Pulses of R1, with the ways in and out"), "5");
 }
 
 TEST(RunWatch, CountsTheAlarmsOfTheRunAlone) {
@@ -73,6 +73,21 @@ TEST(RunWatch, CountsTheAlarmsOfTheRunAlone) {
     EXPECT_EQ(value_of(sut, "Missed ticks"), "2");
 }
 
+TEST(RunWatch, SaysFromWhichLayerOnItSawARunThatItFound) {
+    RunWatch sut;
+    MachineSight found = running(S::carving, 500, 1'000);
+    found.status->layer = 4;
+    found.status->missed_ticks = 7;
+    sut.note(found, kNow);
+    found.status->missed_ticks = 9;
+    sut.note(found, kNow);
+    EXPECT_EQ(sut.seen_from_layer(), 4U);
+    EXPECT_EQ(value_of(sut, "Missed ticks"), "2 since layer 5, when this window came");
+    sut.note(running(S::ready, 500, 2'345), kNow);
+    sut.note(running(S::carving, 90'000, 5), kNow);  // the next one, from its start
+    EXPECT_FALSE(sut.seen_from_layer());
+}
+
 TEST(RunWatch, ForgetsTheRunsOfACoreThatIsNoMore) {
     RunWatch sut;
     sut.note(running(S::carving, 500, 1'000), kNow);
@@ -81,6 +96,18 @@ TEST(RunWatch, ForgetsTheRunsOfACoreThatIsNoMore) {
     next.core_pid = 43;
     sut.note(next, kNow);
     EXPECT_FALSE(sut.run());
+}
+
+TEST(RunWatch, DoesNotCallADryRunCarved) {
+    RunWatch sut;
+    MachineSight machine = running(S::carving, 500, 1'000);
+    machine.status->is_dry = 1;
+    sut.note(machine, kNow);
+    machine = running(S::ready, 500, 2'345);
+    machine.status->is_dry = 1;
+    sut.note(machine, kNow);
+    EXPECT_EQ(value_of(sut, "Result"), "dry run to the last point: nothing was carved");
+    EXPECT_EQ(value_of(sut, "Verified"), "no: a dry run carves nothing");
 }
 
 }  // namespace

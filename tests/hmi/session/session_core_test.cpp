@@ -81,8 +81,8 @@ TEST_F(SessionOnCore, GoesTheWholeWayFromAModelToADoneJob) {
         return status->points_total == 12 * 40 && status->points_done == status->points_total &&
                status->state == S::ready;
     })) << all_messages();
-    EXPECT_GT(desk_->job()->least_seconds, 0.0);
-    EXPECT_LE(desk_->job()->least_seconds, 1.001 * session_->sight().status->reference_seconds);
+    EXPECT_GT(desk_->job()->least.total(), 0.0);
+    EXPECT_LE(desk_->job()->least.total(), 1.001 * session_->sight().status->reference_seconds);
 }
 
 TEST_F(SessionOnCore, HoldsResumesStopsAtOnceAndResets) {
@@ -139,6 +139,37 @@ TEST_F(SessionOnCore, SaysThatTheCoreIsGoneAndFindsTheNext) {
     start_core();
     ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::alive; }));
     home_session();
+}
+
+/// As a core's guard does once it has made the port safe.
+void leave_words_of_guard(Segment& segment) {
+    SegmentHeader& header = segment.header();
+    CoreStatus status = load_words<CoreStatus>(header.status.words);
+    status.state = S::alarm;
+    status.alarm_cause = AlarmCause::core_lost;
+    status.homed_mask = 0;
+    ++status.heartbeat;
+    write_record(header.status, status);
+}
+
+TEST_F(SessionOnCore, KeepsWhenACoreWasHeardThoughItsGuardSpeaksAfterIt) {
+    start_core();
+    open_session();
+    home_session();
+    const auto heard = session_->sight().status_time;
+    EXPECT_NE(heard.time_since_epoch().count(), 0);
+    core_->send_signal(SIGKILL);
+    core_->wait_for_exit();
+    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::none; }));
+    attach();
+    leave_words_of_guard(*segment_);
+    ASSERT_TRUE(comes_to(S::alarm));
+    EXPECT_GE(session_->sight().status_time, heard);
+    EXPECT_EQ(session_->sight().heard_state, S::ready) << "its own word, not its guard's";
+    open_session();  // and one that comes too late
+    ASSERT_TRUE(comes_to(S::alarm));
+    EXPECT_EQ(session_->sight().status_time.time_since_epoch().count(), 0);
+    EXPECT_FALSE(session_->sight().heard_state);
 }
 
 TEST_F(SessionOnCore, ShowsTheJobOfARunningCoreAfterItsOwnRestart) {
@@ -213,6 +244,24 @@ TEST_F(SessionOnCore, SlicingCanBeCancelledAndRefusalsAreTold) {
     ASSERT_TRUE(comes_true([&] { return !desk_->sight().is_busy(); }));
     EXPECT_NE(all_messages().find("no/such/file.stl"), std::string::npos);
     EXPECT_EQ(desk_->sight().state, DeskState::model);
+}
+
+// The hand is renewed by a thread of its own, but only as long as the window's own loop is heard.
+TEST_F(SessionOnCore, LetsGoOfAJogOnceItsOwnerHangs) {
+    start_core();
+    session_ =
+        std::make_unique<MachineSession>(SessionOptions{segment_name_, {}, {}, kLongestJogLease}, log_);
+    desk_ = std::make_unique<JobDesk>(segment_name_, std::string{}, log_);
+    ASSERT_TRUE(comes_true([&] { return session_->sight().is_heard(); }));
+    home_session();
+    session_->jog().hold(Axis::psi, true, 30.0);  // has no end of its own
+    ASSERT_TRUE(comes_to(S::moving));
+    // From here on nobody calls poll(), as when the window hangs, and the button is not let go.
+    attach();
+    ASSERT_TRUE(reaches(S::ready));
+    EXPECT_EQ(status().move_end, MoveEnd::released);
+    session_->poll();
+    EXPECT_EQ(status().state, S::ready) << "and does not begin again when it is heard anew";
 }
 
 }  // namespace

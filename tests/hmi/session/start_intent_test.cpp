@@ -60,5 +60,27 @@ TEST(NextLayer, IsTheOneAfterTheLastThatIsWhole) {
     EXPECT_EQ(next_layer(5, 60, 0), 0U);
 }
 
+TEST(StartIntent, GoesOnBehindTheCheckpointOnlyWhereThisCoreHasCarvedNothing) {
+    CoreStatus status{};
+    EXPECT_EQ(layer_to_go_on_with(status, std::nullopt, 6), 0U);
+    EXPECT_EQ(layer_to_go_on_with(status, 4, 6), 4U) << "of a core that is no more";
+    status.job_start_tick = 100;
+    status.points_done = 25;
+    status.points_total = 60;
+    EXPECT_EQ(layer_to_go_on_with(status, 4, 6), 2U);
+    status.points_done = 60;
+    EXPECT_EQ(layer_to_go_on_with(status, 4, 6), 0U) << "done: the next run begins below";
+}
+
+TEST(StartIntent, GoesOnWhereThePieceIsAndNotWhereADryRunCame) {
+    CoreStatus status{};
+    status.job_start_tick = 100;
+    status.points_done = 25;
+    status.points_total = 60;
+    status.is_dry = 1;
+    EXPECT_EQ(layer_to_go_on_with(status, std::nullopt, 6), 0U);
+    EXPECT_EQ(layer_to_go_on_with(status, 4, 6), 4U);
+}
+
 }  // namespace
 }  // namespace psicarve::session

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "shared/units.hpp"
+
 namespace psicarve::session {
 namespace {
 
@@ -76,6 +80,36 @@ TEST(RateMeter, BeginsAnewWithAnotherCoreAndSaysNothingTooSoon) {
     status.tick = 6500;
     sut.note(status, begin + 350ms);
     EXPECT_NEAR(sut.ticks_per_s(), 20'000.0, 1e-6);
+}
+
+TEST(TickHealth, TellsThe99PercentAlone) {
+    CoreStatus status{};
+    EXPECT_EQ(late_p99_ns(status), 0);
+    status.lateness_histogram[9] = 980;
+    status.lateness_histogram[12] = 20;  // up to 8 us
+    status.max_lateness_ns = 8'000;
+    EXPECT_EQ(late_p99_ns(status), 8'000);
+    status.lateness_histogram[9] = 9'980;
+    EXPECT_EQ(late_p99_ns(status), 1024);
+}
+
+TEST(SurfaceSpeed, IsThatOfTheFasterHead) {
+    const Profile profile;
+    const double r_per_mm = axis_motion(profile, Axis::r1).pulses_per_unit;
+    const double psi_per_deg = axis_motion(profile, Axis::psi).pulses_per_unit;
+    CoreStatus status{};
+    status.period_ns = 100'000;
+    status.position_pulses[index_of(Axis::r1)] = std::llround(20.0 * r_per_mm);
+    status.position_pulses[index_of(Axis::r2)] = std::llround(10.0 * r_per_mm);
+    RateMeter rates;
+    rates.note(status, {});
+    EXPECT_EQ(surface_speed_mm_s(rates, status, profile), 0.0);
+    status.tick = 10'000;  // a second of the machine's
+    status.emitted_pulses[index_of(Axis::psi)] = std::llround(90.0 * psi_per_deg);
+    status.emitted_pulses[index_of(Axis::r1)] = std::llround(3.0 * r_per_mm);
+    rates.note(status, RateMeter::Clock::time_point{} + 500ms);
+    const double round_mm_s = 20.0 * kPi / 2.0;  // a quarter of a turn
+    EXPECT_NEAR(surface_speed_mm_s(rates, status, profile), std::hypot(round_mm_s, 3.0), 0.01);
 }
 
 }  // namespace

@@ -54,6 +54,18 @@ TEST(RadialMap, OfABoxIsTheDistanceToItsSides) {
     }
 }
 
+TEST(RadialMap, OfOneDirectionAloneIsThatOfAllRound) {
+    const model::Mesh mesh = shapes::box({-3, -5, 0}, {3, 5, 8});
+    const std::vector<double> heights{4.0};
+    for (const double angle : {0.0, 0.1, 3.0, 6.2}) {
+        const std::vector<double> angles{angle};
+        const auto sut = radial_map(mesh, {}, heights, Directions(angles), {});
+        ASSERT_TRUE(sut);
+        EXPECT_NEAR(sut->radius[0], 3.0 / std::abs(std::cos(angle)), 1e-12) << angle;
+        EXPECT_EQ(sut->layers[0].walls, 1U) << angle;
+    }
+}
+
 TEST(RadialMap, OfAPrismIsTheDistanceToItsFacets) {
     constexpr std::size_t kSides = 24;
     const Sliced sut = slice_all(shapes::cylinder(10.0, 0.0, 5.0, kSides), 5, 97);

@@ -58,7 +58,7 @@ TEST_F(ByHand, KeysMoveTheMachineOnlyWhileTheyAreArmed) {
     EXPECT_EQ(pulses(Axis::y), from_pulses);
     ASSERT_TRUE(click("arm_keys"));
     EXPECT_TRUE(is_armed());
-    EXPECT_TRUE(window_->findChild<QLabel*>("jog_hint")->text().contains("PgUp"));
+    EXPECT_TRUE(window_->findChild<QLabel*>("jog_keys")->isVisible());
     take_picture("keys_armed_light");
     press(Qt::Key_Up);
     ASSERT_TRUE(comes_true([&] { return pulses(Axis::y) > from_pulses; })) << all_messages().toStdString();
@@ -76,6 +76,7 @@ TEST_F(ByHand, KeysMoveTheMachineOnlyWhileTheyAreArmed) {
     ASSERT_TRUE(comes_to(S::ready));
     ASSERT_TRUE(click("arm_keys"));
     EXPECT_FALSE(is_armed());
+    EXPECT_FALSE(window_->findChild<QLabel*>("jog_keys")->isVisible());
 }
 
 TEST_F(ByHand, ArmedKeysAreDisarmedByATextFieldADialogAndTheEmergencyStop) {

@@ -3,8 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
 #include <QFontDatabase>
 #include <QLabel>
+#include <QListWidget>
 #include <QLocale>
 #include <QMenu>
 #include <QScrollArea>
@@ -18,9 +23,12 @@
 #include "hmi/session/core_phrase.hpp"
 #include "hmi/session/error_phrase.hpp"
 #include "hmi/ui/language.hpp"
+#include "hmi/ui/state_pill.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/command.hpp"
 #include "shared/profile_table.hpp"
+#include "shared/profile_text.hpp"
+#include "tests/hmi/session/sights.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 
 namespace psicarve::ui {
@@ -83,9 +91,18 @@ protected:
             window_->refresh();
             take_picture(language + "_" + QString::number(i + 1));
             expect_nothing_cut_off();
-            const auto* const pages = window_->findChild<QScrollArea*>("pages");
+            const auto* const pages = static_cast<const QScrollArea*>(tabs->currentWidget());
             EXPECT_EQ(pages->horizontalScrollBar()->maximum(), 0) << "page " << i + 1 << " is too wide";
         }
+    }
+
+    static constexpr int kFrameWidth = 10;
+    static constexpr int kArrowWidth = 28;
+
+    static void expect_room(const QWidget& field, const QString& text, int around) {
+        if (!field.isVisible()) return;
+        EXPECT_GE(field.width(), field.fontMetrics().horizontalAdvance(text) + around)
+            << field.objectName().toStdString() << ": " << text.toStdString();
     }
 
     /// Labels and buttons have the room that their words need.
@@ -95,6 +112,10 @@ protected:
             EXPECT_GE(button->width(), button->minimumSizeHint().width())
                 << button->objectName().toStdString() << ": " << button->text().toStdString();
         }
+        for (const QComboBox* box : window_->findChildren<QComboBox*>())
+            expect_room(*box, box->currentText(), kArrowWidth);
+        for (const QAbstractSpinBox* box : window_->findChildren<QAbstractSpinBox*>())
+            expect_room(*box, box->text(), kFrameWidth);
         for (const QLabel* label : window_->findChildren<QLabel*>()) {
             // Figures grow as one looks; their column does a moment later.
             const bool is_figure = label->objectName().startsWith("realtime_");
@@ -104,6 +125,99 @@ protected:
         }
     }
 };
+
+// Every state with its second line, in the strip's usual and its smallest room.
+TEST_P(Languages, SayEveryStateInFull) {
+    constexpr std::uint32_t kMany = 4000;
+    std::vector<session::MachineSight> all{session::test::limit_alarm(Axis::psi), session::MachineSight{}};
+    for (std::uint32_t k = 0; k < kMachineStateCount; ++k) {
+        for (const std::uint16_t is_dry : {std::uint16_t{0}, std::uint16_t{1}}) {
+            all.push_back(session::test::machine_in(static_cast<MachineState>(k)));
+            all.back().status->is_dry = is_dry;
+            all.back().status->layer = kMany - 1;
+        }
+    }
+    for (std::uint32_t k = 0; k < kAlarmCauseCount; ++k) {
+        all.push_back(session::test::machine_in(MachineState::alarm));
+        all.back().status->alarm_cause = static_cast<AlarmCause>(k);
+    }
+    StatePill sut;
+    sut.setStyleSheet(style_sheet(tokens_of(Theme::light)));
+    for (const Room room : {Room::usual, Room::small}) {
+        sut.set_room(room);
+        for (const session::MachineSight& sight : all) {
+            sut.show_state(session::state_text(sight, kMany), Glyph::info, tokens_of(Theme::light));
+            EXPECT_FALSE(sut.is_cut_off()) << sut.accessibleName().toStdString() << ", " << sut.width();
+        }
+    }
+}
+
+// How late ticks are stands beside the state for as long as the window is open.
+TEST_P(Languages, KeepRoomForTheLargestFiguresOfTheTick) {
+    start_core();
+    open_window();
+    window_->resize(1280, 720);
+    QApplication::processEvents();
+    const auto in_own = [](const char* english, const char* value) {
+        return words(session::phrase(english, value));
+    };
+    auto& tick = part<QLabel>("tick_text");
+    const QString longest = in_own("tick %1 µs", "1\u2009000") + " · " + in_own("p99 %1", "999 µs");
+    EXPECT_GE(tick.width(), tick.fontMetrics().horizontalAdvance(longest)) << longest.toStdString();
+    const QString missed = in_own("missed %1", "999\u2009999\u2009999");
+    EXPECT_GE(tick.width(), tick.fontMetrics().horizontalAdvance(missed)) << missed.toStdString();
+}
+
+// What is told of it stands under the view, beside warnings and a form with all a tool's fields.
+TEST_P(Languages, TellWhatTheToolWillLeave) {
+    open_window();
+    window_->open(QStringLiteral(PSICARVE_EXAMPLES "/small.stl"));
+    ASSERT_TRUE(comes_to(session::DeskState::model)) << all_messages().toStdString();
+    part<QComboBox>("tool").setCurrentIndex(4);
+    ASSERT_TRUE(click("view_piece"));
+    const auto& facts = part<QLabel>("piece_facts");
+    ASSERT_TRUE(comes_true([&] { return facts.text().count('\n') >= 2; })) << facts.text().toStdString();
+    ASSERT_TRUE(click("model_report_open"));
+    const auto& report = part<QDialog>("model_report");
+    const auto told = [&] {
+        for (const QLabel* label : report.findChildren<QLabel*>())
+            if (label->text().contains(QStringLiteral("…"))) return false;
+        return true;
+    };
+    ASSERT_TRUE(comes_true(told));
+    const QString code = QLatin1String(kLanguages[static_cast<std::size_t>(GetParam())].code);
+    take_picture("expected_piece_" + code);
+    part<QDialog>("model_report")
+        .grab()
+        .save(QString::fromLatin1(PSICARVE_BIN) + "/../screenshots/model_report_" + code + ".png");
+    expect_nothing_cut_off();
+    EXPECT_GE(facts.height(), facts.heightForWidth(facts.width()));
+    for (const QLabel* label : report.findChildren<QLabel*>()) {
+        if (!label->isVisible() || !label->wordWrap()) continue;
+        EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
+    }
+}
+
+// The profile's parts, and the words between its bounds.
+TEST_P(Languages, NameThePartsOfTheProfile) {
+    open_window();
+    window_->findChild<QTabWidget*>()->setCurrentIndex(6);
+    const auto& groups = part<QListWidget>("profile_groups");
+    std::set<std::string> tables;
+    for (const ProfileKey& key : profile_keys()) tables.insert(std::string{table_of_key(key.path)});
+    EXPECT_EQ(static_cast<int>(tables.size()), groups.count());
+    for (int i = 0; i < groups.count(); ++i)
+        EXPECT_FALSE(tables.contains(groups.item(i)->text().toStdString())) << "a table's name is no title";
+    if (GetParam() == Language::english) return;
+    for (int i = 0; i < groups.count(); ++i) {
+        part<QListWidget>("profile_groups").setCurrentRow(i);
+        QApplication::processEvents();
+        for (const QLabel* label : window_->findChildren<QLabel*>()) {
+            for (const char* english : {" bytes", " or "})
+                EXPECT_FALSE(label->text().contains(english)) << label->text().toStdString();
+        }
+    }
+}
 
 TEST_P(Languages, FitTheSmallestScreen) {
     const QString code = QLatin1String(kLanguages[static_cast<std::size_t>(GetParam())].code);
@@ -117,6 +231,18 @@ TEST_P(Languages, FitTheSmallestScreen) {
     EXPECT_LE(window_->minimumSizeHint().width(), 1280);
     EXPECT_LE(window_->minimumSizeHint().height(), 720);
     look_at_all_pages(code);
+    // Page Model with all that may be asked of a mesh.
+    window_->findChild<QTabWidget*>()->setCurrentIndex(0);
+    part<QComboBox>("axis_at").setCurrentIndex(3);
+    part<QComboBox>("tool").setCurrentIndex(4);
+    part<QDoubleSpinBox>("blank_radius").setValue(10.0);
+    part<QComboBox>("roughing").setCurrentIndex(1);
+    QApplication::processEvents();
+    const auto& room = part<QScrollArea>("model_fields");
+    EXPECT_LE(room.widget()->minimumSizeHint().width(), room.viewport()->width()) << "nothing is cut off";
+    EXPECT_GT(room.viewport()->height(), 250) << "and the fields have room beside the picture";
+    room.verticalScrollBar()->setValue(room.verticalScrollBar()->maximum());
+    take_picture(code + "_passes");
     // A model with longer figures.
     window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/figurine.stl");
     ASSERT_TRUE(comes_true([&] { return window_->bench().desk.path().ends_with("figurine.stl"); }));
@@ -143,6 +269,29 @@ TEST_P(Languages, HaveATextForAllThatTheWindowAsksFor) {
         (void)QCoreApplication::translate("profile", key.explanation.c_str());
     QCoreApplication::removeTranslator(&listener);
     for (const std::string& text : listener.missing) ADD_FAILURE() << "not translated: " << text;
+}
+
+// Speeds and pulses grow between two layouts; a label that was as wide as its text then cuts it off.
+TEST_P(Languages, KeepRoomForTheLargestFigures) {
+    start_core();
+    open_window();
+    window_->resize(1280, 720);
+    window_->findChild<QTabWidget*>()->setCurrentIndex(2);
+    QApplication::processEvents();
+    const std::pair<const char*, const char*> largest[] = {
+        {"axis_pulses_", "9\u2009999\u2009999\u2009999"},
+        {"axis_speed_", "1\u2009999.9 mm/s"},
+        {"axis_share_", "100 %"},
+        {"axis_left_", "9\u2009999\u2009999\u2009999"},
+    };
+    for (const auto& [name, text] : largest) {
+        for (const Axis axis : kAllAxes) {
+            auto& label = part<QLabel>((name + std::string{name_of(axis)}).c_str());
+            ASSERT_TRUE(label.isVisible());
+            EXPECT_GE(label.width(), label.fontMetrics().horizontalAdvance(QString::fromUtf8(text)))
+                << label.objectName().toStdString();
+        }
+    }
 }
 
 TEST_P(Languages, HaveTheCoresWords) {

@@ -6,8 +6,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
+#include <QMessageBox>
+#include <QRegularExpression>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTableWidget>
+#include <QTimer>
 
 #include <fstream>
 
@@ -24,7 +29,9 @@ class Pages : public WindowRig {
 protected:
     void show_page(const char* name) {
         auto* const tabs = window_->findChild<QTabWidget*>();
-        tabs->setCurrentWidget(window_->findChild<QWidget*>(name));
+        for (int i = 0; i < tabs->count(); ++i) {
+            if (tabs->widget(i)->isAncestorOf(window_->findChild<QWidget*>(name))) tabs->setCurrentIndex(i);
+        }
         QApplication::processEvents();
         window_->refresh();
     }
@@ -50,6 +57,26 @@ protected:
         line.setText(text);
         Q_EMIT line.textEdited(text);
     }
+    QMenu& opened_menu(const char* name) {
+        auto* const menu = window_->findChild<QMenu*>(name);
+        Q_EMIT menu->aboutToShow();
+        return *menu;
+    }
+    QStringList entries_of(const char* menu) {
+        QStringList entries;
+        for (const QAction* action : opened_menu(menu).actions()) {
+            if (!action->isSeparator()) entries += action->text();
+        }
+        return entries;
+    }
+    bool choose(const char* menu, const QString& entry) {
+        for (QAction* action : opened_menu(menu).actions()) {
+            if (action->text() != entry) continue;
+            action->trigger();
+            return true;
+        }
+        return false;
+    }
     void choose_group(int row) { window_->findChild<QListWidget*>("profile_groups")->setCurrentRow(row); }
 };
 
@@ -68,6 +95,61 @@ TEST_F(Pages, PortsListEveryPinAndShowItsLevel) {
     take_picture("ports_light");
 }
 
+TEST_F(Pages, MessagesAreFoundByTheirWords) {
+    open_window();
+    window_->bench().log.add(session::Severity::info, session::phrase("Opened %1", "vase.stl"));
+    window_->bench().log.add(session::Severity::warning, session::phrase("Not saved: %1", "disk full"));
+    show_page("messages_page");
+    auto* const table = window_->findChild<QTableWidget*>("messages");
+    const auto shown = [&] {
+        QStringList texts;
+        for (int row = 0; row < table->rowCount(); ++row) {
+            if (!table->isRowHidden(row)) texts += table->item(row, 3)->text();
+        }
+        return texts;
+    };
+    EXPECT_GE(shown().size(), 2);
+    auto* const find = window_->findChild<QLineEdit*>("messages_find");
+    find->setText("DISK");
+    EXPECT_EQ(shown(), QStringList{"Not saved: disk full"});
+    find->clear();
+    EXPECT_GE(shown().size(), 2);
+}
+
+TEST_F(Pages, TheTabOfMessagesTellsHowManyAreUnread) {
+    open_window();
+    const auto* const bar = window_->findChild<QTabWidget*>()->tabBar();
+    const auto unread = [&] {
+        window_->refresh();
+        const auto* const badge = qobject_cast<QLabel*>(bar->tabButton(5, QTabBar::RightSide));
+        return badge != nullptr && badge->isVisible() ? badge->text() : QString{};
+    };
+    EXPECT_EQ(unread(), "");
+    for (const char* count : {"1", "2", "3"}) {
+        window_->bench().log.add(session::Severity::warning, session::phrase("Not saved: %1", "disk full"));
+        EXPECT_EQ(unread(), count);
+    }
+    show_page("messages_page");
+    EXPECT_EQ(unread(), "");
+}
+
+TEST_F(Pages, WhatWasTypedIntoTheProfileIsNotLostWithTheWindow) {
+    open_window();
+    show_page("profile_page");
+    edit("core_radius_mm", "1.7");
+    const auto close_and = [this](QMessageBox::StandardButton answer) {
+        QTimer::singleShot(0, window_.get(), [this, answer] {
+            auto* const box = window_->findChild<QMessageBox*>();
+            ASSERT_NE(box, nullptr);
+            box->button(answer)->click();
+        });
+        return window_->close();
+    };
+    EXPECT_FALSE(close_and(QMessageBox::Cancel));
+    EXPECT_EQ(profile().draft().changed_count(), 1U);
+    EXPECT_TRUE(close_and(QMessageBox::Discard));
+}
+
 TEST_F(Pages, RealTimeCountsTheCoresTicks) {
     start_core();
     open_window();
@@ -75,7 +157,12 @@ TEST_F(Pages, RealTimeCountsTheCoresTicks) {
     ASSERT_TRUE(
         comes_true([&] { return text_of("realtime_ticks") != "0" && !text_of("realtime_ticks").isEmpty(); }));
     EXPECT_FALSE(text_of("realtime_verdict").isEmpty());
-    EXPECT_FALSE(text_of("realtime_percentiles").isEmpty());
+    // On the virtual clock there is no lateness to tell of.
+    EXPECT_TRUE(text_of("realtime_verdict").contains("virtual clock"));
+    for (const char* figure :
+         {"realtime_percentiles", "realtime_greatest", "realtime_missed", "realtime_faults"})
+        EXPECT_EQ(text_of(figure), "\u2013") << figure;
+    EXPECT_EQ(text_of("realtime_rights"), "not needed on the virtual clock");
     take_picture("realtime_light");
 }
 
@@ -108,10 +195,43 @@ TEST_F(Pages, ProfileChecksAsOneTypesAndSavesWithABackup) {
     EXPECT_EQ(load_profile(path)->r1.speed_mm_s, 9.0);
     EXPECT_EQ(load_profile(path + ".bak")->r1.speed_mm_s, 8.0);
     EXPECT_TRUE(all_messages().contains("Profile saved"));
-    ASSERT_TRUE(click("profile_restore"));
+    ASSERT_TRUE(button("profile_restore").isEnabled());
+    const QStringList backups = entries_of("profile_backups_menu");
+    ASSERT_EQ(backups.size(), 1);
+    EXPECT_TRUE(backups[0].endsWith("  machine.toml.bak")) << backups[0].toStdString();
+    ASSERT_TRUE(choose("profile_backups_menu", backups[0]));
     EXPECT_EQ(field("axis.r1.speed_mm_s").text(), "8.0");
     ASSERT_TRUE(click("profile_undo"));
     EXPECT_EQ(field("axis.r1.speed_mm_s").text(), "9.0");
+}
+
+TEST_F(Pages, ProfileGroupsTheThousandsOfItsBounds) {
+    open_window();
+    show_page("profile_page");
+    QStringList bounds;
+    for (const QLabel* label : window_->findChildren<QLabel*>()) {
+        if (label->text().contains(" ... ")) bounds += label->text();
+    }
+    EXPECT_FALSE(bounds.filter("\u2009").isEmpty());
+    for (const QString& text : bounds)
+        EXPECT_FALSE(text.contains(QRegularExpression{"(?<![\\d.])\\d{4}"})) << text.toStdString();
+}
+
+TEST_F(Pages, ProfilesThatWereOpenedAreOpenedAgain) {
+    const psicarve::test::TemporaryFolder folder;
+    std::ofstream(folder.path("left.toml")) << "name = \"left\"\n";
+    std::ofstream(folder.path("right.toml")) << "name = \"right\"\n";
+    open_window();
+    show_page("profile_page");
+    for (const char* name : {"left.toml", "right.toml", "left.toml"})
+        ASSERT_TRUE(profile().open(QString::fromStdString(folder.path(name))));
+    EXPECT_EQ(entries_of("profile_open_menu").mid(0, 3),
+              (QStringList{"Choose a file...", "left.toml", "right.toml"}));
+    ASSERT_TRUE(choose("profile_open_menu", "right.toml"));
+    EXPECT_EQ(profile().draft().path(), folder.path("right.toml"));
+    ASSERT_TRUE(choose("profile_open_menu", "Built-in profile"));
+    EXPECT_EQ(profile().draft().path(), "");
+    EXPECT_EQ(profile().draft().changed_count(), 0U);
 }
 
 TEST_F(Pages, ProfileFindsKeysAndShowsOnlyWhatDiffers) {

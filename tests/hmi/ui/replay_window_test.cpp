@@ -2,6 +2,7 @@
 // A recording in the window: everything shows its moment, nothing moves, the live machine stays in sight.
 #include <gtest/gtest.h>
 
+#include <QDialog>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
@@ -16,6 +17,7 @@
 #include "hmi/ui/state_pill.hpp"
 #include "hmi/ui/timeline_view.hpp"
 #include "tests/hmi/replay/recorded_run.hpp"
+#include "tests/hmi/ui/fit_audit.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 
 namespace psicarve::ui {
@@ -54,6 +56,7 @@ TEST_F(ReplayWindow, ShowsATracesMomentOnEveryPageAndLeavesAgain) {
     EXPECT_TRUE(window_->windowTitle().contains("REPLAY: run.trace"));
     EXPECT_EQ(pill(), "REPLAY");
     EXPECT_TRUE(window_->findChild<QWidget*>("replay_bar")->isVisible());
+    EXPECT_FALSE(part<QWidget>("dry_run").isEnabled());
     window_->bench().replay.add_job(job());
     ASSERT_TRUE(comes_true([&] { return desk().carving() != nullptr && desk().is_settled(); }))
         << all_messages().toStdString();
@@ -242,8 +245,58 @@ TEST_F(ReplayWindow, FitsTheSmallestScreenInEveryLanguage) {
             EXPECT_GE(label->width() + 1, label->minimumSizeHint().width()) << label->text().toStdString();
         }
         take_picture(QString{"replay_language_%1"}.arg(i));
+        window_->resize(960, 515);  // 1920 x 1080 at 200 %
+        for (int look = 0; look < 3; ++look) ASSERT_TRUE(comes_true([&] { return true; }));
+        QApplication::processEvents();
+        for (const std::string& misfit : test::misfits(*window_)) ADD_FAILURE() << i << ": " << misfit;
+        take_picture(QString{"replay_language_%1_small"}.arg(i));
     }
     use_language(Language::english);
+}
+
+TEST_F(ReplayWindow, SaysWhichNeighbourItDidNotTakeAsTheTracesJob) {
+    record();
+    JobTable other = two_process::lobed_job(kLayers, kPoints);
+    for (std::int32_t& radius : other.r_left_pulses) radius += 100;
+    Snapshot snapshot;
+    snapshot.job_blob = job_blob_from_table(other);
+    ASSERT_TRUE(save_snapshot(snapshot, file("run.snap")));
+    open_window();
+    open_recording(trace());
+    window_->refresh();
+    EXPECT_FALSE(desk().facts().job);
+    const auto& warnings = part<QLabel>("replay_warnings");
+    EXPECT_TRUE(warnings.isVisible());
+    EXPECT_EQ(warnings.text(), "run.snap lies beside this trace, but is of another run: it is not used");
+    take_picture("replay_refused_neighbour_light");
+    window_->bench().replay.add_job(job());
+    ASSERT_TRUE(comes_true([&] { return desk().facts().job != nullptr; }));
+    ASSERT_TRUE(comes_true([&] { return !warnings.isVisible(); }));
+}
+
+TEST_F(ReplayWindow, HoldsATraceAgainstItsJobAndShowsTheVerdict) {
+    record();
+    open_window();
+    open_recording(trace());
+    window_->refresh();
+    ASSERT_TRUE(button("replay_verify").isVisible());
+    if (!desk().facts().job) {
+        EXPECT_FALSE(button("replay_verify").isEnabled()) << "against what?";
+        EXPECT_FALSE(button("replay_verify").toolTip().isEmpty());
+        window_->bench().replay.add_job(job());
+        ASSERT_TRUE(comes_true([&] { return desk().facts().job != nullptr; }))
+            << all_messages().toStdString();
+    }
+    ASSERT_TRUE(click("replay_verify"));
+    ASSERT_TRUE(comes_true([&] { return window_->findChild<QDialog*>("verdict") != nullptr; }))
+        << all_messages().toStdString();
+    EXPECT_TRUE(all_messages().contains("Verified: the pins carve the job")) << all_messages().toStdString();
+    QStringList texts;
+    for (const QLabel* label : window_->findChild<QDialog*>("verdict")->findChildren<QLabel*>())
+        texts += label->text();
+    EXPECT_TRUE(texts.contains("yes")) << texts.join("; ").toStdString();
+    EXPECT_EQ(button("replay_verify").text(), "Verify");
+    EXPECT_TRUE(desk().is_open()) << "the recording is still shown";
 }
 
 }  // namespace

@@ -34,27 +34,12 @@ using S = MachineState;
 /// The window and a real core on the simulated machine.
 class WindowOnCore : public WindowRig {
 protected:
-    void open_long_job() {
-        Snapshot snapshot;
-        snapshot.job_blob = job_blob_from_table(two_process::long_job());
-        ASSERT_TRUE(save_snapshot(snapshot, file("long.job")));
-        window_->open(QString::fromStdString(file("long.job")));
-        ASSERT_TRUE(comes_to(DeskState::job));
-        window_->bench().desk.publish();
-        ASSERT_TRUE(comes_to(DeskState::published));
-    }
-    void carve_long_job() {
-        open_long_job();
-        ASSERT_TRUE(click("home"));
-        ASSERT_TRUE(comes_to(S::ready));
-        ASSERT_TRUE(click("start"));
-        ASSERT_TRUE(comes_to(S::carving));
-    }
+    void open_long_job() { publish_job(two_process::long_job()); }
+    void carve_long_job() { carve_job(two_process::long_job()); }
     QByteArray content_of(const char* name) const {
         QFile saved{QString::fromStdString(file(name))};
         return saved.open(QIODevice::ReadOnly) ? saved.readAll() : QByteArray{};
     }
-    const session::MachineSight& sight() { return window_->bench().machine.sight(); }
 };
 
 TEST_F(WindowOnCore, CarvesAlthoughTheFeedIsChangedOnTheWayToTheFirstPoint) {
@@ -305,7 +290,8 @@ TEST_F(WindowOnCore, AsksBeforeItLeavesAMachineAtWork) {
     ASSERT_TRUE(comes_to(S::carving));
     choice = CloseChoice::hold;
     window_->set_close_question([&] { return choice; });
-    EXPECT_TRUE(window_->close());
+    EXPECT_FALSE(window_->close()) << "not before the core has taken it";
+    ASSERT_TRUE(comes_true([&] { return !window_->isVisible(); }));
     EXPECT_TRUE(reaches(S::held));
     open_window();
     ASSERT_TRUE(comes_to(S::held));

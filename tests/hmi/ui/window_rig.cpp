@@ -83,8 +83,27 @@ QString WindowRig::all_messages() const {
     return text;
 }
 
+void WindowRig::publish_job(const JobTable& table) {
+    Snapshot snapshot;
+    snapshot.job_blob = job_blob_from_table(table);
+    ASSERT_TRUE(save_snapshot(snapshot, file("run.job")));
+    window_->open(QString::fromStdString(file("run.job")));
+    ASSERT_TRUE(comes_to(session::DeskState::job));
+    window_->bench().desk.publish();
+    ASSERT_TRUE(comes_to(session::DeskState::published));
+}
+
+void WindowRig::carve_job(const JobTable& table) {
+    publish_job(table);
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(MachineState::ready));
+    ASSERT_TRUE(click("start"));
+    ASSERT_TRUE(comes_to(MachineState::carving));
+}
+
 void WindowRig::take_picture(const QString& name) {
-    QApplication::processEvents();
+    // What was written anew takes its room with the second look.
+    for (int look = 0; look < 2; ++look) QApplication::processEvents();
     const QString folder = QString::fromLatin1(PSICARVE_BIN) + "/../screenshots";
     QDir{}.mkpath(folder);
     window_->grab().save(folder + "/" + name + ".png");

@@ -36,6 +36,18 @@ protected:
     /// Waits until it can be pressed, presses it, and says why it could not be.
     ::testing::AssertionResult click(const char* name);
     QString all_messages() const;
+    const session::MachineSight& sight() { return window_->bench().machine.sight(); }
+    /// A widget of the window or of its dialogs.
+    template <typename T>
+    T& part(const char* name) {
+        auto* const found = window_->findChild<T*>(name);
+        if (found == nullptr) throw std::runtime_error{std::string{"no "} + name};
+        return *found;
+    }
+    /// From a file, by the window's own way.
+    void publish_job(const JobTable& table);
+    /// Publishes it, homes, starts.
+    void carve_job(const JobTable& table);
     /// Into the build folder, to be looked at.
     void take_picture(const QString& name);
 

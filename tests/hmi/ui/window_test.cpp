@@ -48,8 +48,7 @@ TEST_F(Window, KeepsTheEmergencyStopInReachOnF1AlsoInADialog) {
     QApplication::processEvents();
     QKeyEvent press{QEvent::KeyPress, Qt::Key_F1, Qt::NoModifier};
     QApplication::sendEvent(&dialog, &press);
-    EXPECT_TRUE(all_messages().contains("No core: use the switch on the machine"))
-        << all_messages().toStdString();
+    EXPECT_TRUE(all_messages().contains("Nobody heard the emergency stop")) << all_messages().toStdString();
     const auto count = window_->bench().log.count();
     QKeyEvent repeated{QEvent::KeyPress, Qt::Key_F1, Qt::NoModifier, QString{}, true};
     QApplication::sendEvent(&dialog, &repeated);
@@ -65,7 +64,7 @@ TEST_F(Window, StopsOnPressOfTheBigButtonNotOnItsRelease) {
     QMouseEvent press{QEvent::MouseButtonPress, QPointF{20, 20}, QPointF{20, 20},
                       Qt::LeftButton,           Qt::LeftButton,  Qt::NoModifier};
     QApplication::sendEvent(&emergency, &press);
-    EXPECT_TRUE(all_messages().contains("No core")) << all_messages().toStdString();
+    EXPECT_TRUE(all_messages().contains("Nobody heard the emergency stop")) << all_messages().toStdString();
 }
 
 TEST_F(Window, FitsItsSmallestScreenInBothThemes) {
@@ -197,10 +196,23 @@ TEST_F(Window, ShowsTheBlankAndWhatTheHeadsCannotReach) {
     auto* const warnings = window_->findChild<QListWidget*>("warnings");
     EXPECT_FALSE(warnings->isVisible());
     take_picture("undercut_light");
+    auto* const show = window_->findChild<QPushButton*>("view_undercut");
+    ASSERT_TRUE(show->isEnabled());
+    const auto before = view.picture().view;
+    show->click();
+    EXPECT_NE(view.picture().view.azimuth_rad, before.azimuth_rad);
+    take_picture("undercut_shown_light");
+    const auto* const legend = view.findChild<QLabel*>("legend");
+    EXPECT_TRUE(legend->text().contains("undercut about ")) << legend->text().toStdString();
     ASSERT_TRUE(click("slice"));
     ASSERT_TRUE(comes_to(session::DeskState::job));
     ASSERT_TRUE(comes_true([&] { return warnings->count() > 0 && warnings->isVisible(); }));
     EXPECT_TRUE(warnings->item(0)->text().contains("cannot be reached"));
+    // One figure, wherever it stands.
+    const QString percent = warnings->item(0)->text().section(" %", 0, 0);
+    EXPECT_TRUE(legend->text().contains("undercut " + percent + " %"))
+        << legend->text().toStdString() << " " << warnings->item(0)->text().toStdString();
+    EXPECT_TRUE(part<QLabel>("job_undercut").text().startsWith(percent + " %"));
     window_->set_theme(ThemeChoice::dark);
     take_picture("warnings_dark");
 }

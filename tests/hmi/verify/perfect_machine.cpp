@@ -159,14 +159,14 @@ PerfectMachine& PerfectMachine::line(const Four& delta) {
     return *this;
 }
 
-PerfectMachine& PerfectMachine::approach() {
+PerfectMachine& PerfectMachine::approach(std::uint32_t layer) {
     for (const Axis axis : kAllAxes) set(enable_of(axis), true);
-    const std::uint32_t first = carved_point(view_.joining(), view_.point_count(), 0, 0);
-    move(Axis::psi, view_.psi_pulses(0, first) - position[index_of(Axis::psi)]);
-    move(Axis::y, view_.layer_heights_pulses()[0] - position[index_of(Axis::y)]);
+    const std::uint32_t first = carved_point(view_.joining(), view_.point_count(), layer, 0);
+    move(Axis::psi, view_.psi_pulses(layer, first) - position[index_of(Axis::psi)]);
+    move(Axis::y, view_.y_pulses(layer, first) - position[index_of(Axis::y)]);
     set(Signal::spindle, true);
-    move(Axis::r1, view_.r_left_pulses(0)[first] - position[0]);
-    return move(Axis::r2, view_.r_right_pulses(0)[first] - position[1]);
+    move(Axis::r1, view_.r_left_pulses(layer)[first] - position[0]);
+    return move(Axis::r2, view_.r_right_pulses(layer)[first] - position[1]);
 }
 
 PerfectMachine& PerfectMachine::to_point(std::uint32_t layer, std::uint32_t step) {

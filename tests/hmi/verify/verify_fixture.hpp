@@ -8,8 +8,9 @@
 
 namespace psicarve::verify {
 
-inline VerifyReport verified(const SampleJob& job, const PerfectMachine& machine) {
-    auto sut = Verifier::make(job.view(), job.profile);
+inline VerifyReport verified(const SampleJob& job, const PerfectMachine& machine,
+                             const LayerRange& layers = {}) {
+    auto sut = Verifier::make(job.view(), job.profile, layers);
     EXPECT_TRUE(sut) << (sut ? "" : sut.error().message);
     sut->begin(machine.start);
     sut->feed(machine.events);

@@ -90,6 +90,10 @@ std::string ChildProcess::read_line() {
     }
 }
 
+void ChildProcess::send_signal(int number) const {
+    if (pid_ > 0) ::kill(pid_, number);
+}
+
 void ChildProcess::kill_now() {
     if (pid_ > 0) ::kill(pid_, SIGKILL);
     wait();

@@ -23,6 +23,7 @@ public:
     /// Without its end; empty when there is none within the limit, or when the program has ended.
     std::string read_line();
     /// Ends it as nothing can be prevented from ending, and waits until it is gone.
+    void send_signal(int number) const;
     void kill_now();
     /// Waits for its end; exit code, or 128 + signal.
     int wait();

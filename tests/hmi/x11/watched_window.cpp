@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Linked into psicarve-hmi as it is, this tells a test on the other end of a pipe what stands where on the
-// screen. It never acts: what the test does, it does with the mouse and the keyboard.
+// screen. It never acts for the operator: what the test does, it does with the mouse and the keyboard. It can
+// take memory away from OpenGL, which no operator does.
 #include <unistd.h>
 
 #include <QAbstractButton>
@@ -8,6 +9,9 @@
 #include <QDialog>
 #include <QLabel>
 #include <QMessageBox>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QOpenGLWidget>
 #include <QPixmap>
 #include <QScreen>
 #include <QSocketNotifier>
@@ -17,6 +21,7 @@
 
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 #include "hmi/ui/dialogs.hpp"
@@ -40,10 +45,14 @@ QString text_of(const QWidget& widget) {
 QString place_of(const QWidget& widget, const QRect& part) {
     const QPoint middle = widget.mapToGlobal(part.center());
     const bool is_ready = widget.isVisible() && widget.isEnabled() && widget.window()->isActiveWindow();
-    return QString{"%1 %2 %3 %4"}.arg(middle.x()).arg(middle.y()).arg(part.width()).arg(is_ready ? 1 : 0);
+    return QString{"%1 %2 %3 %4"}
+        .arg(middle.x())
+        .arg(middle.y())
+        .arg(part.width())
+        .arg(is_ready ? "ready" : "not");
 }
 
-/// tab N: of the tabs; button N: of the dialog that is open; else a widget's name.
+/// tab N: of the tabs; dialog TEXT: the button of the question that is open; else a widget's name.
 QString where(const QStringList& words) {
     if (words.value(1) == "tab") {
         auto* const window = widget_named("window");
@@ -53,12 +62,55 @@ QString where(const QStringList& words) {
     }
     if (words.value(1) == "dialog") {
         auto* const box = qobject_cast<QMessageBox*>(psicarve::ui::open_dialog());
-        const auto index = words.value(2).toInt();
-        if (box == nullptr || index >= box->buttons().size()) return "none";
-        return place_of(*box->buttons()[index], box->buttons()[index]->rect());
+        if (box == nullptr) return "none";
+        const QString said = words.mid(2).join(' ');
+        for (const QAbstractButton* button : box->buttons()) {
+            if (button->text() == said) return place_of(*button, button->rect());
+        }
+        return "none";
     }
     const QWidget* const widget = widget_named(words.value(1));
     return widget != nullptr ? place_of(*widget, widget->rect()) : "none";
+}
+
+/// Asks the driver for more than there is, in the context that the view draws with: its next frame fails.
+QString exhaust(const QWidget& view) {
+    for (QObject* child : view.children()) {
+        auto* const canvas = qobject_cast<QOpenGLWidget*>(child);
+        if (canvas == nullptr) continue;
+        canvas->makeCurrent();
+        auto* const gl = canvas->context()->functions();
+        GLuint buffer = 0;
+        gl->glGenBuffers(1, &buffer);
+        gl->glBindBuffer(GL_ARRAY_BUFFER, buffer);
+        gl->glBufferData(GL_ARRAY_BUFFER, std::numeric_limits<qopengl_GLsizeiptr>::max() / 2, nullptr,
+                         GL_STATIC_DRAW);
+        canvas->doneCurrent();
+        canvas->update();
+        return "exhausted";
+    }
+    return "none";
+}
+
+/// Of the screen, or of the window of that name.
+bool picture(const QStringList& words) {
+    if (words.size() < 3) return QGuiApplication::primaryScreen()->grabWindow(0).save(words.value(1));
+    QWidget* const widget = widget_named(words[2]);
+    return widget != nullptr && widget->grab().save(words[1]);
+}
+
+/// Where the window itself stands, and how.
+QString place_of_window() {
+    const QWidget* const part = widget_named("window");
+    if (part == nullptr) return "none";
+    const QWidget& window = *part->window();
+    const QRect place = window.geometry();
+    return QString{"%1 %2 %3 %4 %5"}
+        .arg(place.x())
+        .arg(place.y())
+        .arg(place.width())
+        .arg(place.height())
+        .arg(window.isMaximized() ? "maximised" : "free");
 }
 
 QString answer(const QString& question) {
@@ -68,12 +120,15 @@ QString answer(const QString& question) {
         const QDialog* const modal = psicarve::ui::open_dialog();
         return modal != nullptr && modal->isActiveWindow() ? modal->windowTitle() : "none";
     }
-    if (words[0] == "picture") {
-        const QPixmap all = QGuiApplication::primaryScreen()->grabWindow(0);
-        return all.save(words.value(1)) ? "saved" : "none";
-    }
+    if (words[0] == "picture") return picture(words) ? "saved" : "none";
+    if (words[0] == "place") return place_of_window();
     const QWidget* const widget = widget_named(words.value(1));
+    if (words[0] == "current") {
+        const auto* const tabs = qobject_cast<const QTabWidget*>(widget);
+        return tabs != nullptr ? QString::number(tabs->currentIndex()) : "none";
+    }
     if (words[0] == "text" && widget != nullptr && widget->isVisible()) return text_of(*widget);
+    if (words[0] == "exhaust" && widget != nullptr) return exhaust(*widget);
     if (words[0] == "kind" && widget != nullptr) {
         // What draws a view of the space.
         for (const QObject* child : widget->children()) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <string>
 
@@ -22,7 +23,7 @@ protected:
     bool has_opened_what_was_typed() {
         constexpr milliseconds kForOneReturn{5000};
         if (ask("modal").find("Open model") != std::string::npos) press({"Return"});
-        return eventually([&] { return ask("where slice").find(" 1") != std::string::npos; }, kForOneReturn);
+        return eventually([&] { return ask("where slice").ends_with(" ready"); }, kForOneReturn);
     }
     void carve_without_a_window() {
         ASSERT_EQ(publish(long_job()), "");
@@ -77,7 +78,7 @@ TEST_F(WindowOnAScreen, TakesAnOperatorFromAModelToTheLastLayer) {
     ASSERT_TRUE(click("from_layer"));
     ASSERT_TRUE(says("modal", "From layer"));
     take_picture("5_from_layer");
-    ASSERT_TRUE(click("dialog 0"));
+    ASSERT_TRUE(click("dialog Start from layer 3980"));
     ASSERT_TRUE(eventually([&] {
         const CoreStatus now = status();
         return now.state == S::ready && now.points_done == now.points_total;
@@ -128,16 +129,62 @@ TEST_F(WindowOnAScreen, SaysWithinItsTimeThatTheCoreIsGone) {
 TEST_F(WindowOnAScreen, DrawsWithoutOpenGlWhereThereIsNone) {
     open_window({"--opengl", std::string{PSICARVE_EXAMPLES} + "/figurine.stl"},
                 {"QT_XCB_GL_INTEGRATION=none"});
-    ASSERT_TRUE(says("where slice", " 1"));
+    ASSERT_TRUE(says("where slice", " ready"));
     EXPECT_EQ(ask("kind model_view"), "painter");
     EXPECT_NE(text_of(file("window.log")).find("no OpenGL here"), std::string::npos);
     take_picture("without_opengl");
 }
 
+TEST_F(WindowOnAScreen, GoesOnDrawingWithoutOpenGlOnceThatFails) {
+    open_window({"--opengl", std::string{PSICARVE_EXAMPLES} + "/figurine.stl"});
+    ASSERT_TRUE(says("where slice", " ready"));
+    ASSERT_TRUE(says("kind model_view", "opengl")) << text_of(file("window.log"));
+    ASSERT_EQ(ask("exhaust model_view"), "exhausted");
+    ASSERT_TRUE(says("kind model_view", "painter"));
+    take_picture("opengl_failed");
+    ASSERT_TRUE(click("tab 2"));
+    ASSERT_TRUE(says("text state_pill", "NO CORE")) << "it is still there";
+}
+
 TEST_F(WindowOnAScreen, LeavesOpenGlAloneWhereTheProcessorDoesItsWork) {
     open_window({std::string{PSICARVE_EXAMPLES} + "/figurine.stl"});
-    ASSERT_TRUE(says("where slice", " 1"));
+    ASSERT_TRUE(says("where slice", " ready"));
     EXPECT_EQ(ask("kind model_view"), "painter");
+}
+
+// Nobody in a program that stands still can let go: the core's lease is all there is. Psi has no end of
+// travel.
+TEST_F(WindowOnAScreen, AHeldJogEndsWhenTheWindowIsFrozen) {
+    start_core();
+    home();
+    open_window();
+    ASSERT_TRUE(says("text state_pill", "READY"));
+    ASSERT_TRUE(hold_mouse_on("jog_psi_plus"));
+    ASSERT_TRUE(reaches(S::moving));
+    window_->send_signal(SIGSTOP);
+    ASSERT_TRUE(reaches(S::ready));
+    EXPECT_EQ(status().move_end, MoveEnd::lease_gone);
+    window_->send_signal(SIGCONT);
+    let_go_of_mouse();
+    ASSERT_TRUE(says("text state_pill", "READY"));
+    EXPECT_EQ(status().state, S::ready) << "it does not begin again";
+}
+
+TEST_F(WindowOnAScreen, AHeldJogEndsWithTheButtonAndWithTheWindow) {
+    start_core();
+    home();
+    open_window();
+    ASSERT_TRUE(says("text state_pill", "READY"));
+    ASSERT_TRUE(hold_mouse_on("jog_psi_plus"));
+    ASSERT_TRUE(reaches(S::moving));
+    let_go_of_mouse();
+    ASSERT_TRUE(reaches(S::ready));
+    EXPECT_EQ(status().move_end, MoveEnd::released);
+    ASSERT_TRUE(hold_mouse_on("jog_psi_plus"));
+    ASSERT_TRUE(reaches(S::moving));
+    window_->kill_now();
+    ASSERT_TRUE(reaches(S::ready));
+    EXPECT_EQ(status().move_end, MoveEnd::lease_gone);
 }
 
 }  // namespace

@@ -11,17 +11,21 @@ namespace psicarve::test {
 void X11Rig::SetUp() {
     std::signal(SIGPIPE, SIG_IGN);  // a window that is gone answers nothing
     screen_ = std::make_unique<ChildProcess>(
-        std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "1366x768x24", "-nolisten", "tcp",
-                                 "-noreset"},
+        std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", screen_size_ + "x24", "-nolisten",
+                                 "tcp", "-noreset"},
         std::vector<std::string>{}, file("screen.log"));
     const std::string number = screen_->read_line();
     ASSERT_FALSE(number.empty()) << two_process::text_of(file("screen.log"));
-    environment_ = {"DISPLAY=:" + number, "QT_QPA_PLATFORM=xcb", "XDG_RUNTIME_DIR=" + folder_,
-                    "XDG_CONFIG_HOME=" + folder_, "HOME=" + folder_, "LC_ALL=C.UTF-8",
+    environment_ = {"DISPLAY=:" + number, "QT_QPA_PLATFORM=xcb", "XDG_RUNTIME_DIR=" + file(""),
+                    "XDG_CONFIG_HOME=" + file(""), "HOME=" + file(""), "LC_ALL=C.UTF-8",
                     // No card: the processor draws, the same on every machine.
                     "LIBGL_ALWAYS_SOFTWARE=1"};
     manager_ = std::make_unique<ChildProcess>(std::vector<std::string>{"openbox"}, environment_,
                                               file("manager.log"));
+    // A window that is there before its manager is never given the focus.
+    ASSERT_TRUE(eventually([this] {
+        return run_to_end({"xdotool", "get_num_desktops"}, environment_) == 0;
+    })) << two_process::text_of(file("manager.log"));
 }
 
 void X11Rig::open_window(std::vector<std::string> arguments, std::vector<std::string> environment) {
@@ -29,7 +33,7 @@ void X11Rig::open_window(std::vector<std::string> arguments, std::vector<std::st
     words.insert(words.end(), arguments.begin(), arguments.end());
     environment.insert(environment.end(), environment_.begin(), environment_.end());
     window_ = std::make_unique<ChildProcess>(words, environment, file("window.log"));
-    ASSERT_TRUE(says("where window", " 1")) << two_process::text_of(file("window.log"));
+    ASSERT_TRUE(says("where window", " ready")) << two_process::text_of(file("window.log"));
 }
 
 std::string X11Rig::ask(const std::string& question) const {
@@ -49,23 +53,27 @@ std::string X11Rig::ask(const std::string& question) const {
            << question << ": " << answer << ", not " << part << "; state " << pill();
 }
 
-::testing::AssertionResult X11Rig::use_mouse(const std::string& name, const std::string& mouse_button) {
+::testing::AssertionResult X11Rig::use_mouse(const std::string& name, const std::string& mouse_button,
+                                             const std::string& how) {
     int x = 0;
     int y = 0;
     int width = 0;
-    int is_ready = 0;
     std::string answer;
     const bool has_come = eventually([&] {
         answer = ask("where " + name);
-        return std::sscanf(answer.c_str(), "%d %d %d %d", &x, &y, &width, &is_ready) == 4 && is_ready == 1;
+        return std::sscanf(answer.c_str(), "%d %d %d", &x, &y, &width) == 3 && answer.ends_with(" ready");
     });
     if (!has_come) {
         take_picture("failed");
         return ::testing::AssertionFailure()
                << name << " cannot be pressed: " << answer << "; state " << pill();
     }
-    xdotool({"mousemove", std::to_string(x), std::to_string(y), "click", mouse_button});
+    xdotool({"mousemove", std::to_string(x), std::to_string(y), how, mouse_button});
     return ::testing::AssertionSuccess();
+}
+
+::testing::AssertionResult X11Rig::hold_mouse_on(const std::string& name) {
+    return use_mouse(name, "1", "mousedown");
 }
 
 ::testing::AssertionResult X11Rig::fill_in(const std::string& name, const std::string& text) {
@@ -75,6 +83,10 @@ std::string X11Rig::ask(const std::string& question) const {
     type(text);
     press({"Tab"});
     return ::testing::AssertionSuccess();
+}
+
+void X11Rig::resize_window(int width, int height) {
+    xdotool({"getactivewindow", "windowsize", "--sync", std::to_string(width), std::to_string(height)});
 }
 
 void X11Rig::press(const std::vector<std::string>& keys) {

@@ -26,17 +26,25 @@ protected:
     /// Waits until it can be pressed, moves the mouse there and presses.
     ::testing::AssertionResult click(const std::string& name) { return use_mouse(name, "1"); }
     ::testing::AssertionResult turn_wheel_down(const std::string& name) { return use_mouse(name, "5"); }
+    /// The left button goes down on it and stays down.
+    ::testing::AssertionResult hold_mouse_on(const std::string& name);
+    void resize_window(int width, int height);
+    void let_go_of_mouse() { xdotool({"mouseup", "1"}); }
     void press(const std::vector<std::string>& keys);
+    void key_down(const std::string& key) { xdotool({"keydown", key}); }
+    void key_up(const std::string& key) { xdotool({"keyup", key}); }
     void type(const std::string& text);
     /// Into a field, instead of what stands there.
     ::testing::AssertionResult fill_in(const std::string& name, const std::string& text);
     /// The whole screen, into the build folder, to be looked at.
     void take_picture(const std::string& name);
 
+    std::string screen_size_ = "1366x768";
     std::unique_ptr<ChildProcess> window_;
 
 private:
-    ::testing::AssertionResult use_mouse(const std::string& name, const std::string& mouse_button);
+    ::testing::AssertionResult use_mouse(const std::string& name, const std::string& mouse_button,
+                                         const std::string& how = "click");
     void xdotool(std::vector<std::string> words);
 
     std::unique_ptr<ChildProcess> screen_;

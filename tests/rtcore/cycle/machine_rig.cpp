@@ -90,7 +90,7 @@ void MachineRig::load(const JobTable& table) {
     auto job = std::make_shared<OwnedJob>();
     job->blob = job_blob_from_table(table);
     job->view = JobView::check(job->blob).value();
-    planner->set_job(std::shared_ptr<const JobView>(job, &job->view));
+    planner->set_job(std::shared_ptr<const JobView>(job, &job->view), 1);
     Request request{};
     request.sequence = ++sequence_;
     request.kind = RequestKind::job_loaded;

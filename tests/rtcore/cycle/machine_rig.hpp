@@ -34,16 +34,28 @@ class RecordingPort final : public port::Port {
 public:
     RecordingPort(const PinMap& pins, sim::Machine& machine, std::int64_t period_ns)
         : inner_(pins, machine), period_ns_(period_ns) {}
-    SignalWord read_inputs(std::int64_t time_ns) noexcept override { return inner_.read_inputs(time_ns); }
+    SignalWord read_inputs(std::int64_t time_ns) noexcept override {
+        if (beside != nullptr) beside->read_inputs(time_ns);
+        return inner_.read_inputs(time_ns);
+    }
     void write_outputs(SignalWord levels, std::int64_t time_ns) noexcept override {
         if (records) writes.push_back({static_cast<std::uint64_t>(time_ns / period_ns_), levels, time_ns});
+        if (beside != nullptr) beside->write_outputs(levels, time_ns);
         inner_.write_outputs(levels, time_ns);
     }
     void wait(std::int64_t width_ns) noexcept override { waited_ns = width_ns; }
     bool is_healthy() const noexcept override { return healthy; }
+    void try_safe_state() noexcept override { ++safe_tries; }
+    bool take_up_again() noexcept override {
+        healthy = healthy || answers;
+        return healthy;
+    }
 
+    port::Port* beside = nullptr;  ///< takes and is asked the same; its inputs count for nothing
     bool records = true;
     bool healthy = true;
+    bool answers = false;  ///< once it is not healthy
+    int safe_tries = 0;
     std::int64_t waited_ns = 0;  ///< the last wait asked for
     std::vector<PortWrite> writes;
 

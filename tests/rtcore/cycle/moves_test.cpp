@@ -10,8 +10,6 @@
 namespace psicarve::cycle {
 namespace {
 
-constexpr std::size_t kPsi = index_of(Axis::psi);
-
 void expect_true_positions(const MachineRig& rig) {
     for (const Axis axis : kAllAxes) {
         EXPECT_EQ((rig.machine->position_pulses(axis) - rig.positions()[index_of(axis)]) %

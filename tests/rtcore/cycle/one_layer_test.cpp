@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <random>
 #include <utility>
 
 #include "rtcore/cycle/layer_range.hpp"
@@ -95,6 +96,44 @@ TEST_P(OneLayer, GoesOnToTheSamePulsesAsTheWholeRun) {
     const std::vector<Order> rest = orders_of_layers(writes, points, 2);
     for (std::uint32_t layer = 2; layer < kLayers; ++layer) EXPECT_EQ(rest[layer], whole[layer]) << layer;
     EXPECT_EQ(sut.cycle->sample().points_done, points.size());
+}
+
+enum class End { emergency_stop, limit };
+
+/// Carves until it is stopped at a random tick, then homes anew. The layer that was not finished.
+std::uint32_t carve_until(MachineRig& rig, End end, std::mt19937_64& random) {
+    EXPECT_EQ(rig.ask(RequestKind::start), Refusal::none);
+    EXPECT_TRUE(rig.run_until(MachineState::waiting));
+    EXPECT_EQ(rig.ask(RequestKind::start_interpolation), Refusal::none);
+    rig.run(2000 + random() % 8000);
+    EXPECT_EQ(rig.cycle->state(), MachineState::carving);
+    if (end == End::emergency_stop) {
+        rig.emergency_stop();
+    } else {
+        rig.machine->hold_input(Signal::r2_limit, true);
+    }
+    EXPECT_TRUE(rig.run_until(MachineState::alarm));
+    const auto layer = static_cast<std::uint32_t>(rig.cycle->sample().points_done / kPoints);
+    rig.machine->release_input(Signal::r2_limit);
+    rig.run(1000);
+    EXPECT_EQ(rig.ask(RequestKind::reset_alarm), Refusal::none);
+    EXPECT_NE(rig.ask(RequestKind::start, 0, packed(LayerRange{layer, 0})), Refusal::none) << "not homed";
+    EXPECT_TRUE(rig.home());
+    return layer;
+}
+
+TEST_P(OneLayer, CutShortByAnAlarmIsCarvedAnewWithTheSamePulsesAndTheRest) {
+    const std::vector<Order> whole = orders_of_layers(carve(sut, {0, 0}).first, points, 0);
+    std::mt19937_64 random(5);
+    for (const End end : {End::emergency_stop, End::limit, End::emergency_stop, End::limit}) {
+        const std::uint32_t first = carve_until(sut, end, random);
+        ASSERT_LT(first, kLayers);
+        const auto [writes, last] = carve(sut, {first, 0});
+        EXPECT_EQ(last, points.back());
+        const std::vector<Order> rest = orders_of_layers(writes, points, first);
+        for (std::uint32_t layer = first; layer < kLayers; ++layer)
+            EXPECT_EQ(rest[layer], whole[layer]) << layer << " from " << first;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OneLayer,

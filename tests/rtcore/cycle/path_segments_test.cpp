@@ -115,6 +115,30 @@ TEST(PathSegments, DoNotAddUpWhatIsFinerThanATickOverAMillionOfThem) {
     }
 }
 
+// 8 kHz at 50 us: a pulse every 2.5 ticks, now after two, now after three, and never further from an even
+// beat than the tick that it waits for, whatever the other axes do meanwhile.
+TEST(PathSegments, RunAnAxisAtEightKilohertzWithoutRipple) {
+    std::mt19937_64 random(8);
+    std::vector<MotionBlock> run;
+    for (int i = 0; i < 2000; ++i) {
+        const auto pulses = static_cast<std::int64_t>(1 + random() % 40);
+        run.push_back(
+            path_block({pulses, pulses - pulses / 7, pulses / 3, 0}, static_cast<double>(pulses), 0.4, 0.4));
+    }
+    PathRig sut;
+    sut.program = as_run(std::move(run));
+    ASSERT_TRUE(sut.run());
+    for (std::size_t i = 1; i < sut.iterations.size(); ++i) {
+        ASSERT_NE(sut.iterations[i].axes & 1U, 0U) << i;
+        const std::uint64_t apart = sut.iterations[i].tick - sut.iterations[i - 1].tick;
+        ASSERT_TRUE(apart == 2 || apart == 3) << i << ": " << apart;
+        const double beat = 2.5 * static_cast<double>(i + 1);
+        const auto at = static_cast<double>(sut.iterations[i].tick - sut.start_tick);
+        ASSERT_GE(at, beat - 1e-6) << i;
+        ASSERT_LT(at, beat + 1.0 + 1e-6) << i;
+    }
+}
+
 TEST(PathSegments, WithoutAPulseTakeTheirTime) {
     PathRig sut;
     sut.program = as_run({path_block({5, 0, 0, 0}, 5.0, 0.25, 0.25), path_block({}, 3.3, 0.25, 0.5),

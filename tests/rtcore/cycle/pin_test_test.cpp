@@ -55,6 +55,19 @@ TEST(PinTest, GoesOnWhileItsLeaseIsRenewedAndEndsWhenItIsReleased) {
     sut.run(2);
     EXPECT_EQ(sut.cycle->state(), MachineState::off);
     EXPECT_EQ(outputs(sut), 0U);
+    EXPECT_EQ(sut.cycle->sample().move_end, MoveEnd::released);
+}
+
+TEST(PinTest, SaysHowItEnded) {
+    MachineRig sut(quick_profile());
+    ASSERT_EQ(sut.ask(test_of(Signal::spindle)), Refusal::none);
+    EXPECT_EQ(sut.cycle->sample().move_end, MoveEnd::none);
+    sut.run(2 * kLeaseTicks);
+    EXPECT_EQ(sut.cycle->state(), MachineState::off);
+    EXPECT_EQ(sut.cycle->sample().move_end, MoveEnd::lease_gone);
+    ASSERT_EQ(sut.ask(test_of(Signal::r1_step, 1)), Refusal::none);
+    sut.run(kLeaseTicks - 10);
+    EXPECT_EQ(sut.cycle->sample().move_end, MoveEnd::reached);
 }
 
 TEST(PinTest, SendsSoManyPulsesAndNoneOfThemIsCounted) {
@@ -68,6 +81,19 @@ TEST(PinTest, SendsSoManyPulsesAndNoneOfThemIsCounted) {
     EXPECT_EQ(sut.positions(), Positions{});
     EXPECT_EQ(sut.cycle->sample().emitted_pulses[0], 0U);
     EXPECT_EQ(sut.machine->report().axes[0].pulses_ignored, 25U) << "its drive is off";
+}
+
+TEST(PinTest, LosesNoPulseToMissedTicks) {
+    MachineRig sut(quick_profile());
+    ASSERT_EQ(sut.ask(test_of(Signal::r1_step, 25)), Refusal::none);
+    for (int i = 0; i < 52; ++i) {
+        sut.run(1);
+        sut.cycle->advance_missed(70);
+    }
+    EXPECT_EQ(sut.cycle->state(), MachineState::off);
+    PinCounter pins(Positions{});
+    for (const PortWrite& write : sut.port->writes) (void)pins.take(write.levels);
+    EXPECT_EQ(pins.positions()[0], -25);
 }
 
 TEST(PinTest, TakesTheNextOutputFromTheSameHandAndNobodyElses) {

@@ -82,17 +82,22 @@ struct Timing {
     std::int64_t low_ns;
 };
 
+Profile quick_with(const Timing& timing) {
+    Profile profile = quick_profile();
+    profile.tick.period_us = timing.period_us;
+    profile.port.dir_setup_ns = timing.setup_ns;
+    profile.port.dir_hold_ns = timing.hold_ns;
+    profile.port.step_high_ns = timing.high_ns;
+    profile.port.step_low_ns = timing.low_ns;
+    return profile;
+}
+
 TEST(PulseTiming, ObeysTheDriversTimesOverWholeTicks) {
     for (const Timing timing :
          {Timing{50.0, 5000, 5000, 10000, 10000}, Timing{50.0, 0, 0, 1000, 1000},
           Timing{20.0, 5000, 5000, 30000, 30000}, Timing{20.0, 50000, 70000, 10000, 45000},
           Timing{10.0, 200, 200, 2500, 2500}}) {
-        Profile profile = quick_profile();
-        profile.tick.period_us = timing.period_us;
-        profile.port.dir_setup_ns = timing.setup_ns;
-        profile.port.dir_hold_ns = timing.hold_ns;
-        profile.port.step_high_ns = timing.high_ns;
-        profile.port.step_low_ns = timing.low_ns;
+        const Profile profile = quick_with(timing);
         MachineRig sut(profile);
         ASSERT_TRUE(sut.prepare(random_job(2, 80, 41)));
         ASSERT_EQ(sut.ask(RequestKind::start_interpolation), Refusal::none);
@@ -107,13 +112,8 @@ TEST(PulseTiming, ObeysTheDriversTimesOverWholeTicks) {
 }
 
 Profile quick_within_tick(const Timing& timing) {
-    Profile profile = quick_profile();
-    profile.tick.period_us = timing.period_us;
+    Profile profile = quick_with(timing);
     profile.port.pulses = PulseForm::within_tick;
-    profile.port.dir_setup_ns = timing.setup_ns;
-    profile.port.dir_hold_ns = timing.hold_ns;
-    profile.port.step_high_ns = timing.high_ns;
-    profile.port.step_low_ns = timing.low_ns;
     return profile;
 }
 

@@ -63,7 +63,7 @@ TEST(States, StartBeforeHomingSaysSo) {
     EXPECT_EQ(sut.ask(RequestKind::start), Refusal::not_homed);
 }
 
-TEST(States, AnErrorOfThePortIsAnAlarmThatStays) {
+TEST(States, AnErrorOfThePortIsAnAlarmThatStaysUntilItAnswers) {
     MachineRig sut(quick_profile());
     ASSERT_TRUE(sut.prepare(random_job(1, 60, 5)));
     sut.ask(RequestKind::start_interpolation);
@@ -72,6 +72,14 @@ TEST(States, AnErrorOfThePortIsAnAlarmThatStays) {
     sut.run(25);
     EXPECT_EQ(sut.cycle->sample().alarm_cause, AlarmCause::port_error);
     EXPECT_EQ(sut.ask(RequestKind::reset_alarm), Refusal::port_failed);
+    EXPECT_GE(sut.port->safe_tries, 25 - 10) << "the safe state, every tick";
+    sut.port->answers = true;
+    EXPECT_EQ(sut.ask(RequestKind::reset_alarm), Refusal::none);
+    EXPECT_EQ(sut.cycle->state(), MachineState::off) << "who knows what its lines did";
+    const int tries = sut.port->safe_tries;
+    sut.run(25);
+    EXPECT_EQ(sut.port->safe_tries, tries);
+    EXPECT_TRUE(sut.home());
 }
 
 TEST(States, AFaultThatTheSupervisorFoundStopsOnThePathAndKeepsThePosition) {
@@ -87,6 +95,61 @@ TEST(States, AFaultThatTheSupervisorFoundStopsOnThePathAndKeepsThePosition) {
     for (const Axis axis : kAllAxes) {
         EXPECT_EQ(sut.machine->position_pulses(axis), sut.positions()[index_of(axis)]);
     }
+}
+
+TEST(States, AFaultThatTheSupervisorFoundWaitsBehindNoRequest) {
+    MachineRig sut(quick_profile());
+    ASSERT_TRUE(sut.prepare(random_job(1, 60, 5)));
+    sut.ask(RequestKind::start_interpolation);
+    sut.run(3000);
+    Request request{};
+    request.kind = RequestKind::override;
+    request.value = 90;
+    while (sut.io->requests.push(request)) {
+    }
+    sut.io->urgent.failures.fetch_or(failure_bits(AlarmCause::guard_lost));
+    sut.run(1);
+    EXPECT_EQ(sut.cycle->state(), MachineState::stopping);
+    EXPECT_GT(sut.io->requests.size(), 60U);
+    EXPECT_EQ(sut.io->urgent.failures.load(), 0U) << "taken once";
+    ASSERT_TRUE(sut.run_while([&] { return sut.cycle->state() != MachineState::alarm; }, 20000));
+    EXPECT_EQ(sut.cycle->sample().alarm_cause, AlarmCause::guard_lost);
+    EXPECT_EQ(sut.cycle->sample().homed_mask, 0xF);
+    EXPECT_EQ(sut.records_of(RecordKind::failure).size(), 1U);
+}
+
+TEST(States, ASupervisorThatStandsStillForASecondIsAControlledStop) {
+    MachineRig sut(quick_profile());
+    const std::int64_t second_ticks = 20'000;
+    ASSERT_TRUE(sut.home());
+    sut.io->urgent.rounds.store(1);
+    sut.run(2 * second_ticks);
+    EXPECT_EQ(sut.cycle->state(), MachineState::ready) << "nothing moves, nothing turns";
+    sut.io->urgent.rounds.store(2);
+    ASSERT_EQ(sut.ask(RequestKind::spindle, 0, 1), Refusal::none);
+    sut.run(second_ticks / 2);
+    sut.io->urgent.rounds.store(3);
+    sut.run(second_ticks);
+    EXPECT_EQ(sut.cycle->state(), MachineState::ready);
+    sut.run(10);
+    EXPECT_EQ(sut.cycle->sample().alarm_cause, AlarmCause::supervisor_stalled);
+    EXPECT_EQ(sut.cycle->pulses().levels() & bit_of(Signal::spindle), 0U);
+    EXPECT_EQ(sut.cycle->sample().homed_mask, 0xF);
+    EXPECT_EQ(sut.records_of(RecordKind::failure).size(), 1U);
+}
+
+TEST(States, TwoFaultsAtOnceAreBothRecordedAndAGapStopsAtOnce) {
+    MachineRig sut(quick_profile());
+    ASSERT_TRUE(sut.prepare(random_job(1, 60, 5)));
+    sut.ask(RequestKind::start_interpolation);
+    sut.run(3000);
+    sut.io->urgent.failures.fetch_or(failure_bits(AlarmCause::segment_lost));
+    sut.io->urgent.failures.fetch_or(failure_bits(AlarmCause::tick_gap, 0b1000));
+    sut.run(25);
+    EXPECT_EQ(sut.cycle->state(), MachineState::alarm);
+    EXPECT_EQ(sut.cycle->sample().alarm_cause, AlarmCause::tick_gap);
+    EXPECT_EQ(sut.cycle->sample().homed_mask & 0b1000, 0);
+    EXPECT_EQ(sut.records_of(RecordKind::failure).size(), 2U);
 }
 
 TEST(States, ASecondJobDropsWholeTurnsAndVisitsItsPoints) {

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <string>
 #include <utility>
 
@@ -40,6 +41,23 @@ TEST(Dying, AZombieIsAndWeAreNot) {
     waitpid(child, nullptr, 0);
 }
 
+TEST(Silence, IsTooLongAfterTwoSecondsButNotWhileNobodyAsked) {
+    using std::chrono::milliseconds;
+    Silence sut;
+    Silence::Time now{std::chrono::hours{1}};
+    std::uint64_t count = 0;
+    for (int look = 0; look < 1000; ++look) {
+        ++count;
+        for (int ask = 0; ask < 4; ++ask) EXPECT_FALSE(sut.is_too_long(count, now += milliseconds{5}));
+    }
+    EXPECT_FALSE(sut.is_too_long(count, now += std::chrono::hours{1})) << "the computer slept";
+    int asked = 0;
+    while (asked < 1000 && !sut.is_too_long(count, now += milliseconds{5})) ++asked;
+    EXPECT_GT(asked, 300);
+    EXPECT_LT(asked, 500);
+    EXPECT_FALSE(sut.is_too_long(++count, now += milliseconds{5})) << "it goes on";
+}
+
 TEST(GuardLink, KnowsWhenTheGuardIsGoneAndThatItActed) {
     std::array<int, 2> from_guard{};
     std::array<int, 2> to_guard{};
@@ -67,12 +85,12 @@ TEST(GuardLink, KnowsWhenTheGuardIsGoneAndThatItActed) {
         sut.note_tick();
         while (!sut.guard_has_acted()) usleep(1000);
         EXPECT_FALSE(sut.guard_has_acted()) << "told once";
-        EXPECT_FALSE(sut.is_guard_gone());
+        EXPECT_FALSE(sut.is_guard_lost(Silence::Time{}));
         ASSERT_EQ(write(order, "x", 1), 1);
         int status = 0;
         waitpid(guard, &status, 0);
         EXPECT_EQ(status, 0);
-        EXPECT_TRUE(sut.is_guard_gone());
+        EXPECT_TRUE(sut.is_guard_lost(Silence::Time{}));
     }
     close(order);
 }

@@ -26,8 +26,8 @@ std::vector<std::byte> lopsided_blob(const Profile& profile) {
     return job_blob_from_table(table);
 }
 
-TEST(Approach, KeepsBothHeadsOutsideTheWholeTableWhilePsiTurns) {
-    const Profile profile;
+/// Approaches with this profile; both heads stand at `outside` whenever the table or the heads' height moves.
+void expect_outside(const Profile& profile, std::int64_t outside) {
     const auto blob = lopsided_blob(profile);
     const auto job = JobView::check(blob).value();
     const auto blocks = approach_blocks(machine_limits(profile), job, {1000, 1000, 0, 0});
@@ -38,14 +38,30 @@ TEST(Approach, KeepsBothHeadsOutsideTheWholeTableWhilePsiTurns) {
         const bool turns = block.delta_pulses[2] != 0 || block.delta_pulses[3] != 0;
         if (turns) {
             has_turned = true;
-            EXPECT_EQ(at[0], 3865 + 800) << "R1 passes the wide side, too";
-            EXPECT_EQ(at[1], 3865 + 800);
+            EXPECT_EQ(at[0], outside) << "R1 passes the wide side, too";
+            EXPECT_EQ(at[1], outside);
         }
         for (std::size_t k = 0; k < kAxisCount; ++k) at[k] += block.delta_pulses[k];
     }
     EXPECT_TRUE(has_turned);
     EXPECT_EQ(at[0], 2877);
     EXPECT_EQ(at[1], 3865);
+}
+
+TEST(Approach, KeepsBothHeadsOutsideTheWholeTableWhilePsiTurns) {
+    expect_outside(Profile{}, 3865 + 800);
+}
+
+TEST(Approach, KeepsBothHeadsOutsideABlankThatIsWider) {
+    Profile profile;
+    profile.blank.radius_mm = 20.0;
+    expect_outside(profile, 20 * 400 + 800);
+    profile.blank.offset_x_mm = 3.0;
+    profile.blank.offset_z_mm = -4.0;
+    expect_outside(profile, 25 * 400 + 800);
+    profile.blank.offset_x_mm = profile.blank.offset_z_mm = 0.0;
+    profile.blank.radius_mm = 5.0;
+    expect_outside(profile, 3865 + 800);
 }
 
 TEST(Approach, HeadsRestBeforeTheCarvingMayTakeThemOutAgain) {

@@ -100,7 +100,7 @@ TEST(CurveCheck, NarrowsOnlyTheSpansInWhichTheCurveIsOutside) {
     for (const std::size_t span : {5U, 6U}) wide[span].band[0] *= 10.0;
     const CurveNodes nodes = curve_nodes(limits, points, wide, corners, 0, points.size() - 1);
     CurveFit fit({1e6, 1e6, 1e6, 1e6});
-    fit.solve(nodes);
+    fit.solve(NodesView::of(nodes));
     std::vector<PathCell> cells;
     std::vector<Lanes> cell_at;
     cells_of(nodes, fit.control(), cells, cell_at);
@@ -132,7 +132,7 @@ TEST(CurveCheck, OfAxesThatTakeUnequalEffortNoneIsLost) {
     const std::vector<PathCorner> corners = path_corners(limits, spans);
     const CurveNodes nodes = curve_nodes(limits, points, spans, corners, 0, 1460);
     CurveFit fit({4e5, 4e5, 4e5, 4e5});
-    fit.solve(nodes);
+    fit.solve(NodesView::of(nodes));
     EXPECT_LT(fit.iterations(), 40);
     for (std::size_t j = 0; j < nodes.step.size(); ++j) {
         for (std::size_t k = 0; k < kAxisCount; ++k) {

@@ -33,7 +33,7 @@ Fitted fitted(std::vector<PathPoint> points, double tolerance_mm = 0.01) {
     result.corners = path_corners(limits, result.spans);
     result.nodes =
         curve_nodes(limits, result.points, result.spans, result.corners, 0, result.points.size() - 1);
-    result.fit.solve(result.nodes);
+    result.fit.solve(NodesView::of(result.nodes));
     return result;
 }
 
@@ -136,7 +136,7 @@ TEST(CurveFit, AWiderTubeNeverNeedsMoreBending) {
             nodes.low[j][0] -= wider;
             nodes.high[j][0] += wider;
         }
-        curve.fit.solve(nodes);
+        curve.fit.solve(NodesView::of(nodes));
         const double now = bending(nodes, curve.fit.control(), 0);
         EXPECT_LE(now, last * 1.02) << wider;
         last = now;
@@ -150,7 +150,7 @@ TEST(CurveFit, KeepsTheControlPointsThatAreDecided) {
     const std::vector<Lanes> last{control[control.size() - 2], control.back()};
     Lanes accel{};
     CurveFit again{accel};
-    again.solve(curve.nodes, {first, last});
+    again.solve(NodesView::of(curve.nodes), {first, last});
     EXPECT_EQ(again.control()[0], first[0]);
     EXPECT_EQ(again.control()[1], first[1]);
     EXPECT_EQ(again.control()[control.size() - 2], last[0]);

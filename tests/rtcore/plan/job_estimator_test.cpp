@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/plan/job_estimator.hpp"
 
+#include <dirent.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
 
+#include <atomic>
+#include <cstdlib>
+#include <set>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -77,6 +84,17 @@ TEST(JobEstimate, CountsPointsEvenlyBetweenItsMarks) {
     EXPECT_DOUBLE_EQ(sut.seconds(), 13.0);
 }
 
+TEST(JobEstimate, TellsWhatIsLeftAlsoBeforeAllIsPlanned) {
+    JobEstimate sut;
+    sut.add({.points = 11, .seconds = 2.0});
+    sut.add({.points = 41, .seconds = 20.5});
+    EXPECT_DOUBLE_EQ(sut.seconds_left(11, 41), 18.5);
+    EXPECT_DOUBLE_EQ(sut.seconds_left(6, 11), 1.0);
+    EXPECT_DOUBLE_EQ(sut.seconds_left(41, 41), 0.0);
+    // 0.5 s a point so far, so 20 s for 40 more.
+    EXPECT_DOUBLE_EQ(sut.seconds_left(11, 81), 38.5);
+}
+
 TEST(JobEstimator, FindsWhatThePlannerPlans) {
     for (const bool is_spiral : {false, true}) {
         for (const Profile& profile : {Profile{}, by_angle()}) {
@@ -109,6 +127,21 @@ TEST(JobEstimator, TellsOneLayerFromAnother) {
                 0.02 * estimate->seconds());
 }
 
+TEST(JobEstimator, KnowsWhatIsLeftOfARunThatEndsAnywhere) {
+    const auto job = owned(rougher_and_rougher(8));
+    JobEstimator sut{Profile{}};
+    EXPECT_LT(sut.seconds_left(0, 8 * 60), 0.0);
+    sut.begin(job);
+    ASSERT_TRUE(sut.wait(kPatience));
+    const auto all = sut.estimate();
+    EXPECT_DOUBLE_EQ(sut.seconds_left(1, 8 * 60), all->seconds());
+    EXPECT_DOUBLE_EQ(sut.seconds_left(8 * 60, 8 * 60), 0.0);
+    EXPECT_DOUBLE_EQ(sut.seconds_left(60, 3 * 60), all->seconds_to(3 * 60) - all->seconds_to(60));
+    EXPECT_LT(sut.seconds_left(0, 0), 0.0) << "nothing runs";
+    sut.begin(job);
+    EXPECT_LT(sut.seconds_left(60, 8 * 60), 0.0) << "forgotten";
+}
+
 TEST(JobEstimator, ForgetsTheJobBefore) {
     const auto first = owned(rougher_and_rougher(3));
     const auto second = owned(rougher_and_rougher(9));
@@ -123,15 +156,57 @@ TEST(JobEstimator, ForgetsTheJobBefore) {
     EXPECT_EQ(sut.estimate()->points(), 3U * 60U);
 }
 
-TEST(JobEstimator, RestsWhileItIsPausedAndEndsInTheMiddle) {
+TEST(JobEstimator, SaysNothingFromAFewLayersAndEndsInTheMiddle) {
     JobEstimator sut{Profile{}};
-    sut.set_paused(true);
     sut.begin(owned(rougher_and_rougher(6)));
-    EXPECT_FALSE(sut.wait(std::chrono::milliseconds{400}));
-    sut.set_paused(false);
-    EXPECT_TRUE(sut.wait(kPatience));
-    sut.set_paused(true);
+    ASSERT_TRUE(sut.wait(kPatience));
+    // As of a job that is twice as long, and of one that is longer.
+    EXPECT_GT(sut.seconds_left(0, 12 * 60), 0.0);
+    EXPECT_LT(sut.seconds_left(0, 12 * 60 + 1), 0.0);
+    EXPECT_LT(sut.seconds_left(60, 12 * 60), 0.0);
+    EXPECT_LT(sut.seconds_left(7 * 60, 12 * 60), 0.0);
     sut.begin(owned(rougher_and_rougher(200)));
+}
+
+// -1: not asked yet; SS_ONSTACK: the handler ran on a stack of its own.
+std::atomic<int> g_stack_flags{-1};
+
+void note_stack(int /*signal_number*/) {
+    stack_t stack{};
+    sigaltstack(nullptr, &stack);
+    g_stack_flags.store(stack.ss_flags);
+}
+
+std::set<pid_t> threads_of_this() {
+    DIR* const threads = opendir("/proc/self/task");
+    std::set<pid_t> found;
+    while (const dirent* entry = readdir(threads)) {
+        if (const auto thread = static_cast<pid_t>(std::atoi(entry->d_name)); thread > 0)
+            found.insert(thread);
+    }
+    closedir(threads);
+    return found;
+}
+
+TEST(JobEstimator, ItsThreadHandlesFatalSignalsOnAStackOfTheirOwn) {
+    std::thread{[] {}}.join();  // a sanitizer that has a thread of its own has it from now on
+    const std::set<pid_t> before_it = threads_of_this();
+    JobEstimator sut{Profile{}};
+    // By the time it has planned something it is what it will be.
+    sut.begin(owned(rougher_and_rougher(2)));
+    ASSERT_TRUE(sut.wait(kPatience));
+    struct sigaction action {};
+    action.sa_handler = note_stack;
+    action.sa_flags = SA_ONSTACK;
+    struct sigaction before {};
+    sigaction(SIGUSR1, &action, &before);
+    std::set<pid_t> its = threads_of_this();
+    for (const pid_t thread : before_it) its.erase(thread);
+    ASSERT_EQ(its.size(), 1U);
+    ASSERT_EQ(tgkill(getpid(), *its.begin(), SIGUSR1), 0);
+    while (g_stack_flags.load() == -1) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    sigaction(SIGUSR1, &before, nullptr);
+    EXPECT_EQ(g_stack_flags.load(), SS_ONSTACK);
 }
 
 }  // namespace

@@ -10,8 +10,6 @@
 namespace psicarve::plan {
 namespace {
 
-constexpr std::size_t kPsi = index_of(Axis::psi);
-
 /// One span of 200 pulses of psi, made of two straight cells of 100 each; in between R1 is `off_pulses` from
 /// the chord. What it is cut into, for the speeds (du/dt)^2 at its begin, its middle and its end.
 std::vector<PathPiece> pieces_of(double tolerance_mm, double off_pulses, const Timings& begin2,

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "shared/profile.hpp"
@@ -42,6 +43,26 @@ TEST(Path, AFlatRunHasNoCorner) {
     for (const PathCorner& corner : path_corners(limits, spans)) {
         EXPECT_FALSE(corner.is_stop);
         EXPECT_FALSE(corner.is_tight);
+    }
+}
+
+// Three lobes over half a turn, at whole-pulse angles: with more points the pulses' rounding turns the way at
+// every one.
+TEST(Path, RoundingInADenseTableIsNoReasonToStop) {
+    const MachineLimits limits = machine_limits(Profile{});
+    constexpr std::int64_t kSweep = 3200;
+    for (const std::int64_t steps : {500, 1600, 2000, 2400, 2900, 3200}) {
+        std::vector<PathPoint> points;
+        for (std::int64_t i = 0; i <= steps; ++i) {
+            const std::int64_t psi = (i * kSweep + steps / 2) / steps;
+            const double angle_rad = std::numbers::pi * static_cast<double>(psi) / kSweep;
+            points.push_back(at(std::lround(6000.0 + 800.0 * std::cos(6.0 * angle_rad)), psi));
+        }
+        int stops = 0;
+        for (const PathCorner& corner : path_corners(limits, path_spans(limits, points))) {
+            stops += corner.is_stop ? 1 : 0;
+        }
+        EXPECT_EQ(stops, 0) << steps << " spans";
     }
 }
 

@@ -21,9 +21,9 @@ struct OwnedJob {
 
 constexpr std::uint32_t kLayers = 6;
 
-std::shared_ptr<const JobView> some_job() {
+std::shared_ptr<const JobView> some_job(std::uint32_t layers = kLayers) {
     JobTable table;
-    table.layer_count = kLayers;
+    table.layer_count = layers;
     table.point_count = 60;
     table.psi_sweep_pulses = 3200;
     table.feed_mm_s = 20.0;
@@ -45,7 +45,7 @@ std::shared_ptr<const JobView> some_job() {
 /// A planner that has been asked to carve, and what it queued.
 struct AskedPlanner {
     AskedPlanner() : io(std::make_unique<cycle::CycleIo>()), planner(Profile{}, *io) {
-        planner.set_job(some_job());
+        planner.set_job(some_job(), 0);
         cycle::PlanRequest request{};
         request.kind = cycle::PlanKind::position;
         io->plan_requests.push(request);
@@ -87,6 +87,36 @@ TEST(Planner, PlansTheSameInHoweverManyPieces) {
     const Blocks made = pieces.take();
     ASSERT_EQ(made.size(), expected.size());
     EXPECT_EQ(std::memcmp(made.data(), expected.data(), made.size() * sizeof made.front()), 0);
+}
+
+// The next job is offered while the tick may already have taken a start of the last one.
+TEST(Planner, CarvesTheJobThatTheTickWasAskedToStart) {
+    const auto io = std::make_unique<cycle::CycleIo>();
+    Planner sut{Profile{}, *io};
+    const auto carve = [&](std::uint64_t generation, std::uint32_t layers) {
+        cycle::PlanRequest request{};
+        request.kind = cycle::PlanKind::position;
+        request.job_generation = generation;
+        request.end_layer = layers;
+        ++request.epoch;
+        io->plan_requests.push(request);
+        sut.poll();
+        request.kind = cycle::PlanKind::carve;
+        ++request.epoch;
+        io->plan_requests.push(request);
+        sut.poll();
+        return sut.points_total();
+    };
+    const std::shared_ptr<const JobView> first = some_job();
+    const std::shared_ptr<const JobView> second = some_job(2);
+    sut.set_job(first, 7);
+    sut.set_job(second, 8);
+    EXPECT_EQ(carve(7, 1), first->point_count());
+    EXPECT_EQ(carve(8, 2), 2U * 60U);
+    sut.set_job(first, 7);  // the second was refused
+    EXPECT_EQ(carve(7, 1), first->point_count());
+    sut.set_job(second, 9);
+    EXPECT_EQ(carve(8, 2), 0U) << "no longer known: no program";
 }
 
 }  // namespace

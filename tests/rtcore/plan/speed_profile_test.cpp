@@ -59,7 +59,7 @@ std::vector<double> solved(const Chain& chain) {
     SpeedProfile profile{kAccel};
     std::vector<double> speed2;
     profile.set_path(chain.cells);
-    profile.solve(chain.bound2, chain.inner2, speed2);
+    profile.solve({chain.bound2, chain.inner2}, speed2);
     return speed2;
 }
 
@@ -83,6 +83,25 @@ double accel_share(const PathCell& cell, double begin2, double end2, double at) 
         share = std::max(share, std::abs(slope * rise + cell.bend[k] * speed2) / most);
     }
     return share;
+}
+
+TEST(SpeedProfile, TwoTimingsSideBySideAreThoseOneAfterTheOther) {
+    std::mt19937_64 random{77};
+    for (int chain = 0; chain < 20; ++chain) {
+        const Chain slow = random_chain(random, 300);
+        Chain fast = slow;
+        for (double& limit : fast.bound2) limit *= 4.0;
+        for (InnerSpeeds2& limits : fast.inner2) {
+            for (double& limit : limits) limit *= 4.0;
+        }
+        SpeedProfile profile{kAccel};
+        std::array<std::vector<double>, 2> both;
+        profile.set_path(slow.cells);
+        profile.solve_both({SpeedLimits{slow.bound2, slow.inner2}, SpeedLimits{fast.bound2, fast.inner2}},
+                           both);
+        EXPECT_EQ(both[0], solved(slow));
+        EXPECT_EQ(both[1], solved(fast));
+    }
 }
 
 TEST(SpeedProfile, AStraightWayIsATrapezoid) {

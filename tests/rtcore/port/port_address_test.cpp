@@ -7,9 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "rtcore/port/kernel_ports.hpp"
+#include "rtcore/port/extended_mode.hpp"
 #include "rtcore/port/ppdev_port.hpp"
-#include "rtcore/port/raw_port.hpp"
 
 namespace psicarve::port {
 namespace {
@@ -51,40 +50,6 @@ TEST(PortModes, AreNamed) {
                               PARPORT_MODE_ECP | PARPORT_MODE_DMA),
               "SPP, PS/2, EPP, ECP");
     EXPECT_EQ(port_modes_text(0), "mode unknown");
-}
-
-class KernelPorts : public testing::Test {
-protected:
-    KernelPorts() { std::filesystem::remove_all(proc_); }
-    ~KernelPorts() override { std::filesystem::remove_all(proc_); }
-    void put(const std::string& path, const std::string& text) const {
-        std::filesystem::create_directories(std::filesystem::path{proc_ + path}.parent_path());
-        std::ofstream{proc_ + path} << text;
-    }
-    std::string proc_ = testing::TempDir() + "psicarve-proc-" + std::to_string(::getpid());
-};
-
-TEST_F(KernelPorts, AreReadAsTheKernelListsThem) {
-    EXPECT_TRUE(kernel_ports(proc_).empty());
-    put("/sys/dev/parport/default/timeslice", "200\n");
-    put("/sys/dev/parport/parport1/base-addr", "632\t0\n");
-    put("/sys/dev/parport/parport1/devices/active", "none\n");
-    put("/sys/dev/parport/parport0/base-addr", "53248\t53256\n");
-    put("/sys/dev/parport/parport0/devices/active", "ppdev0\n");
-    const auto ports = kernel_ports(proc_);
-    ASSERT_EQ(ports.size(), 2U);
-    EXPECT_EQ(ports[0].name, "parport0");
-    EXPECT_EQ(ports[0].base, 0xd000);
-    EXPECT_EQ(ports[0].holder, "ppdev0");
-    EXPECT_EQ(ports[1].base, 0x278);
-    EXPECT_EQ(ports[1].holder, "");
-}
-
-TEST_F(KernelPorts, ThePrinterDriverIsFoundByItsWholeName) {
-    put("/modules", "lpfc 1 0 - Live 0x0\nparport 2 3 ppdev,lp,parport_pc, Live 0x0\n");
-    EXPECT_FALSE(is_lp_loaded(proc_));
-    put("/modules", "ppdev 1 0 - Live 0x0\nlp 20480 0 - Live 0x0\n");
-    EXPECT_TRUE(is_lp_loaded(proc_));
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ TEST(MotionRequest, TestsOnlyOutputsThatAreWiredAndHeld) {
     profile.port.pins[index_of(Signal::spindle)] = 0;
     const auto unwired = motion_request(pin_test(Signal::spindle), RequestKind::test_pin, profile, false);
     ASSERT_FALSE(unwired);
-    EXPECT_EQ(unwired.error().message, "test-pin: spindle is not wired to any pin");
+    EXPECT_EQ(unwired.error().message, "pins: spindle is not wired to any pin");
     Command nobody = pin_test(Signal::spindle);
     nobody.lease_ms = 0;
     EXPECT_NE(refusal(nobody, RequestKind::test_pin), "");

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/supervisor/trace_outlet.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <array>
+#include <chrono>
 #include <memory>
 #include <string>
 #include <utility>
@@ -15,6 +19,8 @@ namespace {
 
 using trace::TraceEntry;
 using trace::TraceRing;
+
+constexpr std::chrono::minutes kLong{2};
 
 TraceEntry entry(TraceEntry::Kind kind, std::uint64_t tick, std::uint32_t token) {
     TraceEntry made{};
@@ -47,6 +53,7 @@ protected:
             outlet.drain(*ring_);
         });
         outlet.finish(1000);
+        EXPECT_TRUE(outlet.wait_until_finished(kLong));
         return content(path(name));
     }
     std::unique_ptr<TraceRing> ring_ = std::make_unique<TraceRing>();
@@ -83,6 +90,7 @@ TEST_F(Recording, LeavesTraceFilesAsTheyWouldBeWithoutIt) {
     trace::tell_short_story([&](const TraceEntry& one) { pass(one); });
     pass(entry(TraceEntry::Kind::end, 900, 5));
     sut_.finish(1000);
+    EXPECT_TRUE(sut_.wait_until_finished(kLong));
     EXPECT_EQ(content(path("with.trace")), story_in_file("without.trace"));
 }
 
@@ -101,6 +109,77 @@ TEST_F(Recording, ThatIsDroppedSaysNothingMore) {
     sut_.finish(20);
     EXPECT_EQ(taken_, "");
     EXPECT_TRUE(tokens_.empty());
+}
+
+/// A trace into a pipe that nobody reads, and one into a file beside it.
+class StandingReader : public trace::TraceFolder {
+protected:
+    static constexpr std::size_t kMany = 5 * trace::kTraceRingEntries;  ///< more than rings, buffer and pipe
+
+    explicit StandingReader() {
+        EXPECT_EQ(pipe2(ends_, O_CLOEXEC | O_NONBLOCK), 0);
+        EXPECT_EQ(fcntl(ends_[1], F_SETFL, 0), 0);
+    }
+    ~StandingReader() override { close(ends_[0]); }
+    void open(TraceOutlet& sut) const {
+        ASSERT_TRUE(sut.open({"fd:" + std::to_string(ends_[1]), path("file.trace")}, {50'000, 0, {}}));
+    }
+    /// So many as the outlet lets in: pulses, one a tick, far enough apart to need some room.
+    std::size_t pass_many(TraceOutlet& sut) {
+        std::size_t passed = 0;
+        while (passed < kMany && ring_->push(trace::pins(300 * passed, passed % 2 == 0 ? 1 : 0))) {
+            sut.drain(*ring_);
+            ++passed;
+        }
+        return passed;
+    }
+    std::size_t bytes_in_pipe() {
+        std::array<char, 65536> bytes{};
+        std::size_t sum = 0;
+        for (ssize_t got = 1; got > 0; sum += got > 0 ? static_cast<std::size_t>(got) : 0)
+            got = read(ends_[0], bytes.data(), bytes.size());
+        return sum;
+    }
+    std::unique_ptr<TraceRing> ring_ = std::make_unique<TraceRing>();
+    int ends_[2]{-1, -1};
+};
+
+TEST_F(StandingReader, KeepsNobodyWaitingAndWhatIsLostIsCountedAndSaid) {
+    TraceOutlet sut{TraceOutlet::WhenFull::loses};
+    open(sut);
+    EXPECT_EQ(pass_many(sut), kMany);
+    EXPECT_GT(sut.lost(), 0U);
+    sut.finish(300 * kMany);
+    EXPECT_FALSE(sut.wait_until_finished(std::chrono::milliseconds{50}));
+    sut.give_up();
+    const auto said = sut.take_errors();
+    ASSERT_GE(said.size(), 3U);
+    EXPECT_NE(said[0].find("from tick"), std::string::npos) << said[0];
+    EXPECT_NE(said[said.size() - 2].find("are missing in it"), std::string::npos);
+    EXPECT_NE(said.back().find("nobody takes what is written"), std::string::npos);
+}
+
+TEST_F(StandingReader, LetsNothingBeLostWhereTimeCanWait) {
+    TraceOutlet sut{TraceOutlet::WhenFull::waits};
+    open(sut);
+    std::size_t passed = pass_many(sut);
+    EXPECT_LT(passed, kMany) << "the tick's ring is full";
+    std::size_t bytes = 0;
+    while (passed < kMany) {
+        bytes += bytes_in_pipe();
+        sut.drain(*ring_);
+        if (ring_->push(trace::pins(300 * passed, passed % 2 == 0 ? 1 : 0))) ++passed;
+    }
+    while (ring_->size() > 0) {
+        bytes += bytes_in_pipe();
+        sut.drain(*ring_);
+    }
+    sut.finish(300 * kMany);
+    while (!sut.wait_until_finished(std::chrono::milliseconds{1})) bytes += bytes_in_pipe();
+    bytes += bytes_in_pipe();
+    EXPECT_EQ(sut.lost(), 0U);
+    EXPECT_EQ(bytes, content(path("file.trace")).size());
+    EXPECT_TRUE(sut.take_errors().empty());
 }
 
 }  // namespace

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "hmi/cam/job_plan.hpp"
+#include "hmi/model/mesh.hpp"
+#include "hmi/slice/slicer.hpp"
+#include "shared/job.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::cam {
+
+/// How far the profile's tool goes into the model between two neighbouring points of a layer, where it goes
+/// straight in (psi, r) from the one to the other: the most of all layers and all gaps. The model's edges are
+/// looked at in every gap; how a tool with a size touches whatever else there is, in the middle and at the
+/// worst edge of the 36 gaps where edges say most. [mm]; 0: nowhere. Errors: those of tool::tip_radii.
+Result<double> sunk_between_points_mm(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan,
+                                      const JobTable& table, const slice::SliceOptions& options);
+
+}  // namespace psicarve::cam

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cam/job_pulses.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+
+#include "shared/units.hpp"
+
+namespace psicarve::cam {
+namespace {
+
+using Place = std::array<std::int64_t, kAxisCount>;
+
+/// The layer's point that is carved as its `step`-th.
+Place place_of(const JobView& job, std::uint32_t layer, std::uint32_t step) {
+    const std::uint32_t point = carved_point(job.joining(), job.point_count(), layer, step);
+    Place place{};
+    place[index_of(Axis::r1)] = job.r_left_pulses(layer)[point];
+    place[index_of(Axis::r2)] = job.r_right_pulses(layer)[point];
+    place[index_of(Axis::psi)] = job.psi_pulses(layer, point);
+    place[index_of(Axis::y)] = job.y_pulses(layer, point);
+    return place;
+}
+
+void add_way(PulseCounts& sum, const Place& from, const Place& to) {
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+        sum[axis] += static_cast<std::uint64_t>(std::abs(to[axis] - from[axis]));
+}
+
+/// Along the layer as it is carved.
+PulseCounts along(const JobView& job, std::uint32_t layer, std::uint32_t from_step, std::uint32_t to_step) {
+    PulseCounts sum{};
+    Place before = place_of(job, layer, from_step);
+    for (std::uint32_t step = from_step + 1; step <= to_step; ++step) {
+        const Place now = place_of(job, layer, step);
+        add_way(sum, before, now);
+        before = now;
+    }
+    return sum;
+}
+
+/// Where each head clears the blank all round.
+std::array<std::int64_t, 2> clear_of_blank(const JobView& job, const Profile& profile) {
+    constexpr std::array kHeads{Axis::r1, Axis::r2};
+    const std::array tips_mm{profile.r1.tip_mm(), profile.r2.tip_mm()};
+    std::array<AxisMotion, 2> heads{axis_motion(profile, Axis::r1), axis_motion(profile, Axis::r2)};
+    double largest_mm = profile.blank.reach_mm();
+    for (const JobPass& pass : job.passes()) largest_mm = std::max(largest_mm, pass.clear_mm);
+    for (std::size_t h = 0; h < kHeads.size(); ++h) {
+        const double radius_mm = mm_from_pulses(job.max_radius_pulses(kHeads[h]), heads[h].pulses_per_unit);
+        largest_mm = std::max(largest_mm, radius_mm + tips_mm[h]);
+    }
+    std::array<std::int64_t, 2> clear{};
+    for (std::size_t h = 0; h < kHeads.size(); ++h) {
+        const double scale = heads[h].pulses_per_unit;
+        clear[h] = std::min(
+            pulses_from_mm(largest_mm - tips_mm[h], scale) + pulses_from_mm(profile.job.clearance_mm, scale),
+            heads[h].travel_max_pulses);
+    }
+    return clear;
+}
+
+}  // namespace
+
+std::vector<PulseCounts> pulses_to_end(const JobView& job, const Profile& profile) {
+    std::vector<PulseCounts> to_end(job.layer_count());
+    const std::array<std::int64_t, 2> clear = clear_of_blank(job, profile);
+    const std::uint32_t last_step = job.point_count() - 1;
+    PulseCounts sum{};
+    for (std::uint32_t layer = job.layer_count(); layer-- > 0;) {
+        if (layer + 1 < job.layer_count()) {
+            Place from = place_of(job, layer, last_step);
+            const Place to = place_of(job, layer + 1, 0);
+            if (job.begins_pass(layer + 1)) {
+                Place outside = from;
+                for (const Axis head : {Axis::r1, Axis::r2}) {
+                    const std::size_t h = index_of(head);
+                    outside[h] = std::max(outside[h], clear[head == Axis::r1 ? 0 : 1]);
+                }
+                add_way(sum, from, outside);
+                from = outside;
+            }
+            add_way(sum, from, to);
+        }
+        const PulseCounts own = along(job, layer, 0, last_step);
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) sum[axis] += own[axis];
+        to_end[layer] = sum;
+    }
+    return to_end;
+}
+
+PulseCounts pulses_to_go(const JobView& job, const std::vector<PulseCounts>& to_end, std::uint32_t layer,
+                         std::uint32_t point) {
+    PulseCounts left = to_end[layer];
+    const std::uint32_t step = carved_point(job.joining(), job.point_count(), layer, point);
+    const PulseCounts done = along(job, layer, 0, step);
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) left[axis] -= done[axis];
+    return left;
+}
+
+}  // namespace psicarve::cam

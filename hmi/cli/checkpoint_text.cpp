@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cli/checkpoint_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace psicarve::cli {
+
+std::string checkpoint_text(const std::optional<Checkpoint>& checkpoint, bool is_of_job) {
+    if (!checkpoint) return {};
+    const std::string layers =
+        std::to_string(checkpoint->next_layer) + " of " + std::to_string(checkpoint->layer_count);
+    if (checkpoint->next_layer == checkpoint->layer_count)
+        return "checkpoint " + layers + " layers, carved to the end\n";
+    return "checkpoint " + layers + " layers" + (is_of_job ? "" : ", of another job") + "\n";
+}
+
+nlohmann::ordered_json checkpoint_json(const std::optional<Checkpoint>& checkpoint, bool is_of_job) {
+    if (!checkpoint) return nullptr;
+    return {{"next_layer", checkpoint->next_layer},
+            {"layer_count", checkpoint->layer_count},
+            {"is_of_job", is_of_job}};
+}
+
+}  // namespace psicarve::cli

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "shared/checkpoint.hpp"
+
+namespace psicarve::cli {
+
+/// A line for a person: how far the last carving came; empty when there was none.
+std::string checkpoint_text(const std::optional<Checkpoint>& checkpoint, bool is_of_job);
+/// {"next_layer": ..., "layer_count": ..., "is_of_job": ...} or null.
+nlohmann::ordered_json checkpoint_json(const std::optional<Checkpoint>& checkpoint, bool is_of_job);
+
+}  // namespace psicarve::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "hmi/model/mesh.hpp"
+#include "hmi/slice/placement.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::cli {
+
+/// What --rotate ("30" about the axis that stands upright, "90,0,30" about x, y, z) and --mirror ("x") say;
+/// empty: not given.
+Result<model::MeshTurn> mesh_turn(const std::string& rotate, const std::string& mirror, slice::Up up);
+
+}  // namespace psicarve::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hmi/flat/drawing.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::flat {
+
+/// The strokes as they are seen: of a dashed one its dashes, each a stroke that stays open; a dash without
+/// length is a point, twice. Refuses more of them than a drawing may have points.
+Result<std::vector<Path>> seen_strokes(std::vector<Path> paths, const std::string& file);
+
+}  // namespace psicarve::flat

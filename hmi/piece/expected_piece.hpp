@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "hmi/piece/ridges.hpp"
+#include "hmi/piece/stock_map.hpp"
+#include "hmi/slice/slicer.hpp"
+#include "hmi/verify/job_geometry.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::piece {
+
+/// The piece that a job's tables come to without being carved: the tips straight from point to point, cutting
+/// at every pulse of psi or, of a tool that has a size, twice in every column. Links between layers are left
+/// out: they cut nothing that both layers would not.
+StockMap expected_piece(const verify::JobGeometry& geometry, const Profile& profile, std::size_t columns);
+/// Asks the progress at every layer. ErrorCode::cancelled.
+Result<StockMap> expected_piece(const verify::JobGeometry& geometry, const Profile& profile,
+                                std::size_t columns, const slice::Progress& progress);
+/// Of this blank, and with it of the model's ridges, if there are any.
+Result<StockMap> expected_piece(const verify::JobGeometry& geometry, const Profile& profile, StockMap blank,
+                                Ridges* ridges, const slice::Progress& progress);
+
+}  // namespace psicarve::piece

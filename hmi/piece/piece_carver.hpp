@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "hmi/piece/ridges.hpp"
+#include "hmi/piece/stock_map.hpp"
+#include "hmi/piece/tool_cut.hpp"
+#include "hmi/verify/job_geometry.hpp"
+#include "shared/profile.hpp"
+
+namespace psicarve::piece {
+
+/// A blank as big as the profile says, else as the job needs, in cells about as wide as high: `columns` of
+/// them once round, fewer where 40 of them would be less than the tool's diameter. Of a point tool the rows
+/// are the layers, if these are evenly apart, and each column one that a pulse of psi points at.
+StockMap blank_of(const verify::JobGeometry& geometry, const Profile& profile, std::size_t columns);
+
+/// Carves a stock map with both heads' tools along the pulses: told every position, it cuts at every one of
+/// psi and Y, at the deepest that either head had there. One thread.
+class PieceCarver {
+public:
+    /// With the stock a model's ridges are cut, if there are any; both outlive this.
+    PieceCarver(const verify::JobGeometry& geometry, const Profile& profile, StockMap& stock,
+                Ridges* ridges = nullptr);
+
+    /// After each instant in which an axis stepped; nothing is cut with the spindle off.
+    void settle(const verify::Positions& positions, bool spindle_on);
+    /// Only of the model's ridges, for steps between those that are settled.
+    void settle_ridges(const verify::Positions& positions);
+    void finish() { flush(); }
+    std::uint64_t contacts() const noexcept { return cut_.contacts(); }
+
+private:
+    void flush();
+    template <typename Cut>
+    void with_each_head(const verify::Positions& positions, const Cut& cut) const;
+
+    verify::JobGeometry geometry_;
+    Ridges* ridges_;
+    ToolCut cut_;
+    std::optional<verify::Positions> deepest_;  ///< at one place of psi and Y
+};
+
+}  // namespace psicarve::piece

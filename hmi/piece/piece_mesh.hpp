@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "hmi/piece/stock_map.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::piece {
+
+enum class MeshFormat { stl, ply };
+
+/// The piece as a closed mesh in mm, the axis along z: walls between neighbouring cells, a fan at the bottom
+/// and the top. Binary, little endian.
+std::vector<std::byte> mesh_bytes(const StockMap& stock, MeshFormat format);
+
+/// By the file's extension: .stl or .ply; anything else is bad input. Atomically.
+Result<void> write_piece(const std::string& path, const StockMap& stock);
+/// The same question before the work.
+Result<MeshFormat> mesh_format_of(const std::string& path);
+
+}  // namespace psicarve::piece

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "hmi/piece/stock_map.hpp"
+
+namespace psicarve::piece {
+
+/// How far a place is from a surface that is given by its radii in a stock map's cells: triangles between
+/// neighbouring cells. Looks as far round as the cells within reach of what it has found, at most 8 of them:
+/// beyond that the answer is the way along the radius, if nothing nearer was met.
+class SurfaceDistance {
+public:
+    /// The rows of a map that make up the surface.
+    struct Rows {
+        std::size_t first = 0;
+        std::size_t last = 0;
+    };
+
+    /// `radii_mm` as many as the map's cells, row by row; both outlive this.
+    SurfaceDistance(const StockMap& stock, std::span<const float> radii_mm);
+    SurfaceDistance(const StockMap& stock, std::span<const float> radii_mm, Rows rows);
+
+    /// Of the place at this radius in the middle of a cell [mm].
+    double of(std::size_t row, std::size_t column, double radius_mm) const;
+    /// Of any place, whose nearest cell this is, or `most_mm` where nothing is nearer.
+    double of(std::size_t row, std::size_t column, const std::array<double, 3>& place, double most_mm) const;
+
+private:
+    using Point = std::array<double, 3>;
+    Point point(std::size_t row, std::size_t column) const;
+    /// `beside`: how far from the cell's middle the place may be, in cells.
+    double nearest_mm(std::size_t row, std::size_t column, const Point& from, double most_mm,
+                      double beside) const;
+    double nearest2_of_ring(const Point& from, std::size_t row, std::size_t column, int ring) const;
+    double nearest2_of_quad(const Point& from, std::size_t row, std::size_t column) const;
+
+    const StockMap& stock_;
+    std::span<const float> radii_mm_;
+    Rows rows_;
+    std::vector<double> cosine_;
+    std::vector<double> sine_;
+};
+
+}  // namespace psicarve::piece

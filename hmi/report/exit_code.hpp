@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "shared/result.hpp"
+
+namespace psicarve::report {
+
+// How a program of ours says that it failed, to programs.
+inline constexpr int kExitDone = 0;
+inline constexpr int kExitUsage = 2;
+inline constexpr int kExitBadInput = 3;
+inline constexpr int kExitMachine = 4;
+inline constexpr int kExitNoCore = 5;
+inline constexpr int kExitDifference = 6;
+
+/// The exit code of the command line for an error.
+int exit_code_of(ErrorCode code) noexcept;
+
+/// {"error": {...}} without printing it.
+std::string error_json(const Error& error);
+/// Where the command ends with another exit code than the error's own.
+std::string error_json(const Error& error, int exit_code);
+
+}  // namespace psicarve::report

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdio>
+
+#include "shared/job.hpp"
+
+namespace psicarve::report {
+
+/// One row a point, with the header layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses.
+void write_csv(const JobView& job, std::FILE* out);
+
+/// One object: counts, joining, feed, profile, heights and both radius tables as arrays of layers; of a
+/// spiral also the heights of its points.
+void write_json(const JobView& job, std::FILE* out);
+
+}  // namespace psicarve::report

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hmi/rough/rings.hpp"
+#include "hmi/rough/rough_stock.hpp"
+#include "shared/job.hpp"
+#include "shared/profile.hpp"
+
+namespace psicarve::rough {
+
+struct PassSettings {
+    Joining joining = Joining::continuous;
+    double allowance_mm = 0.0;
+    double stepdown_mm = 1.0;
+    double stepover_mm = 0.0;  ///< between two rings at most; 0: every ring
+};
+
+/// One layer of a roughing pass, as the job has it.
+struct RoughLayer {
+    std::size_t ring = 0;
+    std::array<std::vector<std::int32_t>, kHeads> radii;  ///< by head and point, counted
+};
+
+struct RoughPass {
+    double depth_mm = 0.0;
+    std::vector<RoughLayer> layers;
+    std::uint64_t cut_points = 0;  ///< where the tool has something to remove
+    std::uint64_t air_points = 0;  ///< where it passes over what is clear
+};
+
+/// The greatest ridge that the tool leaves between two cuts so far apart [mm].
+double ridge_mm(const ToolProfile& tool, double apart_mm);
+
+/// Plans a pass to a depth from what the passes before have left, and takes it off that.
+///
+///     tip over a cell = max(finished tip + allowance, depth)
+///
+/// A ring is carved where the tool would cut more than a trifle there; a ring between two that the stepover
+/// asks for, where more than the ridge between these and a quarter of the stepdown still stands. Within a
+/// ring a head that has nothing to cut goes clear over it, by a hull that never rises or falls steeply.
+class PassPlanner {
+public:
+    PassPlanner(const Rings& rings, RoughStock& stock, const Profile& profile, const PassSettings& settings);
+
+    /// `first_layer`: the job's, that the pass begins with.
+    RoughPass plan(double depth_mm, std::size_t first_layer);
+    /// One more layer without anything to cut: as the last of `pass`, or where both heads reach far enough
+    /// out.
+    RoughLayer idle_layer(const RoughPass& pass, std::size_t layer);
+
+private:
+    struct Row;
+    std::int32_t target(std::size_t h, std::size_t ring, std::size_t cell) const noexcept;
+    bool is_in_reach(std::size_t ring, std::size_t layer) const noexcept;
+    bool has_work(std::size_t ring, double least_mm, std::size_t every);
+    void cut_ring(std::size_t ring);
+    std::vector<std::size_t> rings_with_work();
+    RoughLayer make_layer(RoughPass& pass, std::size_t ring, std::size_t layer);
+    void find_cuts(RoughPass& pass, Row& row);
+    void lift_where_clear(Row& row) const;
+    void clear_link(Row& row, std::size_t ring_before, std::size_t point) const;
+    void clear_end(RoughLayer& before, std::size_t ring, std::size_t layer) const;
+    void cut_row(const Row& row);
+
+    const Rings& rings_;
+    RoughStock& stock_;
+    PassSettings settings_;
+    double blank_mm_;
+    double tool_mm_;    ///< its diameter; 0: a point
+    double trifle_mm_;  ///< cutting less is not worth the way
+    std::vector<std::size_t> coarse_;
+    double ridge_mm_ = 0.0;
+    double depth_mm_ = 0.0;
+    std::array<std::int32_t, kHeads> allowance_{};
+    std::array<std::int32_t, kHeads> depth_{};
+};
+
+}  // namespace psicarve::rough

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "hmi/piece/stock_map.hpp"
+#include "hmi/piece/tool_cut.hpp"
+#include "hmi/rough/rings.hpp"
+#include "shared/profile.hpp"
+
+namespace psicarve::rough {
+
+/// A head's tip over a cell of a ring.
+struct TipPlace {
+    std::size_t head;
+    std::size_t ring;
+    std::size_t cell;
+    double tip_mm;
+};
+
+/// What the passes so far have left of the blank. Of a tool that has a size in a map of radii, twelve cells
+/// across the tool; of a point what it stands on: one place for each cell of each ring.
+class RoughStock {
+public:
+    /// Requires a blank with a radius. Nothing of the blank at the rings' heights: then nothing is ever cut.
+    RoughStock(const Rings& rings, const Profile& profile);
+    RoughStock(const RoughStock&) = delete;
+    RoughStock& operator=(const RoughStock&) = delete;
+
+    /// How deep, along the radius, the tool would cut from there.
+    double bite_mm(const TipPlace& place);
+    /// Cuts from there, and on the straight way towards a neighbouring cell, where the tip is to stand then.
+    void cut(const TipPlace& place, const TipPlace& next);
+
+    /// What there is now, to come back to.
+    struct Saved {
+        std::optional<piece::StockMap> map;
+        std::vector<float> places;
+    };
+    Saved saved() const { return {map_, places_}; }
+    void restore(const Saved& saved);
+
+private:
+    struct Contact {
+        double direction_rad;
+        double height_mm;
+    };
+    Contact contact(const TipPlace& place) const noexcept;
+    bool has_material(double height_mm) const noexcept { return height_mm <= top_mm_ && height_mm >= 0.0; }
+
+    const Rings& rings_;
+    double blank_mm_;
+    double top_mm_;
+    std::size_t steps_per_cell_ = 1;
+    std::optional<piece::StockMap> map_;
+    std::optional<piece::ToolCut> tool_cut_;  ///< into map_
+    std::vector<float> places_;               ///< of a point tool
+};
+
+}  // namespace psicarve::rough

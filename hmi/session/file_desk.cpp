@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/file_desk.hpp"
+
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include "hmi/machine/machine_link.hpp"
+#include "hmi/machine/snapshot_taker.hpp"
+#include "hmi/report/job_export.hpp"
+#include "hmi/verify/picture.hpp"
+#include "shared/snapshot_file.hpp"
+
+namespace psicarve::session {
+namespace {
+
+constexpr std::chrono::milliseconds kSnapshotLimit{5000};
+
+Result<void> snapshot_of_segment(const std::string& path, const std::string& segment,
+                                 const std::string& group) {
+    auto link = machine::MachineLink::attach(segment, group);
+    if (!link) return link.error();
+    const auto snapshot = machine::take_snapshot(*link, kSnapshotLimit);
+    if (!snapshot) return snapshot.error();
+    return save_snapshot(*snapshot, path, group);
+}
+
+/// Millions of rows: they go to a file beside it, which then takes the name.
+Result<void> tables_to(const std::string& path, const JobView& job) {
+    const std::string part = path + ".part";
+    std::FILE* const out = std::fopen(part.c_str(), "wb");
+    if (out == nullptr) return bad_input(path + ": " + std::strerror(errno));
+    if (path.ends_with(".json")) {
+        report::write_json(job, out);
+    } else {
+        report::write_csv(job, out);
+    }
+    const bool is_written = std::fflush(out) == 0 && std::ferror(out) == 0;
+    const bool is_whole = std::fclose(out) == 0 && is_written;
+    if (is_whole && std::rename(part.c_str(), path.c_str()) == 0) return {};
+    const Error why{ErrorCode::out_of_room, path + ": " + std::strerror(errno)};
+    (void)std::remove(part.c_str());
+    return why;
+}
+
+}  // namespace
+
+WorkLane::Finish FileDesk::told(const Result<void>& done, const std::string& path) {
+    return [this, path, why = done ? std::string{} : done.error().message] {
+        if (why.empty()) {
+            log_.add(Severity::info, phrase("Saved: %1", path));
+        } else {
+            log_.add(Severity::warning, phrase("Not saved: %1", why));
+        }
+    };
+}
+
+void FileDesk::save_snapshot(const std::string& path) {
+    lane_.post([this, path, segment = segment_name_, group = group_] {
+        return told(snapshot_of_segment(path, segment, group), path);
+    });
+}
+
+void FileDesk::save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job) {
+    lane_.post([this, path, job = std::move(job)] {
+        Snapshot file;  // a job file is a snapshot without a status
+        file.job_blob = job->blob;
+        return told(psicarve::save_snapshot(file, path), path);
+    });
+}
+
+void FileDesk::save_tables(const std::string& path, std::shared_ptr<const cam::PreparedJob> job) {
+    lane_.post([this, path, job = std::move(job)] { return told(tables_to(path, job->view), path); });
+}
+
+void FileDesk::save_picture(const std::string& path, std::shared_ptr<const Judgement> judgement) {
+    lane_.post([this, path, judgement = std::move(judgement)] {
+        const auto caption = verify::caption_of(judgement->job->view, judgement->report);
+        return told(verify::write_picture(path, judgement->verifier->surface(), caption), path);
+    });
+}
+
+}  // namespace psicarve::session

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "hmi/cam/prepared_job.hpp"
+#include "hmi/session/message_log.hpp"
+#include "hmi/session/trace_judge.hpp"
+#include "hmi/session/work_lane.hpp"
+
+namespace psicarve::session {
+
+/// Writes what an operator wants to keep, on a thread of its own; what became of it is a message. One thread,
+/// the owner's.
+class FileDesk {
+public:
+    FileDesk(std::string segment_name, std::string group, MessageLog& log)
+        : segment_name_(std::move(segment_name)), group_(std::move(group)), log_(log) {}
+
+    /// Job, status and flight recorder of the segment, with a core or without.
+    void save_snapshot(const std::string& path);
+    void save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
+    /// As CSV, or as JSON where the name ends so.
+    void save_tables(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
+    /// The carved piece as the pins of a trace carved it.
+    void save_picture(const std::string& path, std::shared_ptr<const Judgement> judgement);
+    /// At screen rate.
+    void poll() { lane_.deliver(); }
+
+private:
+    WorkLane::Finish told(const Result<void>& done, const std::string& path);
+
+    std::string segment_name_;
+    std::string group_;
+    MessageLog& log_;
+    WorkLane lane_;  // last: its thread uses the others
+};
+
+}  // namespace psicarve::session

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+#include <optional>
+
+#include "hmi/machine/latency_probe.hpp"
+#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/message_log.hpp"
+#include "hmi/session/tick_health.hpp"
+#include "hmi/session/work_lane.hpp"
+
+namespace psicarve::session {
+
+/// What was asked for, and what came of it.
+struct LatencyMeasurement {
+    machine::LatencyWish wish;
+    machine::LatencyResult result;
+};
+
+/// Measures how late the core's ticks would be on this computer, as `psicarve latency` does, on a thread of
+/// its own. One thread, the owner's.
+class LatencyDesk {
+public:
+    using Measure = std::function<Result<machine::LatencyResult>(
+        const machine::LatencyWish&, const std::function<void(const machine::LatencyProgress&)>&,
+        const std::function<bool()>&)>;
+
+    explicit LatencyDesk(MessageLog& log, Measure measure = machine::measure_latency);
+    /// Ends what is under way and waits for it.
+    ~LatencyDesk();
+
+    void begin(const machine::LatencyWish& wish);
+    /// What was measured so far becomes the result.
+    void end() noexcept { ends_.store(true); }
+    /// At screen rate.
+    void poll() { lane_.deliver(); }
+
+    bool is_measuring() const noexcept { return is_measuring_; }
+    /// Of what is under way.
+    const machine::LatencyWish& wish() const noexcept { return wish_; }
+    machine::LatencyProgress progress() const;
+    /// The last one.
+    const std::optional<LatencyMeasurement>& last() const noexcept { return last_; }
+
+private:
+    MessageLog& log_;
+    Measure measure_;
+    machine::LatencyWish wish_;
+    bool is_measuring_ = false;
+    std::atomic<bool> ends_{false};
+    mutable std::mutex mutex_;
+    machine::LatencyProgress progress_;  ///< under mutex_
+    std::optional<LatencyMeasurement> last_;
+    WorkLane lane_;  // last: its thread uses the others
+};
+
+/// What stands in the way of measuring: a second tick loop would disturb a machine at work.
+std::optional<Phrase> latency_lock(const MachineSight& machine);
+
+/// As the histogram shows it: a bar for each doubling of microseconds.
+TickHealth latency_health(const LatencyMeasurement& measured);
+
+struct LatencyRow {
+    Phrase name;
+    Phrase value;
+};
+std::vector<LatencyRow> latency_rows(const LatencyMeasurement& measured);
+
+}  // namespace psicarve::session

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/lost_core.hpp"
+
+#include <string>
+#include <utility>
+
+namespace psicarve::session {
+namespace {
+
+using S = MachineState;
+
+bool is_in_alarm(const MachineSight& machine) noexcept {
+    return machine.status && (machine.state() == S::alarm || machine.state() == S::backing_off);
+}
+
+/// Its guard has said so, and what it did about it.
+bool is_told_by_guard(const MachineSight& machine) noexcept {
+    return machine.life == CoreLife::none && machine.status &&
+           machine.status->alarm_cause == AlarmCause::core_lost;
+}
+
+/// What the core itself said last; its guard's word comes after it.
+S own_state(const MachineSight& machine) noexcept {
+    return machine.heard_state.value_or(machine.state());
+}
+
+bool is_silent(const MachineSight& machine) noexcept {
+    return machine.life == CoreLife::silent;
+}
+
+/// Some of the job was carved, and not all.
+bool is_within_job(const MachineSight& machine) noexcept {
+    const CoreStatus& status = *machine.status;
+    const S state = own_state(machine);
+    const bool may_run = runs_job(state) || (!machine.heard_state && is_told_by_guard(machine));
+    return may_run && status.points_done > 0 && status.points_done < status.points_total;
+}
+
+Phrase lost_title(const MachineSight& machine) {
+    const bool silent = is_silent(machine);
+    if (is_within_job(machine)) {
+        const std::string layer = std::to_string(machine.status->layer + 1);
+        const std::string point = std::to_string(machine.status->point + 1);
+        return silent ? phrase("The core is silent, in layer %1, point %2", layer, point)
+                      : phrase("The core has ended in layer %1, point %2", layer, point);
+    }
+    if (!is_lost_at_work(machine)) return phrase("The core has ended");
+    return silent ? phrase("The core is silent in the middle of its work")
+                  : phrase("The core has ended in the middle of its work");
+}
+
+Phrase outputs_sentence(const MachineSight& machine) {
+    if (!is_told_by_guard(machine))
+        return phrase("Drives and spindle may still be on, and nothing here can switch them off.");
+    return machine.status->is_port_silent != 0
+               ? phrase("Its guard could not switch drives and spindle off: the port does not answer.")
+               : phrase("Its guard has switched drives and spindle off.");
+}
+
+Phrase lost_detail(const MachineSight& machine) {
+    const Phrase outputs = outputs_sentence(machine);
+    const bool may_be_in_piece = is_within_job(machine) && machine.status->is_dry == 0;
+    if (!may_be_in_piece) return Phrase{"%1", {}, {outputs}};
+    return Phrase{"%1 %2", {}, {outputs, phrase("The heads may stand in the piece.")}};
+}
+
+void add_new_core(const MachineSight& machine, AlarmText& text) {
+    if (is_silent(machine))
+        text.steps.push_back(phrase("End psicarve-rtcore, process %1", std::to_string(machine.core_pid)));
+    text.steps.push_back(phrase("Start psicarve-rtcore"));
+    text.steps.push_back(phrase("Home all"));
+}
+
+/// As the checkpoint has it: it outlives its core.
+void add_way_on(const MachineSight& machine, AlarmText& text) {
+    if (!is_within_job(machine) || machine.status->is_dry != 0) return;
+    if (machine.resumable_layer) {
+        text.steps.push_back(phrase("From layer %1", std::to_string(*machine.resumable_layer + 1)));
+    } else {
+        text.steps.push_back(phrase("Start: no layer was finished"));
+    }
+}
+
+AlarmText alarm_of_lost_core(const MachineSight& machine) {
+    const AlarmText alarm = alarm_text(machine);
+    const Phrase since = is_silent(machine)
+                             ? phrase("Since then the core is silent: it takes no orders.")
+                             : phrase("Since then the core has ended: there is none to take orders.");
+    AlarmText text{alarm.title, Phrase{"%1 %2", {}, {alarm.detail, since}}, {}};
+    add_new_core(machine, text);
+    add_way_on(machine, text);
+    return text;
+}
+
+AlarmText unheard_text(const std::optional<AlarmText>& rest) {
+    AlarmText text{
+        phrase("Nobody heard the emergency stop"),
+        phrase("No core took it: it has stopped nothing, and drives and spindle are as they were."),
+        {}};
+    if (rest) text.detail = Phrase{"%1 %2.", {}, {text.detail, rest->title}};
+    text.steps.push_back(phrase("Use the wired emergency stop, or the machine's own switch"));
+    if (!rest) return text;
+    for (const Phrase& step : rest->steps) {
+        if (!(step == text.steps.front())) text.steps.push_back(step);
+    }
+    return text;
+}
+
+std::optional<AlarmText> text_of_machine(const MachineSight& machine) {
+    if (!machine.status) return std::nullopt;
+    if (is_lost_at_work(machine) || is_told_by_guard(machine)) return lost_core_text(machine);
+    if (!is_in_alarm(machine)) return std::nullopt;
+    return machine.is_heard() ? alarm_text(machine) : alarm_of_lost_core(machine);
+}
+
+}  // namespace
+
+bool is_lost_at_work(const MachineSight& machine) noexcept {
+    if (machine.is_heard() || !machine.status) return false;
+    switch (own_state(machine)) {
+        case S::off:
+        case S::ready:
+            return false;
+        case S::alarm:
+        case S::backing_off:
+            // Whoever comes too late for the core's own words has its guard's.
+            return !machine.heard_state && is_told_by_guard(machine) && is_within_job(machine);
+        default:
+            return true;
+    }
+}
+
+AlarmText lost_core_text(const MachineSight& machine) {
+    AlarmText text{lost_title(machine), lost_detail(machine), {}};
+    const bool is_safe = is_told_by_guard(machine) && machine.status->is_port_silent == 0;
+    text.steps.push_back(is_safe ? phrase("If anything still moves, use the wired emergency stop")
+                                 : phrase("Use the wired emergency stop, or the machine's own switch"));
+    add_new_core(machine, text);
+    add_way_on(machine, text);
+    return text;
+}
+
+std::optional<AlarmText> loud_text(const MachineSight& machine) {
+    const auto text = text_of_machine(machine);
+    return machine.unheard_stop ? unheard_text(text) : text;
+}
+
+}  // namespace psicarve::session

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "hmi/model/mesh.hpp"
+#include "hmi/report/model_findings.hpp"
+#include "hmi/session/model_sight.hpp"
+#include "hmi/session/phrase.hpp"
+#include "hmi/session/piece_sight.hpp"
+#include "hmi/session/run_watch.hpp"
+
+namespace psicarve::session {
+
+/// What was seen in a mesh, a line each: its size (turned as it is to stand), facets and volume, whether its
+/// surface is closed or what is wrong with it, and its units where they are hardly mm.
+std::vector<Phrase> mesh_lines(const model::Mesh& mesh, const std::array<double, 3>& size);
+
+/// What is known of a model so far.
+struct ModelKnowledge {
+    const model::Mesh& mesh;
+    const ModelSight* sight = nullptr;                ///< null: being looked at
+    const report::ModelFindings* findings = nullptr;  ///< null: being looked for
+    const PieceSight* piece = nullptr;  ///< null: being worked out, or for this reason there is none
+    Phrase no_piece;
+    std::optional<double> sliced_undercut_share{};  ///< as the job has it; else the sight's is near
+};
+/// The report of a model, as `psicarve inspect` tells it: its mesh, its size, what is hidden and open and
+/// where, and what the tool leaves.
+std::vector<ReportRow> model_rows(const ModelKnowledge& known);
+
+}  // namespace psicarve::session

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/piece_desk.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+#include "hmi/cam/job_plan.hpp"
+#include "hmi/piece/draft_piece.hpp"
+#include "hmi/session/error_phrase.hpp"
+
+namespace psicarve::session {
+namespace {
+
+constexpr std::size_t kPieceColumns = 720;
+
+double pulse_of(const Profile& profile) {
+    return 1.0 / profile.r1.pulses_per_mm;
+}
+
+Result<PieceSight> piece_of_job(const PieceWish& wish, const PieceScenePlan& plan,
+                                const slice::SliceOptions& options) {
+    const cam::PreparedJob& job = *wish.job;
+    std::optional<piece::PlacedModel> placed;
+    if (wish.mesh) {
+        auto found = piece::place_as_sliced(wish.mesh, job.view, job.profile);
+        if (!found) return found.error();
+        placed = std::move(*found);
+    }
+    const auto piece =
+        piece::job_piece(job.view, job.profile, placed ? &*placed : nullptr, kPieceColumns, options);
+    if (!piece) return piece.error();
+    return look_at_piece(*piece, pulse_of(job.profile), plan);
+}
+
+Result<PieceSight> piece_of_draft(const PieceWish& wish, const PieceScenePlan& plan,
+                                  const slice::SliceOptions& options) {
+    cam::JobOptions placing = wish.options;
+    placing.search_progress = [&options](double) { return !options.progress || options.progress(0.0); };
+    cam::SliceReport report;
+    const auto planned = cam::plan_job(*wish.mesh, wish.profile, placing, report);
+    if (!planned) return planned.error();
+    const piece::PlacedModel model{wish.mesh, planned->placement, planned->scale,
+                                   wish.profile.job.base_height_mm, wish.profile.core_radius_mm};
+    auto draft = piece::draft_piece(model, wish.profile, options);
+    if (!draft) return draft.error();
+    piece::JobPiece piece{std::move(draft->piece), {}, std::move(draft->deviation)};
+    piece.rows.resize(piece.piece.row_count());
+    std::iota(piece.rows.begin(), piece.rows.end(), std::size_t{0});
+    PieceSight sight = look_at_piece(piece, pulse_of(wish.profile), plan);
+    sight.draft_allowance_mm = draft->allowance_mm;
+    return sight;
+}
+
+}  // namespace
+
+bool operator==(const PieceWish& a, const PieceWish& b) {
+    if (a.job != b.job || a.mesh != b.mesh) return false;
+    if (a.job) return true;
+    const auto placing = [](const cam::JobOptions& o) {
+        return std::tuple{o.up, o.axis_at, o.axis_x, o.axis_y, o.height_mm, o.scale, o.fits};
+    };
+    return a.profile == b.profile && placing(a.options) == placing(b.options);
+}
+
+Result<PieceSight> work_out_piece(const PieceWish& wish, const PieceScenePlan& plan,
+                                  const slice::SliceOptions& options) {
+    return wish.job ? piece_of_job(wish, plan, options) : piece_of_draft(wish, plan, options);
+}
+
+void PieceDesk::stop() {
+    if (run_) run_->goes_on.store(false);
+    run_.reset();
+    lane_.drop_waiting();
+}
+
+void PieceDesk::cancel() {
+    if (!run_) return;
+    stop();
+    problem_ = phrase("Working the piece out was cancelled");
+}
+
+void PieceDesk::poll(const std::optional<PieceWish>& wish, const PieceScenePlan& plan, bool is_asked_for) {
+    lane_.deliver();
+    if (wish != wish_) {
+        stop();
+        wish_ = wish;
+        sight_.reset();
+        problem_ = {};
+    }
+    if (!is_asked_for) {
+        stop();
+        problem_ = {};
+    } else if (wish_ && !sight_ && !run_ && problem_.is_empty()) {
+        begin(plan);
+    }
+}
+
+void PieceDesk::begin(const PieceScenePlan& plan) {
+    run_ = std::make_shared<Run>();
+    lane_.post([this, wish = *wish_, plan, run = run_]() -> WorkLane::Finish {
+        // One is left for the window, and for a core on the same computer.
+        const slice::SliceOptions options{std::max(1U, std::thread::hardware_concurrency() / 2),
+                                          [&run](double done) {
+                                              run->done_ratio.store(done);
+                                              return run->goes_on.load();
+                                          }};
+        auto worked_out = work_out_piece(wish, plan, options);
+        const auto sight = worked_out ? std::make_shared<const PieceSight>(std::move(*worked_out)) : nullptr;
+        const Phrase problem = worked_out ? Phrase{} : error_phrase(worked_out.error().message);
+        return [this, run, sight, problem] {
+            if (!run->goes_on.load()) return;
+            run_.reset();
+            sight_ = sight;
+            problem_ = problem;
+        };
+    });
+}
+
+}  // namespace psicarve::session

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "hmi/piece/job_piece.hpp"
+#include "hmi/session/mesh_scene.hpp"
+#include "hmi/session/phrase.hpp"
+#include "shared/profile.hpp"
+
+namespace psicarve::session {
+
+/// How a piece is drawn.
+struct PieceScenePlan {
+    std::size_t most_round = 480;  ///< vertices; of a finer piece each tells the worst of its cells
+    std::size_t most_up = 400;
+    std::size_t coarse_step = 2;    ///< every so many vertices in the coarse facets
+    std::uint32_t neutral_rgb = 0;  ///< within a pulse of the model
+    std::uint32_t blank_rgb = 0;    ///< what no layer carves
+};
+
+/// The piece that is to be expected, as an operator looks at it. Lengths in mm.
+struct PieceSight {
+    /// Coloured by the deviation from the model, where there is one, else by radius. Its middle is the middle
+    /// of the blank on the axis; upright.
+    std::shared_ptr<const MeshScene> scene;
+    bool has_model = false;  ///< to be compared with
+    double reach_mm = 0.0;   ///< deviation: the colour scale's end on either side
+    double pulse_mm = 0.0;   ///< deviation: neutral within this
+    double least_mm = 0.0;   ///< radius: the colour scale's ends
+    double most_mm = 0.0;
+    std::optional<double> draft_allowance_mm;  ///< it is a draft, whose tips were kept this much further out
+    std::optional<piece::PieceDeviation> deviation;  ///< without its places
+    double within_pulse_share = 0.0;
+    double removed_mm3 = 0.0;
+};
+
+/// `pulse_mm`: of a head.
+PieceSight look_at_piece(const piece::JobPiece& piece, double pulse_mm, const PieceScenePlan& plan);
+
+/// What is to be told of it, a line each.
+std::vector<Phrase> piece_lines(const PieceSight& sight);
+
+/// Between what a piece to be expected can be made of, and why it cannot be.
+enum class PieceSource : std::uint8_t { none, job, draft };
+struct PieceChoice {
+    PieceSource source = PieceSource::none;
+    Phrase reason;  ///< why there is none
+};
+/// Of what is open: a job's tables tell the piece; before there are any a draft does, of a mesh and a tool
+/// that has a size. Engraved lines have the tool's shape only in their tables.
+PieceChoice piece_choice(bool has_job, bool has_mesh, bool is_engraved, ToolShape tool);
+
+}  // namespace psicarve::session

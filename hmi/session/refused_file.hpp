@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "hmi/session/phrase.hpp"
+
+namespace psicarve::session {
+
+/// A file that was to be opened and could not be.
+struct RefusedFile {
+    std::string path;
+    Phrase why;
+};
+
+}  // namespace psicarve::session

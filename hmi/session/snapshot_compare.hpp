@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hmi/session/message_log.hpp"
+#include "hmi/session/work_lane.hpp"
+
+namespace psicarve::session {
+
+/// What differs between two files, as a window shows it.
+struct DifferenceRow {
+    Phrase what;
+    Phrase a;
+    Phrase b;
+};
+struct Comparison {
+    std::string path_a;
+    std::string path_b;
+    std::vector<DifferenceRow> rows;  ///< empty: nothing differs
+};
+
+/// Compares two snapshots or jobs, as `psicarve snapshot diff` does, on a thread of its own. One thread, the
+/// owner's.
+class SnapshotCompare {
+public:
+    explicit SnapshotCompare(MessageLog& log) : log_(log) {}
+
+    void compare(const std::string& path_a, const std::string& path_b);
+    bool is_comparing() const noexcept { return is_comparing_; }
+    /// At screen rate.
+    void poll() { lane_.deliver(); }
+    /// What came of the last one, once.
+    std::shared_ptr<const Comparison> take() noexcept { return std::move(done_); }
+
+private:
+    MessageLog& log_;
+    bool is_comparing_ = false;
+    std::shared_ptr<const Comparison> done_;
+    WorkLane lane_{WorkLane::Haste::background};  // last: its thread uses the others
+};
+
+/// "layers", "profile axis.r1.speed_mm_s" ... as the command line names it.
+Phrase difference_phrase(const std::string& what);
+
+}  // namespace psicarve::session

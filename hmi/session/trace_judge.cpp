@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/trace_judge.hpp"
+
+#include <filesystem>
+#include <utility>
+
+#include "hmi/session/display_text.hpp"
+#include "hmi/session/error_phrase.hpp"
+#include "hmi/session/machine_sight.hpp"
+
+namespace psicarve::session {
+namespace {
+
+Result<std::shared_ptr<const Judgement>> judged(const std::string& path,
+                                                const std::shared_ptr<const cam::PreparedJob>& job,
+                                                const std::atomic<bool>& cancels) {
+    const auto trace = verify::open_trace(path);
+    if (!trace) return trace.error();
+    auto verifier = verify::Verifier::make(job->view, job->profile);
+    if (!verifier) return verifier.error();
+    auto kept = std::make_shared<verify::Verifier>(std::move(*verifier));
+    auto report = verify::verify_trace(*kept, **trace, [&cancels] { return !cancels.load(); });
+    if (!report) return report.error();
+    return std::make_shared<const Judgement>(Judgement{path, job, std::move(*report), std::move(kept)});
+}
+
+}  // namespace
+
+void TraceJudge::judge(const std::string& path, std::shared_ptr<const cam::PreparedJob> job) {
+    if (is_judging_ || !job) return;
+    is_judging_ = true;
+    cancels_.store(false);
+    log_.add(Severity::info, phrase("Verifying %1", std::filesystem::path{path}.filename().string()));
+    lane_.post([this, path, job = std::move(job)]() -> WorkLane::Finish {
+        const auto judgement = judged(path, job, cancels_);
+        if (!judgement) {
+            return [this, why = judgement.error()] {
+                is_judging_ = false;
+                const bool is_wish = why.code == ErrorCode::cancelled;
+                log_.add(is_wish ? Severity::info : Severity::warning, error_phrase(why.message));
+            };
+        }
+        return [this, done = *judgement] {
+            is_judging_ = false;
+            done_ = done;
+            const bool is_good = done->report.ok;
+            log_.add(is_good ? Severity::info : Severity::warning,
+                     is_good ? phrase("Verified: the pins carve the job, largest deviation %1 pulses",
+                                      std::to_string(done->report.max_deviation_pulses))
+                             : phrase("Verification found a difference"));
+        };
+    });
+}
+
+std::vector<VerdictRow> verdict_rows(const verify::VerifyReport& report) {
+    const verify::Offence* const first = report.first_offence();
+    std::vector<VerdictRow> rows{
+        {phrase("Verified"), report.ok ? phrase("yes") : phrase("NO")},
+        {phrase("Points visited"),
+         phrase("%1 of %2", counted(report.points_visited), counted(report.points_total))},
+        {phrase("Largest deviation"), phrase("%1 pulses", count_text(report.max_deviation_pulses))},
+        {phrase("Surface that no tip reached"), phrase("%1 cells", counted(report.uncarved_cells))},
+        {phrase("Carving time"), phrase("%1", clock_text(report.carve_seconds))}};
+    for (const Axis axis : kAllAxes)
+        rows.push_back({phrase("Pulses of %1", axis_letter(axis)),
+                        phrase("%1", counted(report.pulses[index_of(axis)]))});
+    if (first != nullptr) rows.push_back({phrase("First difference"), phrase("%1", first->sentence)});
+    return rows;
+}
+
+}  // namespace psicarve::session

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hmi/cam/prepared_job.hpp"
+#include "hmi/session/message_log.hpp"
+#include "hmi/session/work_lane.hpp"
+#include "hmi/verify/verifier.hpp"
+
+namespace psicarve::session {
+
+/// What a trace came to when it was held against its job.
+struct Judgement {
+    std::string path;
+    std::shared_ptr<const cam::PreparedJob> job;
+    verify::VerifyReport report;
+    std::shared_ptr<const verify::Verifier> verifier;  ///< for its carved surface
+};
+
+/// Judges a pin trace against a job, as `psicarve verify` does, on a thread of its own. One thread, the
+/// owner's.
+class TraceJudge {
+public:
+    explicit TraceJudge(MessageLog& log) : log_(log) {}
+    ~TraceJudge() { cancel(); }
+
+    void judge(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
+    void cancel() noexcept { cancels_.store(true); }
+    bool is_judging() const noexcept { return is_judging_; }
+    /// At screen rate.
+    void poll() { lane_.deliver(); }
+    /// What came of the last one, once.
+    std::shared_ptr<const Judgement> take() noexcept { return std::move(done_); }
+
+private:
+    MessageLog& log_;
+    bool is_judging_ = false;
+    std::atomic<bool> cancels_{false};
+    std::shared_ptr<const Judgement> done_;
+    WorkLane lane_{WorkLane::Haste::background};  // last: its thread uses the others
+};
+
+struct VerdictRow {
+    Phrase name;
+    Phrase value;
+};
+std::vector<VerdictRow> verdict_rows(const verify::VerifyReport& report);
+
+}  // namespace psicarve::session

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "hmi/slice/slicer.hpp"
+#include "hmi/tool/tool.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::tool {
+
+/// A surface by samples: row after row, columns at 2 pi i / column_count, rows `row_pitch` apart.
+struct SampledRadii {
+    std::size_t row_count = 0;
+    std::size_t column_count = 0;
+    double row_pitch = 0.0;
+    std::span<const float> radius;  ///< 0: no surface
+};
+
+/// Every how many rows and columns a place is searched; {1, 1}: all of them.
+struct Stride {
+    std::size_t rows = 1;
+    std::size_t columns = 1;
+};
+
+/// The tip's radius in each sample's direction and height,
+///
+///     allowance + max of r cos(D) - h(s),   s = hypot(r sin(D), y - y0) <= R,   |D| < 90 degrees
+///
+/// over all samples (r, D from the column, y) alone, at least 0: fast whatever the mesh was, and too deep by
+/// what lies between samples, for which the allowance is there. Between places that are searched a tip
+/// stands as far out as any could by those beside it, or further; of a vee all are searched. In single
+/// precision: to about 1e-6 of the radii, and where a tool's rim touches to the square root of that. Requires
+/// a tool that has a size, at least one row and 4 columns. ErrorCode::cancelled, out_of_room.
+Result<std::vector<float>> dilated(const SampledRadii& surface, const Tool& tool, Stride stride,
+                                   double allowance, const slice::SliceOptions& options);
+
+/// So far apart that a round tool's end is hardly bent between: a twelfth of its radius. Requires a sample.
+Stride draft_stride(const SampledRadii& surface, const Tool& tool);
+
+/// An allowance for what a smooth surface does between its samples under a ball or a flat tool: by how they
+/// are bent, and how a ball sinks in between. Where a surface steps from one sample to the next no allowance
+/// would do; such places are left out. Enough for this share of the samples; 1: for all.
+double sample_allowance(const SampledRadii& surface, const Tool& tool, double share);
+
+}  // namespace psicarve::tool

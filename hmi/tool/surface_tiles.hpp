@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace psicarve::tool {
+
+struct SampledRadii;
+
+/// Squares of so many samples a side, fewer at the upper edge and before the seam, row after row. All samples
+/// of a tile lie within `reach` of its place, and within `bulge` of the plane through that with its normal.
+struct SurfaceTiles {
+    SurfaceTiles(const SampledRadii& surface, std::size_t side, unsigned thread_count);
+
+    std::size_t side;
+    std::size_t row_count;
+    std::size_t column_count;
+    std::vector<float> x, y, z;
+    std::vector<float> normal_x, normal_y, normal_z;
+    std::vector<float> bulge;
+    std::vector<float> reach;         ///< negative: there is no surface
+    std::vector<float> least_radius;  ///< of any sample, by row of tiles; 0 where there is none
+
+private:
+    void fill(const SampledRadii& surface, std::size_t first_row, std::size_t end_row);
+};
+
+}  // namespace psicarve::tool

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QDialog>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "hmi/session/calibration_form.hpp"
+#include "hmi/ui/action_button.hpp"
+#include "hmi/ui/bench.hpp"
+
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QStackedWidget;
+class QTableWidget;
+
+namespace psicarve::ui {
+
+/// Asks for what is measured at the heads, step by step, shows what it makes of the machine's profile, and
+/// writes that. Stays open beside the window, whose panels bring the heads to the pin.
+class CalibrationDialog : public QDialog {
+    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CalibrationDialog)
+public:
+    /// `written` is called once the profile's file is another.
+    CalibrationDialog(Bench& bench, std::function<void()> written, QWidget* parent = nullptr);
+
+    /// Begins anew with the profile in this file; a message when it cannot be read.
+    void open_for(const std::string& path);
+    void refresh();
+
+private:
+    struct Step {
+        QLineEdit* diameter = nullptr;
+        QLineEdit* counted = nullptr;
+        QLineEdit* around = nullptr;
+        QLineEdit* up = nullptr;
+        QLineEdit* wear = nullptr;
+        QLabel* outcome = nullptr;
+    };
+    static constexpr std::size_t kSteps = profile::kCalibrationSteps.size();
+
+    QWidget* make_step(std::size_t index);
+    QWidget* make_overview();
+    QLayout* make_buttons();
+    QLineEdit* add_field(QGridLayout& grid, const QString& name, const QString& id);
+    void take_place(Axis head, QLineEdit& field);
+    void reckon();
+    void show_step(int index);
+    void show_changes();
+    void write();
+
+    Bench& bench_;
+    std::function<void()> written_;
+    profile::ProfileDraft opened_;
+    std::optional<Profile> on_file_;
+    std::array<Step, kSteps> steps_{};
+    session::CalibrationOutcome outcome_;
+    std::vector<ActionButton*> here_;
+    QLabel* title_;
+    QLabel* file_;
+    QStackedWidget* pages_;
+    QTableWidget* changes_;
+    QLabel* reason_;
+    QPushButton* back_;
+    QPushButton* next_;
+    ActionButton* write_;
+};
+
+}  // namespace psicarve::ui

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QObject>
+#include <QTimer>
+
+#include "hmi/session/snapshot_compare.hpp"
+
+class QAction;
+class QMenu;
+class QWidget;
+
+namespace psicarve::ui {
+
+/// The menu entry that compares two snapshots or jobs, and shows what came of it.
+class CompareTool : public QObject {
+    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CompareTool)
+public:
+    /// Files are first looked for in `folder`. The window owns it.
+    CompareTool(session::MessageLog& log, QString folder, QMenu& menu, QWidget* window);
+
+    void compare(const std::string& path_a, const std::string& path_b);
+
+private:
+    void choose();
+    void look();
+
+    QWidget* window_;
+    QString folder_;
+    QAction* action_;
+    QTimer timer_;
+    session::SnapshotCompare compare_;
+};
+
+}  // namespace psicarve::ui

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/job_facts_view.hpp"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include "hmi/session/display_text.hpp"
+#include "hmi/session/job_facts.hpp"
+#include "hmi/ui/frames.hpp"
+#include "hmi/ui/words.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+constexpr const char* kSourceRows[] = {"job_bound", "job_source", "job_joining", "job_undercut", "job_open"};
+
+const QString kNotKnown = QStringLiteral("–");
+
+QString number(double value, int decimals) {
+    return QString::fromStdString(session::number_text(value, decimals));
+}
+
+/// "12.0 mm, r ≤ 28.9"
+QString size_text(const cam::PreparedJob& job) {
+    const auto heights = job.view.layer_heights_pulses().subspan(job.view.finishing_layer());
+    const double y_per_mm = axis_motion(job.profile, Axis::y).pulses_per_unit;
+    const double rise_mm = mm_from_pulses(heights.back() - heights.front(), y_per_mm);
+    const double r1_per_mm = axis_motion(job.profile, Axis::r1).pulses_per_unit;
+    const double most_mm = mm_from_pulses(job.view.max_radius_pulses(Axis::r1), r1_per_mm);
+    return JobFactsView::tr("%1 mm, r ≤ %2").arg(number(rise_mm, 1), number(most_mm, 1));
+}
+
+}  // namespace
+
+JobFactsView::JobFactsView(Bench& bench, QWidget* parent)
+    : QWidget(parent), bench_(bench), grid_(new QGridLayout{this}) {
+    grid_->setContentsMargins(0, 0, 0, 0);
+    grid_->setVerticalSpacing(1);
+    counts_ = add_row(tr("Layers × points"), "job_counts").value;
+    size_ = add_row(tr("Height, radius"), "job_size").value;
+    pass_ = add_row(tr("Pass"), "job_pass");
+    time_ = add_row(tr("Time"), "job_time").value;
+    reference_ = add_row(tr("T_ref"), "reference").value;
+    reference_->setToolTip(tr("The least time that the motors' limits allow for the whole job"));
+    for (const char* id : kSourceRows) source_rows_.push_back(add_row({}, id));
+    set_room(Room::usual);
+}
+
+JobFactsView::Row JobFactsView::add_row(const QString& name, const char* id) {
+    const Row row{role_label("label", name), new QLabel};
+    row.value->setAlignment(Qt::AlignRight);
+    row.value->setObjectName(id);
+    const int line = grid_->rowCount();
+    grid_->addWidget(row.name, line, 0);
+    grid_->addWidget(row.value, line, 1);
+    return row;
+}
+
+void JobFactsView::set_room(Room room) {
+    is_wide_ = room == Room::wide;
+    for (const Row& row : source_rows_) {
+        row.name->setVisible(is_wide_);
+        row.value->setVisible(is_wide_);
+    }
+}
+
+void JobFactsView::show_job(const replay::JobPointer& job) {
+    const bool is_replay = bench_.replay.is_open();
+    show_source(job);
+    if (job) {
+        counts_->setText(QString{"%1 × %2"}.arg(job->view.layer_count()).arg(job->view.point_count()));
+        return size_->setText(size_text(*job));
+    }
+    const bool has_mesh = !is_replay && bench_.desk.mesh() != nullptr;
+    counts_->setText(has_mesh ? tr("not sliced") : is_replay ? tr("not recorded") : tr("open a model"));
+    size_->setText(kNotKnown);
+}
+
+void JobFactsView::show_source(const replay::JobPointer& job) {
+    std::vector<session::FactRow> facts;
+    if (job) {
+        const auto mesh = bench_.desk.mesh();
+        const bool is_of_mesh =
+            !bench_.replay.is_open() && mesh && mesh->source_name == job->view.source_name();
+        facts = session::fact_rows(session::job_facts(job->view), is_of_mesh ? bench_.desk.mesh_bytes() : 0);
+        facts.insert(facts.begin(), {session::phrase("Bound by"), session::bound_phrase(job->least)});
+    }
+    for (std::size_t i = 0; i < source_rows_.size(); ++i) {
+        source_rows_[i].name->setText(i < facts.size() ? words(facts[i].name) : QString{});
+        source_rows_[i].value->setText(i < facts.size() ? words(facts[i].value) : QString{});
+    }
+}
+
+void JobFactsView::show_times(const replay::JobPointer& job) {
+    const bool is_replay = bench_.replay.is_open();
+    const bool is_cores_job = is_replay || (job && job == bench_.desk.core_job());
+    const session::JobTimes times =
+        session::job_times(bench_.shown(), is_cores_job, job && !is_replay ? job->least.total() : 0.0,
+                           is_replay ? std::nullopt : bench_.estimate.planned(job));
+    const session::MachineSight& sight = bench_.shown();
+    const bool is_carved = is_cores_job && sight.status && runs_job(sight.state());
+    const auto layer = is_carved ? std::optional{sight.status->layer} : std::nullopt;
+    const session::Phrase pass = job ? session::pass_phrase(job->view, layer) : session::Phrase{};
+    pass_.value->setText(words(pass));
+    for (QLabel* label : {pass_.name, pass_.value}) label->setVisible(!pass.is_empty());
+    time_->setText(times.time.is_empty() ? kNotKnown : words(times.time));
+    time_->setToolTip(times.is_least
+                          ? tr("By feed and top speeds alone; it is planned while the machine is at rest")
+                          : QString{});
+    reference_->setText(times.reference.is_empty() ? kNotKnown : words(times.reference));
+}
+
+}  // namespace psicarve::ui

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the window stands and what becomes of it when it goes.
+#include <QApplication>
+#include <QScreen>
+#include <QTabWidget>
+#include <QTimer>
+
+#include <algorithm>
+#include <array>
+
+#include "hmi/ui/main_window.hpp"
+#include "hmi/ui/place_keeper.hpp"
+#include "hmi/ui/side_panels.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+// In the order of the tabs.
+constexpr std::array<const char*, 7> kPageNames{"model",    "layers",   "carving", "ports",
+                                                "realtime", "messages", "profile"};
+
+}  // namespace
+
+void MainWindow::take_place() {
+    const FirstPlace first = first_place(screen()->availableSize());
+    resize(first.size);
+    const bool has_place = restoreGeometry(settings_.geometry());
+    if (!has_place && first.is_maximised) setWindowState(Qt::WindowMaximized);
+}
+
+void MainWindow::go_to_last_page() {
+    const QString page = settings_.page();
+    const auto found = std::find_if(kPageNames.begin(), kPageNames.end(),
+                                    [&page](const char* name) { return page == QLatin1StringView{name}; });
+    if (found != kPageNames.end()) tabs_->setCurrentIndex(static_cast<int>(found - kPageNames.begin()));
+}
+
+/// Whatever ends the program.
+void MainWindow::keep_place() {
+    place_keeper_ = std::make_unique<PlaceKeeper>([this] { write_place(); });
+    place_keeper_->watch(*this);
+    for (std::size_t i = 0; i < SidePanels::kCount; ++i) {
+        if (sides_->is_floating(i)) place_keeper_->watch(sides_->frame(i));
+    }
+    connect(tabs_, &QTabWidget::currentChanged, place_keeper_.get(), [this] { place_keeper_->keep_soon(); });
+    // The desktop ends without asking once more.
+    connect(qApp, &QGuiApplication::commitDataRequest, this, [this] { write_place(); });
+}
+
+void MainWindow::write_place() {
+    settings_.set_geometry(saveGeometry());
+    const auto page = static_cast<std::size_t>(tabs_->currentIndex());
+    if (page < kPageNames.size()) settings_.set_page(kPageNames[page]);
+    keep_panel_places();
+    settings_.write();
+}
+
+void MainWindow::leave() {
+    let_go();
+    bench_.desk.cancel();
+    write_place();
+    place_keeper_.reset();
+    timer_.stop();
+}
+
+/// The core may take its time, or hang: the window goes on meanwhile, and stays when it was not heard.
+void MainWindow::close_once_held() {
+    bench_.log.add(session::Severity::info,
+                   session::phrase("Hold asked for: the window closes once the core has taken it"));
+    bench_.machine.order_and_tell(CommandKind::hold, [this](bool was_taken) {
+        // What has come to rest meanwhile needs no hold.
+        closes_held_ = was_taken || (bench_.machine.sight().is_heard() && !is_under_way());
+        if (closes_held_) return QTimer::singleShot(0, this, [this] { close(); });
+        bench_.log.add(session::Severity::warning,
+                       session::phrase("The window stays open: the core has not taken the hold"),
+                       session::phrase("Use the switch on the machine to stop it"));
+    });
+}
+
+}  // namespace psicarve::ui

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "hmi/verify/path_rule.hpp"
+#include "shared/profile.hpp"
+
+namespace psicarve::verify {
+
+/// Stands before rule 1 and keeps from it what a hold does on a machine that lifts its heads then: after a
+/// rest both go outwards together, table and Y still, come back to the very pulse, and rest again. A slow
+/// carving over a crest looks the same: so only what rule 1 would object to is kept from it, and whatever is
+/// not wholly such a lift is handed on as it was.
+class LiftFilter {
+public:
+    /// On a machine that does not lift all is handed on.
+    LiftFilter(PathRule& path, const Profile& profile) noexcept;
+
+    void begin(const Positions& positions, bool spindle_on);
+    /// As PathRule's, as are the next two.
+    void settle(std::int64_t time_ns, const Positions& positions, bool spindle_on);
+    void redefine(std::int64_t time_ns, const Positions& positions);
+    void finish(std::int64_t time_ns);
+
+private:
+    struct Instant {
+        std::int64_t time_ns;
+        Positions positions;
+        bool spindle_on;
+    };
+    bool goes_on_with_lift(const Instant& instant) const noexcept;
+    bool is_back() const noexcept { return held_.back().positions == base_.positions; }
+    bool went_together() const noexcept;
+    bool is_objected_to();
+    void take(const Instant& instant);
+    void look_again(const Instant& instant);
+    void hand_on();
+
+    /// How a head lifts, in pulses.
+    struct Head {
+        std::int64_t lift = 0;
+        std::int64_t travel_max = 0;
+        std::int64_t backlash = 0;
+    };
+
+    PathRule& path_;
+    bool lifts_;
+    std::array<Head, kHeadCount> heads_;
+    Instant last_{};
+    Instant base_{};             ///< where the heads went out from
+    std::vector<Instant> held_;  ///< since then: a lift, or not, nobody knows yet
+    std::deque<Instant> waiting_;
+};
+
+}  // namespace psicarve::verify

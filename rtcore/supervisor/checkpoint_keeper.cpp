@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/checkpoint_keeper.hpp"
+
+#include <algorithm>
+
+#include "shared/machine_state.hpp"
+#include "shared/shared_record.hpp"
+
+namespace psicarve::supervisor {
+
+void CheckpointKeeper::note(SegmentHeader& header, const cycle::Sample& sample,
+                            const LoadedJob* job) noexcept {
+    if (job == nullptr || !is_carving_of(sample, *job)) return;
+    if (begun_tick_ != run_start_tick_) begin_run(header, sample.first_layer, *job);
+    if (leaves_gap_) return;
+    const std::uint64_t layers_done =
+        std::max<std::uint64_t>(carved_before_, sample.points_done / job->view.point_count());
+    const auto next_layer =
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(layers_done, job->view.layer_count()));
+    if (written_job_ == job->generation && written_ && written_->next_layer == next_layer) return;
+    written_ = checkpoint_at(job->checksum, next_layer, job->view.layer_count());
+    written_job_ = job->generation;
+    write_record(header.checkpoint, *written_);
+}
+
+void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t first_layer,
+                                 const LoadedJob& job) noexcept {
+    begun_tick_ = run_start_tick_;
+    carved_before_ = 0;
+    leaves_gap_ = false;
+    if (first_layer == 0) return;
+    const auto before = read_record(header.checkpoint);
+    const bool is_known = before && is_checkpoint(*before) && before->job_checksum == job.checksum &&
+                          before->layer_count == job.view.layer_count() && before->next_layer != 0;
+    if (!is_known) return;  // whoever begins there knows of the layers before
+    carved_before_ = before->next_layer;
+    leaves_gap_ = first_layer > carved_before_;
+}
+
+void CheckpointKeeper::write_anew(SegmentHeader& header) const noexcept {
+    if (written_) write_record(header.checkpoint, *written_);
+}
+
+// Ticks and points of a run stay in the sample after its end, also when the next job is loaded.
+bool CheckpointKeeper::is_carving_of(const cycle::Sample& sample, const LoadedJob& job) noexcept {
+    if (sample.job_generation != job.generation) return false;
+    if (runs_job(sample.state)) {
+        run_generation_ = sample.job_generation;
+        run_start_tick_ = sample.job_start_tick;
+    }
+    return run_generation_ == sample.job_generation && run_start_tick_ == sample.job_start_tick &&
+           sample.carve_first_tick != 0 && sample.is_dry == 0;
+}
+
+}  // namespace psicarve::supervisor

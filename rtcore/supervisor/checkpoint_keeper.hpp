@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "rtcore/cycle/cycle_io.hpp"
+#include "rtcore/supervisor/loaded_job.hpp"
+#include "shared/checkpoint.hpp"
+#include "shared/layout.hpp"
+
+namespace psicarve::supervisor {
+
+/// Writes into the segment how far a carving has come, a layer at a time, while it carves and as it ends in
+/// whatever way. A run of the whole job begins anew: what was carved before it is another piece's. One that
+/// begins with a later layer goes on from where the checkpoint stands, if it leaves no layer out; one that
+/// does leaves the checkpoint at the first layer that is not carved. The supervisor's thread.
+class CheckpointKeeper {
+public:
+    void note(SegmentHeader& header, const cycle::Sample& sample, const LoadedJob* job) noexcept;
+    /// Another job is at hand: a new segment gives generations that were given before.
+    void note_new_job() noexcept { run_generation_ = 0; }
+    /// The segment was replaced: the new one holds no checkpoint yet.
+    void write_anew(SegmentHeader& header) const noexcept;
+
+private:
+    bool is_carving_of(const cycle::Sample& sample, const LoadedJob& job) noexcept;
+    void begin_run(const SegmentHeader& header, std::uint64_t first_layer, const LoadedJob& job) noexcept;
+
+    std::uint64_t run_generation_ = 0;  ///< of the run seen last, and when it was started
+    std::uint64_t run_start_tick_ = 0;
+    std::uint64_t begun_tick_ = 0;     ///< of the run that these are of
+    std::uint32_t carved_before_ = 0;  ///< layers, without a gap
+    bool leaves_gap_ = false;
+    std::uint64_t written_job_ = 0;  ///< generation
+    std::optional<Checkpoint> written_;
+};
+
+}  // namespace psicarve::supervisor

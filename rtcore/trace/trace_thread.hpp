@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "rtcore/trace/trace_entry.hpp"
+#include "rtcore/trace/trace_writer.hpp"
+#include "shared/event.hpp"
+
+namespace psicarve::trace {
+
+/// One trace, written by a low-priority thread of its own: a disk or a pipe's reader that stands still keeps
+/// nobody but this trace waiting, nor does a computer that is busy: there is no mutex for it to hold. All
+/// methods are those of the one thread that hands over entries.
+///
+///     tick ── TraceRing ──> supervisor ── TraceRing of each trace ──> its thread ── write() ──> file, pipe
+///                                         full: room() says so
+class TraceThread {
+public:
+    explicit TraceThread(std::unique_ptr<TraceWriter> writer);
+    /// Without finish() the trace is left without its end. Never waits long: what hangs is left to the end of
+    /// the process.
+    ~TraceThread();
+    TraceThread(const TraceThread&) = delete;
+    TraceThread& operator=(const TraceThread&) = delete;
+
+    std::size_t room() const noexcept { return TraceRing::capacity() - shared_->ring.size(); }
+    /// False when there is no room. It is not written before wake().
+    bool put(const TraceEntry& entry) noexcept { return shared_->ring.push(entry); }
+    void wake();
+    /// Also hand what has gathered to the operating system, once all is written.
+    void flush();
+
+    /// Nothing more comes. A trace that is not whole is left without its end. Then wait, as often as need be.
+    void finish(std::uint64_t end_tick, bool is_whole);
+    bool wait_until_finished(std::chrono::milliseconds limit);
+    /// So much has not been written yet.
+    std::size_t left() const noexcept { return shared_->ring.size(); }
+    /// So much of what has been written was taken.
+    std::uint64_t written_bytes() const noexcept { return written_bytes_->load(std::memory_order_relaxed); }
+
+    /// The first failed write, once.
+    std::optional<Error> take_error();
+
+private:
+    struct Shared {
+        TraceRing ring;
+        std::unique_ptr<TraceWriter> writer;  ///< the thread's
+        EventWord told;                       ///< of each of the following four
+        std::atomic<bool> must_flush{false};
+        std::atomic<bool> must_finish{false};
+        std::atomic<bool> must_drop{false};
+        std::uint64_t end_tick = 0;  ///< as is_whole, written before must_finish
+        bool is_whole = true;
+        std::optional<Error> error;  ///< the first one, written before has_error
+        std::atomic<bool> has_error{false};
+        std::atomic<bool> has_finished{false};
+        EventWord finished;
+    };
+    static void run(Shared& shared);
+    static void note_error(Shared& shared);
+
+    std::shared_ptr<Shared> shared_;
+    TraceWriter::WrittenBytes written_bytes_;
+    bool is_error_taken_ = false;
+    std::thread thread_;
+};
+
+}  // namespace psicarve::trace

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include "shared/result.hpp"
+
+namespace psicarve {
+
+/// How far the last carving has come, so that it goes on after whatever ended it. Stands in the segment,
+/// outlives the core that wrote it, and is told from garbage by its own checksum.
+struct Checkpoint {
+    std::uint64_t job_checksum;  ///< XXH3 over the job's blob
+    std::uint32_t next_layer;    ///< all before it, from where the run began, are carved
+    std::uint32_t layer_count;   ///< of the job
+    std::uint64_t check;         ///< XXH3 over the fields before; all 0: no checkpoint
+};
+static_assert(sizeof(Checkpoint) == 24 && std::is_trivially_copyable_v<Checkpoint>, "bump kLayoutVersion");
+
+Checkpoint checkpoint_at(std::uint64_t job_checksum, std::uint32_t next_layer,
+                         std::uint32_t layer_count) noexcept;
+
+/// Whether it is one at all: neither empty nor damaged.
+bool is_checkpoint(const Checkpoint& checkpoint) noexcept;
+
+/// The layer with which this job goes on. Refused (machine_refused) with the reason: nothing was carved,
+/// damaged, of another job, no layer finished, all finished. `copied` is a copy nobody else can change;
+/// nothing: it could not be read.
+Result<std::uint32_t> layer_to_resume(const std::optional<Checkpoint>& copied, std::uint64_t job_checksum,
+                                      std::uint32_t layer_count);
+
+}  // namespace psicarve

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace psicarve {
+
+/// In the value of a start in the flight recorder: it was a dry run.
+inline constexpr std::uint64_t kRecordedDryRun = std::uint64_t{1} << 63U;
+
+/// In the same value: the first layer that is carved; 0: the job from its beginning.
+inline constexpr std::uint64_t kRecordedFirstLayer = 0xffff'ffffU;
+
+}  // namespace psicarve

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How long a command takes from the call that sends it until the pins of a port show its effect, and until it
+// is answered; beside
+// it, in turns, how long a process takes to wake by the segment's own event. Target: one tick, and 1.5 times
+// the wake-up. The port is a preloaded library that notes when it was written; `period_us` may be given.
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shared/atomic_file.hpp"
+#include "shared/event.hpp"
+#include "shared/pin_map.hpp"
+#include "shared/segment.hpp"
+#include "shared/shared_record.hpp"
+#include "tests/fake_port/fake_port_file.hpp"
+#include "tests/two_process/core_process.hpp"
+
+namespace {
+
+using namespace psicarve;
+using std::chrono::milliseconds;
+
+constexpr int kRounds = 1000;
+constexpr milliseconds kPatience{5000};
+
+std::int64_t now_ns() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+void pause_between(int round) {
+    // Never in step with ticks or with the supervisor's own looks: nor by waking with the tick's own timer,
+    // which an ordinary thread's would be put off to.
+    prctl(PR_SET_TIMERSLACK, 1);
+    std::this_thread::sleep_for(std::chrono::microseconds{2000 + round * 37 % 3000});
+}
+
+/// A process that does nothing but wake up.
+class Sleeper {
+public:
+    Sleeper() {
+        void* const memory =
+            mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        shared_ = new (memory) Shared{};
+        pid_ = fork();
+        if (pid_ == 0) sleep_for_ever();
+    }
+    ~Sleeper() {
+        kill(pid_, SIGKILL);
+        waitpid(pid_, nullptr, 0);
+    }
+    Sleeper(const Sleeper&) = delete;
+    Sleeper& operator=(const Sleeper&) = delete;
+
+    double wake_us() {
+        const std::uint64_t before = shared_->count.load();
+        const std::int64_t begin_ns = now_ns();
+        event_signal(shared_->event);
+        while (shared_->count.load() == before) std::this_thread::sleep_for(std::chrono::microseconds{200});
+        return static_cast<double>(shared_->woke_ns.load() - begin_ns) * 1e-3;
+    }
+
+private:
+    struct Shared {
+        EventWord event{};
+        std::atomic<std::int64_t> woke_ns{0};
+        std::atomic<std::uint64_t> count{0};
+    };
+    [[noreturn]] void sleep_for_ever() {
+        // From the first on, however late this process begins. The count that a wake-up has seen is taken
+        // before it is told: what comes next counts from there.
+        for (std::uint32_t seen = 0;;) {
+            if (!event_wait_past(shared_->event, seen, kPatience)) continue;
+            shared_->woke_ns.store(now_ns());
+            seen = event_count(shared_->event);
+            shared_->count.fetch_add(1);
+        }
+    }
+    Shared* shared_;
+    pid_t pid_;
+};
+
+double percentile(std::vector<double> values, double share) {
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+/// The core on the fake port, homed.
+class Bench {
+public:
+    Bench(std::string folder, double period_us) : folder_(std::move(folder)), profile_(machine(period_us)) {
+        const std::string text = profile_to_toml(profile_);
+        const std::string path = folder_ + "/machine.toml";
+        (void)write_file_atomically(path, std::as_bytes(std::span{text}));
+        port_ = std::make_unique<fake_port::FakePortFile>(folder_, profile_);
+        const fake_port::FakePortFile::Preload preload{*port_};
+        core_ = std::make_unique<two_process::CoreProcess>(
+            std::vector<std::string>{"--segment", name_, "--profile", path, "--port",
+                                     "ppdev:" + port_->device(), "--capacity", "10x10",
+                                     "--allow-no-realtime"},
+            folder_ + "/core.err");
+    }
+    ~Bench() {
+        core_->send_signal(SIGTERM);
+        core_->wait_for_exit();
+        (void)Segment::remove(name_);
+    }
+
+    bool begin() {
+        for (int i = 0; i < 500 && !segment_; ++i) {
+            auto attached = Segment::attach(name_);
+            if (attached && attached->core_pid()) segment_ = std::make_unique<Segment>(std::move(*attached));
+            std::this_thread::sleep_for(milliseconds{10});
+        }
+        if (!segment_ || !send(CommandKind::home, 0.0)) return false;
+        for (int i = 0; i < 6000; ++i) {
+            const auto status = read_record(segment_->header().status);
+            if (status && status->state == MachineState::ready) return true;
+            if (status && status->state == MachineState::alarm) {
+                std::fprintf(stderr, "command_to_pins: alarm: %s\n",
+                             std::string{name_of(status->alarm_cause)}.c_str());
+                return false;
+            }
+            std::this_thread::sleep_for(milliseconds{10});
+        }
+        return false;
+    }
+    /// The spindle on, or off: what the pins show of it, after the call.
+    double effect_us(bool on) {
+        const std::uint64_t written = port_->state().write_count.load();
+        const std::int64_t begin_ns = now_ns();
+        if (!send(CommandKind::spindle, on ? 1.0 : 0.0)) return -1.0;
+        answered_us_ = static_cast<double>(now_ns() - begin_ns) * 1e-3;
+        const auto& state = port_->state();
+        for (int i = 0; i < 5000; ++i) {
+            const std::uint64_t count = state.write_count.load();
+            for (std::uint64_t n = written; n < count; ++n) {
+                const fake_port::Write& write = state.writes[n % fake_port::kMostWrites];
+                if (write.reg != spindle_.reg || (write.value >> spindle_.bit & 1U) != (on ? 1U : 0U))
+                    continue;
+                return (static_cast<double>(write.time_ns) - static_cast<double>(begin_ns)) * 1e-3;
+            }
+            std::this_thread::sleep_for(std::chrono::microseconds{200});
+        }
+        return -1.0;
+    }
+    /// How long the last one's answer took.
+    double answered_us() const { return answered_us_; }
+
+private:
+    static Profile machine(double period_us) {
+        Profile profile;
+        profile.tick.period_us = period_us;
+        profile.tick.missed_alarm_per_s = 0;
+        for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) {
+            axis->speed_mm_s = 4.0;
+            axis->home_speed_mm_s = 4.0;
+        }
+        profile.psi.speed_deg_s = 90.0;
+        return profile;
+    }
+    bool send(CommandKind kind, double value) {
+        Command command{};
+        command.kind = kind;
+        command.value = value;
+        return send_command(*segment_, command, kPatience).has_value();
+    }
+
+    std::string folder_;
+    std::string name_ = "/psicarve-bench-" + std::to_string(getpid());
+    Profile profile_;
+    std::unique_ptr<fake_port::FakePortFile> port_;
+    std::unique_ptr<two_process::CoreProcess> core_;
+    std::unique_ptr<Segment> segment_;
+    double answered_us_ = 0.0;
+    static constexpr fake_port::Wire spindle_{fake_port::Register::control, 2, 0};  // pin 16
+};
+
+int measure(double period_us) {
+    std::string folder = std::filesystem::temp_directory_path() / "psicarve-bench-XXXXXX";
+    if (mkdtemp(folder.data()) == nullptr) return 1;
+    std::vector<double> effects_us;
+    std::vector<double> wakes_us;
+    std::vector<double> answers_us;
+    {
+        Bench bench{folder, period_us};
+        if (!bench.begin()) {
+            std::fprintf(stderr, "command_to_pins: %s\n", two_process::text_of(folder + "/core.err").c_str());
+            return 1;
+        }
+        Sleeper sleeper;
+        for (int round = 0; round < kRounds; ++round) {
+            pause_between(round);
+            wakes_us.push_back(sleeper.wake_us());
+            pause_between(round);
+            const double effect_us = bench.effect_us(round % 2 == 0);
+            if (effect_us < 0.0) return 1;
+            effects_us.push_back(effect_us);
+            answers_us.push_back(bench.answered_us());
+        }
+    }
+    std::filesystem::remove_all(folder);
+    std::printf("command to pins, tick of %.0f us, %d rounds in turns with wake-ups\n", period_us, kRounds);
+    for (const double share : {0.5, 0.9, 0.99}) {
+        const double effect_us = percentile(effects_us, share);
+        const double wake_us = percentile(wakes_us, share);
+        std::printf(
+            "p%.0f: effect %.1f us, wake-up %.1f us; allowed %.1f us, of which it takes %.2f; answer %.1f "
+            "us\n",
+            100.0 * share, effect_us, wake_us, period_us + 1.5 * wake_us,
+            effect_us / (period_us + 1.5 * wake_us), percentile(answers_us, share));
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    return measure(count > 1 ? std::atof(words[1]) : 50.0);
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables of meshes that others made, at places taken by chance from a fixed seed, against the tool's
+// definition searched through all facets. Of the code that is judged it takes the reader alone.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <ostream>
+#include <random>
+#include <string>
+
+#include "hmi/model/load_mesh.hpp"
+#include "tests/hmi/cam/built_job.hpp"
+#include "tests/hmi/model/mesh_files.hpp"
+#include "tests/hmi/model/real_meshes.hpp"
+#include "tests/hmi/tool/brute_force.hpp"
+
+namespace psicarve::cam {
+namespace {
+
+constexpr std::uint32_t kMeshLayers = 60;
+constexpr std::uint32_t kMeshPoints = 160;
+constexpr double kHeight_mm = 24.0;
+constexpr int kPlaces = 40;  // of each head, mesh and tool
+
+struct Chosen {
+    std::string name;
+    test::RealMesh mesh;
+    slice::Up up;
+    std::uint32_t seed;
+
+    friend void PrintTo(const Chosen& chosen, std::ostream* out) { *out << chosen.mesh.path; }
+};
+
+/// How far a tool's flank stands behind its tip at s from its axis, as the formulas have it.
+double behind_tip(const ToolProfile& tool, double s) {
+    const double radius = 0.5 * tool.diameter_mm;
+    if (tool.shape == ToolShape::ball) return radius - std::sqrt(std::max(0.0, radius * radius - s * s));
+    return tool.shape == ToolShape::vee ? s / std::tan(0.5 * tool.angle_deg * std::acos(-1.0) / 180.0) : 0.0;
+}
+
+/// The mesh as it stands on the table [mm]: turned upright, its box's middle on the axis, its foot at 0.
+model::Mesh standing(const model::Mesh& mesh, slice::Up up) {
+    constexpr double kFar = std::numeric_limits<double>::max();
+    std::array<double, 3> least{kFar, kFar, kFar};
+    std::array<double, 3> most{-kFar, -kFar, -kFar};
+    const auto turned = [up](const auto& v) {
+        const double x = v[0], y = v[1], z = v[2];
+        return up == slice::Up::y ? std::array{z, x, y} : std::array{x, y, z};
+    };
+    for (const model::Triangle& facet : mesh.triangles) {
+        for (const auto& vertex : facet.vertices) {
+            const auto point = turned(vertex);
+            for (std::size_t k = 0; k < 3; ++k) {
+                least[k] = std::min(least[k], point[k]);
+                most[k] = std::max(most[k], point[k]);
+            }
+        }
+    }
+    const double scale = kHeight_mm / (most[2] - least[2]);
+    model::Mesh out;
+    for (const model::Triangle& facet : mesh.triangles) {
+        model::Triangle placed;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto point = turned(facet.vertices[i]);
+            placed.vertices[i] = {static_cast<float>(scale * (point[0] - 0.5 * (least[0] + most[0]))),
+                                  static_cast<float>(scale * (point[1] - 0.5 * (least[1] + most[1]))),
+                                  static_cast<float>(scale * (point[2] - least[2]))};
+        }
+        out.triangles.push_back(placed);
+    }
+    return out;
+}
+
+/// Facets above and below the tool, and those that do not reach out beyond the greatest tip so far, cannot
+/// lift it: they are left out.
+double tip_mm(const model::Mesh& mesh, const ToolProfile& tool, double direction_rad, double height_mm) {
+    const auto rise = [&tool](double s) { return behind_tip(tool, s); };
+    const brute::Shape<decltype(rise)> shape{0.5 * tool.diameter_mm, rise};
+    const double cosine = std::cos(direction_rad);
+    const double sine = std::sin(direction_rad);
+    const double low = height_mm - shape.radius;
+    const double high = height_mm + shape.radius;
+    double greatest = 0.0;
+    for (const model::Triangle& facet : mesh.triangles) {
+        const auto& [a, b, c] = facet.vertices;
+        if (a[2] < low && b[2] < low && c[2] < low) continue;
+        if (a[2] > high && b[2] > high && c[2] > high) continue;
+        const auto out = [cosine, sine](const std::array<float, 3>& v) {
+            return v[0] * cosine + v[1] * sine;
+        };
+        if (std::max({out(a), out(b), out(c)}) <= greatest) continue;
+        greatest = std::max(greatest, brute::tip_radius(facet, direction_rad, height_mm, shape));
+    }
+    return greatest;
+}
+
+class RealMeshOffset : public ::testing::TestWithParam<Chosen> {
+protected:
+    struct Figures {
+        int places = 0;
+        int above_core = 0;
+    };
+
+    void expect_exact(const model::Mesh& mesh, const ToolProfile& tool) {
+        Profile profile;
+        profile.tool = tool;
+        JobOptions options = small(kMeshLayers, kMeshPoints);
+        options.up = GetParam().up;
+        options.height_mm = kHeight_mm;
+        const BuiltJob sut = built(mesh, profile, options);
+        ASSERT_EQ(sut.report.clearance_points, 0U);
+        const model::Mesh body = standing(mesh, options.up);
+        const double pi = std::acos(-1.0);
+        std::mt19937_64 random{GetParam().seed};
+        for (int i = 0; i < kPlaces; ++i) {
+            const auto layer = static_cast<std::uint32_t>(random() % kMeshLayers);
+            const auto point = static_cast<std::uint32_t>(random() % kMeshPoints);
+            const double height_mm = (layer + 0.5) * kHeight_mm / kMeshLayers;
+            // Continuous: the table goes on by half a turn each layer, in whole pulses.
+            const std::int64_t in_layer =
+                (2 * point * sut.table.psi_sweep_pulses + kMeshPoints - 1) / (2 * (kMeshPoints - 1));
+            const std::int64_t psi_pulses = layer * sut.table.psi_sweep_pulses + in_layer;
+            const double psi_rad =
+                2.0 * pi * static_cast<double>(psi_pulses) / static_cast<double>(profile.psi.pulses_per_rev);
+            judge(body, profile, psi_rad, height_mm, left(sut.table, layer, point), profile.r1);
+            judge(body, profile, psi_rad + pi, height_mm, right(sut.table, layer, point), profile.r2);
+        }
+    }
+
+    Figures figures_;
+
+private:
+    void judge(const model::Mesh& body, const Profile& profile, double direction_rad, double height_mm,
+               std::int32_t found_pulses, const LinearAxisProfile& head) {
+        const double tip = tip_mm(body, profile.tool, direction_rad, height_mm);
+        const double wanted_pulses = head.pulses_per_mm * std::max(tip, profile.core_radius_mm);
+        // Half a pulse is the table's rounding, half the single precision of `standing` and the search's.
+        EXPECT_NEAR(found_pulses, wanted_pulses, 1.0)
+            << "direction " << direction_rad << " height " << height_mm
+            << (found_pulses < wanted_pulses ? ": a gouge" : "");
+        ++figures_.places;
+        figures_.above_core += tip > profile.core_radius_mm ? 1 : 0;
+    }
+};
+
+TEST_P(RealMeshOffset, IsThatOfTheToolsDefinitionToAPulse) {
+    const mesh_files::Folder folder;
+    const auto mesh = model::load_mesh(test::file_of(GetParam().mesh, folder.path()));
+    ASSERT_TRUE(mesh.has_value()) << mesh.error().message;
+    for (const ToolProfile& tool :
+         {ToolProfile{ToolShape::ball, 3.0, 60.0, 0.0}, ToolProfile{ToolShape::flat, 2.0, 60.0, 0.0},
+          ToolProfile{ToolShape::vee, 4.0, 50.0, 0.0}}) {
+        SCOPED_TRACE(static_cast<int>(tool.shape));
+        expect_exact(*mesh, tool);
+    }
+    EXPECT_EQ(figures_.places, 3 * 2 * kPlaces);
+    EXPECT_GT(figures_.above_core, figures_.places / 2) << "the core would hide what is wrong";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    FromPackages, RealMeshOffset,
+    ::testing::Values(Chosen{"elephant", test::of_cgal("refined_elephant.off"), slice::Up::y, 11},
+                      Chosen{"armadillo", test::of_cgal("armadillo.off"), slice::Up::y, 12},
+                      Chosen{"shark_with_holes", test::of_cgal("mech-holes-shark.off"), slice::Up::z, 13},
+                      Chosen{"bunny", test::of_glmark("bunny.obj"), slice::Up::y, 14},
+                      Chosen{"bearing", test::of_opencascade("bearing.stl"), slice::Up::z, 15},
+                      Chosen{"propeller", test::of_opencascade("propeller.stl"), slice::Up::z, 16}),
+    [](const auto& chosen) { return chosen.param.name; });
+
+}  // namespace
+}  // namespace psicarve::cam

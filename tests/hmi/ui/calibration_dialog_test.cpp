@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The heads are calibrated in the window, as `psicarve calibrate` does it.
+#include <gtest/gtest.h>
+
+#include <QDialog>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableWidget>
+
+#include "shared/profile_text.hpp"
+#include "shared/units.hpp"
+#include "tests/hmi/ui/window_rig.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using test::WindowRig;
+using S = MachineState;
+
+class Calibration : public WindowRig {
+protected:
+    void write_profile() {
+        QFile out{QString::fromStdString(file("machine.toml"))};
+        ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+        out.write(profile_to_toml(Profile{}).c_str());
+    }
+    void open_with_profile() {
+        ASSERT_NO_FATAL_FAILURE(write_profile());
+        open_window();
+        window_->show_profile(QString::fromStdString(file("machine.toml")));
+        window_->findChild<QAction*>("calibrate_action")->trigger();
+        ASSERT_TRUE(comes_true([&] { return part<QDialog>("calibration_dialog").isVisible(); }));
+    }
+    QString text(const char* name) { return part<QLabel>(name).text(); }
+    void type(const char* field, const char* what) { part<QLineEdit>(field).setText(what); }
+    Profile on_file() {
+        const auto profile = load_profile(file("machine.toml"));
+        EXPECT_TRUE(profile);
+        return profile ? *profile : Profile{};
+    }
+    void save_picture(const char* name) {
+        QApplication::processEvents();
+        part<QDialog>("calibration_dialog")
+            .grab()
+            .save(QString::fromLatin1(PSICARVE_BIN) + "/../screenshots/" + name);
+    }
+};
+
+TEST_F(Calibration, AsksStepByStepAndWritesTheProfileWithABackup) {
+    ASSERT_NO_FATAL_FAILURE(write_profile());
+    start_core({"--profile", file("machine.toml")});
+    open_with_profile();
+    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
+    EXPECT_EQ(text("calibration_title"), "1 of 6: Touch-off of R1");
+    ASSERT_TRUE(comes_true([&] {
+        return text("calibration_reason") ==
+               "Here: the machine is off; home it, jog R1 to the pin, and let it rest";
+    })) << text("calibration_reason").toStdString();
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    Command move{};
+    move.kind = CommandKind::move;
+    move.axis = 1U << index_of(Axis::r1);
+    move.target[index_of(Axis::r1)] = 12.5;
+    window_->bench().machine.order(move, session::phrase("Go to"));
+    ASSERT_TRUE(comes_true([&] {
+        return sight().state() == S::ready && sight().status->position_pulses[index_of(Axis::r1)] == 5000;
+    })) << all_messages().toStdString();
+    ASSERT_TRUE(click("calibrate_0_here"));
+    EXPECT_EQ(part<QLineEdit>("calibrate_0_counted").text(), "12.50000");
+    EXPECT_EQ(text("calibrate_0_outcome"), "the diameter of the pin is needed");
+    type("calibrate_0_diameter", "25.4");
+    EXPECT_EQ(text("calibrate_0_outcome"), "axis.r1.tip_offset_mm: 0.0 → 0.20000");
+    save_picture("calibration_touch_off_light.png");
+    EXPECT_FALSE(button("calibrate_back").isEnabled());
+    for (int i = 0; i < 2; ++i) ASSERT_TRUE(click("calibrate_next"));
+    EXPECT_EQ(text("calibration_title"), "3 of 6: Two marks");
+    type("calibrate_2_diameter", "40");
+    type("calibrate_2_around", "0");
+    type("calibrate_2_up", "0.2");
+    for (int i = 0; i < 2; ++i) ASSERT_TRUE(click("calibrate_next"));
+    type("calibrate_4_wear", "0,04");
+    ASSERT_TRUE(click("calibrate_back"));
+    EXPECT_EQ(text("calibration_title"), "4 of 6: Wear of the tool of R1");
+    for (int i = 0; i < 2; ++i) ASSERT_TRUE(click("calibrate_next"));
+    EXPECT_FALSE(button("calibrate_next").isVisible());
+    auto& changes = part<QTableWidget>("calibration_changes");
+    ASSERT_EQ(changes.rowCount(), 3);
+    EXPECT_EQ(changes.item(0, 0)->text(), "axis.r1.tip_offset_mm");
+    EXPECT_EQ(changes.item(0, 1)->text(), "0.0");
+    EXPECT_EQ(changes.item(0, 2)->text(), "0.20000");
+    save_picture("calibration_changes_light.png");
+    for (const char* name : {"calibrate_close", "calibrate_back", "calibrate_write"}) {
+        EXPECT_EQ(button(name).height(), button("calibrate_back").height()) << name;
+        EXPECT_GT(button(name).width(),
+                  button(name).fontMetrics().horizontalAdvance(button(name).text()) + 16)
+            << name;
+    }
+    ASSERT_TRUE(click("calibrate_write"));
+    EXPECT_FALSE(part<QDialog>("calibration_dialog").isVisible());
+    EXPECT_DOUBLE_EQ(on_file().r1.tip_offset_mm, 0.2);
+    EXPECT_DOUBLE_EQ(on_file().head_r2_height_error_mm, 0.2);
+    EXPECT_DOUBLE_EQ(on_file().r2.tool_wear_mm, 0.04);
+    const auto backup = load_profile(file("machine.toml.bak"));
+    ASSERT_TRUE(backup);
+    EXPECT_EQ(profile_hash(*backup), profile_hash(Profile{}));
+    EXPECT_TRUE(all_messages().contains("Calibration written: ")) << all_messages().toStdString();
+    window_->findChild<QAction*>("calibrate_action")->trigger();
+    EXPECT_EQ(part<QLineEdit>("calibrate_4_wear").text(), "") << "it begins anew";
+    ASSERT_TRUE(comes_true([&] {
+        return button("calibrate_0_here").toolTip().contains("another profile than");
+    })) << "the core still counts by the old one";
+}
+
+TEST_F(Calibration, WritesNothingThatCannotBeAndNothingAtAllWhenItIsClosed) {
+    open_with_profile();
+    for (int i = 0; i < 5; ++i) ASSERT_TRUE(click("calibrate_next"));
+    EXPECT_TRUE(comes_true([&] { return text("calibration_reason") == "Write: nothing was measured"; }));
+    EXPECT_FALSE(button("calibrate_write").isEnabled());
+    type("calibrate_3_wear", "7");
+    type("calibrate_4_wear", "0.1");
+    EXPECT_TRUE(comes_true([&] { return text("calibration_reason") == "Write: step 4 cannot be"; }));
+    EXPECT_FALSE(button("calibrate_write").isEnabled());
+    type("calibrate_3_wear", "");
+    EXPECT_TRUE(comes_true([&] { return button("calibrate_write").isEnabled(); }));
+    ASSERT_TRUE(click("calibrate_close"));
+    EXPECT_EQ(profile_hash(on_file()), profile_hash(Profile{}));
+    EXPECT_FALSE(QFile::exists(QString::fromStdString(file("machine.toml.bak"))));
+}
+
+TEST_F(Calibration, NeedsAProfileFromAFileWithNothingUnsaved) {
+    open_window();
+    EXPECT_TRUE(comes_true([&] {
+        return button("profile_calibrate").toolTip() ==
+               "Calibrate: open the machine's profile first, or save this one as a file";
+    }));
+    EXPECT_FALSE(button("profile_calibrate").isEnabled());
+    window_->findChild<QAction*>("calibrate_action")->trigger();
+    EXPECT_EQ(window_->findChild<QDialog*>("calibration_dialog"), nullptr);
+    EXPECT_TRUE(all_messages().contains("Calibrate: open the machine's profile first"));
+}
+
+}  // namespace
+}  // namespace psicarve::ui

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drawings, pictures and tables in the window, as `psicarve slice` takes them.
+#include <gtest/gtest.h>
+
+#include <QAbstractSpinBox>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QUrl>
+
+#include <fstream>
+
+#include "hmi/ui/file_filters.hpp"
+#include "tests/hmi/ui/window_rig.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using session::DeskState;
+
+class FlatFiles : public test::WindowRig {
+protected:
+    QString written(const std::string& name, const std::string& content) const {
+        std::ofstream{file(name), std::ios::binary} << content;
+        return QString::fromStdString(file(name));
+    }
+    /// Bright above dark, as wide as high.
+    QString picture() const {
+        std::string rows = "P2 40 40 9\n";
+        for (int i = 0; i < 40 * 40; ++i) rows += i < 800 ? "9 " : "0 ";
+        return written("relief.pgm", rows);
+    }
+    void set(const char* name, double value) { part<QDoubleSpinBox>(name).setValue(value); }
+    QString facts() { return part<QLabel>("mesh_facts").text().section('\n', 0, 0); }
+    bool shows(const QString& size) {
+        return comes_true([&] { return facts() == size; });
+    }
+    void slice_coarsely() {
+        part<QSpinBox>("layers").setValue(20);
+        part<QSpinBox>("points").setValue(20);
+        ASSERT_TRUE(click("slice"));
+        ASSERT_TRUE(comes_to(DeskState::job)) << all_messages().toStdString();
+    }
+    void drop(const QString& path) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDropEvent event{QPointF{400, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier};
+        static_cast<QObject&>(*window_).event(&event);
+    }
+};
+
+TEST_F(FlatFiles, OpenADrawingThatIsDroppedAndMakeItHigher) {
+    open_window();
+    drop(QStringLiteral(PSICARVE_EXAMPLES "/flower.svg"));
+    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    ASSERT_TRUE(shows("41.5 × 41.5 × 20.0")) << facts().toStdString();
+    EXPECT_FALSE(part<QComboBox>("up").isVisible());
+    EXPECT_FALSE(part<QDoubleSpinBox>("relief_diameter").isVisible());
+    EXPECT_EQ(part<QComboBox>("axis_at").currentText(), "centroid");
+    set("height", 30.0);
+    ASSERT_TRUE(shows("41.5 × 41.5 × 30.0")) << "as wide as before: " << facts().toStdString();
+    set("scale", 0.5);
+    ASSERT_TRUE(comes_true([&] { return facts().startsWith("20."); })) << facts().toStdString();
+    EXPECT_TRUE(facts().endsWith(" × 30.0")) << "scaled, but not in height: " << facts().toStdString();
+    ASSERT_NO_FATAL_FAILURE(slice_coarsely());
+    const auto job = window_->bench().desk.job();
+    EXPECT_EQ(job->view.source_name(), "flower.svg");
+    EXPECT_EQ(job->view.layer_count(), 20U);
+    take_picture("drawing_light");
+    // What was sliced is not what the fields say any more.
+    EXPECT_TRUE(comes_true([&] { return part<QLabel>("desk_state").text().startsWith("The job is ready"); }))
+        << part<QLabel>("desk_state").text().toStdString();
+    part<QSpinBox>("layers").setValue(21);
+    EXPECT_TRUE(comes_true([&] { return part<QLabel>("desk_state").text().startsWith("Changed since"); }))
+        << part<QLabel>("desk_state").text().toStdString();
+    ASSERT_NO_FATAL_FAILURE(slice_coarsely());
+    EXPECT_TRUE(comes_true([&] { return part<QLabel>("desk_state").text().startsWith("The job is ready"); }));
+    window_->findChild<QTabWidget*>()->setCurrentIndex(1);
+    ASSERT_TRUE(comes_true([&] {
+        return part<QSlider>("layer_slider").toolTip().contains("takes at least 0:0");
+    })) << part<QSlider>("layer_slider").toolTip().toStdString();
+    EXPECT_TRUE(part<QLabel>("job_bound").text().contains(" %"))
+        << part<QLabel>("job_bound").text().toStdString();
+    EXPECT_TRUE(WindowSettings{}.recent_files().contains(QStringLiteral(PSICARVE_EXAMPLES "/flower.svg")));
+    // A mesh is as it is in its file again.
+    EXPECT_FALSE(part<QLabel>("layers_none").isVisible());
+    window_->open(QStringLiteral(PSICARVE_EXAMPLES "/small.stl"));
+    EXPECT_TRUE(comes_true([&] { return part<QLabel>("layers_none").isVisible(); }))
+        << "the layers of the model before";
+    window_->findChild<QTabWidget*>()->setCurrentIndex(0);
+    ASSERT_TRUE(comes_true([&] { return part<QComboBox>("up").isVisible(); }));
+    EXPECT_EQ(part<QDoubleSpinBox>("height").value(), 0.0);
+    EXPECT_EQ(part<QDoubleSpinBox>("scale").value(), 0.0);
+}
+
+TEST_F(FlatFiles, EngraveADrawingOfOpenLinesAsSoonAsItIsOpen) {
+    open_window();
+    const QString path = written("waves.svg",
+                                 "<svg width='60mm' height='20mm' viewBox='0 0 60 20'>"
+                                 "<path d='M5 10 Q 15 0 25 10 T 45 10' fill='none' stroke='black'/></svg>");
+    drop(path);
+    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    EXPECT_TRUE(all_messages().contains("waves.svg has no closed outline: its lines are engraved"));
+    EXPECT_FALSE(all_messages().contains("longest stroke")) << all_messages().toStdString();
+    ASSERT_TRUE(comes_true([&] { return part<QCheckBox>("engrave").isChecked(); }));
+    EXPECT_TRUE(part<QDoubleSpinBox>("engrave_depth").isVisible());
+    ASSERT_TRUE(comes_true([&] { return facts().startsWith("40.0 × 40.0 × "); })) << facts().toStdString();
+    set("engrave_diameter", 30.0);
+    ASSERT_TRUE(comes_true([&] { return facts().startsWith("30.0 × 30.0 × "); })) << facts().toStdString();
+    // The same file again is what the form says of it.
+    window_->open(path);
+    ASSERT_TRUE(comes_true([&] { return !window_->bench().desk.sight().is_busy(); }));
+    EXPECT_TRUE(part<QCheckBox>("engrave").isChecked());
+    EXPECT_TRUE(facts().startsWith("30.0 × 30.0 × ")) << facts().toStdString();
+    take_picture("open_lines_light");
+    const auto& fields = part<QScrollArea>("model_fields");
+    for (const auto* field : fields.widget()->findChildren<QAbstractSpinBox*>()) {
+        const int right = field->mapTo(fields.viewport(), QPoint{field->width(), 0}).x();
+        EXPECT_TRUE(!field->isVisible() || right <= fields.viewport()->width()) << "cut off: " << right;
+    }
+    ASSERT_NO_FATAL_FAILURE(slice_coarsely());
+    EXPECT_EQ(window_->bench().desk.job()->view.source_name(), "waves.svg");
+    // Another drawing is one to be extruded again.
+    window_->open(QStringLiteral(PSICARVE_EXAMPLES "/flower.svg"));
+    ASSERT_TRUE(shows("41.5 × 41.5 × 20.0")) << facts().toStdString();
+    EXPECT_FALSE(part<QCheckBox>("engrave").isChecked());
+}
+
+TEST_F(FlatFiles, OfferAnotherCylinderForOpenLinesThatDoNotFit) {
+    open_window();
+    window_->open(written("wide.svg",
+                          "<svg width='200mm' height='9mm' viewBox='0 0 200 9'>"
+                          "<path d='M5 5 L150 5' fill='none' stroke='black'/></svg>"));
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("choose a scale of at most"); }))
+        << all_messages().toStdString();
+    ASSERT_TRUE(comes_true([&] { return part<QCheckBox>("engrave").isVisible(); }));
+    EXPECT_TRUE(part<QCheckBox>("engrave").isChecked());
+    EXPECT_FALSE(button("slice").isEnabled());
+    set("engrave_diameter", 60.0);
+    ASSERT_TRUE(comes_true([&] { return facts().startsWith("60.0 × 60.0 × "); }))
+        << all_messages().toStdString();
+    EXPECT_TRUE(comes_true([&] { return button("slice").isEnabled(); }));
+}
+
+TEST_F(FlatFiles, WrapAPictureRoundACylinder) {
+    open_window();
+    window_->open(picture());
+    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    ASSERT_TRUE(shows("40.0 × 40.0 × 125.7")) << facts().toStdString();
+    EXPECT_TRUE(part<QDoubleSpinBox>("relief_diameter").isVisible());
+    EXPECT_FALSE(part<QComboBox>("axis_at").isVisible());
+    set("relief_diameter", 20.0);
+    ASSERT_TRUE(shows("20.0 × 20.0 × 62.8")) << facts().toStdString();
+    EXPECT_NEAR(part<QDoubleSpinBox>("relief_around").value(), 62.83, 0.001);
+    set("relief_around", 94.25);
+    EXPECT_NEAR(part<QDoubleSpinBox>("relief_diameter").value(), 30.0, 0.001);
+    ASSERT_TRUE(shows("30.0 × 30.0 × 94.2")) << facts().toStdString();
+    set("relief_around", 62.83);
+    set("relief_black", 4.0);
+    part<QCheckBox>("relief_invert").setChecked(true);
+    EXPECT_TRUE(window_->bench().desk.sight().is_busy()) << "the second wish waits for the first";
+    ASSERT_TRUE(comes_true([&] { return !window_->bench().desk.sight().is_busy(); }));
+    ASSERT_NO_FATAL_FAILURE(slice_coarsely());
+    take_picture("picture_light");
+    const auto job = window_->bench().desk.job();
+    // Dark is at the lower half of the picture, which now is the higher surface.
+    EXPECT_NEAR(static_cast<double>(job->view.r_left_pulses(1)[5]) / 400.0, 10.0, 0.01);
+    EXPECT_NEAR(static_cast<double>(job->view.r_left_pulses(18)[5]) / 400.0, 6.0, 0.01);
+}
+
+TEST_F(FlatFiles, ShowNoBodyThatWasNotAskedFor) {
+    open_window();
+    window_->open(picture());
+    ASSERT_TRUE(comes_to(DeskState::model));
+    set("height", 150.0);
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("choose at most 125.66 mm of height"); }))
+        << all_messages().toStdString();
+    EXPECT_TRUE(comes_true([&] { return !button("slice").isEnabled(); }));
+    EXPECT_EQ(facts(), "");
+    part<QCheckBox>("relief_full_turn").setChecked(true);
+    ASSERT_TRUE(shows("40.0 × 40.0 × 150.0")) << all_messages().toStdString();
+    EXPECT_TRUE(comes_true([&] { return button("slice").isEnabled(); }));
+}
+
+TEST_F(FlatFiles, TakeATableAsAJob) {
+    open_window();
+    window_->open(written("radii.csv", "y_mm,r_mm\n1,10,11,12,11\n2,9,10,11,10\n"));
+    ASSERT_TRUE(comes_to(DeskState::job)) << all_messages().toStdString();
+    const auto job = window_->bench().desk.job();
+    EXPECT_EQ(job->view.layer_count(), 2U);
+    EXPECT_EQ(job->view.point_count(), 3U);
+    EXPECT_EQ(job->view.source_name(), "radii.csv");
+    window_->open(written("wrong.csv", "y_mm,r_mm\n1,10,x\n"));
+    EXPECT_TRUE(comes_true([&] {
+        return all_messages().contains("line 2: 'x' is not a number that a table");
+    })) << all_messages().toStdString();
+    EXPECT_EQ(window_->bench().desk.job(), job) << "what is open stays open";
+}
+
+TEST_F(FlatFiles, AreReloadedAsTheFormHasThemWhenTheyWereWrittenAnew) {
+    open_window();
+    const QString path =
+        written("one.svg", "<svg width='9mm' height='9mm'><rect width='5' height='5'/></svg>");
+    window_->open(path);
+    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    set("height", 30.0);
+    ASSERT_TRUE(comes_true([&] { return facts().endsWith("× 30.0"); })) << facts().toStdString();
+    const QString before = facts();
+    EXPECT_FALSE(button("reload").isVisible());
+    written("one.svg", "<svg width='90mm' height='90mm'><rect width='50' height='50'/></svg>");
+    ASSERT_TRUE(comes_true([&] { return button("reload").isVisible(); }));
+    EXPECT_TRUE(all_messages().contains("one.svg was written since it was opened"))
+        << all_messages().toStdString();
+    ASSERT_TRUE(click("reload"));
+    ASSERT_TRUE(comes_true([&] { return facts() != before; }));
+    EXPECT_TRUE(facts().endsWith("× 30.0")) << facts().toStdString();
+    EXPECT_TRUE(comes_true([&] { return !button("reload").isVisible(); }));
+}
+
+TEST_F(FlatFiles, StandInTheFiltersOfTheDialog) {
+    const QStringList filters = filters_of_files().split(";;");
+    for (const char* ending : {"stl", "obj", "ply", "3mf", "off", "svg", "dxf", "png", "jpg", "jpeg", "tif",
+                               "tiff", "bmp", "pgm", "csv", "job", "psi", "snap", "trace"}) {
+        const QString pattern = QStringLiteral("*.") + ending;
+        EXPECT_EQ(filters.filter(pattern + " ").size() + filters.filter(pattern + ")").size(), 2)
+            << ending << ": among all, and among its kind";
+    }
+}
+
+}  // namespace
+}  // namespace psicarve::ui

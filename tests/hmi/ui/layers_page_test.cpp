@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTabWidget>
+
+#include "hmi/session/display_text.hpp"
+#include "tests/hmi/ui/window_rig.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using test::WindowRig;
+using S = MachineState;
+
+class Layers : public WindowRig {
+protected:
+    void look_at_layers() {
+        window_->findChild<QTabWidget*>()->setCurrentIndex(1);
+        ASSERT_TRUE(comes_true([&] { return layer().isEnabled(); }));
+    }
+    QSlider& layer() { return part<QSlider>("layer_slider"); }
+    QSlider& point() { return part<QSlider>("point_slider"); }
+    QCheckBox& follow() { return part<QCheckBox>("follow_machine"); }
+    std::string text(const char* name) { return part<QLabel>(name).text().toStdString(); }
+};
+
+TEST_F(Layers, TellNoLeastTimeOnceTheCoreHasPlannedTheJob) {
+    start_core();
+    open_window();
+    const JobTable table = two_process::long_job();
+    ASSERT_NO_FATAL_FAILURE(publish_job(table));
+    ASSERT_NO_FATAL_FAILURE(look_at_layers());
+    layer().setValue(static_cast<int>(table.layer_count));
+    ASSERT_TRUE(comes_true([&] { return session::planned_seconds(sight()).has_value(); }));
+    window_->refresh();
+    const std::string until = text("layer_until");
+    EXPECT_EQ(until.find("at least"), std::string::npos) << until;
+    if (until.find("about ") == 0) {  // until each layer's time is known, too
+        EXPECT_EQ(until, "about " + session::clock_text(*session::planned_seconds(sight())));
+    }
+}
+
+TEST_F(Layers, TellAPointsRadiiAsTheJobHasThem) {
+    start_core();
+    open_window();
+    const JobTable table = two_process::long_job();
+    ASSERT_NO_FATAL_FAILURE(publish_job(table));
+    ASSERT_NO_FATAL_FAILURE(look_at_layers());
+    EXPECT_FALSE(follow().isEnabled()) << "nothing is carved";
+    ASSERT_EQ(layer().maximum(), static_cast<int>(table.layer_count));
+    ASSERT_EQ(point().maximum() + 1, static_cast<int>(table.point_count));
+    layer().setValue(3);
+    point().setValue(7);
+    EXPECT_EQ(part<QSpinBox>("layer_number").value(), 3);
+    const std::size_t place = std::size_t{2} * table.point_count + 7;
+    const auto mm = [](std::int32_t pulses, double per_mm) {
+        return QString::number(pulses / per_mm, 'f', 2).toStdString() + " mm";
+    };
+    EXPECT_EQ(text("point_r1"), mm(table.r_left_pulses[place], Profile{}.r1.pulses_per_mm));
+    EXPECT_EQ(text("point_r2"), mm(table.r_right_pulses[place], Profile{}.r2.pulses_per_mm));
+    EXPECT_TRUE(part<QLabel>("point_text").text().startsWith(QString{"8 of %1, "}.arg(table.point_count)))
+        << text("point_text");
+    EXPECT_TRUE(part<QLabel>("layer_time").text().startsWith("at least ")) << text("layer_time");
+    take_picture("layers_point_light");
+}
+
+TEST_F(Layers, TakeAsLongAsPlannedOnceThatIsKnown) {
+    qputenv("PATH", QByteArray{PSICARVE_BIN ":"} + qgetenv("PATH"));  // where the core is found
+    start_core();
+    open_window();
+    ASSERT_NO_FATAL_FAILURE(publish_job(two_process::lobed_job(6, 33)));
+    ASSERT_NO_FATAL_FAILURE(look_at_layers());
+    layer().setValue(3);
+    EXPECT_TRUE(layer().toolTip().contains("takes at least ")) << layer().toolTip().toStdString();
+    // Until a core of our own has planned the job, a moment after it was opened.
+    const auto planned = [&] { return window_->bench().estimate.planned(window_->bench().desk.job()); };
+    ASSERT_TRUE(comes_true([&] { return planned() && !text("layer_time").starts_with("at least "); }))
+        << text("layer_time") << all_messages().toStdString();
+    EXPECT_EQ(text("layer_time"), session::clock_text(planned()->layer_seconds[2]));
+    EXPECT_FALSE(layer().toolTip().contains("at least")) << layer().toolTip().toStdString();
+}
+
+TEST_F(Layers, FollowTheMachineUntilAnotherPlaceIsChosen) {
+    start_core();
+    open_window();
+    ASSERT_NO_FATAL_FAILURE(carve_job(two_process::long_job()));
+    ASSERT_NO_FATAL_FAILURE(look_at_layers());
+    const auto machine_layer = [&] { return static_cast<int>(sight().status->layer) + 1; };
+    ASSERT_TRUE(comes_true([&] { return machine_layer() > 1 && layer().value() == machine_layer(); }));
+    EXPECT_TRUE(follow().isEnabled());
+    EXPECT_TRUE(follow().isChecked());
+    layer().setValue(layer().maximum());
+    EXPECT_FALSE(follow().isChecked());
+    const int before = machine_layer();
+    ASSERT_TRUE(comes_true([&] { return machine_layer() > before; }));
+    EXPECT_EQ(layer().value(), layer().maximum()) << "another layer of the machine takes it away";
+    follow().setChecked(true);
+    EXPECT_TRUE(comes_true([&] { return layer().value() == machine_layer(); }));
+    ASSERT_TRUE(click("stop"));
+    ASSERT_TRUE(comes_to(S::ready));
+}
+
+}  // namespace
+}  // namespace psicarve::ui

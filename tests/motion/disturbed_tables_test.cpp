@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two layers of each job of the motion benchmarks, as dense as they are carved there, through thirty random
+// sequences of hold, resume and override.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+#include <string>
+
+#include "hmi/verify/verify_report.hpp"
+#include "tests/motion/carving_bench.hpp"
+#include "tests/motion/random_operator.hpp"
+#include "tests/motion/thoroughness.hpp"
+#include "tests/reference/table_csv.hpp"
+
+namespace psicarve::motion {
+namespace {
+
+// Long enough for heads that go out and come back in between, too.
+constexpr std::uint64_t kLongestSpan = 8000;
+constexpr std::uint64_t kStops = kIsSanitized ? 1 : 6;
+constexpr double kBacklash_mm = 0.05;
+
+enum class Machine { plain, lifting, with_backlash, lifting_with_backlash };
+
+struct Case {
+    const char* job;
+    Machine machine;
+    std::uint64_t rounds;
+};
+
+Profile profile_of(Machine machine) {
+    Profile profile = cycle::quick_profile();
+    profile.job.planner = Planner::lookahead;
+    profile.job.lifts_on_hold = machine == Machine::lifting || machine == Machine::lifting_with_backlash;
+    profile.job.retract_mm = 0.5;
+    if (machine == Machine::with_backlash || machine == Machine::lifting_with_backlash)
+        profile.r1.backlash_mm = profile.r2.backlash_mm = kBacklash_mm;
+    return profile;
+}
+
+class DisturbedTables : public ::testing::TestWithParam<Case> {};
+
+TEST_P(DisturbedTables, ObeyTheFourRulesInTheSameOrder) {
+    const Profile profile = profile_of(GetParam().machine);
+    const std::string file = std::string{PSICARVE_BENCH_TABLES "/"} + GetParam().job + ".csv";
+    const JobTable table = table_from_csv(file, profile).value();
+    const Carved undisturbed = carved(profile, table);
+    ASSERT_TRUE(undisturbed.report.ok) << verify::report_text(undisturbed.report);
+    for (const verify::RuleResult& rule : undisturbed.report.rules) EXPECT_TRUE(rule.judged);
+    for (std::uint64_t seed = 1; seed <= GetParam().rounds; ++seed) {
+        const Carved disturbed = carved(profile, table, Operator(seed, kLongestSpan));
+        EXPECT_TRUE(disturbed.report.ok) << "seed " << seed << '\n' << verify::report_text(disturbed.report);
+        // Heads that go out and come back do so with pulses of their own.
+        if (!profile.job.lifts_on_hold) {
+            EXPECT_TRUE(disturbed.order == undisturbed.order) << "seed " << seed;
+        }
+    }
+}
+
+/// A stop at one tick, also while the machine is held or slows down.
+class Stopper {
+public:
+    explicit Stopper(std::uint64_t seed) : operator_(seed, kLongestSpan), random_(seed) {}
+    void operator()(cycle::MachineRig& rig) {
+        if (stop_tick_ == 0) stop_tick_ = rig.cycle->next_tick() + 1 + random_() % 100'000;
+        if (rig.cycle->next_tick() == stop_tick_) rig.stop();
+        operator_(rig);
+    }
+
+private:
+    Operator operator_;
+    std::mt19937_64 random_;
+    std::uint64_t stop_tick_ = 0;
+};
+
+TEST_P(DisturbedTables, AreStoppedInOrder) {
+    const Profile profile = profile_of(GetParam().machine);
+    const std::string file = std::string{PSICARVE_BENCH_TABLES "/"} + GetParam().job + ".csv";
+    const JobTable table = table_from_csv(file, profile).value();
+    for (std::uint64_t seed = 1; seed <= kStops; ++seed) {
+        const Carved stopped = carved(profile, table, Stopper(seed));
+        EXPECT_LT(stopped.report.points_visited, stopped.report.points_total);
+        for (std::size_t rule = 0; rule < stopped.report.rules.size(); ++rule) {
+            const verify::RuleResult& result = stopped.report.rules[rule];
+            EXPECT_EQ(result.offences, rule == 0 ? 1U : 0U) << "seed " << seed << '\n'
+                                                            << verify::report_text(stopped.report);
+            if (rule == 0 && result.first) {
+                EXPECT_EQ(result.first->fault, "ends-early") << seed;
+            }
+        }
+    }
+}
+
+class BenchTables : public ::testing::TestWithParam<const char*> {};
+
+// Machine time, not the wall clock's: the same everywhere.
+TEST_P(BenchTables, AreCarvedInTheirReferenceTimeAndNeverSlowerThanByAngles) {
+    Profile profile = profile_of(Machine::plain);
+    const std::string file = std::string{PSICARVE_BENCH_TABLES "/"} + GetParam() + ".csv";
+    const JobTable table = table_from_csv(file, profile).value();
+    const Carved ahead = carved(profile, table);
+    ASSERT_TRUE(ahead.report.ok) << verify::report_text(ahead.report);
+    ASSERT_GT(ahead.t_ref_s, 0.0);
+    EXPECT_LE(ahead.carve_s, 1.01 * ahead.t_ref_s);
+    EXPECT_GE(ahead.carve_s, 0.999 * ahead.t_ref_s);
+    profile.job.planner = Planner::angle;
+    const Carved by_angles = carved(profile, table);
+    ASSERT_TRUE(by_angles.report.ok) << verify::report_text(by_angles.report);
+    EXPECT_LE(ahead.carve_s, by_angles.carve_s);
+}
+
+INSTANTIATE_TEST_SUITE_P(Bench, BenchTables,
+                         ::testing::Values("vase", "figurine", "gear", "relief", "scan", "bunny"),
+                         [](const auto& named) { return std::string{named.param}; });
+
+std::string name_of(const ::testing::TestParamInfo<Case>& info) {
+    const char* const machines[] = {"Plain", "Lifting", "WithBacklash", "LiftingWithBacklash"};
+    return info.param.job + std::string{machines[static_cast<std::size_t>(info.param.machine)]};
+}
+
+constexpr std::uint64_t kRounds = kIsSanitized ? 2 : 30;
+
+INSTANTIATE_TEST_SUITE_P(
+    Bench, DisturbedTables,
+    ::testing::Values(Case{"vase", Machine::plain, kRounds}, Case{"figurine", Machine::plain, kRounds},
+                      Case{"gear", Machine::plain, kRounds}, Case{"relief", Machine::plain, kRounds},
+                      Case{"scan", Machine::plain, kRounds}, Case{"bunny", Machine::plain, kRounds},
+                      Case{"gear", Machine::with_backlash, kRounds},
+                      Case{"relief", Machine::lifting, kRounds},
+                      Case{"gear", Machine::lifting_with_backlash, kRounds},
+                      Case{"figurine", Machine::lifting_with_backlash, kRounds}),
+    name_of);
+
+}  // namespace
+}  // namespace psicarve::motion

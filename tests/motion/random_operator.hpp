@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+#include "tests/rtcore/cycle/machine_rig.hpp"
+
+namespace psicarve::motion {
+
+/// Holds, resumes and overrides at random ticks, half of `longest_span` apart in the mean.
+class Operator {
+public:
+    explicit Operator(std::uint64_t seed, std::uint64_t longest_span = 4000)
+        : random_(seed), longest_span_(longest_span) {}
+    void operator()(cycle::MachineRig& rig) {
+        const std::uint64_t now = rig.cycle->next_tick();
+        if (now < next_tick_) return;
+        next_tick_ = now + 1 + random_() % longest_span_;
+        const MachineState state = rig.cycle->state();
+        if (state != MachineState::carving) {
+            rig.ask(cycle::RequestKind::resume);
+        } else if (random_() % 3 == 0) {
+            rig.ask(cycle::RequestKind::hold);
+        } else {
+            rig.ask(cycle::RequestKind::override, 0, 10 + random_() % 191);
+        }
+    }
+
+private:
+    std::mt19937_64 random_;
+    std::uint64_t longest_span_;
+    std::uint64_t next_tick_ = 0;
+};
+
+}  // namespace psicarve::motion

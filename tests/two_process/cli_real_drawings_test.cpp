@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drawings and pictures that others made for other ends, from the packages of `scripts/deps.sh test`, each
+// from its file to pins that are verified.
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/hmi/cli/program_run.hpp"
+
+namespace psicarve::test {
+namespace {
+
+struct RealInput {
+    std::string name;
+    std::string path;
+    std::string options;
+    std::size_t most_warnings;  ///< lines on standard error
+};
+
+const std::string kSigrok = "/usr/share/icons/hicolor/scalable/apps/sigrok-cli.svg";
+const std::string kTablets = "/usr/share/libwacom/layouts/";
+const std::string kLibrecad = "/usr/share/librecad/library/";
+const std::string kEngraved = " --engrave 0.5 --tool ball:1";
+
+class RealDrawing : public CliTest, public ::testing::WithParamInterface<RealInput> {};
+
+TEST_P(RealDrawing, IsSlicedCarvedAndVerified) {
+    const RealInput& input = GetParam();
+    ASSERT_TRUE(std::filesystem::exists(input.path))
+        << input.path << " is not there: scripts/deps.sh test installs it";
+    const std::string job = file("real.job");
+    std::vector<std::string> slice{"slice", input.path, "-o", job,     "--layers",
+                                   "16",    "--points", "61", "--json"};
+    for (const std::string& word : words_of(input.options)) slice.push_back(word);
+    const Outcome sliced = psicarve(slice);
+    ASSERT_EQ(sliced.exit_code, 0) << sliced.error;
+    EXPECT_LE(sliced.error_lines(), input.most_warnings) << sliced.error;
+    const auto report = sliced.json()["report"];
+    EXPECT_GT(report["r_max_mm"].get<double>(), report["r_min_mm"].get<double>() + 0.1);
+    const Outcome carved =
+        psicarve({"carve", job, "--segment", segment_, "--trace", file("pins.trace"), "--json"});
+    ASSERT_EQ(carved.exit_code, 0) << carved.error;
+    const Outcome verified = psicarve({"verify", job, file("pins.trace"), "--json"});
+    EXPECT_EQ(verified.exit_code, 0) << verified.error << verified.out;
+    EXPECT_EQ(carved.json()["pulses"], verified.json()["pulses"]);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    FromPackages, RealDrawing,
+    ::testing::Values(
+        RealInput{"tablet_extruded", kTablets + "intuos4-6x9.svg", "--height 12 --fit --blank 12x20", 9},
+        RealInput{"tablet_as_stroked", kTablets + "intuos-m-p.svg",
+                  "--diameter 20 --full-turn --stroke-width" + kEngraved, 9},
+        RealInput{"icon_engraved", kSigrok, "--diameter 20 --full-turn" + kEngraved, 9},
+        RealInput{"circuit_engraved", kLibrecad + "elektro/transistor/vt1.dxf",
+                  "--full-turn --diameter 20" + kEngraved, 9},
+        RealInput{"tree_engraved", kLibrecad + "plan/vegetation/v1.dxf",
+                  "--full-turn --diameter 20" + kEngraved, 9},
+        RealInput{"logo_png", "/usr/share/gitweb/static/git-logo.png", "--diameter 20", 9},
+        RealInput{"window_manager_png", "/usr/share/pixmaps/openbox.png", "--diameter 20 --smooth 0.2", 9},
+        RealInput{"dots_png", "/usr/lib/python3/dist-packages/scipy/ndimage/tests/dots.png", "--diameter 20",
+                  9},
+        RealInput{"gradient_jpg", "/usr/share/qt6/doc/global/template/images/Qt-header-bg.jpg",
+                  "--diameter 30 --height 10 --full-turn", 9}),
+    [](const auto& chosen) { return chosen.param.name; });
+
+}  // namespace
+}  // namespace psicarve::test

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/two_process/commanded_core.hpp"
+
+namespace psicarve::test {
+namespace {
+
+class ResumeCommand : public CommandedCore {};
+
+TEST_F(ResumeCommand, ResumesBehindTheLastFinishedLayer) {
+    start_core();
+    ASSERT_EQ(run({"publish", sliced_box("5", "9")}).exit_code, 0);
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    const Outcome nothing = run({"start", "--resume"});
+    EXPECT_EQ(nothing.exit_code, 4);
+    EXPECT_NE(nothing.error.find("nothing was carved"), std::string::npos) << nothing.error;
+    EXPECT_EQ(run({"start", "--resume", "--from-layer", "2"}).exit_code, 2);
+    EXPECT_EQ(run({"status", "--json"}).json()["checkpoint"], nullptr);
+    ASSERT_EQ(run({"start", "--layers", "2", "--carve"}).exit_code, 0);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    const auto checkpoint = run({"status", "--json"}).json()["checkpoint"];
+    EXPECT_EQ(checkpoint["next_layer"], 2);
+    EXPECT_EQ(checkpoint["layer_count"], 5);
+    EXPECT_EQ(checkpoint["is_of_job"], true);
+    EXPECT_NE(run({"status"}).out.find("2 of 5 layers"), std::string::npos);
+    ASSERT_EQ(run({"snapshot", "save", file("a.snap")}).exit_code, 0);
+    const Outcome info = run({"snapshot", "info", file("a.snap"), "--json"});
+    EXPECT_EQ(info.json()["checkpoint"], checkpoint) << info.out;
+    ASSERT_EQ(run({"start", "--resume", "--layers", "1"}).exit_code, 0);
+    EXPECT_EQ(run({"status", "--json"}).json()["layer"], 2);
+}
+
+TEST_F(ResumeCommand, ADryRunCarvesNothingAndLeavesNoCheckpoint) {
+    start_core();
+    ASSERT_EQ(run({"publish", sliced_box("5", "9")}).exit_code, 0);
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    ASSERT_EQ(run({"start", "--dry-run", "--from-layer", "1", "--layers", "2"}).exit_code, 0);
+    EXPECT_EQ(status().signals & bit_of(Signal::spindle), 0U);
+    EXPECT_EQ(run({"status", "--json"}).json()["dry_run"], true);
+    EXPECT_NE(run({"status"}).out.find("dry run"), std::string::npos);
+    const CoreStatus before = status();
+    ASSERT_EQ(run({"start-interpolation"}).exit_code, 0);
+    ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
+    EXPECT_EQ(status().points_done, 3U * 9U);
+    EXPECT_GT(status().emitted_pulses[2], before.emitted_pulses[2]);
+    EXPECT_EQ(run({"status", "--json"}).json()["checkpoint"], nullptr);
+}
+
+}  // namespace
+}  // namespace psicarve::test

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The real core's tick asks nothing of the kernel but its sleep: the kernel itself says so.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+
+#include "tests/system_calls/tick_calls.hpp"
+#include "tests/two_process/port_rig.hpp"
+
+namespace psicarve::two_process {
+namespace {
+
+using system_calls::TickCalls;
+
+class CoreTickCalls : public PortRig {
+protected:
+    CoreTickCalls() {
+        profile_.tick.period_us = 100.0;
+        write_profile();
+        const int descriptor = open(file("calls").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+        EXPECT_EQ(ftruncate(descriptor, sizeof(TickCalls)), 0);
+        void* const address =
+            mmap(nullptr, sizeof(TickCalls), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
+        close(descriptor);
+        EXPECT_NE(address, MAP_FAILED);
+        calls_ = static_cast<TickCalls*>(address);
+    }
+    ~CoreTickCalls() override { munmap(calls_, sizeof(TickCalls)); }
+
+    void start_watched_core(const std::vector<std::string>& arguments) {
+        {
+            const fake_port::FakePortFile::Preload port{port_};
+            const std::string both = std::string{std::getenv("LD_PRELOAD")} + ":" PSICARVE_TICK_CALLS_PRELOAD;
+            setenv("LD_PRELOAD", both.c_str(), 1);
+            setenv(system_calls::kCallsVariable, file("calls").c_str(), 1);
+            core_ = std::make_unique<CoreProcess>(arguments, file("core.err"));
+            unsetenv(system_calls::kCallsVariable);
+        }
+        attach();
+        ASSERT_TRUE(eventually([&] {
+            core_pid_ = static_cast<pid_t>(segment_->core_pid().value_or(0));
+            return core_pid_ != 0;
+        })) << text_of(file("core.err"));
+    }
+    std::vector<std::string> traced_port_arguments() const {
+        std::vector<std::string> arguments = port_arguments(segment_name_);
+        arguments.insert(arguments.end(), {"--trace", file("pins.trace")});
+        return arguments;
+    }
+    std::vector<std::string> traced_simulator_arguments() const {
+        return {"--segment", segment_name_,        "--clock",    "real",   "--trace", file("pins.vcd"),
+                "--profile", file("machine.toml"), "--capacity", "100x20", "--port",  "sim"};
+    }
+    void jog_until_its_lease_is_over() {
+        Command jog{};
+        jog.kind = CommandKind::jog_on;
+        jog.axis = static_cast<std::uint32_t>(Axis::psi);
+        jog.value = 1.0;
+        jog.lease_token = 5;
+        jog.lease_ms = 200;
+        ASSERT_EQ(refusal_of(jog), "");
+        ASSERT_TRUE(reaches(MachineState::ready));
+        ASSERT_EQ(status().move_end, MoveEnd::lease_gone);
+    }
+    /// Whatever a tick may have to do.
+    void work_through_a_day() {
+        home();
+        jog_until_its_lease_is_over();
+        ASSERT_EQ(publish(coarse_job(40)), "");
+        start_carving();
+        ASSERT_TRUE(eventually([&] { return status().points_done > 3; }));
+        ASSERT_EQ(refusal_of(CommandKind::override, 150.0), "");
+        ASSERT_EQ(refusal_of(CommandKind::hold), "");
+        ASSERT_TRUE(reaches(MachineState::held));
+        ASSERT_EQ(refusal_of(CommandKind::resume), "");
+        ASSERT_TRUE(eventually([&] { return status().tick > ticks_wanted(); }));
+        request_emergency_stop(*segment_);
+        ASSERT_TRUE(reaches(MachineState::alarm));
+        ASSERT_EQ(status().alarm_cause, AlarmCause::emergency_stop);
+        ASSERT_EQ(refusal_of(CommandKind::reset_alarm), "");
+        ASSERT_EQ(refusal_of(CommandKind::home), "");
+    }
+    /// By the wall clock, so the suite takes what the work lasts; PSICARVE_LONG=1: a million, in two minutes.
+    static std::uint64_t ticks_wanted() {
+        const char* const is_long = std::getenv("PSICARVE_LONG");
+        return is_long != nullptr && std::string{is_long} == "1" ? 1'000'000 : 0;
+    }
+    /// Calls by their numbers, without those that a tick may make.
+    std::map<std::size_t, std::uint64_t> calls_but(const std::vector<long>& allowed) const {
+        std::map<std::size_t, std::uint64_t> found;
+        for (std::size_t number = 0; number < system_calls::kMostNumbers; ++number) {
+            const std::uint64_t count = calls_->by_number[number].load();
+            const bool is_allowed = std::ranges::find(allowed, static_cast<long>(number)) != allowed.end();
+            if (count > 0 && !is_allowed) found[number] = count;
+        }
+        return found;
+    }
+    void expect_one_sleep_a_tick_and_nothing_else(const CoreStatus& before) const {
+        const std::uint64_t ticks = before.tick - before.missed_ticks;
+        const std::uint64_t sleeps = calls_->by_number[SYS_clock_nanosleep].load();
+        EXPECT_GE(sleeps, ticks) << "each tick was seen";
+        EXPECT_GT(ticks, 20'000U);
+        std::printf("%llu ticks, %llu more missed: %llu sleeps\n", static_cast<unsigned long long>(ticks),
+                    static_cast<unsigned long long>(before.missed_ticks),
+                    static_cast<unsigned long long>(sleeps));
+    }
+
+    TickCalls* calls_ = nullptr;
+};
+
+TEST_F(CoreTickCalls, OnAPortNothingButItsSleepAndThePort) {
+    start_watched_core(traced_port_arguments());
+    work_through_a_day();
+    ASSERT_EQ(calls_->threads_watched.load(), 1U);
+    ASSERT_EQ(calls_->threads_unwatched.load(), 0U);
+    expect_one_sleep_a_tick_and_nothing_else(status());
+    // The port's accesses end in the preloaded library and never come to the kernel.
+    EXPECT_THAT(calls_but({SYS_clock_nanosleep}), ::testing::IsEmpty());
+    EXPECT_GT(pulses_on_the_cable(), 300U);
+}
+
+TEST_F(CoreTickCalls, OnTheSimulatorNothingButItsSleep) {
+    start_watched_core(traced_simulator_arguments());
+    work_through_a_day();
+    ASSERT_EQ(calls_->threads_watched.load(), 1U);
+    expect_one_sleep_a_tick_and_nothing_else(status());
+    EXPECT_THAT(calls_but({SYS_clock_nanosleep}), ::testing::IsEmpty());
+}
+
+// The one schedule that may lock.
+TEST_F(CoreTickCalls, WithTwoTimersTheLockThatTheyShareBesides) {
+    profile_.tick.schedule = Schedule::two_timer;
+    write_profile();
+    start_watched_core(traced_port_arguments());
+    work_through_a_day();
+    ASSERT_EQ(calls_->threads_watched.load(), 2U);
+    EXPECT_THAT(calls_but({SYS_clock_nanosleep, SYS_futex}), ::testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace psicarve::two_process

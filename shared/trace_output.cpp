@@ -152,7 +152,7 @@ TraceOutput::TraceOutput(TraceOutput&& other) noexcept
       name_(std::move(other.name_)),
       buffer_(std::move(other.buffer_)),
       used_(std::exchange(other.used_, 0)),
-      written_(other.written_) {}
+      written_(std::move(other.written_)) {}
 
 TraceOutput::~TraceOutput() {
     flush();

@@ -202,7 +202,7 @@ void MachineSession::order(CommandKind kind, const Phrase& name) {
     order(command, name);
 }
 
-void MachineSession::order_and_tell(CommandKind kind, std::function<void(bool)> answered) {
+void MachineSession::order_and_tell(CommandKind kind, const std::function<void(bool)>& answered) {
     forget_wishes();
     Command command{};
     command.kind = kind;

@@ -66,7 +66,7 @@ public:
     void order(CommandKind kind, const Phrase& name);
     /// For a window that closes: poll() calls `answered` once the core has taken the order, or has refused it
     /// or kept silent, which it tells. May be seconds later when the core hangs.
-    void order_and_tell(CommandKind kind, std::function<void(bool was_taken)> answered);
+    void order_and_tell(CommandKind kind, const std::function<void(bool was_taken)>& answered);
     /// Heads to the first point of the layer, then carve so many layers (0: all that follow). In state
     /// waiting: carve what the heads wait for.
     void start(std::uint32_t from_layer, std::uint32_t layers = 0, RunKind kind = RunKind::carve);

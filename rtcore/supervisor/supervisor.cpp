@@ -69,18 +69,13 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
     publish_status();
 }
 
-bool Supervisor::poll() {
+bool Supervisor::poll(Hearing hearing) {
     const std::uint32_t wake_count = event_count(segment_->header().command_raised);
+    const bool takes_requests = hearing == Hearing::everything;
     sample_ = read_sample();
     // What was asked for first; everything else may take its time.
     bool handed_on = mirror_urgent_words();
-    mirror_jog_lease();
-    const std::size_t requests_before = parts_->io->requests.size();
-    take_job();
-    const LoadedJob* const job = loading_job_ != nullptr ? loading_job_.get() : job_.get();
-    desk_.note_judged(judged_generation_);
-    desk_.take_commands(*segment_, parts_->io->requests, sample_, job);
-    handed_on = handed_on || parts_->io->requests.size() > requests_before;
+    if (takes_requests) handed_on = take_requests() || handed_on;
     promptness_.lower();
     check_segment();
     watch_guard();
@@ -90,8 +85,19 @@ bool Supervisor::poll() {
     watch_recording();
     keeper_.note(segment_->header(), sample_, job_.get());
     publish_status();
-    wake_seen_ = desk_.has_more() ? wake_count - 1 : wake_count;
+    // Who raised something that was not taken wakes us at once.
+    if (takes_requests) wake_seen_ = desk_.has_more() ? wake_count - 1 : wake_count;
     return handed_on;
+}
+
+bool Supervisor::take_requests() {
+    mirror_jog_lease();
+    const std::size_t requests_before = parts_->io->requests.size();
+    take_job();
+    const LoadedJob* const job = loading_job_ != nullptr ? loading_job_.get() : job_.get();
+    desk_.note_judged(judged_generation_);
+    desk_.take_commands(*segment_, parts_->io->requests, sample_, job);
+    return parts_->io->requests.size() > requests_before;
 }
 
 void Supervisor::wait(std::chrono::nanoseconds limit) noexcept {

@@ -19,6 +19,10 @@
 
 namespace psicarve::supervisor {
 
+/// What a round of the supervisor takes from the segment. Urgent words (stop, emergency stop, a reader that
+/// is gone) are heard and the heart beats in each.
+enum class Hearing : std::uint8_t { everything, urgent_words };
+
 /// Serves the segment: jobs and commands in, status, increments and flight recorder out, all through the
 /// lock-free rings to the tick. The only part of the core that touches shared memory. One thread's; not for
 /// the tick.
@@ -30,8 +34,9 @@ public:
     Supervisor(const Supervisor&) = delete;
     Supervisor& operator=(const Supervisor&) = delete;
 
-    /// One round of everything. True when something was handed to the tick.
-    bool poll();
+    /// One round. True when something was handed to the tick. Commands, jobs and a jog's lease wait for a
+    /// round that hears everything.
+    bool poll(Hearing hearing = Hearing::everything);
     /// Sleeps until a command or job comes, or the limit passes. On the real clock whoever sends something
     /// does not keep us from it: the next round's commands are taken before anything ordinary runs.
     void wait(std::chrono::nanoseconds limit) noexcept;
@@ -74,6 +79,7 @@ public:
 private:
     cycle::Sample read_sample() const;
     bool mirror_urgent_words();
+    bool take_requests();
     void mirror_jog_lease();
     void take_job();
     void judge_job(JobLoader::Outcome outcome);

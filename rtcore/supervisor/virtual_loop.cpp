@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "rtcore/plan/cycle_config_from_profile.hpp"
 #include "rtcore/supervisor/outlets.hpp"
@@ -15,9 +16,13 @@ constexpr std::uint64_t kSettleTicks = 16;  ///< after coming to rest: pins fall
 constexpr std::chrono::milliseconds kIdleWait{20};
 constexpr std::chrono::milliseconds kReaderWait{1};
 constexpr std::chrono::milliseconds kLongestSilence{20};  ///< of the core while it plans
+constexpr std::uint64_t kBlocksPerLook = 1024;            ///< planned between two looks at ordinary requests
+/// A reader that stands still for longer keeps nobody's request waiting.
+constexpr std::chrono::milliseconds kReaderPatience{250};
 
-/// Decides which ticks virtual time has. At rest a tick passes only to take a request, so that the moment a
-/// command comes in from another process does not show in the trace.
+/// Decides which ticks virtual time has, and which of them may take a request. At rest a tick passes only for
+/// one, after the machine has settled; in motion they are taken at fixed places of ticks and of the plan. So
+/// the moment a command comes in from another process does not show in the trace.
 class VirtualTime {
 public:
     VirtualTime(CoreParts& parts, RecordDirector* record, Supervisor& supervisor)
@@ -27,17 +32,23 @@ public:
           settle_ticks_(settle_ticks_of(parts.profile)),
           settle_left_(settle_ticks_) {}
 
-    /// Runs one slice, less when the machine comes to rest. False when no tick was due.
+    /// Has come to rest, but pins or rotors have not: what comes in now waits, lest the trace tell when it
+    /// came.
+    bool is_settling() const { return settle_left_ > 0 && is_at_rest(parts_->cycle->state()); }
+
+    /// Runs on to the next place where requests are taken, less when the machine comes to rest. False when no
+    /// tick was due.
     bool run_slice(bool has_urgent_words) {
         bool has_run = false;
         if (has_urgent_words && !has_work()) {
             tick();
             has_run = true;
         }
-        for (std::uint64_t n = 0; (n < kTicksPerSlice || (is_settling() && n < kLongestSlice)) && has_work();
-             ++n) {
+        bool is_at_end = false;
+        for (std::uint64_t n = 0; n < kLongestSlice && has_work() && !(is_at_end && !is_settling()); ++n) {
             tick();
             has_run = true;
+            if (parts_->cycle->next_tick() % kTicksPerSlice == 0) is_at_end = true;
         }
         return has_run;
     }
@@ -49,7 +60,6 @@ public:
     }
 
 private:
-    bool is_settling() const { return settle_left_ > 0 && is_at_rest(parts_->cycle->state()); }
     bool has_work() const {
         if (settle_left_ > 0 || parts_->io->requests.size() > 0) return true;
         if (parts_->io->replayed_requests.size() > 0 || parts_->io->urgent.failures.load() != 0) return true;
@@ -66,13 +76,15 @@ private:
         }
     }
 
-    /// The planner has no thread of its own here: others are heard and answered while it works, and what they
-    /// ask of the tick does not wait for the whole plan.
+    /// The planner has no thread of its own here: while it works stop and emergency stop are heard and the
+    /// heart beats, whatever the clock on the wall says, and at fixed places everything else.
     void plan() {
+        const bool rests = is_at_rest(parts_->cycle->state());
         auto last_heard = std::chrono::steady_clock::now();
         parts_->planner->poll([&] {
-            if (std::chrono::steady_clock::now() - last_heard < kLongestSilence) return true;
-            const bool has_news = supervisor_->poll();
+            const bool is_look = ++blocks_planned_ % kBlocksPerLook == 0 && !rests;
+            if (!is_look && std::chrono::steady_clock::now() - last_heard < kLongestSilence) return true;
+            const bool has_news = supervisor_->poll(is_look ? Hearing::everything : Hearing::urgent_words);
             last_heard = std::chrono::steady_clock::now();
             return !has_news;
         });
@@ -93,6 +105,21 @@ private:
 
     std::uint64_t settle_ticks_;
     std::uint64_t settle_left_;
+    std::uint64_t blocks_planned_ = 0;  ///< since the core began
+};
+
+/// Whether time stands still for a reader, and for how long it has.
+class ReaderWatch {
+public:
+    void note(bool is_held_up) {
+        if (is_held_up && !since_) since_ = std::chrono::steady_clock::now();
+        if (!is_held_up) since_.reset();
+    }
+    bool is_held_up() const { return since_.has_value(); }
+    bool is_stuck() const { return since_ && std::chrono::steady_clock::now() - *since_ > kReaderPatience; }
+
+private:
+    std::optional<std::chrono::steady_clock::time_point> since_;
 };
 
 }  // namespace
@@ -100,11 +127,14 @@ private:
 int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors,
                          EndRequest& end) {
     VirtualTime time{parts, directors.record, supervisor};
+    ReaderWatch reader;
     int exit_code = kExitDone;
     time.run_slice(false);
     for (;;) {
         move_traces(parts);
-        const bool has_news = supervisor.poll();
+        reader.note(supervisor.must_wait_for_reader() || parts.trace_ring->size() > 0);
+        const bool hears_requests = !time.is_settling() || reader.is_stuck();
+        const bool has_news = supervisor.poll(hears_requests ? Hearing::everything : Hearing::urgent_words);
         if (directors.job != nullptr) {
             const auto progress = directors.job->poll(supervisor);
             if (progress == JobDirector::Progress::alarm) exit_code = kExitAlarm;
@@ -120,9 +150,10 @@ int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directo
             }
         }
         const auto ending = end.poll(supervisor);
-        if (ending == EndRequest::Progress::may_end || supervisor.shutdown_requested()) break;
+        const bool may_end = ending == EndRequest::Progress::may_end && hears_requests;
+        if (may_end || supervisor.shutdown_requested()) break;
         const bool must_be_heard = has_news || ending == EndRequest::Progress::told_tick;
-        if (supervisor.must_wait_for_reader() || parts.trace_ring->size() > 0) {
+        if (reader.is_held_up()) {
             if (must_be_heard) time.run_one_tick();
             supervisor.wait(kReaderWait);
             continue;

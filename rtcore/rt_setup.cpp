@@ -14,7 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <string>
 #include <system_error>
 
 #include "shared/cpu_list.hpp"
@@ -136,7 +136,8 @@ SetupStep touch_heap() {
 
 std::optional<int> isolated_cpu(const std::string& root) {
     std::ifstream file{root + "/sys/devices/system/cpu/isolated"};
-    const std::string text{std::istreambuf_iterator<char>{file}, {}};
+    std::string text;
+    std::getline(file, text);
     const auto isolated = cpus_from_list(text);
     if (!isolated || isolated->empty() || isolated->back() >= CPU_SETSIZE) return std::nullopt;
     return isolated->back();

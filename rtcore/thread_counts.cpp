@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/thread_counts.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string_view>
 
 namespace psicarve::rtcore {
 namespace {
 
+/// Nothing of a file that cannot be read, as those of a thread that has ended since it was opened: here that
+/// is a state of the stream, where iterators would throw it.
 std::string text_of(const std::string& path) {
-    std::ifstream file{path};
-    return {std::istreambuf_iterator<char>{file}, {}};
+    std::ostringstream text;
+    text << std::ifstream{path}.rdbuf();
+    return text.str();
 }
 
 /// The number behind "name:" at the begin of a line.

@@ -20,6 +20,7 @@
 #include <thread>
 
 #include "rtcore/thread_counts.hpp"
+#include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve::rtcore {
 namespace {
@@ -214,7 +215,29 @@ TEST(ThreadCounts, SeeTheFaultsAndSleepsOfAnotherThread) {
     ASSERT_TRUE(before && after);
     EXPECT_GE(after->since(*before).minor_faults, kBytes / 4096);
     EXPECT_GE(after->since(*before).sleeps, 20U);
+    // Joined is not gone yet: the kernel takes its folder away a moment later.
+    const std::string folder = "/proc/self/task/" + std::to_string(id);
+    while (std::filesystem::exists(folder)) std::this_thread::yield();
     EXPECT_EQ(counts_of_thread(id), std::nullopt);
+}
+
+// What opens may still fail when it is read, as the files of a thread that ends between the two: like a
+// folder.
+TEST(ThreadCounts, AFileThatOpensAndCannotBeReadIsNoThread) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path("proc/self/task/7/stat"));
+    EXPECT_EQ(counts_of_thread(7, folder.path("")), std::nullopt);
+    std::filesystem::remove(folder.path("proc/self/task/7/stat"));
+    std::ofstream{folder.path("proc/self/task/7/stat")} << "7 (a) b) S 1 2 3 4 5 6 11 0 12 0 0\n";
+    std::filesystem::create_directories(folder.path("proc/self/task/7/status"));
+    EXPECT_EQ(counts_of_thread(7, folder.path("")), std::nullopt);
+    std::filesystem::remove(folder.path("proc/self/task/7/status"));
+    std::ofstream{folder.path("proc/self/task/7/status")}
+        << "Name:\ta\nvoluntary_ctxt_switches:\t13\nnonvoluntary_ctxt_switches:\t14\n";
+    const auto counts = counts_of_thread(7, folder.path(""));
+    ASSERT_TRUE(counts);
+    EXPECT_EQ(*counts,
+              (ThreadCounts{.minor_faults = 11, .major_faults = 12, .sleeps = 13, .preemptions = 14}));
 }
 
 TEST(RtSetup, LeavesRoomForLargeSparseMappings) {

@@ -9,9 +9,6 @@
 namespace psicarve::machine {
 namespace {
 
-/// A jog by a distance ends by itself: its lease may be long enough for a busy computer.
-constexpr std::chrono::milliseconds kDistanceLease{1000};
-
 /// Another one for each jog, and hardly ever another process'.
 std::uint32_t new_token() noexcept {
     static std::atomic<std::uint32_t> count{0};
@@ -42,8 +39,9 @@ Result<HeldJog> HeldJog::begin(MachineLink& link, Command command, std::chrono::
     return jog;
 }
 
-Result<HeldJog> HeldJog::by(MachineLink& link, JogAxis axis, double distance, double speed) {
-    return begin(link, jog_command(CommandKind::jog, axis, distance, speed), kDistanceLease);
+Result<HeldJog> HeldJog::by(MachineLink& link, JogAxis axis, double distance, double speed,
+                            std::chrono::milliseconds lease) {
+    return begin(link, jog_command(CommandKind::jog, axis, distance, speed), lease);
 }
 
 Result<HeldJog> HeldJog::on(MachineLink& link, JogAxis axis, bool up, double speed,

@@ -26,13 +26,17 @@ private:
     std::uint32_t number_;
 };
 
+/// A jog by a distance ends by itself: its lease may be long enough for a busy computer.
+inline constexpr std::chrono::milliseconds kDistanceJogLease{1000};
+
 /// A jog that we began and hold: it goes on only while renew() is called again and again, at least every
 /// kJogRenewal. Ends in order when it is released or destroyed; by itself when this process dies or hangs.
 /// The link outlives it. One thread.
 class HeldJog {
 public:
     /// By a distance [mm; psi: deg]; `speed` [mm/s; deg/s], 0: the axis' home speed.
-    static Result<HeldJog> by(MachineLink& link, JogAxis axis, double distance, double speed);
+    static Result<HeldJog> by(MachineLink& link, JogAxis axis, double distance, double speed,
+                              std::chrono::milliseconds lease = kDistanceJogLease);
     /// Upwards (or down) until it is released or the travel ends.
     static Result<HeldJog> on(MachineLink& link, JogAxis axis, bool up, double speed,
                               std::chrono::milliseconds lease = kJogLease);

@@ -45,10 +45,13 @@ protected:
     }
     std::int64_t psi_pulses() const { return status().position_pulses[index_of(Axis::psi)]; }
     std::unique_ptr<RunningProgram> begin_turning() const {
-        auto jog = std::make_unique<RunningProgram>(
-            "psicarve", std::vector<std::string>{"jog", "psi", "+", "--segment", segment_});
+        // The longest lease: a computer that stands still for a while is not what is tried here.
         const std::int64_t before = psi_pulses();
-        EXPECT_TRUE(eventually([&] { return psi_pulses() > before + 10; }));
+        auto jog = std::make_unique<RunningProgram>(
+            "psicarve", std::vector<std::string>{"jog", "psi", "+", "--lease", "2", "--segment", segment_});
+        const auto turns = [&] { return psi_pulses() > before + 10; };
+        EXPECT_TRUE(eventually([&] { return turns() || jog->has_ended(); }));
+        EXPECT_TRUE(turns()) << "the jog ended: " << jog->outcome().error;
         return jog;
     }
     void expect_at_rest_where_the_machine_is() const {
@@ -134,6 +137,18 @@ TEST_F(Jogging, AnInterruptedClientLetsGo) {
     EXPECT_EQ(jog->wait(), 0) << jog->error();
     EXPECT_EQ(status().move_end, MoveEnd::released);
     expect_at_rest_where_the_machine_is();
+}
+
+TEST_F(Jogging, ALeaseIsAsLongAsTheCoreAllows) {
+    for (const std::string lease : {"0.09", "2.1", "-1", "nan"}) {
+        const Outcome refused = run({"jog", "psi", "+", "--lease=" + lease});
+        EXPECT_EQ(refused.exit_code, 2) << lease;
+    }
+    start_core({"--clock", "virtual"});
+    const Outcome refused = run({"jog", "psi", "+", "--lease", "3"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.error.find("--lease: from 0.1 to 2 seconds"), std::string::npos) << refused.error;
+    EXPECT_EQ(run({"jog", "psi", "9", "--lease", "2"}).exit_code, 0);
 }
 
 TEST_F(Jogging, AStopEndsAJogAndTheClientSaysSo) {

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -50,6 +51,12 @@ StatLine read_stat(std::uint32_t pid) noexcept {
     return stat;
 }
 
+/// Its number in the kernel; 0 when /proc does not say.
+std::uint64_t own_pid_namespace() noexcept {
+    struct stat facts {};
+    return ::stat("/proc/self/ns/pid", &facts) == 0 ? facts.st_ino : 0;
+}
+
 bool is_dead_state(char state) noexcept {
     return state == 'Z' || state == 'X' || state == 'x';
 }
@@ -72,6 +79,22 @@ bool is_process_alive(std::uint32_t pid, std::uint64_t start_time) noexcept {
     if (stat.state == 0) return true;  // hidden from us, but kill() found it
     if (is_dead_state(stat.state)) return false;
     return start_time == 0 || stat.start_time == start_time;
+}
+
+std::string named_after_this_process(std::string_view prefix) {
+    return std::string{prefix} + std::to_string(own_pid_namespace()) + "-" + std::to_string(own_pid());
+}
+
+bool is_named_after_dead_process(std::string_view name, std::string_view prefix) noexcept {
+    if (!name.starts_with(prefix)) return false;
+    const char* const end = name.data() + name.size();
+    std::uint64_t pid_namespace = 0;
+    const auto [dash, no_namespace] = std::from_chars(name.data() + prefix.size(), end, pid_namespace);
+    if (no_namespace != std::errc{} || dash == end || *dash != '-') return false;
+    std::uint32_t pid = 0;
+    const auto [rest, no_pid] = std::from_chars(dash + 1, end, pid);
+    if (no_pid != std::errc{} || (rest != end && *rest != '-')) return false;
+    return pid_namespace == own_pid_namespace() && pid > 0 && !is_process_alive(pid, 0);
 }
 
 std::string current_boot_id() {

@@ -26,11 +26,15 @@ protected:
         ASSERT_NO_FATAL_FAILURE(SegmentOfTwo::SetUp());
         ASSERT_TRUE(core_->claim_core().has_value());
     }
+    /// Of a sender that waits for longer than this.
     ReceivedCommand take() {
-        for (;;) {
+        const auto end = std::chrono::steady_clock::now() + milliseconds{50'000};
+        while (std::chrono::steady_clock::now() < end) {
             if (auto command = take_command(*core_)) return *command;
             std::this_thread::yield();
         }
+        ADD_FAILURE() << "nobody has sent a command";
+        return {};
     }
     void put(std::size_t slot, SlotState state, std::uint32_t pid) {
         core_->header().commands[slot].state_and_sender.store((std::uint64_t{pid} << 32) |
@@ -95,10 +99,15 @@ TEST_F(SegmentCommands, CommandThatNobodyTookIsTakenBackAtTheLimit) {
 
 TEST_F(SegmentCommands, SlotOfASenderThatGaveUpAfterItWasTakenIsFreedByTheAnswer) {
     Result<void> result;
+    std::atomic<bool> is_taken{false};
+    // Once more where this computer stands still for so long that nobody took it in time.
     std::thread sender{[&] {
-        result = send_command(*hmi_, {CommandKind::home, 0, 0, 0}, milliseconds{200});
+        do {
+            result = send_command(*hmi_, {CommandKind::home, 0, 0, 0}, milliseconds{200});
+        } while (!is_taken.load());
     }};
     const ReceivedCommand received = take();
+    is_taken.store(true);
     sender.join();
     EXPECT_EQ(result.error().code, ErrorCode::timed_out);
     EXPECT_EQ(used_slots(), 1U);

@@ -23,7 +23,7 @@ public:
     SegmentName() {
         remove_stale_segments_once();
         static int s_counter = 0;
-        name_ = "/psicarve-test-" + std::to_string(::getpid()) + "-" + std::to_string(s_counter++);
+        name_ = "/" + named_after_this_process(kTestSegmentPrefix) + "-" + std::to_string(s_counter++);
         owner_ = ::getpid();
     }
     ~SegmentName() {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <sys/stat.h>
 
+#include <array>
 #include <fstream>
 #include <limits>
 #include <map>
 
+#include "shared/process_identity.hpp"
 #include "shared/profile.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 
@@ -221,33 +223,55 @@ TEST_F(Carve, ReplayGivesTheSameReportAndLeavesNothingBehind) {
     EXPECT_EQ(text_of(file("a.trace")), text_of(file("b.trace")));
 }
 
+/// A replay that is in the middle of its job and cannot come to the end before it is let: its pins go into a
+/// pipe, and time waits for whoever reads them.
+class HeldReplay {
+public:
+    HeldReplay(const std::string& job, const std::string& pipe, const std::vector<std::string>& more = {})
+        : program_{"psicarve", arguments(job, pipe, more)}, pins_{pipe, std::ios::binary} {
+        std::array<char, 4096> bytes;
+        pins_.read(bytes.data(), bytes.size());
+        EXPECT_TRUE(pins_.good());
+    }
+    RunningProgram& program() { return program_; }
+    void let_go() { pins_.ignore(std::numeric_limits<std::streamsize>::max()); }
+
+private:
+    static std::vector<std::string> arguments(const std::string& job, const std::string& pipe,
+                                              const std::vector<std::string>& more) {
+        EXPECT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+        std::vector<std::string> all{"replay", job, "--trace", pipe};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+    RunningProgram program_;
+    std::ifstream pins_;
+};
+
+/// Where a replay's core is served. Of our own pid namespace, as every child of ours.
+std::string segment_of(const RunningProgram& program) {
+    const std::string own = named_after_this_process("psicarve-private-");
+    return "/dev/shm/" + own.substr(0, own.rfind('-') + 1) + std::to_string(program.pid());
+}
+
 TEST_F(Carve, APrivateSegmentGoesWithItsReplayOrWithTheNextOne) {
-    const std::string job = slice_box("400");
-    const auto segment_of = [](pid_t pid) { return "/dev/shm/psicarve-private-" + std::to_string(pid); };
-    RunningProgram killed{"psicarve", {"replay", job}};
-    while (!std::filesystem::exists(segment_of(killed.pid()))) std::this_thread::yield();
+    HeldReplay held{slice_box("400"), file("pins.trace")};
+    RunningProgram& killed = held.program();
+    EXPECT_TRUE(std::filesystem::exists(segment_of(killed)));
     killed.send(SIGKILL);
     killed.wait();
     RunningProgram next{"psicarve", {"replay", slice_box()}};
     EXPECT_EQ(next.wait(), 0) << next.error();
-    EXPECT_FALSE(std::filesystem::exists(segment_of(killed.pid())));
-    EXPECT_FALSE(std::filesystem::exists(segment_of(next.pid())));
+    EXPECT_FALSE(std::filesystem::exists(segment_of(killed)));
+    EXPECT_FALSE(std::filesystem::exists(segment_of(next)));
 }
 
-// It is the pins that are waited for: the trace goes into a pipe that nobody reads until the replay was
-// interrupted, so the job cannot be over before.
 TEST_F(Carve, AnInterruptedReplayIsNotASuccess) {
-    const std::string job = slice_box("400");
-    const std::string pipe = file("pins.trace");
-    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    RunningProgram replay{"psicarve", {"replay", job, "--trace", pipe, "--json"}};
-    std::ifstream pins{pipe, std::ios::binary};
-    std::array<char, 4096> bytes;
-    pins.read(bytes.data(), bytes.size());
-    ASSERT_TRUE(pins.good());
+    HeldReplay held{slice_box("400"), file("pins.trace"), {"--json"}};
+    RunningProgram& replay = held.program();
     replay.send(SIGINT);
     std::this_thread::sleep_for(std::chrono::milliseconds{100});
-    pins.ignore(std::numeric_limits<std::streamsize>::max());
+    held.let_go();
     EXPECT_EQ(replay.wait(), 4) << replay.error();
     EXPECT_NE(replay.error().find("stopped by the operator"), std::string::npos) << replay.error();
     EXPECT_EQ(nlohmann::json::parse(replay.out())["verified"], nullptr);
@@ -272,14 +296,12 @@ TEST_F(Carve, ATraceOntoAFullDiskIsAnErrorAfterTheWork) {
 }
 
 TEST_F(Carve, APictureThatCannotBeWrittenAfterTheWorkIsNotBadInput) {
-    const std::string job = slice_box("400");
     const std::string pictures = file("pictures");
     std::filesystem::create_directory(pictures);
-    RunningProgram replay{"psicarve", {"replay", job, "--picture", pictures + "/out.png"}};
-    while (!std::filesystem::exists("/dev/shm/psicarve-private-" + std::to_string(replay.pid()))) {
-        std::this_thread::yield();
-    }
+    HeldReplay held{slice_box("400"), file("pins.trace"), {"--picture", pictures + "/out.png"}};
+    RunningProgram& replay = held.program();
     std::filesystem::remove(pictures);
+    held.let_go();
     EXPECT_EQ(replay.wait(), 4) << replay.error();
     EXPECT_NE(replay.error().find("out.png"), std::string::npos) << replay.error();
 }

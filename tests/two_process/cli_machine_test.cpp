@@ -238,7 +238,8 @@ TEST_F(Machine, WatchGoesOnLineByLineUntilInterrupted) {
     start_core();
     RunningProgram watch{"psicarve", {"status", "--watch", "--segment", segment_}};
     ASSERT_EQ(run({"home"}).exit_code, 0);
-    std::this_thread::sleep_for(milliseconds{600});
+    EXPECT_TRUE(eventually(
+        [&] { return watch.out_so_far().find("ready; job") != std::string::npos || watch.has_ended(); }));
     watch.send(SIGINT);
     EXPECT_EQ(watch.wait(), 0) << watch.error();
     EXPECT_NE(watch.out().find("ready; job"), std::string::npos) << watch.out();

@@ -48,7 +48,7 @@ JobTable lobed_job(std::uint32_t layers, std::uint32_t points, const Profile& pr
 CoreRig::CoreRig() {
     test::remove_stale_segments_once();
     static std::atomic<int> count{0};
-    segment_name_ = "/psicarve-test-" + std::to_string(getpid()) + "-" + std::to_string(++count);
+    segment_name_ = "/" + named_after_this_process(test::kTestSegmentPrefix) + "-" + std::to_string(++count);
 }
 
 CoreRig::~CoreRig() {

@@ -92,6 +92,7 @@ void RunningProgram::read_outputs() {
             std::array<char, 65536> bytes;
             const ssize_t got = read(waited[i].fd, bytes.data(), bytes.size());
             if (got > 0) {
+                const std::lock_guard<std::mutex> lock(texts_mutex_);
                 texts_[i].append(bytes.data(), static_cast<std::size_t>(got));
             } else {
                 close(waited[i].fd);
@@ -121,20 +122,15 @@ std::vector<std::string> words_of(const std::string& text) {
 CliTest::CliTest() {
     remove_stale_segments_once();
     static std::atomic<int> count{0};
-    const std::string name = "psicarve-cli-test-" + std::to_string(getpid()) + "-" + std::to_string(++count);
-    segment_ = "/" + name;
-    folder_ = std::filesystem::path{testing::TempDir()} / name;
-    std::filesystem::create_directories(folder_);
+    segment_ = "/" + named_after_this_process(kCliTestSegmentPrefix) + "-" + std::to_string(++count);
 }
 
 CliTest::~CliTest() {
     (void)Segment::remove(segment_);
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
 }
 
 std::string CliTest::file(const std::string& name) const {
-    return (folder_ / name).string();
+    return temporary_.path(name);
 }
 void CliTest::write(const std::string& name, const std::string& text) const {
     std::ofstream{file(name), std::ios::binary} << text;

@@ -18,6 +18,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -26,6 +27,7 @@
 #include <vector>
 
 #include "shared/segment.hpp"
+#include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve::test {
 
@@ -56,6 +58,11 @@ public:
     int wait();
     /// What came of it, once it has ended.
     Outcome outcome();
+    /// What it has said on standard output until now.
+    std::string out_so_far() const {
+        const std::lock_guard<std::mutex> lock(texts_mutex_);
+        return texts_[0];
+    }
     /// After wait().
     const std::string& out() const { return texts_[0]; }
     const std::string& error() const { return texts_[1]; }
@@ -67,6 +74,7 @@ private:
     bool is_over_ = false;
     int exit_code_ = -1;
     std::array<int, 2> outputs_{};
+    mutable std::mutex texts_mutex_;
     std::array<std::string, 2> texts_;
     std::thread reader_;
 };
@@ -95,7 +103,8 @@ protected:
     std::string box_stl(const std::string& name, double height_mm = 6.0) const;
 
     std::string segment_;
-    std::filesystem::path folder_;
+    TemporaryFolder temporary_;
+    std::filesystem::path folder_{temporary_.path("")};
 };
 
 }  // namespace psicarve::test

@@ -75,9 +75,11 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     const std::size_t drivers_writes = port_.state().write_count.load();
     ASSERT_TRUE(lab_.wait_for("LAB killed core's guard ended 137", kRunLimit)) << lab_.console();
     expect_safe_lines();
-    ASSERT_TRUE(lab_.wait_for("LAB begin estop", kRunLimit)) << lab_.console();
+    port_.state().status_flip.store(kEstopStatusBit);
+    ASSERT_TRUE(lab_.wait_for("LAB port was looked at", kRunLimit)) << lab_.console();
     // Somewhere in the long job: its pulses are many more than homing and approach take.
     const std::uint64_t estop_pulse = flip_after(wanted.size() * 2, kEstopStatusBit);
+    port_.state().status_flip.store(0);
     ASSERT_TRUE(lab_.wait_for("LAB emergency stop is pressed", kRunLimit)) << lab_.console();
     // The axes of the tick that was under way.
     EXPECT_GE(port_.state().pulse_count.load(), estop_pulse);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two layers of each job of the motion benchmarks, as dense as they are carved there, through thirty random
-// sequences of hold, resume and override.
+// Two layers of each job of the motion benchmarks, as dense as they are carved there, through random
+// sequences of hold, resume and override: thirty in a long run.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 #include "tests/motion/random_operator.hpp"
 #include "tests/motion/thoroughness.hpp"
 #include "tests/reference/table_csv.hpp"
+#include "tests/shared/long_run.hpp"
 
 namespace psicarve::motion {
 namespace {
@@ -26,7 +27,6 @@ enum class Machine { plain, lifting, with_backlash, lifting_with_backlash };
 struct Case {
     const char* job;
     Machine machine;
-    std::uint64_t rounds;
 };
 
 Profile profile_of(Machine machine) {
@@ -39,6 +39,11 @@ Profile profile_of(Machine machine) {
     return profile;
 }
 
+std::uint64_t rounds() {
+    if (kIsSanitized) return 2;
+    return test::is_long_run() ? 30 : 8;
+}
+
 class DisturbedTables : public ::testing::TestWithParam<Case> {};
 
 TEST_P(DisturbedTables, ObeyTheFourRulesInTheSameOrder) {
@@ -48,7 +53,7 @@ TEST_P(DisturbedTables, ObeyTheFourRulesInTheSameOrder) {
     const Carved undisturbed = carved(profile, table);
     ASSERT_TRUE(undisturbed.report.ok) << verify::report_text(undisturbed.report);
     for (const verify::RuleResult& rule : undisturbed.report.rules) EXPECT_TRUE(rule.judged);
-    for (std::uint64_t seed = 1; seed <= GetParam().rounds; ++seed) {
+    for (std::uint64_t seed = 1; seed <= rounds(); ++seed) {
         const Carved disturbed = carved(profile, table, Operator(seed, kLongestSpan));
         EXPECT_TRUE(disturbed.report.ok) << "seed " << seed << '\n' << verify::report_text(disturbed.report);
         // Heads that go out and come back do so with pulses of their own.
@@ -119,18 +124,15 @@ std::string name_of(const ::testing::TestParamInfo<Case>& info) {
     return info.param.job + std::string{machines[static_cast<std::size_t>(info.param.machine)]};
 }
 
-constexpr std::uint64_t kRounds = kIsSanitized ? 2 : 30;
-
-INSTANTIATE_TEST_SUITE_P(
-    Bench, DisturbedTables,
-    ::testing::Values(Case{"vase", Machine::plain, kRounds}, Case{"figurine", Machine::plain, kRounds},
-                      Case{"gear", Machine::plain, kRounds}, Case{"relief", Machine::plain, kRounds},
-                      Case{"scan", Machine::plain, kRounds}, Case{"bunny", Machine::plain, kRounds},
-                      Case{"gear", Machine::with_backlash, kRounds},
-                      Case{"relief", Machine::lifting, kRounds},
-                      Case{"gear", Machine::lifting_with_backlash, kRounds},
-                      Case{"figurine", Machine::lifting_with_backlash, kRounds}),
-    name_of);
+INSTANTIATE_TEST_SUITE_P(Bench, DisturbedTables,
+                         ::testing::Values(Case{"vase", Machine::plain}, Case{"figurine", Machine::plain},
+                                           Case{"gear", Machine::plain}, Case{"relief", Machine::plain},
+                                           Case{"scan", Machine::plain}, Case{"bunny", Machine::plain},
+                                           Case{"gear", Machine::with_backlash},
+                                           Case{"relief", Machine::lifting},
+                                           Case{"gear", Machine::lifting_with_backlash},
+                                           Case{"figurine", Machine::lifting_with_backlash}),
+                         name_of);
 
 }  // namespace
 }  // namespace psicarve::motion

@@ -14,7 +14,7 @@ protected:
         profile_.port.pins[index_of(Signal::y_enable)] = 6;
         profile_.port.charge_pump_pin = -1;
         port_.state().axes[index_of(Axis::y)].enable = port_.state().axes[index_of(Axis::r1)].enable;
-        write_profile();
+        home_where_it_stands();
     }
     /// The pump's level after each write from number `first` on.
     std::vector<bool> levels(std::size_t first = 0) const {

@@ -15,6 +15,7 @@ namespace {
 /// A core on a real port, and the process that was started: its guard.
 class CoreGuard : public PortRig {
 protected:
+    CoreGuard() { home_where_it_stands(); }
     pid_t guard_pid() const { return core_->pid(); }
 
     void carve_for_long(bool leads_group = false) {

@@ -74,6 +74,7 @@ private:
 
 class CoreOutlet : public PortRig {
 protected:
+    CoreOutlet() { home_where_it_stands(); }
     void carve(const std::vector<std::string>& more) {
         start_port_core(more);
         home();

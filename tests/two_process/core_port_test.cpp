@@ -41,10 +41,7 @@ TEST_F(CorePort, CarvesAJobWithExactlyThePulsesOfTheSimulatedPort) {
 
 TEST_F(CorePort, AMachineWithoutAnySensorIsHomedWhereItStandsAndCarvesTheSame) {
     const std::vector<Pulse> wanted = pulses_of_the_simulated_run(coarse_job(2));
-    for (LinearAxisProfile* axis : {&profile_.r1, &profile_.r2, &profile_.y}) axis->home = HomeSensor::none;
-    profile_.psi.home = HomeSensor::none;
-    write_profile();
-    port_.stand(profile_);
+    home_where_it_stands();
     start_port_core();
     home();
     EXPECT_EQ(pulses_on_the_cable(), 0U) << "there is nothing to look for";
@@ -59,6 +56,7 @@ TEST_F(CorePort, AMachineWithoutAnySensorIsHomedWhereItStandsAndCarvesTheSame) {
 }
 
 TEST_F(CorePort, APulseWithinATickLastsLongEnoughAndIsTheSamePulse) {
+    home_where_it_stands();
     const std::vector<Pulse> wanted = pulses_of_the_simulated_run(coarse_job(2));
     profile_.port.pulses = PulseForm::within_tick;
     write_profile();
@@ -107,6 +105,7 @@ TEST_F(CorePort, WritesOnlyRegistersThatChange) {
 }
 
 TEST_F(CorePort, AnEmergencyStopEndsPulsesWithItsTick) {
+    home_where_it_stands();
     start_port_core();
     home();
     ASSERT_EQ(publish(coarse_job(40)), "");
@@ -136,6 +135,7 @@ TEST_F(CorePort, ALimitPlayedWhileCarvingStopsAndNamesItsAxis) {
 }
 
 TEST_F(CorePort, ALimitThatChattersFromTickToTickStopsNothing) {
+    home_where_it_stands();
     start_port_core();
     home();
     ASSERT_EQ(publish(coarse_job(2)), "");
@@ -177,6 +177,7 @@ TEST_F(CorePort, HoweverManyAccessesFailTheMachineIsSwitchedOffOnceThePortAnswer
 }
 
 TEST_F(CorePort, AnOutageWhileCarvingEndsWithTheMachineSwitchedOff) {
+    home_where_it_stands();
     start_port_core();
     home();
     ASSERT_EQ(publish(coarse_job(40)), "");
@@ -206,6 +207,7 @@ TEST_F(CorePort, AnOutageWhileCarvingEndsWithTheMachineSwitchedOff) {
 }
 
 TEST_F(CorePort, APortThatVanishesWhileCarvingIsAnAlarmAndTheGuardWaitsForIt) {
+    home_where_it_stands();
     start_port_core();
     home();
     ASSERT_EQ(publish(coarse_job(40)), "");
@@ -225,6 +227,7 @@ TEST_F(CorePort, APortThatVanishesWhileCarvingIsAnAlarmAndTheGuardWaitsForIt) {
 }
 
 TEST_F(CorePort, AtRestAPortThatVanishesIsFoundByReadingAndAnOrderEndsTheGuardsWaiting) {
+    home_where_it_stands();
     start_port_core();
     home();
     fail_port(ENODEV, -1);
@@ -251,6 +254,7 @@ TEST_F(CorePort, ASecondCoreIsRefusedWithThePidOfTheFirst) {
 
 // Without a guard, which would write it as well.
 TEST_F(CorePort, AFatalSignalLeavesTheSafeStateBehind) {
+    home_where_it_stands();
     for (const int number : {SIGSEGV, SIGRTMIN + 6}) {
         start_port_core({"--no-guard"});
         ASSERT_EQ(core_pid_, core_->pid());

@@ -4,6 +4,7 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <array>
 #include <ctime>
 
 #include "tests/two_process/child_process.hpp"
@@ -31,6 +32,7 @@ protected:
         write_profile();
     }
     void carve(const std::vector<std::string>& more = {}) {
+        home_where_it_stands();
         const fake_port::FakePortFile::Preload preload{port_};
         std::vector<std::string> arguments = port_arguments(segment_name_);
         arguments.insert(arguments.end(), more.begin(), more.end());
@@ -41,9 +43,15 @@ protected:
             return core_pid_ != 0;
         })) << text_of(file("core.err"));
         home();
+        for (const Axis axis : kAllAxes) offset_pulses_[index_of(axis)] = off_pulses(axis, status());
         ASSERT_EQ(publish(coarse_job(40)), "");
         start_carving();
         ASSERT_TRUE(eventually([&] { return status().points_done > 3; }));
+    }
+    /// How far what the cable has counted is from what the core has.
+    std::int64_t off_pulses(Axis axis, const CoreStatus& now) {
+        return port_.state().axes[index_of(axis)].position_pulses.load() -
+               now.position_pulses[index_of(axis)];
     }
     /// The core is stopped, and goes on.
     void pause(std::int64_t pause_ms) const {
@@ -82,11 +90,12 @@ protected:
         const CoreStatus now = status();
         EXPECT_EQ(now.homed_mask, 0xF);
         for (const Axis axis : kAllAxes) {
-            const std::int64_t on_the_cable = port_.state().axes[index_of(axis)].position_pulses.load();
-            const std::int64_t off = on_the_cable - now.position_pulses[index_of(axis)];
+            const std::int64_t off = off_pulses(axis, now) - offset_pulses_[index_of(axis)];
             EXPECT_EQ(axis == Axis::psi ? off % profile_.psi.pulses_per_rev : off, 0) << name_of(axis);
         }
     }
+    /// When it was homed, where it stood.
+    std::array<std::int64_t, kAxisCount> offset_pulses_{};
 };
 
 TEST_F(CoreStarved, StoppedForFiftyMillisecondsWhileCarvingItCountsThemAndMakesNoBurst) {

@@ -10,6 +10,7 @@ namespace {
 
 class CoreSuspend : public PortRig {
 protected:
+    CoreSuspend() { home_where_it_stands(); }
     void start_core_that_may_sleep() {
         {
             const fake_port::FakePortFile::Preload port{port_};

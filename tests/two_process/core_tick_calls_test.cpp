@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "tests/shared/long_run.hpp"
 #include "tests/system_calls/tick_calls.hpp"
 #include "tests/two_process/port_rig.hpp"
 
@@ -86,10 +87,7 @@ protected:
         ASSERT_EQ(refusal_of(CommandKind::home), "");
     }
     /// By the wall clock, so the suite takes what the work lasts; PSICARVE_LONG=1: a million, in two minutes.
-    static std::uint64_t ticks_wanted() {
-        const char* const is_long = std::getenv("PSICARVE_LONG");
-        return is_long != nullptr && std::string{is_long} == "1" ? 1'000'000 : 0;
-    }
+    static std::uint64_t ticks_wanted() { return test::is_long_run() ? 1'000'000 : 0; }
     /// Calls by their numbers, without those that a tick may make.
     std::map<std::size_t, std::uint64_t> calls_but(const std::vector<long>& allowed) const {
         std::map<std::size_t, std::uint64_t> found;

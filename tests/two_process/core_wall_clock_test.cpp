@@ -28,6 +28,7 @@ protected:
 };
 
 TEST_F(CoreWallClock, SetForthAndBackChangesNoPulse) {
+    home_where_it_stands();
     const std::vector<fake_port::Pulse> wanted = pulses_of_the_simulated_run(coarse_job(2));
     core_.reset();
     segment_.reset();

@@ -14,8 +14,9 @@ class PortEmergencyStops : public PortRig {
 protected:
     /// Homed where it stands, but for Y.
     PortEmergencyStops() {
-        for (LinearAxisProfile* axis : {&profile_.r1, &profile_.r2}) axis->home = HomeSensor::none;
-        profile_.psi.home = HomeSensor::none;
+        const HomeSensor of_y = profile_.y.home;
+        home_where_it_stands();
+        profile_.y.home = of_y;
         write_profile();
         port_.stand(profile_);
     }

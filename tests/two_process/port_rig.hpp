@@ -40,6 +40,15 @@ protected:
         profile.port.pins[index_of(Signal::estop)] = 15;
         return profile;
     }
+    /// For what is tried of a machine that is homed: to look for its sensors takes ten seconds by the wall
+    /// clock.
+    void home_where_it_stands() {
+        for (LinearAxisProfile* axis : {&profile_.r1, &profile_.r2, &profile_.y})
+            axis->home = HomeSensor::none;
+        profile_.psi.home = HomeSensor::none;
+        write_profile();
+        port_.stand(profile_);
+    }
     /// Layers a pulse apart.
     JobTable coarse_job(std::uint32_t layers) const {
         JobTable table = lobed_job(layers, 9, profile_);

@@ -9,21 +9,28 @@ logs="$root/build/logs"
 all_parts="format dev tsan fuzz asan tidy"
 extra_parts="analyse"
 fuzz_runs=8000  # of each target
-most_retries=8  # tests of a suite that may need another try
+most_flaky=2    # tests of a run that may fail and then pass
 slices=6        # of the suite under AddressSanitizer, where time may run out
 
 usage() {
     cat <<END
-usage: ${0##*/} [--quick | PART...]
+usage: ${0##*/} [--quick | --long | PART...]
+       ${0##*/} --again N NAME [PRESET]
 
 Installs the Debian packages that are missing, then checks the formatting, builds and runs the suite in dev
 and under AddressSanitizer and UndefinedBehaviorSanitizer, runs the parts with threads under ThreadSanitizer,
-fuzzes the parsers a little, and runs clang-tidy over the units of dev. Closes with ctest's summaries. A test that
-fails is tried twice more; the closing lines name those that passed only then, and more than $most_retries of a suite fail it.
+fuzzes the parsers a little, and runs clang-tidy over the units of dev. Closes with ctest's summaries. Tests that fail
+run again, alone, at most twice. The closing lines name those that passed then as FLAKY, and where to read what they
+said first; more than $most_flaky of a run fail it. Where a failure can have no excuse (equal bytes, deaths, mutated segments,
+the guard, what a sanitizer reports) there is no second chance.
 
   PART      only these, of: $all_parts (tidy needs the build of dev), and
             analyse: clang-tidy over each source by itself, with its static analyser (half an hour; not among "every")
   --quick   format and dev
+  --long    every part, with the long forms of the tests that have one, and ten minutes of fuzzing for each parser
+  --again N NAME [PRESET]
+            builds PRESET (dev) and runs the test NAME, or those whose names begin so, N times each with both hands full: a busy
+            loop for each processor runs beside it. Says how often it failed, and keeps what it said then
 
 PSICARVE_SKIP_HARDWARE=1 leaves out the test that boots a PREEMPT_RT kernel in QEMU (tests/hardware); without QEMU it fails.
 PSICARVE_FUZZ_SECONDS=N fuzzes each parser for N seconds instead, on from what earlier runs have found.
@@ -35,15 +42,28 @@ Builds are kept in build/; a second run does only what has changed.
 END
 }
 
+again=()
+if [[ ${1-} == --again ]]; then
+    if (($# < 3 || $# > 4)) || [[ ! $2 =~ ^[1-9][0-9]*$ ]] || [[ " dev release asan tsan " != *" ${4-dev} "* ]]; then
+        printf '%s: --again wants how often, the name of a test, and a preset or none\n' "${0##*/}" >&2
+        usage >&2
+        exit 2
+    fi
+    again=("$@")
+    set --
+fi
 parts=()
 for argument in "$@"; do
-    case " $all_parts $extra_parts --quick --help -h " in
+    case " $all_parts $extra_parts --quick --long --help -h " in
         *" $argument "*) ;;
         *) printf '%s: unknown argument: %s\n' "${0##*/}" "$argument" >&2; usage >&2; exit 2 ;;
     esac
     case "$argument" in
         -h | --help) usage; exit 0 ;;
         --quick) parts+=(format dev) ;;
+        --long)
+            export PSICARVE_LONG=1 PSICARVE_FUZZ_SECONDS=${PSICARVE_FUZZ_SECONDS-600}
+            ;;
         *) parts+=("$argument") ;;
     esac
 done
@@ -51,27 +71,26 @@ if ((${#parts[@]} == 0)); then read -ra parts <<<"$all_parts"; fi
 
 # Sanitizers of this age stumble over kernels that spread addresses wide: switch that off where we may.
 if [[ -z ${PSICARVE_STILL-} ]] && setarch "$(uname -m)" -R true 2>/dev/null; then
-    PSICARVE_STILL=1 exec setarch "$(uname -m)" -R "${BASH_SOURCE[0]}" "$@"
+    PSICARVE_STILL=1 exec setarch "$(uname -m)" -R "${BASH_SOURCE[0]}" "${again[@]}" "$@"
 fi
 
 # shellcheck source=scripts/build.sh
 source "$root/scripts/build.sh"
 mkdir -p "$logs" || fail "cannot write to $logs"
-rm -f "$logs"/ctest-*.log
 
-run_format() {
-    if [[ ! -e $root/.git ]]; then
-        say "format: not a git checkout, nothing to compare with"
-        return 0
-    fi
-    (cd "$root" && git -c safe.directory='*' ls-files -z -- '*.cpp' '*.hpp' |
-        xargs -0 -r clang-format-14 --dry-run -Werror)
-}
+if ((${#again[@]})); then
+    preset=${again[3]-dev}
+    "$root/scripts/deps.sh" test || fail "some packages could not be installed"
+    configure_preset "$preset" "$root/build/$preset" && build "$root/build/$preset" || exit 1
+    exec "$root/scripts/suite.py" again "$root/build/$preset" "${again[1]}" "${again[2]}"
+fi
+rm -f "$logs"/ctest-*.log "$logs"/flaky*
 
-# run_ctest PRESET: the suite of a preset that has been built; its output is kept for the closing summary. A test
-# that fails gets a second and a third try, and the closing lines name it; a few may need one, not many.
+run_format() { "$root/scripts/format.sh" --check; }
+
+# run_ctest PRESET: the suite of a preset that has been built; its output is kept for the closing summary.
 run_ctest() {
-    local verdict=0 again slice
+    local verdict=0 slice
     : >"$logs/ctest-$1.log"
     if [[ $1 == asan && -n ${PSICARVE_SECONDS-} ]]; then
         # Every slice has tests of all kinds.
@@ -80,32 +99,20 @@ run_ctest() {
                 left_out+=("asan: $((slices - slice + 1)) of $slices slices of its tests")
                 break
             fi
-            ctest_once "$1" -I "$slice,,$slices" || verdict=1
+            run_suite "$1" -I "$slice,,$slices" || verdict=1
         done
     else
-        ctest_once "$1" || verdict=1
+        run_suite "$1" || verdict=1
     fi
-    again=$(second_tries "$logs/ctest-$1.log")
-    if [[ -z $again ]]; then return "$verdict"; fi
-    retried+=("$1: ${again//$'\n'/ }")
-    if (($(wc -l <<<"$again") > most_retries)); then return 1; fi
     return "$verdict"
 }
-# ctest_once PRESET [ARGUMENTS...]
-ctest_once() {
+# run_suite PRESET [CTEST ARGUMENTS...]
+run_suite() {
     # One more than there are processors: some tests wait for a clock.
-    (cd "$root" && ctest --preset "$1" --parallel "$(($(nproc) + 1))" --no-tests=error --repeat until-pass:3 "${@:2}" 2>&1) |
-        tee -a "$logs/ctest-$1.log"
-    return "${PIPESTATUS[0]}"
+    "$root/scripts/suite.py" run "$1" "$logs" --parallel "$(($(nproc) + 1))" "${@:2}"
 }
 # Whether the time that we were given is over.
 is_late() { [[ -n ${PSICARVE_SECONDS-} ]] && ((SECONDS > PSICARVE_SECONDS)); }
-# second_tries LOG: the tests that failed and then passed.
-second_tries() {
-    comm -12 <(sed -n 's/^.*Test *#[0-9]*: \([^ ]*\) \.*\*\*\*.*/\1/p' "$1" | sort -u) \
-        <(sed -n 's/^.*Test *#[0-9]*: \([^ ]*\) \.* *Passed .*/\1/p' "$1" | sort -u)
-}
-
 run_dev() { build_and_test dev; }
 run_asan() { build_and_test asan; }
 run_tsan() { build_and_test tsan threads_tests; }
@@ -169,7 +176,6 @@ summary_of() {
 "$root/scripts/deps.sh" test || fail "some packages could not be installed"
 
 verdicts=()
-retried=()
 left_out=()
 failed_parts=()
 presets=()
@@ -195,7 +201,13 @@ done
 
 printf '\n'
 printf '== %s\n' "${verdicts[@]}"
-if ((${#retried[@]})); then printf '== passed at the second try only, %s\n' "${retried[@]}"; fi
+if [[ -s $logs/flaky ]]; then
+    sed 's/^/== /' "$logs/flaky"
+    flaky=$(wc -l <"$logs/flaky")
+    if ((flaky > most_flaky)); then
+        failed_parts+=("$flaky flaky tests")
+    fi
+fi
 if ((${#left_out[@]})); then printf '== LEFT OUT, the time was over: %s\n' "${left_out[@]}"; fi
 if ((${#failed_parts[@]})); then printf '== failed: %s\n' "${failed_parts[*]}"; fi
 # What failed stands last, where a reader of the closing lines sees it.

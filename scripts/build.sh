@@ -17,6 +17,10 @@ configure_preset() {
     fi
     local arguments=(--preset "$preset" -B "$folder" "$@")
     if command -v ccache >/dev/null; then arguments+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+    # Where seventy test programs are linked.
+    if [[ " dev asan tsan " == *" $preset "* ]] && command -v ld.lld >/dev/null; then
+        arguments+=(-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=lld)
+    fi
     # A tree that was copied or moved brings a cache that CMake refuses: start afresh.
     if [[ -f $folder/CMakeCache.txt ]] &&
         ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then

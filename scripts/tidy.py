@@ -7,19 +7,25 @@ usage: tidy.py ROOT BUILD     BUILD holds compile_commands.json and a finished N
 Of a unity build it looks at the units: five times quicker, for headers are read once a unit, but the static
 analyser leaves out what a unit includes, and that is all of it. A build of one file a unit gets it all.
 
-A file's stamp in BUILD/tidy is a hash over .clang-tidy, clang-tidy's version, the file's compile command and
-the contents of the file and of all headers of ours that it includes (as Ninja recorded them).
+A file's stamp is a hash over .clang-tidy, clang-tidy's version, the file's compile command and the contents of the
+file and of all headers of ours that it includes (as Ninja recorded them), whichever folder ROOT is. The stamps are
+kept in $XDG_CACHE_HOME/psicarve/tidy (~/.cache if unset), each until it has not been asked for in sixty days, or in
+BUILD/tidy where nothing can be written there.
 """
 
 import concurrent.futures
+import contextlib
 import hashlib
 import json
 import os
 import subprocess
 import sys
+import tempfile
+import time
 
 TIDY = "clang-tidy-14"
 CHECKED = ("shared", "rtcore", "hmi")
+LONGEST_UNASKED_S = 60 * 24 * 3600
 
 
 def recorded_headers(root, build):
@@ -38,12 +44,45 @@ def recorded_headers(root, build):
 def stamp_of(root, command, files, version):
     """The hash under which a clean verdict is remembered."""
     digest = hashlib.sha256()
-    for text in (version, command["command"]):
-        digest.update(text.encode() + b"\0")
+    here = root.encode()  # in commands, and in units, which name what they include in full
+
+    def add(text):
+        digest.update(text.replace(here, b"ROOT") + b"\0")
+
+    add(version.encode())
+    add(command["command"].encode())
     for path in [os.path.join(root, ".clang-tidy"), *files]:
+        add(path.encode())
         with open(path, "rb") as file:
-            digest.update(path.encode() + b"\0" + file.read() + b"\0")
+            add(file.read())
     return digest.hexdigest()
+
+
+def stamp_folder(build):
+    """Where the stamps are; what nobody has asked for in a long time is gone."""
+    cache = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
+    folder = os.path.join(cache, "psicarve", "tidy")
+    try:
+        os.makedirs(folder, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError:
+        folder = os.path.join(build, "tidy")
+        os.makedirs(folder, exist_ok=True)
+    oldest = time.time() - LONGEST_UNASKED_S
+    for entry in os.scandir(folder):
+        with contextlib.suppress(OSError):  # another run was quicker
+            if entry.stat().st_mtime < oldest:
+                os.remove(entry.path)
+    return folder
+
+
+def has_passed(stamp):
+    """Whether there is such a stamp, which has been asked for then."""
+    with contextlib.suppress(OSError):
+        os.utime(stamp)
+        return True
+    return False
 
 
 def is_unit(path):
@@ -67,8 +106,7 @@ def main():
         commands = {os.path.realpath(entry["file"]): entry for entry in json.load(file)}
     version = subprocess.run([TIDY, "--version"], capture_output=True, text=True, check=True).stdout
     headers = recorded_headers(root, build)
-    stamps = os.path.join(build, "tidy")
-    os.makedirs(stamps, exist_ok=True)
+    stamps = stamp_folder(build)
 
     todo = {}
     sources = sorted(
@@ -78,7 +116,7 @@ def main():
     )
     for path in sources:
         stamp = stamp_of(root, commands[path], headers.get(path, [path]), version)
-        if path not in headers or not os.path.exists(os.path.join(stamps, stamp)):
+        if path not in headers or not has_passed(os.path.join(stamps, stamp)):
             todo[path] = stamp
 
     dirty = 0

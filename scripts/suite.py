@@ -56,7 +56,7 @@ def run_ctest(preset, log, arguments):
             run = subprocess.Popen(command, cwd=root(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
             for line in run.stdout:
                 file.write(line)
-                sys.stdout.write(line)
+                print(line, end="", flush=True)  # whoever is ended at the time limit has said how far it came
             code = run.wait()
         try:
             cases = list(ElementTree.parse(report.name).getroot().iter("testcase"))

@@ -10,7 +10,7 @@ all_parts="format dev tsan fuzz asan tidy"
 extra_parts="analyse"
 fuzz_runs=8000  # of each target
 most_flaky=2    # tests of a run that may fail and then pass
-slices=6        # of the suite under AddressSanitizer, where time may run out
+slices=3        # of the suite under AddressSanitizer, where time may run out
 
 usage() {
     cat <<END

@@ -298,7 +298,7 @@ TEST_F(Carve, ATraceOntoAFullDiskIsAnErrorAfterTheWork) {
 TEST_F(Carve, APictureThatCannotBeWrittenAfterTheWorkIsNotBadInput) {
     const std::string pictures = file("pictures");
     std::filesystem::create_directory(pictures);
-    HeldReplay held{slice_box("400"), file("pins.trace"), {"--picture", pictures + "/out.png"}};
+    HeldReplay held{slice_box("40"), file("pins.trace"), {"--picture", pictures + "/out.png"}};
     RunningProgram& replay = held.program();
     std::filesystem::remove(pictures);
     held.let_go();

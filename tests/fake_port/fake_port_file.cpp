@@ -15,6 +15,7 @@
 
 #include "shared/pin_map.hpp"
 #include "shared/signal.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::fake_port {
 namespace {
@@ -102,7 +103,7 @@ void FakePortFile::stand(const Profile& profile) {
 }
 
 FakePortFile::Preload::Preload(const FakePortFile& port) {
-    ::setenv("LD_PRELOAD", PSICARVE_PRELOAD, 1);
+    ::setenv("LD_PRELOAD", in_build("tests/fake_port_preload.so").c_str(), 1);
     ::setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);  // the library comes first, and is none of it
     ::setenv(kDeviceVariable, port.device_.c_str(), 1);
     ::setenv(kStateVariable, port.state_path_.c_str(), 1);

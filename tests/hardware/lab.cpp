@@ -7,8 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <thread>
 
+#include "tests/places.hpp"
 #include "tests/two_process/core_process.hpp"
 
 namespace psicarve::hardware {
@@ -32,17 +35,32 @@ pid_t start(std::vector<std::string> words, const std::string& output) {
     return pid;
 }
 
+/// Where the guest's kernel is kept: for all builds of whoever runs them, or for this one.
+std::string kernel_folder() {
+    const auto set = [](const char* name) {
+        const char* const value = std::getenv(name);
+        return std::string{value != nullptr ? value : ""};
+    };
+    const std::string home = set("HOME");
+    std::string cache = set("XDG_CACHE_HOME");
+    if (cache.empty() && !home.empty()) cache = home + "/.cache";
+    const std::string folder = cache + "/psicarve/hardware";
+    std::error_code error;
+    if (!cache.empty()) std::filesystem::create_directories(folder, error);
+    if (cache.empty() || error || access(folder.c_str(), W_OK) != 0) return in_build("hardware");
+    return folder;
+}
+
 }  // namespace
 
 std::string Lab::prepare(const std::string& folder, const std::vector<std::string>& files,
                          const std::string& init, const std::vector<std::string>& programs) {
     folder_ = folder;
-    const std::string source = PSICARVE_HARDWARE_SOURCE;
-    std::vector<std::string> words{source + "/prepare.sh", PSICARVE_HARDWARE_CACHE, folder + "/lab",
+    const std::string source = in_source("tests/hardware");
+    std::vector<std::string> words{source + "/prepare.sh", kernel_folder(), folder + "/lab",
                                    source + "/" + init};
     words.insert(words.end(), files.begin(), files.end());
-    const std::string ours = PSICARVE_BIN;
-    words.insert(words.end(), {"--", ours + "/psicarve-rtcore", ours + "/psicarve"});
+    words.insert(words.end(), {"--", in_build("bin/psicarve-rtcore"), in_build("bin/psicarve")});
     words.insert(words.end(), programs.begin(), programs.end());
     const std::string log = folder + "/prepare.log";
     const pid_t script = start(words, log);

@@ -74,9 +74,7 @@ protected:
             ticks_ = std::stoull(ticks);
         }
         profile_.tick.period_us = 50.0;
-        for (LinearAxisProfile* axis : {&profile_.r1, &profile_.r2, &profile_.y})
-            axis->home = HomeSensor::none;
-        profile_.psi.home = HomeSensor::none;
+        two_process::take_sensors_away(profile_);
         // Longer than all the ticks.
         profile_.job.feed_mm_s = 5.0;
         write_profile();

@@ -3,6 +3,7 @@
 # Makes what QEMU boots: Debian's PREEMPT_RT kernel, downloaded and unpacked (never installed), and an initial
 # file system with the kernel's port drivers, the programs under test and every library that they name.
 #   prepare.sh CACHE OUTPUT INIT FILE... -- PROGRAM...
+# CACHE may be shared by all builds of a user: a kernel stays there until there is a newer one.
 # OUTPUT/vmlinuz and OUTPUT/initramfs; FILEs stand in the root folder there, PROGRAMs in /bin.
 set -euo pipefail
 
@@ -24,21 +25,28 @@ download_kernel() {
 mkdir -p "$cache" "$output"
 exec 9>"$cache/lock"
 flock 9
-if [[ ! -e $cache/kernel/complete ]]; then
-    rm -rf "$cache/kernel" "$cache"/*.deb
+# The name of the package that is unpacked there.
+unpacked=$(cat "$cache/kernel/complete" 2>/dev/null) || true
+package=$(kernel_package) || true  # nothing where the lists are missing
+if [[ -z $unpacked || (-n $package && $package != "$unpacked") ]]; then
+    rm -f "$cache"/*.deb
+    is_here=true
     if ! download_kernel; then
         # Lists that are missing or too old.
         as_root=()
         if ((EUID != 0)); then as_root=(sudo -n); fi
-        "${as_root[@]}" apt-get -qq -o DPkg::Lock::Timeout=300 update || fail "apt-get update fails"
-        download_kernel || fail "linux-image-rt-amd64 cannot be downloaded"
+        if ! "${as_root[@]}" apt-get -qq -o DPkg::Lock::Timeout=300 update || ! download_kernel; then is_here=false; fi
     fi
-    package=$(kernel_package)
-    dpkg-deb -x "$cache/$package"_*.deb "$cache/kernel"
-    rm -f "$cache"/*.deb
-    touch "$cache/kernel/complete"
+    if $is_here; then
+        rm -rf "$cache/kernel"
+        package=$(kernel_package)
+        dpkg-deb -x "$cache/$package"_*.deb "$cache/kernel"
+        rm -f "$cache"/*.deb
+        printf '%s\n' "$package" >"$cache/kernel/complete"
+    elif [[ -z $unpacked ]]; then
+        fail "linux-image-rt-amd64 cannot be downloaded"
+    fi
 fi
-flock -u 9
 
 modules=$(echo "$cache"/kernel/lib/modules/*/kernel/drivers)
 root=$output/root
@@ -48,6 +56,7 @@ cp "$cache"/kernel/boot/vmlinuz-* "$output/vmlinuz"
 cp "$(command -v busybox)" "$root/bin/busybox"
 ln -s busybox "$root/bin/sh"
 cp "$modules/parport/parport.ko" "$modules/parport/parport_pc.ko" "$modules/char/ppdev.ko" "$root/"
+flock -u 9
 cp "$init" "$root/init"
 chmod +x "$root/init"
 while (($#)) && [[ $1 != -- ]]; do

@@ -12,7 +12,8 @@
 #include "hmi/model/load_mesh.hpp"
 #include "hmi/verify/verify_report.hpp"
 #include "tests/motion/carving_bench.hpp"
-#include "tests/motion/thoroughness.hpp"
+#include "tests/places.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::motion {
 namespace {
@@ -70,7 +71,7 @@ TEST_P(WideTolerances, ObeyTheFourRules) {
         profile.job.path_tolerance_mm = tolerance_mm;
         for (const NamedShape& shape : sample_shapes()) {
             for (const std::uint32_t points : {20U, 60U, 200U}) {
-                if (kIsSanitized && points != 60U) continue;
+                if (!test::is_thorough() && points != 60U) continue;
                 const Carved result = carved(profile, table_of(profile, shape.shape, 2, points, GetParam()));
                 EXPECT_TRUE(result.report.ok)
                     << shape.name << " with " << points << " points, tolerance " << tolerance_mm << '\n'
@@ -155,10 +156,10 @@ TEST(TwoTimers, ObeyTheFourRulesAtTheMotorsTopSpeeds) {
         std::uint32_t layers;
         std::uint32_t points;
     };
-    const auto mesh = model::load_mesh(PSICARVE_EXAMPLES "/small.stl");
+    const auto mesh = model::load_mesh(example("small.stl"));
     ASSERT_TRUE(mesh);
     for (const Case& tried : {Case{4.2, 12, 30}, Case{4.4, 9, 60}, Case{4.0, 9, 60}}) {
-        if (kIsSanitized && tried.layers != 12) continue;
+        if (!test::is_thorough() && tried.layers != 12) continue;
         Profile profile;
         profile.tick.schedule = Schedule::two_timer;
         for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) {

@@ -9,7 +9,8 @@
 #include "hmi/verify/verify_report.hpp"
 #include "tests/motion/carving_bench.hpp"
 #include "tests/motion/random_operator.hpp"
-#include "tests/motion/thoroughness.hpp"
+#include "tests/places.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::motion {
 namespace {
@@ -19,7 +20,7 @@ using cycle::RequestKind;
 
 /// The example's, with short ways to its sensors.
 Profile fine_profile() {
-    Profile profile = load_profile(PSICARVE_EXAMPLES "/fine.toml").value();
+    Profile profile = load_profile(example("fine.toml")).value();
     profile.r1.travel_mm = {0.0, 14.0};
     profile.r1.home_position_mm = 14.0;
     profile.r2.travel_mm = profile.r1.travel_mm;
@@ -55,13 +56,13 @@ class Shapes : public ::testing::TestWithParam<std::size_t> {};
 TEST_P(Shapes, ObeyTheFourRulesThroughRandomHoldsResumesAndOverrides) {
     const Profile profile = usual_profile();
     expect_obedience(profile, table_of(profile, sample_shapes()[GetParam()].shape, 2, 100),
-                     kIsSanitized ? 1 : 10);
+                     test::is_thorough() ? 10 : 1);
 }
 
 TEST_P(Shapes, ObeyThemAlongASpiralToo) {
     const Profile profile = usual_profile();
     const Shape shape = sample_shapes()[GetParam()].shape;
-    expect_obedience(profile, table_of(profile, shape, 4, 100, Joining::spiral), kIsSanitized ? 1 : 4);
+    expect_obedience(profile, table_of(profile, shape, 4, 100, Joining::spiral), test::is_thorough() ? 4 : 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(DisturbedCarving, Shapes, ::testing::Range(std::size_t{0}, std::size_t{4}),
@@ -155,7 +156,7 @@ class FeedsOfShapes : public ::testing::TestWithParam<std::size_t> {};
 TEST_P(FeedsOfShapes, ObeyTheFourRulesAtTwiceTheFeedWhereTheAxesLimitIt) {
     const NamedShape shape = sample_shapes()[GetParam()];
     const std::vector<std::uint32_t> points =
-        kIsSanitized ? std::vector<std::uint32_t>{90U} : std::vector<std::uint32_t>{24U, 90U, 400U};
+        test::is_thorough() ? std::vector<std::uint32_t>{24U, 90U, 400U} : std::vector<std::uint32_t>{90U};
     for (Profile profile : {usual_profile(), fine_profile()}) {
         for (const double feed_mm_s : {4.0, 12.0, 30.0}) {
             profile.job.feed_mm_s = feed_mm_s;

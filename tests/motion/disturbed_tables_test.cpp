@@ -10,16 +10,16 @@
 #include "hmi/verify/verify_report.hpp"
 #include "tests/motion/carving_bench.hpp"
 #include "tests/motion/random_operator.hpp"
-#include "tests/motion/thoroughness.hpp"
+#include "tests/places.hpp"
 #include "tests/reference/table_csv.hpp"
-#include "tests/shared/long_run.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::motion {
 namespace {
 
 // Long enough for heads that go out and come back in between, too.
 constexpr std::uint64_t kLongestSpan = 8000;
-constexpr std::uint64_t kStops = kIsSanitized ? 1 : 6;
+const std::uint64_t kStops = test::is_thorough() ? 6 : 1;
 constexpr double kBacklash_mm = 0.05;
 
 enum class Machine { plain, lifting, with_backlash, lifting_with_backlash };
@@ -40,7 +40,7 @@ Profile profile_of(Machine machine) {
 }
 
 std::uint64_t rounds() {
-    if (kIsSanitized) return 2;
+    if (!test::is_thorough()) return 2;
     return test::is_long_run() ? 30 : 8;
 }
 
@@ -48,7 +48,7 @@ class DisturbedTables : public ::testing::TestWithParam<Case> {};
 
 TEST_P(DisturbedTables, ObeyTheFourRulesInTheSameOrder) {
     const Profile profile = profile_of(GetParam().machine);
-    const std::string file = std::string{PSICARVE_BENCH_TABLES "/"} + GetParam().job + ".csv";
+    const std::string file = in_source("tests/motion/tables/") + GetParam().job + ".csv";
     const JobTable table = table_from_csv(file, profile).value();
     const Carved undisturbed = carved(profile, table);
     ASSERT_TRUE(undisturbed.report.ok) << verify::report_text(undisturbed.report);
@@ -81,7 +81,7 @@ private:
 
 TEST_P(DisturbedTables, AreStoppedInOrder) {
     const Profile profile = profile_of(GetParam().machine);
-    const std::string file = std::string{PSICARVE_BENCH_TABLES "/"} + GetParam().job + ".csv";
+    const std::string file = in_source("tests/motion/tables/") + GetParam().job + ".csv";
     const JobTable table = table_from_csv(file, profile).value();
     for (std::uint64_t seed = 1; seed <= kStops; ++seed) {
         const Carved stopped = carved(profile, table, Stopper(seed));
@@ -102,7 +102,7 @@ class BenchTables : public ::testing::TestWithParam<const char*> {};
 // Machine time, not the wall clock's: the same everywhere.
 TEST_P(BenchTables, AreCarvedInTheirReferenceTimeAndNeverSlowerThanByAngles) {
     Profile profile = profile_of(Machine::plain);
-    const std::string file = std::string{PSICARVE_BENCH_TABLES "/"} + GetParam() + ".csv";
+    const std::string file = in_source("tests/motion/tables/") + GetParam() + ".csv";
     const JobTable table = table_from_csv(file, profile).value();
     const Carved ahead = carved(profile, table);
     ASSERT_TRUE(ahead.report.ok) << verify::report_text(ahead.report);

@@ -11,8 +11,8 @@
 #include "rtcore/cycle/layer_range.hpp"
 #include "tests/motion/carving_bench.hpp"
 #include "tests/motion/random_operator.hpp"
-#include "tests/motion/thoroughness.hpp"
 #include "tests/shared/passes_fixture.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::motion {
 namespace {
@@ -35,7 +35,7 @@ protected:
         profile.job.planner = GetParam().planner;
         profile.job.joining = GetParam().joining;
     }
-    JobTable table(std::uint32_t points = kIsSanitized ? 8 : 20) const {
+    JobTable table(std::uint32_t points = test::is_thorough() ? 20 : 8) const {
         const auto shape = [](double, std::uint32_t layer) { return 6.0 + 0.4 * (layer % 3); };
         return with_roughing(table_of(profile, shape, 3, points, GetParam().joining), 2, 400);
     }
@@ -64,7 +64,7 @@ TEST_P(Passes, HaveTheSamePulsesHoweverTheyAreDisturbed) {
     const JobTable job = table();
     const Carved undisturbed = carved(profile, job);
     ASSERT_TRUE(undisturbed.report.ok) << verify::report_text(undisturbed.report);
-    for (std::uint64_t seed = 1; seed <= (kIsSanitized ? 1U : 2U); ++seed) {
+    for (std::uint64_t seed = 1; seed <= (test::is_thorough() ? 2U : 1U); ++seed) {
         const Carved disturbed = carved(profile, job, Operator(seed));
         ASSERT_TRUE(disturbed.report.ok) << "seed " << seed << '\n' << verify::report_text(disturbed.report);
         ASSERT_EQ(disturbed.order, undisturbed.order) << "seed " << seed;

@@ -21,16 +21,13 @@
 
 #include "rtcore/thread_counts.hpp"
 #include "tests/shared/temporary_folder.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::rtcore {
 namespace {
 
 // Sanitizers answer mlockall() themselves: done, whatever the limits.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kLocksMemory = false;
-#else
-constexpr bool kLocksMemory = true;
-#endif
+constexpr bool kLocksMemory = !test::kIsSanitized;
 
 /// What set_up_* changes is the process's own: each test does it in a child. True when `body` said so.
 template <typename Body>

@@ -27,7 +27,7 @@
 #include "rtcore/rt_setup.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 #include "tests/rtcore/tick_counters.hpp"
-#include "tests/shared/long_run.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::cycle {
 namespace {

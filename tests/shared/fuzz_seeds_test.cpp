@@ -8,6 +8,7 @@
 
 #include "shared/atomic_file.hpp"
 #include "shared/snapshot_file.hpp"
+#include "tests/places.hpp"
 #include "tests/shared/passes_fixture.hpp"
 
 // The inputs that the fuzzer of snapshots begins with lose their worth when the layout changes: then it sees
@@ -17,7 +18,7 @@ namespace psicarve {
 namespace {
 
 std::string seed(const std::string& name) {
-    return std::string{PSICARVE_FUZZ_SEEDS} + "/" + name;
+    return in_source("tests/fuzz/corpus/snapshot/") + name;
 }
 
 /// The job of job.psi with a status and a few records.

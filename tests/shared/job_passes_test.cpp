@@ -10,6 +10,7 @@
 #include <random>
 
 #include "shared/snapshot_file.hpp"
+#include "tests/places.hpp"
 #include "tests/shared/job_fixture.hpp"
 #include "tests/shared/passes_fixture.hpp"
 #include "tests/shared/spiral_fixture.hpp"
@@ -164,7 +165,7 @@ TEST(JobPasses, WhateverIsAcceptedAreAllLayersInOrder) {
 /// Written by a psicarve of layout version 5, which knew of no passes.
 TEST(OldFiles, OpenAsOneFinishingPass) {
     for (const std::string name : {"layout5.job", "layout5.snapshot"}) {
-        const auto snapshot = load_snapshot(PSICARVE_TEST_DATA "/jobs/" + name);
+        const auto snapshot = load_snapshot(in_source("tests/data/jobs/") + name);
         ASSERT_TRUE(snapshot) << snapshot.error().message;
         EXPECT_EQ(snapshot->status.has_value(), name == "layout5.snapshot");
         const auto view = JobView::check(snapshot->job_blob);
@@ -181,7 +182,7 @@ TEST(OldFiles, OpenAsOneFinishingPass) {
 /// Of layout version 7: three layers of a box, roughed by two passes of three, 9 mm of blank.
 TEST(OldFiles, OfSeveralPassesOpenWithThem) {
     for (const std::string name : {"layout7.job", "layout7.snapshot"}) {
-        const auto snapshot = load_snapshot(PSICARVE_TEST_DATA "/jobs/" + name);
+        const auto snapshot = load_snapshot(in_source("tests/data/jobs/") + name);
         ASSERT_TRUE(snapshot) << snapshot.error().message;
         ASSERT_EQ(snapshot->status.has_value(), name == "layout7.snapshot");
         if (snapshot->status) {

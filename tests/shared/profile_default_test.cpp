@@ -7,6 +7,7 @@
 
 #include "shared/profile.hpp"
 #include "shared/profile_table.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve {
 namespace {
@@ -195,7 +196,7 @@ TEST(ProfileToml, FitsIntoAJob) {
 }
 
 TEST(ProfileExamples, AllParse) {
-    for (const auto& entry : std::filesystem::directory_iterator(PSICARVE_EXAMPLES)) {
+    for (const auto& entry : std::filesystem::directory_iterator(in_source("examples"))) {
         if (entry.path().extension() != ".toml") continue;
         const auto result = load_profile(entry.path().string());
         EXPECT_TRUE(result) << (result ? "" : result.error().message);

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "shared/profile.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve {
 namespace {
 
 std::vector<std::string> documented_rows() {
-    std::ifstream file(PSICARVE_EXAMPLES "/../docs/profile.md");
+    std::ifstream file(in_source("docs/profile.md"));
     std::vector<std::string> rows;
     for (std::string line; std::getline(file, line);) {
         if (line.starts_with("| `")) rows.push_back(line);

@@ -7,6 +7,7 @@
 
 #include "shared/profile.hpp"
 #include "shared/profile_table.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve {
 namespace {
@@ -232,7 +233,7 @@ TEST(ProfileRefusal, AMissingFileIsNamed) {
 }
 
 TEST(ProfileRefusal, AFolderIsNoProfile) {
-    const auto result = load_profile(PSICARVE_EXAMPLES);
+    const auto result = load_profile(in_source("examples"));
     ASSERT_FALSE(result);
     EXPECT_THAT(result.error().message, HasSubstr("examples"));
 }

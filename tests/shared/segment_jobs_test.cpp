@@ -46,7 +46,7 @@ TEST_F(SegmentJobs, TheAcceptedJobOutlivesAllThatAreRefusedAfterIt) {
     status.state = MachineState::ready;
     status.job_generation = first;
     write_record(core_->header().status, status);
-    for (unsigned seed = 2; seed < 6; ++seed) {
+    for (int seed = 2; seed < 6; ++seed) {
         const auto refused = publish_job(*hmi_, test::make_job(seed, 50, 50)).value();
         EXPECT_GT(refused, first);
         acknowledge_job(*core_, refused, false, "not this one");

@@ -10,6 +10,7 @@
 
 #include "shared/profile.hpp"
 #include "shared/units.hpp"
+#include "tests/places.hpp"
 #include "tests/two_process/commanded_core.hpp"
 
 namespace psicarve::test {
@@ -229,7 +230,7 @@ protected:
     /// psicarve with answers on its standard input.
     int guided(const std::string& answers) const {
         write("answers", answers);
-        const std::string command = std::string{PSICARVE_BIN} + "/psicarve calibrate --guided --profile " +
+        const std::string command = in_build("bin/psicarve calibrate --guided --profile ") +
                                     file("machine.toml") + " --segment " + segment_ + " < " +
                                     file("answers") + " > " + file("out") + " 2> " + file("err");
         const int status = std::system(command.c_str());

@@ -9,6 +9,7 @@
 #include "shared/process_identity.hpp"
 #include "shared/profile.hpp"
 #include "tests/hmi/cli/program_run.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -74,9 +75,9 @@ TEST_F(Carve, ASpiralObeysAllFourRulesOnEveryMachine) {
     write("worn.toml",
           "[axis.r1]\nbacklash_mm = 0.05\n[axis.r2]\nbacklash_mm = 0.1\n[axis.y]\nbacklash_mm = 0.2\n"
           "[axis.psi]\nbacklash_deg = 0.5\n[head.r2]\nangle_error_deg = 0.4\nheight_error_mm = 0.05\n");
-    const std::string model = std::string{PSICARVE_EXAMPLES} + "/small.stl";
-    for (const std::string profile :
-         {"", PSICARVE_EXAMPLES "/fine.toml", PSICARVE_EXAMPLES "/original.toml", "worn.toml"}) {
+    const std::string model = example("small.stl");
+    for (const std::string& profile :
+         std::vector<std::string>{"", example("fine.toml"), example("original.toml"), "worn.toml"}) {
         SCOPED_TRACE(profile);
         std::vector<std::string> arguments{"carve",    model, "--segment", segment_, "--layers", "6",
                                            "--points", "60",  "--joining", "spiral", "--json"};

@@ -29,8 +29,7 @@ protected:
     /// By the wall clock, so that a lease is what it is for the operator. Without sensors: homed at once.
     void start_real_core() {
         Profile profile = two_process::slow_machine();
-        for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) axis->home = HomeSensor::none;
-        profile.psi.home = HomeSensor::none;
+        two_process::take_sensors_away(profile);
         write("slow.toml", profile_to_toml(profile));
         start_core({"--clock", "real", "--profile", file("slow.toml")});
     }

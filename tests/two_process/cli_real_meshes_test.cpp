@@ -8,6 +8,7 @@
 
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/hmi/model/real_meshes.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -28,8 +29,10 @@ protected:
     std::string job() const { return file("real.job"); }
 
     nlohmann::json slice(const RealWork& work) const {
+        const bool is_fine = is_thorough();
         std::vector<std::string> words{
-            "slice", file_of(work.mesh, folder_), "-o", job(), "--layers", "24", "--points", "73", "--json"};
+            "slice",    file_of(work.mesh, folder_), "-o",    job(), "--layers", is_fine ? "24" : "8",
+            "--points", is_fine ? "73" : "25",       "--json"};
         for (const std::string& word : words_of(work.options)) words.push_back(word);
         const Outcome sliced = psicarve(words);
         EXPECT_EQ(sliced.exit_code, 0) << sliced.error;

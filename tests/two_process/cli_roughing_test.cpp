@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "tests/places.hpp"
 #include "tests/two_process/commanded_core.hpp"
 
 namespace psicarve::test {
@@ -176,7 +177,7 @@ TEST_F(Roughing, HasItsLayersTimesToldByTheCore) {
 }
 
 TEST_F(Roughing, LeavesTheSamePieceAsTheFinishingPassAlone) {
-    const auto removed = [this](const std::vector<std::string>& arguments) {
+    const auto removed = [](const std::vector<std::string>& arguments) {
         const Outcome outcome = psicarve(arguments);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
         return outcome.json()["removed_mm3"].get<double>();
@@ -362,8 +363,8 @@ TEST_F(Roughing, OfATableTakesItsLayersAsTheyStand) {
 // Its last roughing passes leave out layers, past which Y takes the heads.
 TEST_F(Roughing, GoesPastTheLayersThatAPassLeavesOut) {
     const Outcome carved =
-        psicarve({"carve", PSICARVE_EXAMPLES "/figurine.stl", "--segment", segment_, "--layers", "30",
-                  "--points", "30", "--tool", "ball:3", "--blank", "22x70", "--stepdown", "4", "--json"});
+        psicarve({"carve", example("figurine.stl"), "--segment", segment_, "--layers", "30", "--points", "30",
+                  "--tool", "ball:3", "--blank", "22x70", "--stepdown", "4", "--json"});
     ASSERT_EQ(carved.exit_code, 0) << carved.error;
     EXPECT_EQ(carved.json()["verified"], true);
 }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <random>
 
+#include "tests/places.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::two_process {
@@ -37,7 +38,7 @@ protected:
     };
     /// Files may grow to so many bytes; 0: to any size.
     Save save(rlim_t most_bytes = 0) const {
-        const std::string program = std::string{PSICARVE_BIN} + "/psicarve";
+        const std::string program = in_build("bin/psicarve");
         const std::string path = file("run.psi");
         const std::string errors = file("save.err");
         const pid_t pid = ::fork();

@@ -11,6 +11,7 @@
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/hmi/model/mesh_files.hpp"
 #include "tests/hmi/model/shapes.hpp"
+#include "tests/places.hpp"
 
 // From a model's file to what left the pins, judged by nothing of ours in between.
 namespace psicarve::test {
@@ -120,7 +121,7 @@ TEST_F(WholeWay, ALetterComesOutOfThePinsUnmirroredHoweverItLies) {
 TEST_F(WholeWay, TheOriginalsMachineCarvesToo) {
     for (const std::string profile : {"/original.toml", "/fine.toml"}) {
         const Outcome outcome =
-            psicarve({"carve", PSICARVE_EXAMPLES "/small.stl", "--profile", PSICARVE_EXAMPLES + profile,
+            psicarve({"carve", example("small.stl"), "--profile", in_source("examples") + profile,
                       "--segment", segment_, "--layers", "5", "--points", "20", "--json"});
         ASSERT_EQ(outcome.exit_code, 0) << profile << outcome.error;
         EXPECT_EQ(outcome.json()["verified"], true) << profile;

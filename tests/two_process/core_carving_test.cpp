@@ -42,8 +42,8 @@ TEST_F(CoreCarving, TheTimeIsKnownBeforeTheStart) {
     start_carving();
     ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
     const CoreStatus end = status();
-    const double carved_s =
-        static_cast<double>((end.carve_last_tick - end.carve_first_tick) * end.period_ns) * 1e-9;
+    const double carved_s = static_cast<double>(end.carve_last_tick - end.carve_first_tick) *
+                            static_cast<double>(end.period_ns) * 1e-9;
     EXPECT_NEAR(carved_s, before.seconds_left, 0.01 * carved_s);
     EXPECT_EQ(end.reference_seconds, before.reference_seconds);
     ASSERT_EQ(publish(lobed_job(12, 33)), "");
@@ -73,8 +73,8 @@ TEST_F(CoreCarving, AStoppedJobIsCarvedOnFromALayer) {
     EXPECT_EQ(end.layer, 5U);
     EXPECT_LT(end.carve_first_tick, end.carve_last_tick);
     ASSERT_TRUE(eventually([&] { return status().reference_seconds >= 0.0; }));
-    const double carved_s =
-        static_cast<double>((end.carve_last_tick - end.carve_first_tick) * end.period_ns) * 1e-9;
+    const double carved_s = static_cast<double>(end.carve_last_tick - end.carve_first_tick) *
+                            static_cast<double>(end.period_ns) * 1e-9;
     EXPECT_GT(status().reference_seconds, 1.2 * carved_s) << "T_ref is of whole jobs";
     for (const Axis axis : kAllAxes) {
         // Whole turns were dropped from the count on the way.
@@ -105,8 +105,8 @@ TEST_F(CoreCarving, OneLayerIsCarvedAndThenTheRest) {
     EXPECT_EQ(one.layer, 2U);
     EXPECT_LT(one.carve_first_tick, one.carve_last_tick);
     ASSERT_TRUE(eventually([&] { return status().reference_seconds >= 0.0; }));
-    const double carved_s =
-        static_cast<double>((one.carve_last_tick - one.carve_first_tick) * one.period_ns) * 1e-9;
+    const double carved_s = static_cast<double>(one.carve_last_tick - one.carve_first_tick) *
+                            static_cast<double>(one.period_ns) * 1e-9;
     EXPECT_GT(status().reference_seconds, 3.0 * carved_s) << "T_ref is of whole jobs";
     ASSERT_EQ(refusal_of(CommandKind::start, 3.0), "");
     ASSERT_TRUE(reaches(MachineState::waiting));

@@ -4,6 +4,7 @@
 
 #include "hmi/verify/trace_reader.hpp"
 #include "hmi/verify/verifier.hpp"
+#include "tests/thoroughness.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::two_process {
@@ -34,13 +35,13 @@ TEST_F(CoreHoldLift, TheVerifierPassesAllFourRules) {
         std::ofstream{file("lift.toml")} << profile_to_toml(profile);
         start_core({"--profile", file("lift.toml"), "--trace", file("lift.trace")});
         home();
-        const JobTable job = lobed_job(200, 101, profile);
+        const JobTable job = lobed_job(test::is_thorough() ? 200 : 60, 101, profile);
         ASSERT_EQ(publish(job), "");
         start_carving();
         int holds = 0;
-        for (int i = 0; i < 5; ++i) {
+        for (unsigned i = 0; i < 5; ++i) {
             ASSERT_TRUE(eventually(
-                [&] { return status().points_done > 150U * (i + 1U) || status().job_end_tick != 0; }));
+                [&] { return status().points_done > 150U * (i + 1) || status().job_end_tick != 0; }));
             if (refusal_of(CommandKind::hold) != "") break;
             ++holds;
             ASSERT_TRUE(reaches(MachineState::held));

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <mutex>
 
+#include "tests/places.hpp"
 #include "tests/two_process/port_rig.hpp"
 
 namespace psicarve::two_process {
@@ -91,7 +92,8 @@ protected:
     void start_core_that_can_be_held(const char* hook, const std::vector<std::string>& more = {}) {
         {
             const fake_port::FakePortFile::Preload port{port_};
-            const std::string both = std::string{std::getenv("LD_PRELOAD")} + ":" PSICARVE_WALL_CLOCK_PRELOAD;
+            const std::string both =
+                std::string{std::getenv("LD_PRELOAD")} + ":" + in_build("tests/wall_clock_preload.so");
             setenv("LD_PRELOAD", both.c_str(), 1);
             setenv(hook, file("held").c_str(), 1);
             std::vector<std::string> arguments = port_arguments(segment_name_);

@@ -87,6 +87,7 @@ TEST_F(CorePort, APulseWithinATickLastsLongEnoughAndIsTheSamePulse) {
 }
 
 TEST_F(CorePort, WritesOnlyRegistersThatChange) {
+    home_by_one_sensor();
     start_port_core();
     home();
     ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
@@ -122,6 +123,7 @@ TEST_F(CorePort, AnEmergencyStopEndsPulsesWithItsTick) {
 }
 
 TEST_F(CorePort, ALimitPlayedWhileCarvingStopsAndNamesItsAxis) {
+    home_where_it_stands();
     start_port_core();
     home();
     ASSERT_EQ(publish(coarse_job(40)), "");

@@ -16,6 +16,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/places.hpp"
+
 namespace psicarve::two_process {
 
 /// A real psicarve-rtcore, started by a test and gone when the object is.
@@ -24,7 +26,7 @@ public:
     /// `leads_group`: of processes, as whatever a shell starts.
     explicit CoreProcess(const std::vector<std::string>& arguments,
                          const std::string& error_path = "/dev/null", bool leads_group = false) {
-        std::vector<std::string> words{std::string{PSICARVE_BIN} + "/psicarve-rtcore"};
+        std::vector<std::string> words{in_build("bin/psicarve-rtcore")};
         words.insert(words.end(), arguments.begin(), arguments.end());
         std::vector<char*> pointers;
         pointers.reserve(words.size() + 1);

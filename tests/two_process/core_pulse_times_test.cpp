@@ -60,6 +60,7 @@ TooSoon judge(const std::vector<fake_port::Write>& writes, const Profile& profil
 
 class CorePulseTimes : public PortRig {
 protected:
+    CorePulseTimes() { home_by_one_sensor(); }
     void carve_with(std::int64_t time_ns) {
         PortProfile& port = profile_.port;
         port.step_high_ns = port.step_low_ns = port.dir_setup_ns = port.dir_hold_ns = time_ns;

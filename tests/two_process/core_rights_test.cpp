@@ -50,6 +50,7 @@ protected:
 };
 
 TEST_F(CoreRights, CoreAndGuardOfARealPortKeepNoPrivilege) {
+    home_by_one_sensor();
     start_port_core();
     ASSERT_TRUE(eventually([&] { return status().tick > 10; }));
     expect_no_privileges(core_pid_);

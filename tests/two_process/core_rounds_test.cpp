@@ -53,9 +53,7 @@ protected:
 class StartedJob : public CoreRounds {
 protected:
     void start_ready() {
-        for (LinearAxisProfile* axis : {&profile_.r1, &profile_.r2, &profile_.y})
-            axis->home = HomeSensor::none;
-        profile_.psi.home = HomeSensor::none;
+        take_sensors_away(profile_);
         const std::string text = profile_to_toml(profile_);
         ASSERT_TRUE(write_file_atomically(file("machine.toml"), std::as_bytes(std::span{text})));
         start_on_real_clock({"--profile", file("machine.toml")});

@@ -3,6 +3,7 @@
 // without power meanwhile.
 #include <cstdlib>
 
+#include "tests/places.hpp"
 #include "tests/two_process/port_rig.hpp"
 
 namespace psicarve::two_process {
@@ -14,7 +15,8 @@ protected:
     void start_core_that_may_sleep() {
         {
             const fake_port::FakePortFile::Preload port{port_};
-            const std::string both = std::string{std::getenv("LD_PRELOAD")} + ":" PSICARVE_WALL_CLOCK_PRELOAD;
+            const std::string both =
+                std::string{std::getenv("LD_PRELOAD")} + ":" + in_build("tests/wall_clock_preload.so");
             setenv("LD_PRELOAD", both.c_str(), 1);
             setenv("PSICARVE_SUSPENDED", file("slept").c_str(), 1);
             core_ = std::make_unique<CoreProcess>(port_arguments(segment_name_), file("core.err"));

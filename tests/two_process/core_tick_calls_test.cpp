@@ -9,8 +9,9 @@
 #include <cstdlib>
 #include <map>
 
-#include "tests/shared/long_run.hpp"
+#include "tests/places.hpp"
 #include "tests/system_calls/tick_calls.hpp"
+#include "tests/thoroughness.hpp"
 #include "tests/two_process/port_rig.hpp"
 
 namespace psicarve::two_process {
@@ -22,7 +23,7 @@ class CoreTickCalls : public PortRig {
 protected:
     CoreTickCalls() {
         profile_.tick.period_us = 100.0;
-        write_profile();
+        home_by_one_sensor();
         const int descriptor = open(file("calls").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
         EXPECT_EQ(ftruncate(descriptor, sizeof(TickCalls)), 0);
         void* const address =
@@ -36,7 +37,8 @@ protected:
     void start_watched_core(const std::vector<std::string>& arguments) {
         {
             const fake_port::FakePortFile::Preload port{port_};
-            const std::string both = std::string{std::getenv("LD_PRELOAD")} + ":" PSICARVE_TICK_CALLS_PRELOAD;
+            const std::string both =
+                std::string{std::getenv("LD_PRELOAD")} + ":" + in_build("tests/tick_calls_preload.so");
             setenv("LD_PRELOAD", both.c_str(), 1);
             setenv(system_calls::kCallsVariable, file("calls").c_str(), 1);
             core_ = std::make_unique<CoreProcess>(arguments, file("core.err"));

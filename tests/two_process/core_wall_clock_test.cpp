@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "shared/jog_lease.hpp"
+#include "tests/places.hpp"
 #include "tests/two_process/port_rig.hpp"
 
 namespace psicarve::two_process {
@@ -13,7 +14,8 @@ protected:
     void start_core_with_a_mad_clock() {
         {
             const fake_port::FakePortFile::Preload port{port_};
-            const std::string both = std::string{std::getenv("LD_PRELOAD")} + ":" PSICARVE_WALL_CLOCK_PRELOAD;
+            const std::string both =
+                std::string{std::getenv("LD_PRELOAD")} + ":" + in_build("tests/wall_clock_preload.so");
             setenv("LD_PRELOAD", both.c_str(), 1);
             core_ = std::make_unique<CoreProcess>(port_arguments(segment_name_), file("core.err"));
         }

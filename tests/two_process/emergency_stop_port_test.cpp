@@ -71,6 +71,7 @@ protected:
 };
 
 TEST_F(PortEmergencyStops, EndAJogWithTheirTick) {
+    home_where_it_stands();
     start_port_core();
     for (int stop = 0; stop < 5; ++stop) {
         home();

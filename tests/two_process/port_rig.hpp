@@ -40,12 +40,13 @@ protected:
         profile.port.pins[index_of(Signal::estop)] = 15;
         return profile;
     }
-    /// For what is tried of a machine that is homed: to look for its sensors takes ten seconds by the wall
-    /// clock.
     void home_where_it_stands() {
-        for (LinearAxisProfile* axis : {&profile_.r1, &profile_.r2, &profile_.y})
-            axis->home = HomeSensor::none;
-        profile_.psi.home = HomeSensor::none;
+        take_sensors_away(profile_);
+        write_profile();
+        port_.stand(profile_);
+    }
+    void home_by_one_sensor() {
+        leave_one_sensor(profile_);
         write_profile();
         port_.stand(profile_);
     }

@@ -7,6 +7,8 @@ namespace psicarve::two_process {
 
 /// A coarse, slow and small machine: a gap in ticks that a busy computer makes, up to half a second, loses no
 /// step of it, and it homes in seconds.
+/// Its first approach is no faster than it can stop within a few pulses, for it goes back over them at
+/// start-stop speed.
 inline Profile slow_machine() {
     Profile profile;
     profile.name = "slow";
@@ -17,7 +19,7 @@ inline Profile slow_machine() {
         axis->speed_mm_s = 40.0;
         axis->accel_mm_s2 = 200.0;
         axis->start_stop_mm_s = 0.2;
-        axis->home_speed_mm_s = 20.0;
+        axis->home_speed_mm_s = 8.0;
         axis->overtravel_mm = 3.0;
         axis->travel_mm = {0.0, 20.0};
     }
@@ -32,6 +34,20 @@ inline Profile slow_machine() {
     profile.job.plunge_mm_s = 40.0;
     profile.job.spindle_spinup_s = 0.1;
     return profile;
+}
+
+/// Homed where it stands: for what is tried of a machine that is homed, and not of homing, which takes ten
+/// seconds by the wall clock.
+inline void take_sensors_away(Profile& profile) {
+    for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) axis->home = HomeSensor::none;
+    profile.psi.home = HomeSensor::none;
+}
+
+/// As well, but for R1, which looks for its limit.
+inline void leave_one_sensor(Profile& profile) {
+    const HomeSensor of_r1 = profile.r1.home;
+    take_sensors_away(profile);
+    profile.r1.home = of_r1;
 }
 
 }  // namespace psicarve::two_process

@@ -15,6 +15,7 @@
 #include "hmi/machine/machine_link.hpp"
 #include "shared/job.hpp"
 #include "shared/units.hpp"
+#include "tests/places.hpp"
 
 namespace {
 
@@ -89,7 +90,7 @@ int measure(bool on_real_clock) {
 int main() {
     // The core is looked for beside the running program, then in PATH.
     const char* path = std::getenv("PATH");
-    setenv("PATH", (std::string{PSICARVE_BIN} + ":" + (path != nullptr ? path : "")).c_str(), 1);
+    setenv("PATH", (in_build("bin:") + (path != nullptr ? path : "")).c_str(), 1);
     const int on_virtual_clock = measure(false);
     return on_virtual_clock != 0 ? on_virtual_clock : measure(true);
 }

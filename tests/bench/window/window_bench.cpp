@@ -23,6 +23,7 @@
 #include "hmi/machine/core_process.hpp"
 #include "hmi/ui/gl_probe.hpp"
 #include "tests/bench/window/window_stages.hpp"
+#include "tests/places.hpp"
 
 namespace {
 
@@ -75,7 +76,7 @@ int main(int argc, char** argv) {
     const int layers = argc > sizes + 1 ? std::atoi(argv[sizes]) : kUsual;
     const int points = argc > sizes + 1 ? std::atoi(argv[sizes + 1]) : kUsual;
     const char* path = std::getenv("PATH");
-    setenv("PATH", (std::string{PSICARVE_BIN} + ":" + (path != nullptr ? path : "")).c_str(), 1);
+    setenv("PATH", (in_build("bin:") + (path != nullptr ? path : "")).c_str(), 1);
     bench::WatchedApplication application{argc, argv};
     QApplication::setStyle("Fusion");
     const QTemporaryDir folder;

@@ -18,14 +18,15 @@
 #include "tests/hmi/model/mesh_files.hpp"
 #include "tests/hmi/model/real_meshes.hpp"
 #include "tests/hmi/tool/brute_force.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::cam {
 namespace {
 
-constexpr std::uint32_t kMeshLayers = 60;
-constexpr std::uint32_t kMeshPoints = 160;
+const std::uint32_t kMeshLayers = test::is_thorough() ? 60 : 16;
+const std::uint32_t kMeshPoints = test::is_thorough() ? 160 : 40;
 constexpr double kHeight_mm = 24.0;
-constexpr int kPlaces = 40;  // of each head, mesh and tool
+const int kPlaces = test::is_thorough() ? 40 : 12;  // of each head, mesh and tool
 
 struct Chosen {
     std::string name;

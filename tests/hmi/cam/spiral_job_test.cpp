@@ -18,6 +18,7 @@
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/hmi/model/shapes.hpp"
 #include "tests/hmi/slice/oracle.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::cam {
 namespace {
@@ -71,10 +72,10 @@ TEST(Spiral, IsExactToAPulseAtEveryPointsOwnHeightAndDirection) {
     crooked.head_r2_height_error_mm = 0.21;
     crooked.head_clearance_mm = 0.0;
     for (const Profile& profile : {Profile{}, crooked}) {
-        expect_spiral_as_defined(PSICARVE_EXAMPLES "/small.stl", profile, 10.0, 9, 48);
-        expect_spiral_as_defined(PSICARVE_EXAMPLES "/letter.stl", profile, 9.0, 7, 33);
+        expect_spiral_as_defined(example("small.stl"), profile, 10.0, 9, 48);
+        expect_spiral_as_defined(example("letter.stl"), profile, 9.0, 7, 33);
     }
-    expect_spiral_as_defined(PSICARVE_EXAMPLES "/letter.stl", Profile{}, 9.0, 2, 2);
+    expect_spiral_as_defined(example("letter.stl"), Profile{}, 9.0, 2, 2);
 }
 
 TEST(Spiral, JoinsItsRowsAndClosesWithARingAtBothEnds) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/profile.hpp"
 #include "tests/hmi/cli/program_run.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -48,7 +49,7 @@ TEST_F(ProfileCommand, RefusesABadProfileWithItsLine) {
 
 TEST_F(ProfileCommand, ExamplesAreGoodProfiles) {
     for (const std::string name : {"/original.toml", "/fine.toml"}) {
-        const Outcome outcome = psicarve({"profile", "check", PSICARVE_EXAMPLES + name});
+        const Outcome outcome = psicarve({"profile", "check", in_source("examples") + name});
         EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
     }
 }

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "shared/segment.hpp"
+#include "tests/places.hpp"
 #include "tests/shared/stale_segments.hpp"
 
 namespace psicarve::test {
@@ -35,7 +36,7 @@ RunningProgram::RunningProgram(const std::string& name, const std::vector<std::s
     if (pipe2(out_ends.data(), O_CLOEXEC) != 0 || pipe2(error_ends.data(), O_CLOEXEC) != 0) {
         ADD_FAILURE() << "no pipe";
     }
-    std::vector<std::string> words{std::string{PSICARVE_BIN} + "/" + name};
+    std::vector<std::string> words{in_build("bin/" + std::string{name})};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());

@@ -4,6 +4,7 @@
 #include "shared/job.hpp"
 #include "shared/snapshot_file.hpp"
 #include "tests/hmi/cli/program_run.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -12,7 +13,7 @@ class SliceCommand : public CliTest {};
 
 /// What psicarve writes to standard error when that is a terminal.
 std::string text_on_terminal(const std::vector<std::string>& arguments) {
-    std::vector<std::string> words{std::string{PSICARVE_BIN} + "/psicarve"};
+    std::vector<std::string> words{in_build("bin/psicarve")};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());

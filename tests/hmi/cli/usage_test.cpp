@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/hmi/cli/program_run.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -65,7 +66,7 @@ TEST_P(EachCommand, RefusesAnUnknownOptionAndSuggestsTheNearest) {
 }
 
 TEST_P(EachCommand, StandsInTheDocumentationWithAnExample) {
-    std::ifstream stream{PSICARVE_DOCS "/commands.md"};
+    std::ifstream stream{in_source("docs/commands.md")};
     const std::string page{std::istreambuf_iterator<char>{stream}, {}};
     EXPECT_NE(page.find("\npsicarve " + GetParam()), std::string::npos);
 }
@@ -191,7 +192,7 @@ TEST(Usage, CommonOptionsMayStandBeforeTheCommand) {
 }
 
 TEST(Usage, AFullDiskBehindStandardOutputIsAnError) {
-    const int status = std::system(PSICARVE_BIN "/psicarve profile show > /dev/full 2>/dev/null");
+    const int status = std::system(in_build("bin/psicarve profile show > /dev/full 2>/dev/null").c_str());
     EXPECT_EQ(WEXITSTATUS(status), 3);
 }
 

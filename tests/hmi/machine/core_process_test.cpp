@@ -12,6 +12,7 @@
 #include <string>
 
 #include "hmi/machine/machine_link.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::machine {
 namespace {
@@ -28,7 +29,7 @@ protected:
         launch_.is_private = true;
         // The core is looked for beside the running program, then in PATH; tests stand in another folder.
         const char* path = std::getenv("PATH");
-        setenv("PATH", (std::string{PSICARVE_BIN} + ":" + (path != nullptr ? path : "")).c_str(), 1);
+        setenv("PATH", (in_build("bin:") + (path != nullptr ? path : "")).c_str(), 1);
     }
 
     CoreLaunch launch_;

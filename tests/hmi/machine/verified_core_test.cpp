@@ -12,6 +12,7 @@
 
 #include "hmi/machine/job_run.hpp"
 #include "hmi/machine/recorded_pins.hpp"
+#include "tests/places.hpp"
 #include "tests/shared/job_fixture.hpp"
 
 namespace psicarve::machine {
@@ -29,7 +30,7 @@ protected:
             "/psicarve-verified-test-" + std::to_string(getpid()) + "-" + std::to_string(++count);
         launch_.is_private = true;
         const char* path = std::getenv("PATH");
-        setenv("PATH", (std::string{PSICARVE_BIN} + ":" + (path != nullptr ? path : "")).c_str(), 1);
+        setenv("PATH", (in_build("bin:") + (path != nullptr ? path : "")).c_str(), 1);
     }
 
     CoreLaunch launch_;

@@ -10,6 +10,7 @@
 #include "hmi/model/load_mesh.hpp"
 #include "hmi/session/error_phrase.hpp"
 #include "shared/snapshot_file.hpp"
+#include "tests/places.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve::session {
@@ -71,7 +72,7 @@ TEST(ErrorPhrase, KnowsWhatReadersSay) {
 }
 
 TEST(ErrorPhrase, NamesTheWindowsFieldsInsteadOfOptions) {
-    const auto mesh = model::load_mesh(PSICARVE_EXAMPLES "/small.stl");
+    const auto mesh = model::load_mesh(example("small.stl"));
     ASSERT_TRUE(mesh);
     cam::JobOptions large;
     large.height_mm = 5000.0;

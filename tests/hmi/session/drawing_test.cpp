@@ -12,6 +12,7 @@
 #include "hmi/session/space_picture.hpp"
 #include "shared/units.hpp"
 #include "tests/hmi/model/shapes.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -136,7 +137,7 @@ TEST(HalfSpans, GoOnBeyondDirectionNought) {
 class MeshPicture : public ::testing::Test {
 protected:
     MeshPicture() {
-        auto read = model::load_mesh(std::string{PSICARVE_EXAMPLES} + "/figurine.stl");
+        auto read = model::load_mesh(example("figurine.stl"));
         EXPECT_TRUE(read);
         mesh_ = std::move(*read);
     }

@@ -6,6 +6,7 @@
 
 #include "hmi/session/job_desk.hpp"
 #include "hmi/session/machine_session.hpp"
+#include "tests/places.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::session {
@@ -63,7 +64,7 @@ protected:
 TEST_F(SessionOnCore, GoesTheWholeWayFromAModelToADoneJob) {
     start_core();
     open_session();
-    desk_->open(std::string{PSICARVE_EXAMPLES} + "/small.stl");
+    desk_->open(example("small.stl"));
     ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::model; })) << all_messages();
     cam::JobOptions options;
     options.layer_count = 12;
@@ -200,13 +201,13 @@ TEST_F(SessionOnCore, KnowsTheCoresJobWhateverIsOpenedMeanwhile) {
     open_session();
     open_and_publish(two_process::lobed_job(7, 30));
     EXPECT_EQ(desk_->core_job(), desk_->job());
-    desk_->open(std::string{PSICARVE_EXAMPLES} + "/small.stl");
+    desk_->open(example("small.stl"));
     ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::model; })) << all_messages();
     ASSERT_NE(desk_->core_job(), nullptr);
     EXPECT_EQ(desk_->core_job()->view.layer_count(), 7U);
     EXPECT_EQ(desk_->sight().core_layer_count, 7U);
     open_session();  // opens a model at once: the core's job is fetched nevertheless, and not shown
-    desk_->open(std::string{PSICARVE_EXAMPLES} + "/small.stl");
+    desk_->open(example("small.stl"));
     ASSERT_TRUE(comes_true([&] { return desk_->core_job() != nullptr; })) << all_messages();
     EXPECT_EQ(desk_->core_job()->view.layer_count(), 7U);
     EXPECT_EQ(desk_->job(), nullptr);
@@ -231,7 +232,7 @@ TEST_F(SessionOnCore, SaysARefusalInTheWindowsWords) {
 TEST_F(SessionOnCore, SlicingCanBeCancelledAndRefusalsAreTold) {
     start_core();
     open_session();
-    desk_->open(std::string{PSICARVE_EXAMPLES} + "/figurine.stl");
+    desk_->open(example("figurine.stl"));
     ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::model; })) << all_messages();
     desk_->slice(cam::JobOptions{}, Profile{});
     desk_->cancel();

@@ -105,8 +105,8 @@ TEST(SurfaceSpeed, IsThatOfTheFasterHead) {
     rates.note(status, {});
     EXPECT_EQ(surface_speed_mm_s(rates, status, profile), 0.0);
     status.tick = 10'000;  // a second of the machine's
-    status.emitted_pulses[index_of(Axis::psi)] = std::llround(90.0 * psi_per_deg);
-    status.emitted_pulses[index_of(Axis::r1)] = std::llround(3.0 * r_per_mm);
+    status.emitted_pulses[index_of(Axis::psi)] = static_cast<std::uint64_t>(std::llround(90.0 * psi_per_deg));
+    status.emitted_pulses[index_of(Axis::r1)] = static_cast<std::uint64_t>(std::llround(3.0 * r_per_mm));
     rates.note(status, RateMeter::Clock::time_point{} + 500ms);
     const double round_mm_s = 20.0 * kPi / 2.0;  // a quarter of a turn
     EXPECT_NEAR(surface_speed_mm_s(rates, status, profile), std::hypot(round_mm_s, 3.0), 0.01);

@@ -6,6 +6,7 @@
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/model/load_mesh.hpp"
 #include "tests/hmi/model/shapes.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -54,7 +55,7 @@ TEST(WarningPhrase, LeavesWhatItDoesNotKnow) {
 
 // The slicer's sentences as they are.
 TEST(WarningPhrase, KnowsWhatTheSlicerSays) {
-    const auto mesh = model::load_mesh(PSICARVE_EXAMPLES "/figurine.stl");
+    const auto mesh = model::load_mesh(example("figurine.stl"));
     ASSERT_TRUE(mesh);
     cam::JobOptions options;
     options.layer_count = 60;

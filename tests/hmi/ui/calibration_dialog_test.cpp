@@ -12,6 +12,7 @@
 #include "shared/profile_text.hpp"
 #include "shared/units.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -44,7 +45,7 @@ protected:
         QApplication::processEvents();
         part<QDialog>("calibration_dialog")
             .grab()
-            .save(QString::fromLatin1(PSICARVE_BIN) + "/../screenshots/" + name);
+            .save(QString::fromStdString(in_build("screenshots/")) + name);
     }
 };
 

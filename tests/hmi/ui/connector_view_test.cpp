@@ -7,6 +7,7 @@
 
 #include "hmi/session/pin_rows.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -37,7 +38,7 @@ TEST_F(Connector, RingsThePinOfASwitchThatStopsTheMachine) {
     sut_.show_levels(bit_of(Signal::r2_limit));
     const int one = alarm_pixels();
     EXPECT_GT(one, 50);
-    sut_.grab().save(QStringLiteral(PSICARVE_BIN "/../screenshots/connector_light.png"));
+    sut_.grab().save(QString::fromStdString(in_build("screenshots/connector_light.png")));
     sut_.show_levels(bit_of(Signal::r2_limit) | bit_of(Signal::y_limit));
     EXPECT_GT(alarm_pixels(), one + 50);
 }

@@ -11,6 +11,7 @@
 #include "hmi/ui/mesh_view.hpp"
 #include "shared/snapshot_file.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -19,8 +20,8 @@ using session::DeskState;
 
 class ExpectedPiece : public test::WindowRig {
 protected:
-    void open_owl() { open(QStringLiteral(PSICARVE_EXAMPLES "/figurine.stl")); }
-    void open_small() { open(QStringLiteral(PSICARVE_EXAMPLES "/small.stl")); }
+    void open_owl() { open(QString::fromStdString(example("figurine.stl"))); }
+    void open_small() { open(QString::fromStdString(example("small.stl"))); }
     void open(const QString& path) {
         open_window();
         window_->open(path);
@@ -86,7 +87,7 @@ TEST_F(ExpectedPiece, IsADraftBeforeTheModelIsSlicedAndTheJobsAfterwards) {
     ASSERT_TRUE(comes_true([&] { return facts().contains("Left over") && !facts().contains("Draft"); },
                            two_process::milliseconds{60'000}))
         << facts().toStdString();
-    window_->open(QStringLiteral(PSICARVE_EXAMPLES "/letter.stl"));
+    window_->open(QString::fromStdString(example("letter.stl")));
     ASSERT_TRUE(comes_true([&] { return button("view_model").isChecked(); }));
 }
 

@@ -12,11 +12,14 @@
 
 #include <iostream>
 #include <tuple>
+#include <vector>
 
 #include "hmi/ui/keys_dialog.hpp"
 #include "hmi/ui/language.hpp"
 #include "tests/hmi/ui/fit_audit.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -88,7 +91,7 @@ protected:
         names.setCurrentIndex(0);
     }
     void open_example(const char* name, session::DeskState state = session::DeskState::model) {
-        window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/" + name);
+        window_->open(QString::fromStdString(example("")) + name);
         ASSERT_TRUE(comes_to(state));
     }
 
@@ -210,8 +213,8 @@ TEST_P(Fit, InTheListOfKeys) {
     EXPECT_LE(sut.width(), size().width());
     EXPECT_LE(sut.height(), size().height());
     for (const std::string& misfit : test::misfits(sut)) ADD_FAILURE() << misfit;
-    sut.grab().save(QString::fromLatin1(PSICARVE_BIN) +
-                    QString{"/../screenshots/fit_%1_%2_keys.png"}.arg(code()).arg(size().width()));
+    sut.grab().save(
+        QString::fromStdString(in_build("screenshots/fit_%1_%2_keys.png")).arg(code()).arg(size().width()));
     const auto words_of = [&sut](const char* list) {
         QStringList all;
         for (const QLabel* label : sut.findChild<QWidget*>(list)->findChildren<QLabel*>())
@@ -225,21 +228,25 @@ TEST_P(Fit, InTheListOfKeys) {
 }
 
 /// Every language on every screen. Where a sanitizer looks on, which counts no pixels, each of them once.
-auto languages_and_screens() {
-#if defined(__SANITIZE_ADDRESS__)
-    return ::testing::Values(std::tuple{Language::english, kUsualScreen},
-                             std::tuple{Language::chinese, kScaledScreen},
-                             std::tuple{Language::russian, kLeastScreen});
-#else
-    return ::testing::Combine(::testing::Values(Language::english, Language::chinese, Language::russian),
-                              ::testing::Values(kUsualScreen, kScaledScreen, kLeastScreen));
-#endif
+std::vector<std::tuple<Language, QSize>> languages_and_screens() {
+    if (psicarve::test::kIsSanitized)
+        return {{Language::english, kUsualScreen},
+                {Language::chinese, kScaledScreen},
+                {Language::russian, kLeastScreen}};
+    std::vector<std::tuple<Language, QSize>> all;
+    for (const Language language : {Language::english, Language::chinese, Language::russian}) {
+        for (const QSize& screen : {kUsualScreen, kScaledScreen, kLeastScreen})
+            all.emplace_back(language, screen);
+    }
+    return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(OfTheWindow, Fit, languages_and_screens(), [](const auto& named) {
-    return std::string{kLanguages[static_cast<std::size_t>(std::get<0>(named.param))].code} + "_" +
-           std::to_string(std::get<1>(named.param).width());
-});
+INSTANTIATE_TEST_SUITE_P(OfTheWindow, Fit, ::testing::ValuesIn(languages_and_screens()),
+                         [](const auto& named) {
+                             return std::string{
+                                        kLanguages[static_cast<std::size_t>(std::get<0>(named.param))].code} +
+                                    "_" + std::to_string(std::get<1>(named.param).width());
+                         });
 
 }  // namespace
 }  // namespace psicarve::ui

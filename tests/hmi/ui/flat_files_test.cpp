@@ -19,6 +19,7 @@
 
 #include "hmi/ui/file_filters.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -58,7 +59,7 @@ protected:
 
 TEST_F(FlatFiles, OpenADrawingThatIsDroppedAndMakeItHigher) {
     open_window();
-    drop(QStringLiteral(PSICARVE_EXAMPLES "/flower.svg"));
+    drop(QString::fromStdString(example("flower.svg")));
     ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
     ASSERT_TRUE(shows("41.5 × 41.5 × 20.0")) << facts().toStdString();
     EXPECT_FALSE(part<QComboBox>("up").isVisible());
@@ -88,10 +89,10 @@ TEST_F(FlatFiles, OpenADrawingThatIsDroppedAndMakeItHigher) {
     })) << part<QSlider>("layer_slider").toolTip().toStdString();
     EXPECT_TRUE(part<QLabel>("job_bound").text().contains(" %"))
         << part<QLabel>("job_bound").text().toStdString();
-    EXPECT_TRUE(WindowSettings{}.recent_files().contains(QStringLiteral(PSICARVE_EXAMPLES "/flower.svg")));
+    EXPECT_TRUE(WindowSettings{}.recent_files().contains(QString::fromStdString(example("flower.svg"))));
     // A mesh is as it is in its file again.
     EXPECT_FALSE(part<QLabel>("layers_none").isVisible());
-    window_->open(QStringLiteral(PSICARVE_EXAMPLES "/small.stl"));
+    window_->open(QString::fromStdString(example("small.stl")));
     EXPECT_TRUE(comes_true([&] { return part<QLabel>("layers_none").isVisible(); }))
         << "the layers of the model before";
     window_->findChild<QTabWidget*>()->setCurrentIndex(0);
@@ -128,7 +129,7 @@ TEST_F(FlatFiles, EngraveADrawingOfOpenLinesAsSoonAsItIsOpen) {
     ASSERT_NO_FATAL_FAILURE(slice_coarsely());
     EXPECT_EQ(window_->bench().desk.job()->view.source_name(), "waves.svg");
     // Another drawing is one to be extruded again.
-    window_->open(QStringLiteral(PSICARVE_EXAMPLES "/flower.svg"));
+    window_->open(QString::fromStdString(example("flower.svg")));
     ASSERT_TRUE(shows("41.5 × 41.5 × 20.0")) << facts().toStdString();
     EXPECT_FALSE(part<QCheckBox>("engrave").isChecked());
 }

@@ -30,6 +30,7 @@
 #include "shared/profile_text.hpp"
 #include "tests/hmi/session/sights.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -171,7 +172,7 @@ TEST_P(Languages, KeepRoomForTheLargestFiguresOfTheTick) {
 // What is told of it stands under the view, beside warnings and a form with all a tool's fields.
 TEST_P(Languages, TellWhatTheToolWillLeave) {
     open_window();
-    window_->open(QStringLiteral(PSICARVE_EXAMPLES "/small.stl"));
+    window_->open(QString::fromStdString(example("small.stl")));
     ASSERT_TRUE(comes_to(session::DeskState::model)) << all_messages().toStdString();
     part<QComboBox>("tool").setCurrentIndex(4);
     ASSERT_TRUE(click("view_piece"));
@@ -189,7 +190,7 @@ TEST_P(Languages, TellWhatTheToolWillLeave) {
     take_picture("expected_piece_" + code);
     part<QDialog>("model_report")
         .grab()
-        .save(QString::fromLatin1(PSICARVE_BIN) + "/../screenshots/model_report_" + code + ".png");
+        .save(QString::fromStdString(in_build("screenshots/model_report_")) + code + ".png");
     expect_nothing_cut_off();
     EXPECT_GE(facts.height(), facts.heightForWidth(facts.width()));
     for (const QLabel* label : report.findChildren<QLabel*>()) {
@@ -224,7 +225,7 @@ TEST_P(Languages, FitTheSmallestScreen) {
     start_core();
     open_window();
     window_->resize(1280, 720);
-    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/small.stl");
+    window_->open(QString::fromStdString(example("small.stl")));
     ASSERT_TRUE(comes_to(session::DeskState::model));
     ASSERT_TRUE(click("slice"));
     ASSERT_TRUE(comes_to(session::DeskState::job));
@@ -244,7 +245,7 @@ TEST_P(Languages, FitTheSmallestScreen) {
     room.verticalScrollBar()->setValue(room.verticalScrollBar()->maximum());
     take_picture(code + "_passes");
     // A model with longer figures.
-    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/figurine.stl");
+    window_->open(QString::fromStdString(example("figurine.stl")));
     ASSERT_TRUE(comes_true([&] { return window_->bench().desk.path().ends_with("figurine.stl"); }));
     look_at_all_pages(code + "_owl");
 }
@@ -255,7 +256,7 @@ TEST_P(Languages, HaveATextForAllThatTheWindowAsksFor) {
     QCoreApplication::installTranslator(&listener);
     start_core();
     open_window();
-    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/small.stl");
+    window_->open(QString::fromStdString(example("small.stl")));
     EXPECT_TRUE(comes_to(session::DeskState::model));
     EXPECT_TRUE(click("slice"));
     EXPECT_TRUE(comes_to(session::DeskState::job));

@@ -9,6 +9,7 @@
 
 #include "hmi/session/display_text.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -69,7 +70,8 @@ TEST_F(Layers, TellAPointsRadiiAsTheJobHasThem) {
 }
 
 TEST_F(Layers, TakeAsLongAsPlannedOnceThatIsKnown) {
-    qputenv("PATH", QByteArray{PSICARVE_BIN ":"} + qgetenv("PATH"));  // where the core is found
+    qputenv("PATH",
+            QByteArray::fromStdString(in_build("bin:")) + qgetenv("PATH"));  // where the core is found
     start_core();
     open_window();
     ASSERT_NO_FATAL_FAILURE(publish_job(two_process::lobed_job(6, 33)));

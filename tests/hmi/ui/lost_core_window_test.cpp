@@ -20,6 +20,7 @@
 
 #include "hmi/ui/words.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -215,7 +216,7 @@ TEST_F(LoudWindow, AStoppedRunSaysItsLayerUntilSomethingElseIsOpened) {
     EXPECT_EQ(text_of("time_left"), QString{"stopped in layer %1"}.arg(layer));
     EXPECT_EQ(part<QWidget>("progress").property("tone").toString(), "warn");
     take_picture("stopped_run_light");
-    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/small.stl");
+    window_->open(QString::fromStdString(example("small.stl")));
     ASSERT_TRUE(comes_true([&] { return text_of("time_left") == "No job running"; }))
         << text_of("time_left").toStdString();
     EXPECT_EQ(part<QProgressBar>("progress").value(), 0);
@@ -277,7 +278,7 @@ TEST_F(LoudWindow, HasTheFilesNameInItsTitleAndAReasonBesidePublish) {
     EXPECT_EQ(button("model_report_open").toolTip(), "Report: open a model first");
     start_core();
     ASSERT_TRUE(comes_true([&] { return text_of("publish_reason").startsWith("Publish: there is no job"); }));
-    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/small.stl");
+    window_->open(QString::fromStdString(example("small.stl")));
     ASSERT_TRUE(comes_true([&] { return window_->windowTitle() == "small.stl \u2013 Psicarve"; }))
         << window_->windowTitle().toStdString();
     ASSERT_TRUE(click("slice"));

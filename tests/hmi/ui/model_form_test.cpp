@@ -12,6 +12,7 @@
 #include "hmi/ui/model_form.hpp"
 #include "hmi/ui/pass_view.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -223,7 +224,7 @@ TEST_F(ModelFormOf, EngravesTheLinesOfADrawing) {
 
 TEST_F(ModelFormOf, SlicesEngravedLines) {
     open_window();
-    window_->open(QStringLiteral(PSICARVE_EXAMPLES "/flower.svg"));
+    window_->open(QString::fromStdString(example("flower.svg")));
     ASSERT_TRUE(comes_to(session::DeskState::model));
     part<QSpinBox>("layers").setValue(40);
     part<QSpinBox>("points").setValue(200);
@@ -242,7 +243,7 @@ TEST_F(ModelFormOf, SlicesEngravedLines) {
 
 TEST_F(ModelFormOf, SlicesWithWhatWasChosen) {
     open_window();
-    window_->open(QStringLiteral(PSICARVE_EXAMPLES "/figurine.stl"));
+    window_->open(QString::fromStdString(example("figurine.stl")));
     ASSERT_TRUE(comes_to(session::DeskState::model));
     ASSERT_TRUE(comes_true([&] {
         return part<QLabel>("mesh_facts").text().contains("90\u2009184 facets, ");

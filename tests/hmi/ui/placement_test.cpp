@@ -17,6 +17,7 @@
 
 #include "hmi/ui/mesh_view.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -28,7 +29,7 @@ class PlacedModel : public WindowRig {
 protected:
     void open_owl() {
         open_window();
-        window_->open(QStringLiteral(PSICARVE_EXAMPLES "/figurine.stl"));
+        window_->open(QString::fromStdString(example("figurine.stl")));
         ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
         ASSERT_TRUE(shows("27.3 × 27.7 × 52.6")) << size().toStdString();
     }
@@ -61,10 +62,10 @@ TEST_F(PlacedModel, IsTurnedAndMirroredAsInTheCommandLine) {
     EXPECT_EQ(turn["mirror"], "y") << turn.dump();
     EXPECT_EQ(turn["rotate_deg"][0], 90.0) << turn.dump();
     // Another look at the same file keeps it, another file does not.
-    window_->open(QStringLiteral(PSICARVE_EXAMPLES "/figurine.stl"));
+    window_->open(QString::fromStdString(example("figurine.stl")));
     ASSERT_TRUE(comes_to(DeskState::model));
     EXPECT_TRUE(shows("27.3 × 52.6 × 27.7")) << size().toStdString();
-    window_->open(QStringLiteral(PSICARVE_EXAMPLES "/small.stl"));
+    window_->open(QString::fromStdString(example("small.stl")));
     ASSERT_TRUE(comes_true([&] { return !part<QCheckBox>("turn").isChecked(); }));
     ASSERT_TRUE(comes_to(DeskState::model));
     EXPECT_FALSE(window_->bench().desk.mesh()->turn.any());
@@ -100,7 +101,7 @@ TEST_F(PlacedModel, IsMadeAsLargeAsFits) {
 
 TEST_F(PlacedModel, TellsBeforeItIsPublishedHowLongItTakes) {
     // Beside the programs in their folder it needs no help.
-    qputenv("PATH", QByteArray{PSICARVE_BIN ":"} + qgetenv("PATH"));
+    qputenv("PATH", QByteArray::fromStdString(in_build("bin:")) + qgetenv("PATH"));
     ASSERT_NO_FATAL_FAILURE(open_owl());
     sliced_report();
     const auto time = [&] { return part<QLabel>("job_time").text(); };
@@ -196,8 +197,8 @@ TEST_F(PlacedModel, IsReportedAsInTheCommandLine) {
     EXPECT_FALSE(report().contains("…")) << report().toStdString();
     part<QDialog>("model_report")
         .grab()
-        .save(QString::fromLatin1(PSICARVE_BIN) + "/../screenshots/model_report.png");
-    window_->open(QStringLiteral(PSICARVE_EXAMPLES "/small.stl"));
+        .save(QString::fromStdString(in_build("screenshots/model_report.png")));
+    window_->open(QString::fromStdString(example("small.stl")));
     EXPECT_TRUE(comes_true([&] { return report().startsWith("small.stl"); })) << report().toStdString();
 }
 

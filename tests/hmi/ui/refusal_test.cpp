@@ -9,6 +9,7 @@
 
 #include "hmi/ui/words.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -21,7 +22,6 @@ protected:
     QString text_of(const char* label) { return part<QLabel>(label).text(); }
     bool is_refusal_there() { return part<QWidget>("refusal").isVisible(); }
     bool has(const char* said) { return all_messages().contains(said); }
-    std::string example(const char* name) { return std::string{PSICARVE_EXAMPLES} + "/" + name; }
     /// The first bytes of a file.
     std::string cut(const std::string& path, std::size_t bytes, const char* name) {
         std::ofstream{file(name), std::ios::binary} << two_process::text_of(path).substr(0, bytes);

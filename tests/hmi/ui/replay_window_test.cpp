@@ -19,6 +19,7 @@
 #include "tests/hmi/replay/recorded_run.hpp"
 #include "tests/hmi/ui/fit_audit.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -207,7 +208,7 @@ TEST_F(ReplayWindow, OpensTheJobOfASnapshotAndAModelInstead) {
     ASSERT_TRUE(comes_to(session::DeskState::job));
     EXPECT_FALSE(desk().is_open());
     open_recording(snapshot());
-    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/small.stl");
+    window_->open(QString::fromStdString(example("small.stl")));
     ASSERT_TRUE(comes_to(session::DeskState::model));
     EXPECT_FALSE(desk().is_open());
     EXPECT_EQ(WindowSettings{}.recent_files().size(), 2);

@@ -7,6 +7,7 @@
 #include "hmi/ui/language.hpp"
 #include "hmi/ui/mesh_view.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -20,7 +21,7 @@ public:
 
 protected:
     void open_model(const QString& name) {
-        window_->open(QStringLiteral(PSICARVE_EXAMPLES "/") + name);
+        window_->open(QString::fromStdString(example("")) + name);
         ASSERT_TRUE(comes_true([&] {
             return window_->windowTitle().startsWith(name) &&
                    window_->bench().desk.sight().state == session::DeskState::model && blank().isVisible();

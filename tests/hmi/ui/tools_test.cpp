@@ -29,6 +29,7 @@
 #include "shared/segment.hpp"
 #include "shared/shared_record.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -52,7 +53,7 @@ protected:
     void show_page(int index) { window_->findChild<QTabWidget*>()->setCurrentIndex(index); }
     std::int64_t pulses(Axis axis) { return sight().status->position_pulses[index_of(axis)]; }
     void save_picture_of(const char* dialog, const char* name) {
-        part<QDialog>(dialog).grab().save(QString::fromLatin1(PSICARVE_BIN) + "/../screenshots/" + name);
+        part<QDialog>(dialog).grab().save(QString::fromStdString(in_build("screenshots/")) + name);
     }
     CompareTool& compare_tool() { return static_cast<CompareTool&>(part<QObject>("compare_tool")); }
     PortsPage& ports() { return *static_cast<PortsPage*>(&part<QWidget>("ports_page")); }
@@ -290,7 +291,7 @@ TEST_F(Tools, MeasureThisComputerAtLengthAndKeepTheFigures) {
     start_core();
     open_window();
     const QByteArray path_before = qgetenv("PATH");
-    qputenv("PATH", QByteArray{PSICARVE_BIN} + ":" + path_before);
+    qputenv("PATH", QByteArray::fromStdString(in_build("bin:")) + path_before);
     show_page(kRealTime);
     ASSERT_TRUE(click("show_measurement"));
     EXPECT_FALSE(button("latency_end").isEnabled());
@@ -327,7 +328,7 @@ TEST_F(Tools, MeasureThisComputerAtLengthAndKeepTheFigures) {
 TEST_F(Tools, EndAMeasurementBeforeItsTime) {
     open_window();
     const QByteArray path_before = qgetenv("PATH");
-    qputenv("PATH", QByteArray{PSICARVE_BIN} + ":" + path_before);
+    qputenv("PATH", QByteArray::fromStdString(in_build("bin:")) + path_before);
     show_page(kRealTime);
     ASSERT_TRUE(click("show_measurement"));
     part<QSpinBox>("latency_seconds").setValue(100'000);

@@ -23,6 +23,7 @@
 #include "hmi/ui/report_dialog.hpp"
 #include "hmi/ui/strip.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -133,7 +134,7 @@ TEST_F(WindowOnCore, KeepsALogSavesABundleAndReportsTheRun) {
     ASSERT_TRUE(click("report_button"));
     auto* const report = static_cast<ReportDialog*>(window_->findChild<QDialog*>("report"));
     ASSERT_NE(report, nullptr);
-    report->grab().save(QString::fromLatin1(PSICARVE_BIN) + "/../screenshots/report_light.png");
+    report->grab().save(QString::fromStdString(in_build("screenshots/report_light.png")));
     report->save(QString::fromStdString(file("report.json")));
     const QByteArray json = content_of("report.json");
     const QJsonObject object = QJsonDocument::fromJson(json).object();
@@ -165,7 +166,7 @@ TEST_F(WindowOnCore, TakesAModelFromItsFileToACarvedPiece) {
     start_core();
     open_window();
     auto* const tabs = window_->findChild<QTabWidget*>();
-    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/figurine.stl");
+    window_->open(QString::fromStdString(example("figurine.stl")));
     ASSERT_TRUE(comes_to(DeskState::model));
     take_picture("model_light");
     window_->findChild<QSpinBox*>("layers")->setValue(120);
@@ -333,7 +334,7 @@ TEST_F(WindowOnCore, TellsTheRunningJobFromTheOneThatWasSlicedMeanwhile) {
     carve_long_job();
     const auto running = window_->bench().desk.core_job();
     ASSERT_NE(running, nullptr);
-    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/small.stl");
+    window_->open(QString::fromStdString(example("small.stl")));
     ASSERT_TRUE(comes_to(DeskState::model));
     auto* const next = window_->findChild<QLabel*>("next_job");
     EXPECT_EQ(next->text(), "Opened, not sliced yet: small.stl");

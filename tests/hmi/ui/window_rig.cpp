@@ -6,6 +6,7 @@
 #include <QSettings>
 
 #include "hmi/ui/words.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui::test {
 namespace {
@@ -104,7 +105,7 @@ void WindowRig::carve_job(const JobTable& table) {
 void WindowRig::take_picture(const QString& name) {
     // What was written anew takes its room with the second look.
     for (int look = 0; look < 2; ++look) QApplication::processEvents();
-    const QString folder = QString::fromLatin1(PSICARVE_BIN) + "/../screenshots";
+    const QString folder = QString::fromStdString(in_build("screenshots"));
     QDir{}.mkpath(folder);
     window_->grab().save(folder + "/" + name + ".png");
 }

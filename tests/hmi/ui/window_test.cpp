@@ -19,6 +19,7 @@
 #include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/strip.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -167,7 +168,7 @@ TEST_F(Window, KeepsItsSafetyOnAVerySmallScreen) {
 TEST_F(Window, RemembersItsThemeAndItsFilesAndDoesNotMoveAnything) {
     open_window();
     window_->set_theme(ThemeChoice::dark);
-    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/small.stl");
+    window_->open(QString::fromStdString(example("small.stl")));
     ASSERT_TRUE(comes_to(session::DeskState::model));
     window_->close();
     window_.reset();
@@ -181,7 +182,7 @@ TEST_F(Window, RemembersItsThemeAndItsFilesAndDoesNotMoveAnything) {
 
 TEST_F(Window, ShowsTheBlankAndWhatTheHeadsCannotReach) {
     open_window();
-    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/figurine.stl");
+    window_->open(QString::fromStdString(example("figurine.stl")));
     auto& view = *static_cast<MeshView*>(window_->findChild<QWidget*>("model_view"));
     const auto has_colours = [&] {
         return !view.picture().bodies.empty() && !view.picture().bodies.front().scene->vertex_rgb.empty();
@@ -219,7 +220,7 @@ TEST_F(Window, ShowsTheBlankAndWhatTheHeadsCannotReach) {
 
 TEST_F(Window, DrawsCoarselyWhileTheModelIsTurnedAndFinelyAfterwards) {
     open_window();
-    window_->open(QString::fromLatin1(PSICARVE_EXAMPLES) + "/figurine.stl");
+    window_->open(QString::fromStdString(example("figurine.stl")));
     ASSERT_TRUE(comes_to(session::DeskState::model));
     auto& view = *static_cast<MeshView*>(window_->findChild<QWidget*>("model_view"));
     ASSERT_TRUE(comes_true([&] { return !view.picture().bodies.empty(); }));

@@ -65,7 +65,7 @@ SampleJob wavy_job(Joining joining, std::uint32_t layers, std::uint32_t points) 
             }};
 }
 
-PerfectMachine::PerfectMachine(const SampleJob& job) : job_(job), view_(job.view()) {
+PerfectMachine::PerfectMachine(const SampleJob& job) : view_(job.view()) {
     start.present = kOutputMask | kInputMask;
     start.has_positions = true;
     start.position_pulses = position = {24000, 24000, 0, 0};

@@ -68,7 +68,6 @@ private:
     void emit(std::int64_t time_ns, SignalWord levels);
     void step_all(unsigned axes, unsigned positive);
 
-    const SampleJob& job_;
     JobView view_;
     std::int64_t now_ns_ = 1'000'000;
     void cross_gap(Axis axis, bool positive);

@@ -14,6 +14,7 @@
 #include "hmi/verify/train_demand.hpp"
 #include "shared/profile.hpp"
 #include "tests/hmi/verify/exact_motion.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::verify {
 namespace {
@@ -35,8 +36,7 @@ MotorLimits limits_of(const Profile& profile, Axis axis) {
 }
 
 Case case_of(const char* name, const char* file, Axis axis, std::int64_t tick_ns) {
-    const Profile profile =
-        file == nullptr ? Profile{} : load_profile(std::string(PSICARVE_EXAMPLES "/") + file).value();
+    const Profile profile = file == nullptr ? Profile{} : load_profile(example(file)).value();
     return {name, limits_of(profile, axis), tick_ns};
 }
 
@@ -129,7 +129,7 @@ TEST_P(TrainFollowerTest, AcceptsAnythingBelowStartStopSpeed) {
 }
 
 TEST_P(TrainFollowerTest, MayReverseAtStartStopSpeedAndNoFaster) {
-    const auto to_and_fro = [this](double speed_pps) {
+    const auto to_and_fro = [](double speed_pps) {
         const double turn_s = 0.3;
         return pulses_of([=](double time_s) { return speed_pps * std::fabs(turn_s - time_s); }, 2.0 * turn_s,
                          {.tick_ns = GetParam().tick_ns});

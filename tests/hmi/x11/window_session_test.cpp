@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/hmi/x11/x11_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve {
 namespace {
@@ -38,7 +39,7 @@ TEST_F(WindowOnAScreen, TakesAnOperatorFromAModelToTheLastLayer) {
     EXPECT_EQ(ask("kind model_view"), "opengl") << text_of(file("window.log"));
     press({"ctrl+o"});
     ASSERT_TRUE(says("modal", "Open model, job or recording"));
-    type(std::string{PSICARVE_EXAMPLES} + "/figurine.stl");
+    type(example("figurine.stl"));
     ASSERT_TRUE(eventually([&] { return has_opened_what_was_typed(); }));
     ASSERT_TRUE(fill_in("layers", "4000"));
     ASSERT_TRUE(fill_in("points", "400"));
@@ -127,8 +128,7 @@ TEST_F(WindowOnAScreen, SaysWithinItsTimeThatTheCoreIsGone) {
 }
 
 TEST_F(WindowOnAScreen, DrawsWithoutOpenGlWhereThereIsNone) {
-    open_window({"--opengl", std::string{PSICARVE_EXAMPLES} + "/figurine.stl"},
-                {"QT_XCB_GL_INTEGRATION=none"});
+    open_window({"--opengl", example("figurine.stl")}, {"QT_XCB_GL_INTEGRATION=none"});
     ASSERT_TRUE(says("where slice", " ready"));
     EXPECT_EQ(ask("kind model_view"), "painter");
     EXPECT_NE(text_of(file("window.log")).find("no OpenGL here"), std::string::npos);
@@ -136,7 +136,7 @@ TEST_F(WindowOnAScreen, DrawsWithoutOpenGlWhereThereIsNone) {
 }
 
 TEST_F(WindowOnAScreen, GoesOnDrawingWithoutOpenGlOnceThatFails) {
-    open_window({"--opengl", std::string{PSICARVE_EXAMPLES} + "/figurine.stl"});
+    open_window({"--opengl", example("figurine.stl")});
     ASSERT_TRUE(says("where slice", " ready"));
     ASSERT_TRUE(says("kind model_view", "opengl")) << text_of(file("window.log"));
     ASSERT_EQ(ask("exhaust model_view"), "exhausted");
@@ -147,7 +147,7 @@ TEST_F(WindowOnAScreen, GoesOnDrawingWithoutOpenGlOnceThatFails) {
 }
 
 TEST_F(WindowOnAScreen, LeavesOpenGlAloneWhereTheProcessorDoesItsWork) {
-    open_window({std::string{PSICARVE_EXAMPLES} + "/figurine.stl"});
+    open_window({example("figurine.stl")});
     ASSERT_TRUE(says("where slice", " ready"));
     EXPECT_EQ(ask("kind model_view"), "painter");
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/hmi/x11/x11_rig.hpp"
+#include "tests/places.hpp"
 
 #include <sys/stat.h>
 
@@ -29,7 +30,7 @@ void X11Rig::SetUp() {
 }
 
 void X11Rig::open_window(std::vector<std::string> arguments, std::vector<std::string> environment) {
-    std::vector<std::string> words{PSICARVE_WATCHED_WINDOW, "--segment", segment_name_};
+    std::vector<std::string> words{in_build("tests/watched_hmi"), "--segment", segment_name_};
     words.insert(words.end(), arguments.begin(), arguments.end());
     environment.insert(environment.end(), environment_.begin(), environment_.end());
     window_ = std::make_unique<ChildProcess>(words, environment, file("window.log"));
@@ -105,7 +106,7 @@ void X11Rig::xdotool(std::vector<std::string> words) {
 }
 
 void X11Rig::take_picture(const std::string& name) {
-    const std::string folder = std::string{PSICARVE_BIN} + "/../screenshots";
+    const std::string folder = in_build("screenshots");
     mkdir(folder.c_str(), 0755);
     EXPECT_EQ(ask("picture " + folder + "/x11_" + name + ".png"), "saved");
 }

@@ -39,7 +39,7 @@ TEST(DualHeadDda, EmitsExactCountsWithinHalfAPulseOfTheLine) {
         const auto most = static_cast<std::int64_t>(1 + random() % 400);
         Deltas deltas{};
         for (std::int64_t& delta : deltas)
-            delta = static_cast<std::int64_t>(random() % (2 * most + 1)) - most;
+            delta = static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * most + 1)) - most;
         DualHeadDda probe;
         probe.start(deltas);
         expect_on_the_line(deltas, probe.iterations_left());

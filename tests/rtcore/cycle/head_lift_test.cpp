@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <random>
 
-#include "tests/motion/thoroughness.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
-#include "tests/shared/long_run.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::cycle {
 namespace {
@@ -106,7 +105,7 @@ TEST_P(HeadLift, LeavesEveryPulseOfThePathAsItWas) {
     const Course undisturbed = carve(0);
     EXPECT_EQ(undisturbed.lifts, 0);
     int lifts = 0;
-    const std::uint64_t rounds = motion::kIsSanitized && !test::is_long_run() ? 1 : 4;
+    const std::uint64_t rounds = test::is_thorough() ? 4 : 1;
     for (std::uint64_t seed = 1; seed <= rounds; ++seed) {
         const Course disturbed = carve(seed);
         lifts += disturbed.lifts;
@@ -141,7 +140,7 @@ TEST_P(HeadLift, TakesBothHeadsOutByTheRetractionAndKeepsTheSpindleOn) {
 }
 
 TEST_P(HeadLift, AStopWithTheHeadsOutEndsTheJobInOrder) {
-    for (const std::uint64_t ticks : {0, 300, 900, 40'000}) {
+    for (const std::uint64_t ticks : {0U, 300U, 900U, 40'000U}) {
         MachineRig sut(profile());
         ASSERT_TRUE(sut.prepare(random_job(kLayers, kPoints, 33, GetParam().joining)));
         ASSERT_EQ(sut.ask(RequestKind::start_interpolation), Refusal::none);

@@ -58,7 +58,7 @@ TEST(Homing, OfOneAxisLeavesTheOthersWhereTheyAre) {
 
 TEST(Homing, AxisByAxisTheMachineIsReadyWithTheLast) {
     MachineRig sut(quick_profile());
-    for (const std::uint64_t axes : {0b0100, 0b1000, 0b0101}) {
+    for (const std::uint64_t axes : {0b0100U, 0b1000U, 0b0101U}) {
         EXPECT_EQ(sut.ask(RequestKind::home, 0, axes), Refusal::heads_not_homed) << axes;
     }
     ASSERT_EQ(sut.ask(RequestKind::home, 0, 0b0001), Refusal::none);

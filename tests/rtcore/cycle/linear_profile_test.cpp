@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/cycle/linear_profile.hpp"
+#include "tests/thoroughness.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,8 @@ Course run(double start, double max, double accel, std::uint64_t iterations) {
 }
 
 TEST(LinearProfile, EmitsTheLastPulseOfEveryLengthBetweenStartAndTopSpeed) {
-    for (std::uint64_t length = 1; length <= 4000; ++length) {
+    const std::uint64_t longest = test::is_thorough() ? 4000 : 1000;
+    for (std::uint64_t length = 1; length <= longest; ++length) {
         const Course sut = run(0.02, 0.2, 0.0001, length);
         ASSERT_EQ(sut.iterations, length);
         for (const double speed : sut.speeds) {
@@ -46,7 +48,8 @@ TEST(LinearProfile, EmitsTheLastPulseOfEveryLengthBetweenStartAndTopSpeed) {
 TEST(LinearProfile, ObeysItsLimitsForAnyParameters) {
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> part(0.0, 1.0);
-    for (int round = 0; round < 2000; ++round) {
+    const int rounds = test::is_thorough() ? 2000 : 200;
+    for (int round = 0; round < rounds; ++round) {
         const double max = 0.001 + 0.499 * part(random);
         const double start = max * (0.01 + 0.99 * part(random));
         const double accel = max * (1e-4 + 0.2 * part(random));

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "shared/units.hpp"
+#include "tests/places.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 #include "tests/rtcore/cycle/move_requests.hpp"
 
@@ -206,7 +207,7 @@ std::string compact(const std::vector<PortWrite>& writes) {
 }
 
 std::string golden(const std::string& name) {
-    std::ifstream file(std::string(PSICARVE_TEST_DATA) + "/golden/" + name);
+    std::ifstream file(in_source("tests/data/golden/") + name);
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();

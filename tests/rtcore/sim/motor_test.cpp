@@ -11,6 +11,7 @@
 
 #include "rtcore/sim/sim_config.hpp"
 #include "shared/profile.hpp"
+#include "tests/places.hpp"
 #include "tests/rtcore/sim/pulse_train.hpp"
 
 namespace psicarve::sim {
@@ -137,7 +138,7 @@ TEST_P(MotorTest, StallsWhenStartedAtTopSpeed) {
 
 TEST(Motor, NoAxisOfAnExampleStallsAtItsProfilesLimits) {
     for (const char* const name : {"original.toml", "fine.toml"}) {
-        const Profile profile = load_profile(std::string(PSICARVE_EXAMPLES "/") + name).value();
+        const Profile profile = load_profile(example(name)).value();
         const SimConfig machine = sim_config_from_profile(profile);
         for (const Axis axis : kAllAxes) {
             const AxisMotion limits = axis_motion(profile, axis);

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "tests/places.hpp"
 #include "tests/rtcore/trace/trace_files.hpp"
 
 namespace psicarve::trace {
@@ -20,7 +21,7 @@ TEST_F(VcdWriterTest, StoryIsTheGoldenFileByteForByte) {
         sut->finish(kStoryEndTick);
         EXPECT_FALSE(sut->take_error());
     }
-    const std::string golden = content(PSICARVE_TEST_DATA "/golden/short_story.vcd");
+    const std::string golden = content(in_source("tests/data/golden/short_story.vcd"));
     ASSERT_FALSE(golden.empty());
     EXPECT_EQ(content(file), golden);
 }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdlib>
+#include <string_view>
+
+namespace psicarve::test {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kIsSanitized = true;
+#elif defined(__has_feature)
+inline constexpr bool kIsSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+inline constexpr bool kIsSanitized = false;
+#endif
+
+/// Whether tests with a long form are to take it: `scripts/test.sh --long` sets PSICARVE_LONG=1.
+inline bool is_long_run() {
+    const char* const is_long = std::getenv("PSICARVE_LONG");
+    return is_long != nullptr && std::string_view{is_long} == "1";
+}
+
+/// Whether sweeps take their whole form. Sanitizers look for other faults than sweeps do, and take ten times
+/// as long.
+inline bool is_thorough() {
+    return !kIsSanitized || is_long_run();
+}
+
+}  // namespace psicarve::test

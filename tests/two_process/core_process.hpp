@@ -10,8 +10,8 @@
 
 #include <chrono>
 #include <fstream>
-#include <iterator>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -76,9 +76,13 @@ private:
     std::optional<int> exit_status_;
 };
 
+/// Whole, or as far as it can be read.
 inline std::string text_of(const std::string& path) {
     std::ifstream file{path, std::ios::binary};
-    return {std::istreambuf_iterator<char>{file}, {}};
+    // What is read of a process that ends meanwhile fails, and would be thrown out of an iterator.
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
 }
 
 }  // namespace psicarve::two_process

@@ -203,6 +203,8 @@ void Supervisor::finish_job(const cycle::Report& report) {
         parts_->planner->set_job(std::shared_ptr<const JobView>{job_, &job_->view}, job_->generation);
     }
     loading_job_.reset();
+    // Whoever reads it once the job is acknowledged must not find the times of the job before.
+    publish_status();
     // The segment that it came from is gone: nobody in the new one asked.
     if (!is_offer_stale_) acknowledge_job(*segment_, generation, accepted, remark);
 }
@@ -229,10 +231,10 @@ void Supervisor::drain_reports() {
         if (record.kind == RecordKind::alarm || record.kind == RecordKind::state_change) ++changes_;
         if (report.kind != cycle::Report::Kind::answer) continue;
         if (report.sequence == kOwnRequest) continue;
-        publish_status();
         if (report.sequence == kJobRequest) {
             if (loading_job_ != nullptr) finish_job(report);
         } else {
+            publish_status();
             desk_.deliver_answer(*segment_, report, sample_);
         }
     }
@@ -254,6 +256,9 @@ void Supervisor::watch_recording() {
 }
 
 PlannedTimes Supervisor::planned_times() {
+    // The tick may have a job that the estimator has not been given yet.
+    if (job_ != nullptr && job_->generation != sample_.job_generation)
+        return {.left_s = -1.0, .reference_s = -1.0};
     std::shared_ptr<const plan::JobEstimate> estimate;
     PlannedTimes times{.left_s = -1.0, .reference_s = parts_->planner->reference_seconds()};
     if (parts_->estimator != nullptr) {

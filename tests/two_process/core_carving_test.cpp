@@ -51,6 +51,25 @@ TEST_F(CoreCarving, TheTimeIsKnownBeforeTheStart) {
     EXPECT_GT(status().reference_seconds, 1.5 * before.reference_seconds);
 }
 
+TEST_F(CoreCarving, WhoSeesAJobAcceptedReadsNoTimesOfTheJobBefore) {
+    start_core();
+    ASSERT_EQ(publish(lobed_job(6, 33)), "");
+    for (std::uint32_t layers = 7; layers < 17; ++layers) {
+        ASSERT_TRUE(eventually([&] { return status().seconds_left >= 0.0; }));
+        const CoreStatus before = status();
+        const auto generation = publish_job(*segment_, job_blob_from_table(lobed_job(layers, 33)));
+        ASSERT_TRUE(generation);
+        const auto verdict = [&] { return read_record(segment_->header().verdict).value_or(JobVerdict{}); };
+        // At once: what is tried is over a moment later.
+        const auto end = std::chrono::steady_clock::now() + kLimit;
+        while (verdict().generation != *generation) ASSERT_LT(std::chrono::steady_clock::now(), end);
+        const CoreStatus accepted = status();
+        ASSERT_EQ(accepted.job_generation, *generation);
+        EXPECT_NE(accepted.seconds_left, before.seconds_left) << layers;
+        EXPECT_NE(accepted.reference_seconds, before.reference_seconds) << layers;
+    }
+}
+
 TEST_F(CoreCarving, AStoppedJobIsCarvedOnFromALayer) {
     start_core();
     home();

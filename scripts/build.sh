@@ -10,7 +10,7 @@ fail() { printf '%s: %s\n' "${0##*/}" "$*" >&2; exit 1; }
 
 # configure_preset PRESET FOLDER [CMAKE ARGUMENTS...]: quiet unless it fails.
 configure_preset() {
-    local preset=$1 folder=$2
+    local preset=$1 folder=$2 compiler='' compiler_before
     shift 2
     mkdir -p "$folder" || return 1
     if [[ ! -w $folder ]]; then
@@ -21,19 +21,28 @@ configure_preset() {
     if command -v ccache >/dev/null; then arguments+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
     # Quicker than GCC with these sanitizers, and a second compiler's opinion.
     if [[ $preset == asan ]] && command -v clang++-14 >/dev/null; then
-        arguments+=(-DCMAKE_CXX_COMPILER=clang++-14)
+        compiler=clang++-14
+        arguments+=("-DCMAKE_CXX_COMPILER=$compiler")
     fi
     # Where seventy test programs are linked.
     if [[ " dev asan tsan " == *" $preset "* ]] && command -v ld.lld >/dev/null; then
         arguments+=(-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=lld)
     fi
-    # A tree that was copied or moved brings a cache that CMake refuses: start afresh.
-    if [[ -f $folder/CMakeCache.txt ]] &&
-        ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
-        arguments+=(--fresh)
+    # A tree that was copied or moved brings a cache that CMake refuses, and with another compiler than before CMake
+    # forgets all other options, the sanitizers too: start afresh.
+    if [[ -f $folder/CMakeCache.txt ]]; then
+        compiler_before=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$folder/CMakeCache.txt")
+        if ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt" ||
+            [[ -n $compiler && ${compiler_before##*/} != "$compiler" ]]; then
+            arguments+=(--fresh)
+        fi
     fi
     if ! (cd "$root" && cmake "${arguments[@]}" >"$folder/configure.log" 2>&1); then
         cat "$folder/configure.log" >&2
+        return 1
+    fi
+    if [[ " asan tsan " == *" $preset "* ]] && ! grep -q '^PSICARVE_SANITIZE:[A-Z]*=.' "$folder/CMakeCache.txt"; then
+        printf '%s: %s has no sanitizer; remove that folder\n' "${0##*/}" "$folder" >&2
         return 1
     fi
 }

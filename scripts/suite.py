@@ -8,7 +8,8 @@ usage: suite.py run PRESET LOGS [CTEST ARGUMENT...]
 run: all tests side by side. Those that fail run again, alone, at most twice: whoever fails three times is broken. Who
 passes then is flaky: a line FLAKY goes to LOGS/flaky, what it said at first to LOGS/flaky-PRESET-NAME.log, and whoever
 calls us decides how many are too many. No second chance has a test whose outcome must not depend on what else the
-computer does (EXACT below), nor one that a sanitizer has reported on.
+computer does (EXACT below). What a sanitizer reports, of any process and whatever its test says, goes to
+LOGS/sanitizer-PRESET.PID and is broken. So is a test that could not be started.
 Exit codes: 0 passed, perhaps flaky; 1 something is broken; 2 wrong usage.
 
 again: the tests called NAME (a name, or the beginning of several, as Jogging.) N times each, with as many busy loops
@@ -16,10 +17,12 @@ beside them as there are processors. Says how often each failed; what it said th
 Exit codes: 0 none failed; 1 some did; 2 no such test, or wrong usage.
 """
 
+import glob
 import json
 import os
 import re
 import shlex
+import signal
 import subprocess
 import sys
 import tempfile
@@ -39,39 +42,73 @@ EXACT = [
     r"^OperatorDeath\.",
     r"^CoreGuard\.",
 ]
-SANITIZER_REPORT = re.compile(
-    r"ERROR: (Address|Leak)Sanitizer|WARNING: ThreadSanitizer|runtime error: |UndefinedBehaviorSanitizer"
-)
+SANITIZER_VARIABLES = ["ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS"]
+LINES_OF_A_REPORT = 60
 
 
 def root():
     return os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 
 
-def run_ctest(preset, log, arguments):
-    """ctest's exit code, (name, output) of each test that failed, and all names. What it says goes to `log` and to us."""
+def report_path(folder, preset):
+    """To this, with a dot and the process' number behind it, sanitizers write."""
+    return os.path.join(os.path.abspath(folder), f"sanitizer-{preset}")
+
+
+def sanitizer_environment(path):
+    """Standard error of the processes that a test starts goes to files that are gone when the test is."""
+    environment = dict(os.environ)
+    for variable in SANITIZER_VARIABLES:
+        before = environment.get(variable)
+        environment[variable] = (before + ":" if before else "") + f"log_path='{path}'"
+    return environment
+
+
+def reports_at(path):
+    """(file, how it begins) of each report of a sanitizer."""
+    reports = []
+    for report in sorted(glob.glob(glob.escape(path) + ".*")):
+        with open(report, encoding="utf-8", errors="replace") as file:
+            reports.append((report, "\n".join(file.read().splitlines()[:LINES_OF_A_REPORT])))
+    return reports
+
+
+class Outcome:
+    """What ctest said of a run: its exit code, (name, output) of each test that failed, the names of those that could not
+    be started, of those that left themselves out, and of all."""
+
+    def __init__(self, code, cases):
+        self.code = code
+        self.failed = [(case.get("name"), case.findtext("system-out") or "") for case in cases if case.get("status") == "fail"]
+        self.names = [case.get("name") for case in cases]
+        self.skipped = []
+        self.not_started = []
+        for case in cases:
+            if case.get("status") != "notrun":
+                continue
+            skipped = case.find("skipped")
+            message = "" if skipped is None else skipped.get("message") or ""
+            (self.skipped if message.startswith("SKIP_") else self.not_started).append(case.get("name"))
+
+
+def run_ctest(preset, logs, arguments):
+    """Runs tests of a preset. What ctest says goes to LOGS/ctest-PRESET.log and to us."""
+    log = os.path.join(logs, f"ctest-{preset}.log")
     with tempfile.NamedTemporaryFile(suffix=".xml") as report:
         command = ["ctest", "--preset", preset, "--no-tests=error", "--output-junit", report.name, *arguments]
         with open(log, "a", encoding="utf-8", errors="replace") as file:
-            run = subprocess.Popen(command, cwd=root(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+            run = subprocess.Popen(
+                command, cwd=root(), env=sanitizer_environment(report_path(logs, preset)), stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT, text=True, errors="replace",
+            )
             for line in run.stdout:
                 file.write(line)
                 print(line, end="", flush=True)  # whoever is ended at the time limit has said how far it came
             code = run.wait()
         try:
-            cases = list(ElementTree.parse(report.name).getroot().iter("testcase"))
+            return Outcome(code, list(ElementTree.parse(report.name).getroot().iter("testcase")))
         except ElementTree.ParseError:  # it ended before it wrote one
-            return code or 1, [], []
-        failed = [(case.get("name"), case.findtext("system-out") or "") for case in cases if case.get("status") == "fail"]
-        return code, failed, [case.get("name") for case in cases]
-
-
-def why_no_second_chance(name, output):
-    if any(re.search(pattern, name) for pattern in EXACT):
-        return "it must never fail"
-    if SANITIZER_REPORT.search(output):
-        return "a sanitizer has reported"
-    return ""
+            return Outcome(code or 1, [])
 
 
 def file_name_of(name):
@@ -84,47 +121,50 @@ def only(name):
     return ["--parallel", "1", "-R", f"^{quoted}$"]
 
 
-def try_again(preset, log, name):
+def try_again(preset, logs, name):
     """How often a test that failed once was tried altogether; None when it never passed."""
     for tried in range(SECOND_CHANCES):
-        code, _, _ = run_ctest(preset, log, only(name))
-        if code == 0:
+        outcome = run_ctest(preset, logs, only(name))
+        if outcome.code == 0 and outcome.names == [name] and not outcome.skipped:
             return tried + 2
     return None
 
 
+def judge_failed(preset, logs, name, output):
+    """Whether a test that failed passes when it is tried again; then it is noted as flaky."""
+    if any(re.search(pattern, name) for pattern in EXACT):
+        print(f"no second chance for {name}: it must never fail", flush=True)
+        return False
+    kept = os.path.join(logs, f"flaky-{preset}-{file_name_of(name)}.log")
+    with open(kept, "w", encoding="utf-8", errors="replace") as file:
+        file.write(output)
+    tries = try_again(preset, logs, name)
+    if tries is None:
+        return False
+    with open(os.path.join(logs, "flaky"), "a", encoding="utf-8") as file:
+        file.write(f"FLAKY {name} ({preset}), failed {tries - 1} of {tries}; first output: {os.path.relpath(kept, root())}\n")
+    return True
+
+
 def run(preset, logs, arguments):
-    log = os.path.join(logs, f"ctest-{preset}.log")
-    code, failed, names = run_ctest(preset, log, arguments)
+    outcome = run_ctest(preset, logs, arguments)
+    is_green = outcome.code == 0
     # dev has all tests.
-    forgotten = [pattern for pattern in EXACT if not any(re.search(pattern, name) for name in names)]
-    if preset == "dev" and names and forgotten:
+    forgotten = [pattern for pattern in EXACT if not any(re.search(pattern, name) for name in outcome.names)]
+    if preset == "dev" and outcome.names and forgotten:
         print(f"no test is called {' or '.join(forgotten)} any more: EXACT in scripts/suite.py", flush=True)
         return 1
-    if code == 0:
-        return 0
-    if not failed:  # it did not come so far
-        return 1
-    if len(failed) > MOST_TRIED_AGAIN:
-        print(f"{len(failed)} tests failed: none is tried again", flush=True)
-        return 1
-    is_broken = False
-    for name, output in failed:
-        reason = why_no_second_chance(name, output)
-        if reason:
-            print(f"no second chance for {name}: {reason}", flush=True)
-            is_broken = True
-            continue
-        kept = os.path.join(logs, f"flaky-{preset}-{file_name_of(name)}.log")
-        with open(kept, "w", encoding="utf-8", errors="replace") as file:
-            file.write(output)
-        tries = try_again(preset, log, name)
-        if tries is None:
-            is_broken = True
-            continue
-        with open(os.path.join(logs, "flaky"), "a", encoding="utf-8") as file:
-            file.write(f"FLAKY {name} ({preset}), failed {tries - 1} of {tries}; first output: {os.path.relpath(kept, root())}\n")
-    return 1 if is_broken else 0
+    if outcome.not_started:
+        print("could not be started: " + ", ".join(outcome.not_started), flush=True)
+    elif len(outcome.failed) > MOST_TRIED_AGAIN:
+        print(f"{len(outcome.failed)} tests failed: none is tried again", flush=True)
+    elif outcome.failed:
+        verdicts = [judge_failed(preset, logs, name, output) for name, output in outcome.failed]
+        is_green = all(verdicts)
+    reports = reports_at(report_path(logs, preset))
+    for report, text in reports:
+        print(f"a sanitizer has reported: {os.path.relpath(report, root())}\n{text}", flush=True)
+    return 0 if is_green and not outcome.not_started and not reports else 1
 
 
 def tests_called(build, name):
@@ -138,18 +178,24 @@ def property_of(test, name, otherwise):
     return next((entry["value"] for entry in test.get("properties", []) if entry["name"] == name), otherwise)
 
 
-def run_one(test):
-    """Exit code and output of one run, as ctest would run it."""
-    environment = dict(os.environ)
+def run_one(test, reports):
+    """Exit code and output of one run, as ctest would run it; `reports`: where sanitizers write."""
+    environment = sanitizer_environment(reports)
     environment.update(entry.split("=", 1) for entry in property_of(test, "ENVIRONMENT", []))
     try:
         ran = subprocess.run(
             test["command"], cwd=property_of(test, "WORKING_DIRECTORY", None), env=environment, stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=property_of(test, "TIMEOUT", 600), check=False,
         )
-        return ran.returncode, ran.stdout.decode(errors="replace")
+        code, output = ran.returncode, ran.stdout.decode(errors="replace")
     except subprocess.TimeoutExpired as expired:
-        return -1, (expired.stdout or b"").decode(errors="replace") + "\nit ran into its time limit\n"
+        code, output = -1, (expired.stdout or b"").decode(errors="replace") + "\nit ran into its time limit\n"
+    if code == 0 and re.search(r"^\[  SKIPPED \]", output, re.MULTILINE):
+        code = -1
+    for report, text in reports_at(reports):
+        code, output = code or -1, f"{output}\n{text}\n"
+        os.remove(report)
+    return code, output
 
 
 def again(build, times, name):
@@ -158,6 +204,8 @@ def again(build, times, name):
         print(f"no test of {build} is called {name}, or begins so", file=sys.stderr)
         return 2
     log = os.path.join(build, f"again-{file_name_of(name)}.log")
+    reports = report_path(build, "again")
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # the busy loops end with us
     busy = [subprocess.Popen(["sh", "-c", "while :; do :; done"]) for _ in range(os.cpu_count() or 1)]
     failures = dict.fromkeys((test["name"] for test in tests), 0)
     last_word = time.monotonic()
@@ -165,7 +213,7 @@ def again(build, times, name):
         with open(log, "w", encoding="utf-8", errors="replace") as file:
             for n in range(1, times + 1):
                 for test in tests:
-                    code, output = run_one(test)
+                    code, output = run_one(test, reports)
                     if code != 0:
                         failures[test["name"]] += 1
                         file.write(f"==== {test['name']}, run {n}: exit code {code}\n{shlex.join(test['command'])}\n{output}\n")

@@ -84,7 +84,7 @@ if ((${#again[@]})); then
     configure_preset "$preset" "$root/build/$preset" && build "$root/build/$preset" || exit 1
     exec "$root/scripts/suite.py" again "$root/build/$preset" "${again[1]}" "${again[2]}"
 fi
-rm -f "$logs"/ctest-*.log "$logs"/flaky*
+rm -f "$logs"/ctest-*.log "$logs"/flaky* "$logs"/sanitizer-*
 
 run_format() { "$root/scripts/format.sh" --check; }
 

@@ -104,14 +104,21 @@ void FakePortFile::stand(const Profile& profile) {
 
 FakePortFile::Preload::Preload(const FakePortFile& port) {
     ::setenv("LD_PRELOAD", in_build("tests/fake_port_preload.so").c_str(), 1);
-    ::setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);  // the library comes first, and is none of it
+    const char* const options = std::getenv("ASAN_OPTIONS");
+    if (options != nullptr) asan_options_ = options;
+    // The library comes first, and is none of it.
+    ::setenv("ASAN_OPTIONS", (asan_options_.value_or("") + ":verify_asan_link_order=0").c_str(), 1);
     ::setenv(kDeviceVariable, port.device_.c_str(), 1);
     ::setenv(kStateVariable, port.state_path_.c_str(), 1);
 }
 
 FakePortFile::Preload::~Preload() {
     ::unsetenv("LD_PRELOAD");
-    ::unsetenv("ASAN_OPTIONS");
+    if (asan_options_) {
+        ::setenv("ASAN_OPTIONS", asan_options_->c_str(), 1);
+    } else {
+        ::unsetenv("ASAN_OPTIONS");
+    }
     ::unsetenv(kDeviceVariable);
     ::unsetenv(kStateVariable);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,9 @@ public:
         ~Preload();
         Preload(const Preload&) = delete;
         Preload& operator=(const Preload&) = delete;
+
+    private:
+        std::optional<std::string> asan_options_;  ///< before
     };
 
     std::vector<Write> writes() const;

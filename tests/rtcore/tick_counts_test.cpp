@@ -36,10 +36,14 @@ using tick_counters::count_into;
 using tick_counters::Counts;
 using tick_counters::kPortDescriptor;
 
-void expect_nothing(const Counts& counts) {
+void expect_no_calls(const Counts& counts) {
     EXPECT_EQ(counts.allocations, 0U);
     EXPECT_EQ(counts.locks, 0U);
     EXPECT_EQ(counts.other_system_calls, 0U) << "the last was number " << counts.last_other_call;
+}
+
+void expect_nothing(const Counts& counts) {
+    expect_no_calls(counts);
     EXPECT_EQ(counts.page_faults, 0U);
 }
 
@@ -233,8 +237,10 @@ void TickCounts::run_on_the_real_clock(std::uint64_t wanted_ticks, Counts& count
 TEST_F(TickCounts, NothingInTheLoopOnTheRealClock) {
     const std::uint64_t wanted_ticks = ticks_on_the_real_clock();
     // The kernel may move a page that lies in memory, and a thread that touches it then faults by no doing of
-    // its own. What the loop itself does it does every time: its faults would be there in each of these runs.
+    // its own: a few at a time. What the loop itself does it does every time: its faults would be there in
+    // each of these runs. All else is its own doing in any run.
     constexpr int kMostRuns = 3;
+    constexpr std::uint64_t kMostMoved_pages = 4;
     Counts counts;
     std::optional<rtcore::PeriodicStats> stats;
     for (int runs = 1; runs <= kMostRuns; ++runs) {
@@ -242,15 +248,17 @@ TEST_F(TickCounts, NothingInTheLoopOnTheRealClock) {
         counts = {};
         stats.emplace();
         run_on_the_real_clock(wanted_ticks, counts, *stats);
+        expect_no_calls(counts);
+        EXPECT_EQ(stats->report().ticks_run, wanted_ticks);
+        // One sleep a tick, and nothing else that it waits for.
+        EXPECT_EQ(counts.sleeps, wanted_ticks);
+        EXPECT_LE(counts.switches, wanted_ticks);
+        ASSERT_LE(counts.page_faults, kMostMoved_pages);
         if (counts.page_faults == 0) break;
         std::printf("%llu page faults in run %d\n", static_cast<unsigned long long>(counts.page_faults),
                     runs);
     }
-    expect_nothing(counts);
-    EXPECT_EQ(stats->report().ticks_run, wanted_ticks);
-    // One sleep a tick, and nothing else that it waits for.
-    EXPECT_EQ(counts.sleeps, wanted_ticks);
-    EXPECT_LE(counts.switches, wanted_ticks);
+    EXPECT_EQ(counts.page_faults, 0U);
     std::printf("%llu ticks on the real clock, %llu more missed, %llu points carved: nothing counted\n",
                 static_cast<unsigned long long>(wanted_ticks),
                 static_cast<unsigned long long>(stats->report().ticks_missed),

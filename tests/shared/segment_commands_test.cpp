@@ -99,15 +99,14 @@ TEST_F(SegmentCommands, CommandThatNobodyTookIsTakenBackAtTheLimit) {
 
 TEST_F(SegmentCommands, SlotOfASenderThatGaveUpAfterItWasTakenIsFreedByTheAnswer) {
     Result<void> result;
-    std::atomic<bool> is_taken{false};
-    // Once more where this computer stands still for so long that nobody took it in time.
+    // Once more where this computer stands still for so long that nobody took it in time, and it was taken
+    // back.
     std::thread sender{[&] {
         do {
             result = send_command(*hmi_, {CommandKind::home, 0, 0, 0}, milliseconds{200});
-        } while (!is_taken.load());
+        } while (used_slots() == 0U);
     }};
     const ReceivedCommand received = take();
-    is_taken.store(true);
     sender.join();
     EXPECT_EQ(result.error().code, ErrorCode::timed_out);
     EXPECT_EQ(used_slots(), 1U);

@@ -7,8 +7,9 @@ usage: tidy.py ROOT BUILD     BUILD holds compile_commands.json and a finished N
 Of a unity build it looks at the units: five times quicker, for headers are read once a unit, but the static
 analyser leaves out what a unit includes, and that is all of it. A build of one file a unit gets it all.
 
-A file's stamp is a hash over .clang-tidy, clang-tidy's version, the file's compile command and the contents of the
-file and of all headers of ours that it includes (as Ninja recorded them), whichever folder ROOT is. The stamps are
+A file's stamp is a hash over .clang-tidy, this script, clang-tidy's version, the file's compile command, the contents of
+the file and of all headers of ours that it includes (as Ninja recorded them), whichever folder ROOT is, and the sizes and
+dates of all other headers. The stamps are
 kept in $XDG_CACHE_HOME/psicarve/tidy (~/.cache if unset), each until it has not been asked for in sixty days, or in
 BUILD/tidy where nothing can be written there.
 """
@@ -29,7 +30,7 @@ LONGEST_UNASKED_S = 60 * 24 * 3600
 
 
 def recorded_headers(root, build):
-    """Source file -> the files below root that its object depends on, from Ninja's own record."""
+    """Source file -> what its object depends on, below root and elsewhere, from Ninja's own record."""
     text = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True).stdout
     headers = {}
     for block in text.split("\n\n"):
@@ -37,12 +38,12 @@ def recorded_headers(root, build):
         paths = [os.path.realpath(os.path.join(build, line)) for line in lines]
         ours = sorted(path for path in paths if path.startswith(root + os.sep))
         if ours:
-            headers[os.path.realpath(os.path.join(build, lines[0]))] = ours
+            headers[os.path.realpath(os.path.join(build, lines[0]))] = ours, sorted(set(paths) - set(ours))
     return headers
 
 
-def stamp_of(root, command, files, version):
-    """The hash under which a clean verdict is remembered."""
+def stamp_of(root, command, files, foreign, version):
+    """The hash under which a clean verdict is remembered; of `foreign` files only size and date are looked at."""
     digest = hashlib.sha256()
     here = root.encode()  # in commands, and in units, which name what they include in full
 
@@ -51,7 +52,7 @@ def stamp_of(root, command, files, version):
 
     add(version.encode())
     add(command["command"].encode())
-    for path in [os.path.join(root, ".clang-tidy"), *files]:
+    for path in [os.path.join(root, ".clang-tidy"), os.path.realpath(__file__), *files]:
         add(path.encode())
         with open(path, "rb") as file:
             add(file.read())
@@ -108,6 +109,9 @@ def main():
     headers = recorded_headers(root, build)
     stamps = stamp_folder(build)
 
+    def stamp(path):
+        return stamp_of(root, commands[path], *headers.get(path, ([path], [])), version)
+
     todo = {}
     sources = sorted(
         path
@@ -115,9 +119,9 @@ def main():
         if os.path.relpath(path, build if is_unit(path) else root).split(os.sep)[0] in CHECKED
     )
     for path in sources:
-        stamp = stamp_of(root, commands[path], headers.get(path, [path]), version)
-        if path not in headers or not has_passed(os.path.join(stamps, stamp)):
-            todo[path] = stamp
+        before = stamp(path)
+        if path not in headers or not has_passed(os.path.join(stamps, before)):
+            todo[path] = before
 
     dirty = 0
     print(f"tidy: {len(sources)} files or units, {len(todo)} to look at", flush=True)
@@ -126,7 +130,7 @@ def main():
             if findings:
                 dirty += 1
                 print(findings, flush=True)
-            else:
+            elif stamp(path) == todo[path]:  # nobody has changed it meanwhile
                 open(os.path.join(stamps, todo[path]), "w").close()
     print(f"tidy: {dirty} with findings")
     return 1 if dirty else 0

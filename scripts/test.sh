@@ -124,7 +124,7 @@ build_and_test() {
 # Always the same inputs, made from those kept in the tree: a change fails for what it does, not by luck. With
 # PSICARVE_FUZZ_SECONDS others every time.
 run_fuzz() {
-    local folder="$root/build/fuzz" targets target name kept failed=0
+    local folder="$root/build/fuzz" targets target pid running=() failed=0
     configure_preset fuzz "$folder" -DCMAKE_CXX_COMPILER=clang++-14 || return 1
     mapfile -t targets < <(ninja -C "$folder" -t targets all | sed -n 's/: CXX_EXECUTABLE_LINKER.*//p' | grep fuzz)
     if ((${#targets[@]} == 0)); then
@@ -132,28 +132,37 @@ run_fuzz() {
         return 1
     fi
     build "$folder" "${targets[@]}" || return 1
+    # As many at a time as there are processors: each has one thread.
     for target in "${targets[@]}"; do
-        name=$(basename "$target")
-        # What it finds goes to the first folder.
-        local corpora=("$folder/found/$name") limit=(-seed=1 "-runs=$fuzz_runs")
-        if [[ -n ${PSICARVE_FUZZ_SECONDS-} ]]; then
-            corpora=("$folder/corpus/$name")
-            limit=("-max_total_time=$PSICARVE_FUZZ_SECONDS")
-        else
-            rm -rf "${corpora[0]}"
-        fi
-        mkdir -p "${corpora[0]}"
-        kept="$root/tests/fuzz/corpus/${name%_fuzz}"
-        if [[ -d $kept ]]; then corpora+=("$kept"); fi
-        say "fuzz: $name"
-        # What it reports of its own progress is of use only beside a finding.
-        if ! (cd "$folder" && "./$target" "${limit[@]}" -timeout=10 -rss_limit_mb=2048 -print_final_stats=0 \
-            -verbosity=0 "${corpora[@]}") &>"$logs/$name.log"; then
-            failed=1
-            cat "$logs/$name.log"
-        fi
+        while (($(jobs -rp | wc -l) >= $(nproc))); do sleep 0.1; done
+        fuzz_one "$folder" "$target" &
+        running+=("$!")
     done
+    for pid in "${running[@]}"; do wait "$pid" || failed=1; done
     return "$failed"
+}
+# fuzz_one FOLDER TARGET
+fuzz_one() {
+    local folder=$1 target=$2 name kept
+    name=$(basename "$target")
+    # What it finds goes to the first folder.
+    local corpora=("$folder/found/$name") limit=(-seed=1 "-runs=$fuzz_runs")
+    if [[ -n ${PSICARVE_FUZZ_SECONDS-} ]]; then
+        corpora=("$folder/corpus/$name")
+        limit=("-max_total_time=$PSICARVE_FUZZ_SECONDS")
+    else
+        rm -rf "${corpora[0]}"
+    fi
+    mkdir -p "${corpora[0]}"
+    kept="$root/tests/fuzz/corpus/${name%_fuzz}"
+    if [[ -d $kept ]]; then corpora+=("$kept"); fi
+    say "fuzz: $name"
+    # What it reports of its own progress is of use only beside a finding.
+    if ! (cd "$folder" && "./$target" "${limit[@]}" -timeout=10 -rss_limit_mb=2048 -print_final_stats=0 \
+        -verbosity=0 "${corpora[@]}") &>"$logs/$name.log"; then
+        cat "$logs/$name.log"
+        return 1
+    fi
 }
 
 run_tidy() { python3 "$root/scripts/tidy.py" "$root" "$root/build/dev"; }

@@ -22,9 +22,15 @@ protected:
         const char* const skip = std::getenv("PSICARVE_SKIP_HARDWARE");
         if (skip != nullptr && std::string{skip} == "1") GTEST_SKIP() << "PSICARVE_SKIP_HARDWARE=1";
         save_job(coarse_job(2), "job.psi");
+        // The same machine homed where it stands, for what comes after both kinds of port have looked for its
+        // sensors.
+        const Profile by_sensors = profile_;
+        two_process::take_sensors_away(profile_);
+        write_profile("unsensed.toml");
         save_job(coarse_job(60), "long.psi");
-        const std::string problem =
-            lab_.prepare(file("."), {file("machine.toml"), file("job.psi"), file("long.psi")});
+        profile_ = by_sensors;
+        const std::string problem = lab_.prepare(
+            file("."), {file("machine.toml"), file("unsensed.toml"), file("job.psi"), file("long.psi")});
         ASSERT_EQ(problem, "");
     }
     void save_job(const JobTable& table, const std::string& name) const {

@@ -16,9 +16,9 @@ quietly() { "$@" >/tmp/said 2>&1 || { say "failed $*"; $B cat /tmp/said; return 
 for module in parport parport_pc ppdev; do $B insmod /$module.ko || say "failed insmod $module"; done
 say "kernel $($B uname -r) realtime $($B cat /sys/kernel/realtime) device $(echo /dev/parport*)"
 
-# run PORT JOB STATE: a core on that port homes, carves the job until it comes to STATE, and ends in order.
+# run PORT JOB PROFILE: a core on that port homes, carves the job until it is ready or in alarm, and ends in order.
 run() {
-    psicarve-rtcore --port "$1" --profile /machine.toml --capacity 100x20 &
+    psicarve-rtcore --port "$1" --profile "$3" --capacity 100x20 &
     core=$!
     tries=0
     until psicarve status >/dev/null 2>&1; do
@@ -29,7 +29,7 @@ run() {
     quietly psicarve home && quietly psicarve publish "$2" && quietly psicarve start --carve
     state=carving
     while [ $state != ready ] && [ $state != alarm ]; do
-        $B sleep 2
+        $B sleep 0.5
         state=$(psicarve status --json | $B sed -n 's/.*"state": *"\([a-z]*\)".*/\1/p' | $B head -n 1)
         [ -n "$state" ] || { say "failed status on $1"; state=alarm; }
     done
@@ -41,11 +41,11 @@ run() {
 }
 
 say "begin ppdev"
-run ppdev:/dev/parport0 /job.psi
+run ppdev:/dev/parport0 /job.psi /machine.toml
 say "begin io"
-run io:0x378 /job.psi
+run io:0x378 /job.psi /machine.toml
 say "begin kill"
-psicarve-rtcore --port ppdev:/dev/parport0 --profile /machine.toml --capacity 100x20 &
+psicarve-rtcore --port ppdev:/dev/parport0 --profile /unsensed.toml --capacity 100x20 &
 guard=$!
 until psicarve status >/dev/null 2>&1; do $B sleep 0.1; done
 quietly psicarve home && quietly psicarve publish /long.psi && quietly psicarve start --carve
@@ -72,13 +72,13 @@ while [ "$(estop)" = "$released" ]; do $B sleep 0.1; done
 say "port was looked at"
 while [ "$(estop)" != "$released" ]; do $B sleep 0.1; done
 say "begin estop"
-run ppdev:/dev/parport0 /long.psi
+run ppdev:/dev/parport0 /long.psi /unsensed.toml
 # Until the test has let go of the stop.
 pressed=$(estop)
 say "emergency stop is pressed: $pressed"
 while [ "$(estop)" = "$pressed" ]; do $B sleep 0.1; done
 say "begin limit"
-run ppdev:/dev/parport0 /long.psi
+run ppdev:/dev/parport0 /long.psi /unsensed.toml
 say "begin refusals"
 psicarve-rtcore --port io:0x2f8 --profile /machine.toml 2>&1 | $B sed 's/^/LAB refusal /'
 psicarve-rtcore --port ppdev:/dev/parport0 --profile /machine.toml --segment /first &

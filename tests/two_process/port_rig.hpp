@@ -25,9 +25,9 @@ protected:
     static constexpr std::uint32_t kEstopStatusBit = 0x08;
 
     PortRig() { write_profile(); }
-    void write_profile() const {
+    void write_profile(const std::string& name = "machine.toml") const {
         const std::string text = profile_to_toml(profile_);
-        EXPECT_TRUE(write_file_atomically(file("machine.toml"), std::as_bytes(std::span{text})));
+        EXPECT_TRUE(write_file_atomically(file(name), std::as_bytes(std::span{text})));
     }
 
     static Profile machine_with_estop() {

@@ -13,6 +13,7 @@
 #include "hmi/verify/piece_view.hpp"
 #include "shared/units.hpp"
 #include "tests/hmi/verify/verify_fixture.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::verify {
 namespace {
@@ -75,7 +76,7 @@ TEST(Picture, IsAPngEightHundredPixelsWide) {
 }
 
 TEST(Picture, OfFewLayersAndOfManyCanBeDrawn) {
-    for (const std::uint32_t layers : {1U, 2U, 10U, 3000U}) {
+    for (const std::uint32_t layers : {1U, 2U, 10U, test::is_thorough() ? 3000U : 400U}) {
         const SampleJob job(Profile{}, layers, 2 + layers / 2, Joining::continuous,
                             [](double, double) { return 5.0; });
         const auto png = picture_png(surface_of(job), caption_of(job.view(), VerifyReport{}));

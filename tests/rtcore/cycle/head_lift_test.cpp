@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <random>
+#include <string>
 
 #include "tests/rtcore/cycle/machine_rig.hpp"
 #include "tests/thoroughness.hpp"
@@ -14,6 +15,7 @@ constexpr std::uint32_t kLayers = 4;
 constexpr std::uint32_t kPoints = 60;
 
 struct Way {
+    const char* name;
     Joining joining;
     psicarve::Planner planner;
     double backlash_mm;
@@ -177,13 +179,17 @@ TEST_P(HeadLift, AnEmergencyStopOnTheWayEndsIt) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, HeadLift,
-    ::testing::Values(Way{Joining::continuous, psicarve::Planner::angle, 0.0},
-                      Way{Joining::zigzag, psicarve::Planner::lookahead, 0.0},
-                      Way{Joining::spiral, psicarve::Planner::lookahead, 0.0},
-                      Way{Joining::continuous, psicarve::Planner::lookahead, 0.05},
-                      Way{Joining::continuous, psicarve::Planner::angle, 0.05},
-                      Way{Joining::continuous, psicarve::Planner::angle, 0.0, Schedule::two_timer},
-                      Way{Joining::zigzag, psicarve::Planner::lookahead, 0.05, Schedule::two_timer}));
+    ::testing::Values(
+        Way{"continuousByAngle", Joining::continuous, psicarve::Planner::angle, 0.0},
+        Way{"zigzagAhead", Joining::zigzag, psicarve::Planner::lookahead, 0.0},
+        Way{"spiralAhead", Joining::spiral, psicarve::Planner::lookahead, 0.0},
+        Way{"continuousAheadWithBacklash", Joining::continuous, psicarve::Planner::lookahead, 0.05},
+        Way{"continuousByAngleWithBacklash", Joining::continuous, psicarve::Planner::angle, 0.05},
+        Way{"continuousByAngleTwoTimers", Joining::continuous, psicarve::Planner::angle, 0.0,
+            Schedule::two_timer},
+        Way{"zigzagAheadWithBacklashTwoTimers", Joining::zigzag, psicarve::Planner::lookahead, 0.05,
+            Schedule::two_timer}),
+    [](const auto& way) { return std::string{way.param.name}; });
 
 }  // namespace
 }  // namespace psicarve::cycle

@@ -153,6 +153,7 @@ private:
         const bool is_safe = write_safe_state(duty_.safe_state);
         int exit_code = WEXITSTATUS(status);
         if (WIFEXITED(status)) {
+            if (is_safe && owes_safe_state_) say_it_answers();
             if (is_safe) return exit_code;
             try_to_say(outcome(is_safe));
         } else {

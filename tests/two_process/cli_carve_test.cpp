@@ -10,6 +10,7 @@
 #include "shared/profile.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/places.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -76,8 +77,10 @@ TEST_F(Carve, ASpiralObeysAllFourRulesOnEveryMachine) {
           "[axis.r1]\nbacklash_mm = 0.05\n[axis.r2]\nbacklash_mm = 0.1\n[axis.y]\nbacklash_mm = 0.2\n"
           "[axis.psi]\nbacklash_deg = 0.5\n[head.r2]\nangle_error_deg = 0.4\nheight_error_mm = 0.05\n");
     const std::string model = example("small.stl");
-    for (const std::string& profile :
-         std::vector<std::string>{"", example("fine.toml"), example("original.toml"), "worn.toml"}) {
+    std::vector<std::string> profiles{"", "worn.toml"};
+    if (test::is_thorough())
+        profiles.insert(profiles.end(), {example("fine.toml"), example("original.toml")});
+    for (const std::string& profile : profiles) {
         SCOPED_TRACE(profile);
         std::vector<std::string> arguments{"carve",    model, "--segment", segment_, "--layers", "6",
                                            "--points", "60",  "--joining", "spiral", "--json"};

@@ -112,6 +112,7 @@ void CommandDesk::note_lease(const Command& command) noexcept {
     if (!is_jog && command.kind != CommandKind::move) return;
     const std::chrono::milliseconds asked{is_jog ? command.lease_ms : 0};
     jog_lease_ = std::min(asked, kLongestJogLease);
+    jog_token_ = command.lease_token;
 }
 
 void CommandDesk::deliver_answer(Segment& segment, const cycle::Report& report, const cycle::Sample& sample) {

@@ -33,6 +33,8 @@ public:
 
     /// Of the jog that the tick took last; 0: what it took last was none.
     std::chrono::milliseconds jog_lease() const noexcept { return jog_lease_; }
+    /// Whose it is.
+    std::uint32_t jog_token() const noexcept { return jog_token_; }
 
     /// While this is not empty, an alarm that would come again at once is not left: neither reset, nor by an
     /// axis that backs off.
@@ -57,6 +59,7 @@ private:
     std::chrono::steady_clock::time_point last_round_{};
     std::chrono::steady_clock::time_point next_look_{};
     std::chrono::milliseconds jog_lease_{0};
+    std::uint32_t jog_token_ = 0;
     bool is_virtual_clock_;
     struct Waiting {
         std::uint64_t sequence;  ///< ours: what a sender wrote is not trusted to be unique

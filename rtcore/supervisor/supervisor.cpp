@@ -134,7 +134,8 @@ bool Supervisor::mirror_urgent_words() {
 // On the virtual clock ticks say nothing about how long somebody has been silent: there the lease runs here.
 void Supervisor::mirror_jog_lease() {
     const std::uint64_t word = segment_->header().jog_lease.load(std::memory_order_acquire);
-    const bool is_renewed = word != parts_->io->urgent.jog_lease.load(std::memory_order_relaxed);
+    const bool is_renewed = word != parts_->io->urgent.jog_lease.load(std::memory_order_relaxed) &&
+                            jog_lease_token(word) == desk_.jog_token();
     const bool is_leased = sample_.state == MachineState::moving || sample_.state == MachineState::testing;
     if (!is_virtual_clock_ || !is_leased || is_renewed) {
         jog_renewed_ = std::chrono::steady_clock::now();

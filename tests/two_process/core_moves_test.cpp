@@ -42,19 +42,35 @@ TEST_F(CoreMoves, ALeaseThatNobodyRenewsEndsOnTheVirtualClockToo) {
     EXPECT_GT(status().position_pulses[index_of(Axis::psi)], 0);
 }
 
-TEST_F(CoreMoves, AJogIsKeptGoingByItsHolderAlone) {
+TEST_F(CoreMoves, AJogIsKeptGoingByItsHolderForLongerThanItsLease) {
     start_core();
     home();
     jog_on(Axis::psi, 5);
+    const auto begin = std::chrono::steady_clock::now();
     std::int64_t seen = 0;
-    for (std::uint32_t beat = 1; beat <= 20; ++beat) {
+    for (std::uint32_t beat = 1; std::chrono::steady_clock::now() - begin < 1.5 * milliseconds{kLongLease_ms};
+         ++beat) {
         write_jog_lease(*segment_, 5, beat);
         ASSERT_TRUE(eventually([&] { return status().position_pulses[2] > seen + 1000; }));
+        ASSERT_EQ(status().state, MachineState::moving);
         seen = status().position_pulses[2];
+        write_jog_lease(*segment_, 6, 0);  // somebody else's: it lets nothing go
     }
     write_jog_lease(*segment_, 5, 0);
     ASSERT_TRUE(reaches(MachineState::ready));
     EXPECT_EQ(status().move_end, MoveEnd::released);
+}
+
+TEST_F(CoreMoves, AJogIsKeptGoingByNobodyElse) {
+    start_core();
+    home();
+    jog_on(Axis::psi, 5, 200);
+    std::uint32_t beat = 0;
+    EXPECT_TRUE(eventually([&] {
+        write_jog_lease(*segment_, 6, ++beat);
+        return status().state == MachineState::ready;
+    }));
+    EXPECT_EQ(status().move_end, MoveEnd::lease_gone);
 }
 
 TEST_F(CoreMoves, AreAppliedAgainByAReplay) {

@@ -125,8 +125,7 @@ private:
         page_.note_act();
         const bool is_safe = write_safe_state(duty_.safe_state);
         owes_safe_state_ = !is_safe;
-        try_to_say("the core (pid " + std::to_string(core_pid_) + ") does not tick any more; " +
-                   outcome(is_safe));
+        say_outcome("the core (pid " + std::to_string(core_pid_) + ") does not tick any more; ", is_safe);
     }
 
     // One that has put out its last tick may still have traces to end, and does not look after the port.
@@ -134,7 +133,7 @@ private:
         if (was_ticking_ && !is_ticking) {
             has_ticked_ = true;
             owes_safe_state_ = !write_safe_state(duty_.safe_state);
-            if (owes_safe_state_) try_to_say(outcome(false));
+            if (owes_safe_state_) say_outcome("", false);
         }
         was_ticking_ = is_ticking;
     }
@@ -153,15 +152,17 @@ private:
         const bool is_safe = write_safe_state(duty_.safe_state);
         int exit_code = WEXITSTATUS(status);
         if (WIFEXITED(status)) {
-            if (is_safe && owes_safe_state_) say_it_answers();
+            // Also where the core has made it answer, of which we hear nothing.
+            if (is_safe && is_silence_said_) say_it_answers();
             if (is_safe) return exit_code;
-            try_to_say(outcome(is_safe));
+            say_outcome("", false);
         } else {
             const int number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
             exit_code = kSignalExitBase + number;
             leave_words(is_safe);
-            try_to_say("the core (pid " + std::to_string(core_pid_) + ") was ended by signal " +
-                       std::to_string(number) + " (" + strsignal(number) + "); " + outcome(is_safe));
+            say_outcome("the core (pid " + std::to_string(core_pid_) + ") was ended by signal " +
+                            std::to_string(number) + " (" + strsignal(number) + "); ",
+                        is_safe);
         }
         if (is_safe) return exit_code;
         if (!persist(orders)) return exit_code == 0 ? kExitUnsafe : exit_code;
@@ -186,9 +187,11 @@ private:
     }
     // What nobody takes at once is not said: the port comes first.
     static void try_to_say(const std::string& text) noexcept { rtcore::try_to_say("guard: " + text); }
-    static void say_it_answers() noexcept {
-        try_to_say(std::string{"the port answers again; "} + outcome(true));
+    void say_outcome(const std::string& event, bool is_safe) noexcept {
+        is_silence_said_ = !is_safe;
+        try_to_say(event + outcome(is_safe));
     }
+    void say_it_answers() noexcept { say_outcome("the port answers again; ", true); }
     static const char* outcome(bool is_safe) noexcept {
         return is_safe ? "drives and spindle are switched off"
                        : "the port does not answer: switch the machine off by its own switch; the guard goes "
@@ -202,6 +205,7 @@ private:
     std::uint64_t ticks_seen_ = 0;
     int silent_looks_ = 0;
     bool owes_safe_state_ = false;  ///< the port did not take it
+    bool is_silence_said_ = false;  ///< that the port does not answer, and not yet that it does again
     bool was_ticking_ = false;
     bool has_ticked_ = false;  ///< and will not any more
 };

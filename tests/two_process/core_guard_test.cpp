@@ -59,6 +59,34 @@ TEST_F(CoreGuard, AKilledCoreLeavesTheMachineSwitchedOffAndSaysSo) {
     EXPECT_GT(last.points_done, 3U);
 }
 
+// What the guard has said of the port it takes back, whoever has mended it.
+TEST_F(CoreGuard, APortThatDidNotAnswerIsSaidToAnswerAgainIfTheCoreFoundItSo) {
+    for (const bool guard_sleeps : {false, true}) {
+        SCOPED_TRACE(guard_sleeps);
+        start_port_core();
+        home();
+        kill(core_pid_, SIGSTOP);
+        fail_port(EIO, -1);
+        ASSERT_TRUE(eventually(
+            [&] { return text_of(file("core.err")).find("the port does not answer") != std::string::npos; }));
+        // Asleep, it has never seen that the core ticks again, and finds it ended.
+        if (guard_sleeps) kill(guard_pid(), SIGSTOP);
+        kill(core_pid_, SIGCONT);
+        ASSERT_TRUE(eventually([&] { return status().is_port_silent == 1; }));
+        // Awake, it sees so, and leaves the port to the core.
+        if (!guard_sleeps) std::this_thread::sleep_for(std::chrono::milliseconds{200});
+        mend_port();
+        ASSERT_TRUE(eventually([&] { return status().is_port_silent == 0; }));
+        ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+        ASSERT_TRUE(eventually([&] { return !segment_->core_pid(); }));
+        kill(guard_pid(), SIGCONT);
+        EXPECT_EQ(core_->wait_for_exit(), 0);
+        expect_safe_registers();
+        const std::string said = text_of(file("core.err"));
+        EXPECT_NE(said.find("the port answers again"), std::string::npos) << said;
+    }
+}
+
 TEST_F(CoreGuard, APortThatFailsWhenTheCoreIsKilledIsMadeSafeOnceItAnswers) {
     carve_for_long();
     fail_port(EIO, -1);

@@ -9,9 +9,8 @@ analyser leaves out what a unit includes, and that is all of it. A build of one 
 
 A file's stamp is a hash over .clang-tidy, this script, clang-tidy's version, the file's compile command, the contents of
 the file and of all headers of ours that it includes (as Ninja recorded them), whichever folder ROOT is, and the sizes and
-dates of all other headers. The stamps are
-kept in $XDG_CACHE_HOME/psicarve/tidy (~/.cache if unset), each until it has not been asked for in sixty days, or in
-BUILD/tidy where nothing can be written there.
+dates of all other headers. The stamps are kept in $XDG_CACHE_HOME/psicarve/tidy (~/.cache if unset), each until it has
+not been asked for in sixty days, or in BUILD/tidy where nothing can be written there.
 """
 
 import concurrent.futures
@@ -42,6 +41,15 @@ def recorded_headers(root, build):
     return headers
 
 
+def size_and_date_of(path):
+    """Of a file that may be gone, since it was compiled with."""
+    try:
+        status = os.stat(path)
+    except OSError:
+        return b"gone"
+    return f"{status.st_size} {status.st_mtime_ns}".encode()
+
+
 def stamp_of(root, command, files, foreign, version):
     """The hash under which a clean verdict is remembered; of `foreign` files only size and date are looked at."""
     digest = hashlib.sha256()
@@ -56,6 +64,9 @@ def stamp_of(root, command, files, foreign, version):
         add(path.encode())
         with open(path, "rb") as file:
             add(file.read())
+    for path in foreign:
+        add(path.encode())
+        add(size_and_date_of(path))
     return digest.hexdigest()
 
 

@@ -10,7 +10,7 @@ fail() { printf '%s: %s\n' "${0##*/}" "$*" >&2; exit 1; }
 
 # configure_preset PRESET FOLDER [CMAKE ARGUMENTS...]: quiet unless it fails.
 configure_preset() {
-    local preset=$1 folder=$2 compiler='' compiler_before
+    local preset=$1 folder=$2 argument compiler='' compiler_before
     shift 2
     mkdir -p "$folder" || return 1
     if [[ ! -w $folder ]]; then
@@ -24,6 +24,9 @@ configure_preset() {
         compiler=clang++-14
         arguments+=("-DCMAKE_CXX_COMPILER=$compiler")
     fi
+    for argument in "$@"; do
+        if [[ $argument == -DCMAKE_CXX_COMPILER=* ]]; then compiler=${argument#*=}; fi
+    done
     # Where seventy test programs are linked.
     if [[ " dev asan tsan " == *" $preset "* ]] && command -v ld.lld >/dev/null; then
         arguments+=(-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=lld)
@@ -33,7 +36,7 @@ configure_preset() {
     if [[ -f $folder/CMakeCache.txt ]]; then
         compiler_before=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$folder/CMakeCache.txt")
         if ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt" ||
-            [[ -n $compiler && ${compiler_before##*/} != "$compiler" ]]; then
+            [[ -n $compiler && ${compiler_before##*/} != "${compiler##*/}" ]]; then
             arguments+=(--fresh)
         fi
     fi
@@ -41,7 +44,7 @@ configure_preset() {
         cat "$folder/configure.log" >&2
         return 1
     fi
-    if [[ " asan tsan " == *" $preset "* ]] && ! grep -q '^PSICARVE_SANITIZE:[A-Z]*=.' "$folder/CMakeCache.txt"; then
+    if [[ " asan tsan fuzz " == *" $preset "* ]] && ! grep -q '^PSICARVE_SANITIZE:[A-Z]*=.' "$folder/CMakeCache.txt"; then
         printf '%s: %s has no sanitizer; remove that folder\n' "${0##*/}" "$folder" >&2
         return 1
     fi

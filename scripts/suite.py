@@ -9,7 +9,8 @@ run: all tests side by side. Those that fail run again, alone, at most twice: wh
 passes then is flaky: a line FLAKY goes to LOGS/flaky, what it said at first to LOGS/flaky-PRESET-NAME.log, and whoever
 calls us decides how many are too many. No second chance has a test whose outcome must not depend on what else the
 computer does (EXACT below). What a sanitizer reports, of any process and whatever its test says, goes to
-LOGS/sanitizer-PRESET.PID and is broken. So is a test that could not be started.
+LOGS/sanitizer-PRESET.PID and is broken (a process that has become another user may not write there, and its report
+goes where its errors go). So is a test that could not be started.
 Exit codes: 0 passed, perhaps flaky; 1 something is broken; 2 wrong usage.
 
 again: the tests called NAME (a name, or the beginning of several, as Jogging.) N times each, with as many busy loops
@@ -60,7 +61,7 @@ def sanitizer_environment(path):
     environment = dict(os.environ)
     for variable in SANITIZER_VARIABLES:
         before = environment.get(variable)
-        environment[variable] = (before + ":" if before else "") + f"log_path='{path}'"
+        environment[variable] = (before + ":" if before else "") + f"log_path=\"{path}\""
     return environment
 
 
@@ -204,12 +205,16 @@ def again(build, times, name):
         print(f"no test of {build} is called {name}, or begins so", file=sys.stderr)
         return 2
     log = os.path.join(build, f"again-{file_name_of(name)}.log")
-    reports = report_path(build, "again")
+    reports = report_path(build, f"again-{os.getpid()}")
+    for report, _ in reports_at(reports):
+        os.remove(report)  # of one that was interrupted and had this number
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # the busy loops end with us
-    busy = [subprocess.Popen(["sh", "-c", "while :; do :; done"]) for _ in range(os.cpu_count() or 1)]
+    busy = []
     failures = dict.fromkeys((test["name"] for test in tests), 0)
     last_word = time.monotonic()
     try:
+        for _ in range(os.cpu_count() or 1):
+            busy.append(subprocess.Popen(["sh", "-c", "while :; do :; done"]))
         with open(log, "w", encoding="utf-8", errors="replace") as file:
             for n in range(1, times + 1):
                 for test in tests:
@@ -221,6 +226,10 @@ def again(build, times, name):
                 if time.monotonic() - last_word > 10:
                     last_word = time.monotonic()
                     print(f"{n} of {times}, failed so far: {sum(failures.values())}", flush=True)
+            for report, text in reports_at(reports):  # of what was still at it when its test had ended
+                failures[tests[-1]["name"]] += 1
+                file.write(f"==== after the last run\n{text}\n")
+                os.remove(report)
     finally:
         for loop in busy:
             loop.kill()

@@ -217,6 +217,13 @@ if [[ -s $logs/flaky ]]; then
         failed_parts+=("$flaky flaky tests")
     fi
 fi
+# Also of a process that was still at it when its suite had ended.
+shopt -s nullglob
+reports=("$logs"/sanitizer-*)
+if ((${#reports[@]})); then
+    printf '== a sanitizer has reported: %s\n' "${reports[@]#"$root"/}"
+    failed_parts+=("${#reports[@]} reports of sanitizers")
+fi
 if ((${#left_out[@]})); then printf '== LEFT OUT, the time was over: %s\n' "${left_out[@]}"; fi
 if ((${#failed_parts[@]})); then printf '== failed: %s\n' "${failed_parts[*]}"; fi
 # What failed stands last, where a reader of the closing lines sees it.

@@ -20,6 +20,8 @@
 namespace psicarve::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr CommandText kEstimateText{
     "estimate", "How long a job takes, and what it removes, without carving it",
     "A private core plans the job from end to end, as it will when it carves; nothing moves and no running "
@@ -61,7 +63,6 @@ Result<Estimate> estimate_of(const PreparedJob& job, const std::string& path) {
 }
 
 std::string json_of(const PreparedJob& job, const Estimate& estimate) {
-    using Json = nlohmann::ordered_json;
     Json bound{{"feed", estimate.share(estimate.least.feed_seconds)}};
     Json pulses;
     for (const Axis axis : kAllAxes) {

@@ -10,6 +10,8 @@
 namespace psicarve::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr CommandText kProfileCheckText{
     "check", "Whether a machine profile is right",
     "Unknown keys, wrong types and impossible values are refused with their line.",
@@ -19,7 +21,6 @@ Result<int> check(const CommonOptions& common, const std::string& path) {
     const auto profile = load_profile(path);
     if (!profile) return profile.error();
     if (common.json) {
-        using Json = nlohmann::ordered_json;
         const Json object{{"file", path}, {"ok", true}, {"name", profile->name}};
         std::printf("%s\n", object.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
     } else {

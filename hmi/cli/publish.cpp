@@ -11,6 +11,8 @@
 namespace psicarve::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr CommandText kPublishText{
     "publish", "Put a job into the segment",
     "A core that serves the segment judges it at once; else the next one that starts will.",
@@ -36,7 +38,6 @@ Result<int> publish(const CommonOptions& common, const PublishOptions& options) 
     if (!has_core)
         print_note("no core serves segment " + common.segment + " yet; the next one will judge the job");
     if (common.json) {
-        using Json = nlohmann::ordered_json;
         const Json object{{"generation", *generation},
                           {"accepted", has_core ? Json(true) : Json(nullptr)},
                           {"layers", job->view.layer_count()},

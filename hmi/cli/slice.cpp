@@ -14,6 +14,8 @@
 namespace psicarve::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr CommandText kSliceText{"slice", "Model to job, nothing else", "",
                                  "psicarve slice figurine.stl -o figurine.job --layers 500 --points 500"};
 
@@ -40,7 +42,6 @@ std::string report_text(const PreparedJob& job, const std::string& output) {
 }
 
 std::string report_json(const PreparedJob& job, const std::string& output) {
-    using Json = nlohmann::ordered_json;
     const Json slicer = Json::parse(job.view.report_json(), nullptr, false);
     const auto told = [&slicer](const char* key) {
         return slicer.is_object() && slicer.contains(key) ? slicer[key] : Json(nullptr);

@@ -10,6 +10,8 @@
 namespace psicarve::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr CommandText kSnapshotDiffText{"diff", "What differs between two snapshots or jobs",
                                         "Exit code 0 when nothing does, 6 when something does.",
                                         "psicarve snapshot diff before.snap after.snap"};
@@ -25,7 +27,6 @@ std::string shortened(const std::string& text) {
 }
 
 void print_json(const std::vector<report::Difference>& found) {
-    using Json = nlohmann::ordered_json;
     auto list = Json::array();
     for (const report::Difference& one : found)
         list.push_back({{"what", one.what}, {"a", one.a}, {"b", one.b}});

@@ -16,6 +16,8 @@
 namespace psicarve::machine {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr std::chrono::milliseconds kPinsPoll{1};
 /// The lease is renewed in between.
 constexpr int kMostAtOnce = 256;
@@ -124,7 +126,6 @@ void RecordedPins::renew() noexcept {
 }
 
 void RecordedPins::read_pieces() {
-    using Clock = std::chrono::steady_clock;
     auto last_piece = Clock::now();
     while (!is_whole_ && pieces_.lost() == 0) {
         const int taken = take_pieces();

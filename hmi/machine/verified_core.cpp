@@ -8,6 +8,8 @@
 namespace psicarve::machine {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 /// A verification that reads nothing for so long is not to be waited for.
 constexpr std::chrono::seconds kStandstill{10};
 
@@ -35,7 +37,6 @@ Result<VerifiedCore> VerifiedCore::start(CoreLaunch launch, const JobView& job, 
 }
 
 Result<verify::VerifyReport> VerifiedCore::finish() {
-    using Clock = std::chrono::steady_clock;
     std::uint64_t seen = verification_->progress();
     auto last_progress = Clock::now();
     // On a busy computer we ourselves may be what the core waits for.

@@ -10,6 +10,8 @@
 namespace psicarve::report {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 // Millions of numbers: printf would take longer than all the rest.
 void append(std::string& text, std::int64_t number, char after) {
     char digits[24];
@@ -75,7 +77,6 @@ void write_csv(const JobView& job, std::FILE* out) {
 }
 
 void write_json(const JobView& job, std::FILE* out) {
-    using Json = nlohmann::ordered_json;
     const Json slicer = Json::parse(job.report_json(), nullptr, false);
     const Json head{{"source", std::string{job.source_name()}},
                     {"layers", job.layer_count()},

@@ -10,6 +10,8 @@
 namespace psicarve::report {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 // What a file says is not trusted: numbers that name nothing are shown as numbers.
 template <typename Name>
 std::string named_or_number(std::uint16_t code, std::uint16_t count, Name name) {
@@ -117,7 +119,6 @@ std::string record_text(const FlightRecord& record) {
 }
 
 nlohmann::ordered_json record_json(const FlightRecord& record) {
-    using Json = nlohmann::ordered_json;
     const std::string code = code_text(record);
     const std::string answer = answer_text(record);
     Json positions;

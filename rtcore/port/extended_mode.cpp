@@ -12,7 +12,6 @@ namespace {
 constexpr std::uint16_t kIsaOffset = 0x402;
 /// The kernel names the first of the three extended registers; the control register is the last.
 constexpr std::uint16_t kOffsetInBlock = 2;
-constexpr std::uint8_t kNothingThere = 0xff;
 // Modes 000 SPP and 001 PS/2 with no error interrupt, no DMA, no service interrupt; as read, with the bit of
 // an empty FIFO. Source: IEEE 1284 ECP register set; Linux parport_pc, parport_ECR_present().
 constexpr std::uint8_t kPlainMode = 0x14;

@@ -10,6 +10,8 @@ namespace psicarve::port {
 /// Registers relative to the base address, which is the data register.
 inline constexpr std::uint16_t kStatusOffset = 1;
 inline constexpr std::uint16_t kControlOffset = 2;
+/// What is read at an address where no device answers.
+inline constexpr std::uint8_t kNothingThere = 0xff;
 
 /// The registers of a parallel port that is open already, by a descriptor or by an address. It owns nothing:
 /// a plain value that any thread may use, a signal handler too, and any process that has the descriptor or

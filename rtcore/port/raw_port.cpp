@@ -13,6 +13,7 @@
 #include "rtcore/port/base_lock.hpp"
 #include "rtcore/port/extended_mode.hpp"
 #include "rtcore/port/persistence.hpp"
+#include "rtcore/port/port_access.hpp"
 #include "rtcore/port/ppdev_port.hpp"
 #include "shared/kernel_ports.hpp"
 #include "shared/raw_access.hpp"
@@ -21,7 +22,6 @@ namespace psicarve::port {
 namespace {
 
 constexpr std::uint16_t kRegisters = 3;
-constexpr std::uint8_t kNothingThere = 0xff;
 
 std::string hex(std::uint16_t base) {
     char text[8];

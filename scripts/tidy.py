@@ -104,7 +104,8 @@ def is_unit(path):
 
 def check(build, path):
     """clang-tidy's findings in one file or unit; empty when it is clean."""
-    left_out = ["--checks=-bugprone-suspicious-include"] if is_unit(path) else []
+    # The analyser, which looks at no function of a unit, looks long at what there is besides.
+    left_out = ["--checks=-bugprone-suspicious-include,-clang-analyzer-*"] if is_unit(path) else []
     run = subprocess.run([TIDY, "--quiet", "-p", build, *left_out, path], capture_output=True, text=True)
     return "" if run.returncode == 0 else run.stdout + run.stderr
 

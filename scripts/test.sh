@@ -10,7 +10,8 @@ all_parts="format dev tsan fuzz asan tidy"
 extra_parts="analyse"
 fuzz_runs=8000  # of each target
 most_flaky=2    # tests of a run that may fail and then pass
-slices=3        # of the suite under AddressSanitizer, where time may run out
+slices=3        # of the suite under AddressSanitizer, where less time than this is left:
+whole_suite_s=1800
 
 usage() {
     cat <<END
@@ -34,11 +35,13 @@ the guard, what a sanitizer reports) there is no second chance.
 
 PSICARVE_SKIP_HARDWARE=1 leaves out the test that boots a PREEMPT_RT kernel in QEMU (tests/hardware); without QEMU it fails.
 PSICARVE_FUZZ_SECONDS=N fuzzes each parser for N seconds instead, on from what earlier runs have found.
-PSICARVE_SECONDS=N begins no part, and no further slice of the tests under AddressSanitizer, after N seconds; the closing
-lines name what was left out. dev, which has all tests, is never left out. Continuous integration sets it.
+PSICARVE_SECONDS=N begins no part after N seconds. Where less than half an hour of them is left, the tests under
+AddressSanitizer run in slices, and no slice is begun then either. The closing lines name what was left out. dev, which has
+all tests, is never left out. Continuous integration sets it.
 
 Exit codes: 0 all passed; 1 something failed (the closing lines say what); 2 wrong usage.
-Builds are kept in build/; a second run does only what has changed.
+Builds are kept in build/; a second run does only what has changed. Builds of later parts, and tidy, are begun while the
+tests of dev wait for clocks.
 END
 }
 
@@ -76,6 +79,8 @@ fi
 
 # shellcheck source=scripts/build.sh
 source "$root/scripts/build.sh"
+# shellcheck source=scripts/ahead.sh
+source "$root/scripts/ahead.sh"
 mkdir -p "$logs" || fail "cannot write to $logs"
 
 if ((${#again[@]})); then
@@ -92,8 +97,9 @@ run_format() { "$root/scripts/format.sh" --check; }
 run_ctest() {
     local verdict=0 slice
     : >"$logs/ctest-$1.log"
-    if [[ $1 == asan && -n ${PSICARVE_SECONDS-} ]]; then
-        # Every slice has tests of all kinds.
+    if [[ $1 == asan && -n ${PSICARVE_SECONDS-} ]] && ((PSICARVE_SECONDS - SECONDS < whole_suite_s)); then
+        # Every slice has tests of all kinds; but those by the real clock go one by one, and what could run beside all of
+        # them is done long before in each.
         for ((slice = 1; slice <= slices; ++slice)); do
             if is_late; then
                 left_out+=("asan: $((slices - slice + 1)) of $slices slices of its tests")
@@ -113,11 +119,16 @@ run_suite() {
 }
 # Whether the time that we were given is over.
 is_late() { [[ -n ${PSICARVE_SECONDS-} ]] && ((SECONDS > PSICARVE_SECONDS)); }
-run_dev() { build_and_test dev; }
+run_dev() {
+    configure_preset dev "$root/build/dev" && build "$root/build/dev" || return 1
+    begin_ahead "${parts_to_come[@]}"
+    run_ctest dev
+}
 run_asan() { build_and_test asan; }
 run_tsan() { build_and_test tsan threads_tests; }
 # build_and_test PRESET [TARGETS...]
 build_and_test() {
+    await_ahead "$1"
     configure_preset "$1" "$root/build/$1" && build "$root/build/$1" "${@:2}" && run_ctest "$1"
 }
 
@@ -125,22 +136,37 @@ build_and_test() {
 # PSICARVE_FUZZ_SECONDS others every time.
 run_fuzz() {
     local folder="$root/build/fuzz" targets target pid running=() failed=0
-    configure_preset fuzz "$folder" -DCMAKE_CXX_COMPILER=clang++-14 || return 1
-    mapfile -t targets < <(ninja -C "$folder" -t targets all | sed -n 's/: CXX_EXECUTABLE_LINKER.*//p' | grep fuzz)
-    if ((${#targets[@]} == 0)); then
-        printf 'fuzz: no targets in tests/fuzz\n' >&2
-        return 1
-    fi
-    build "$folder" "${targets[@]}" || return 1
+    await_ahead fuzz
+    build_fuzz || return 1
+    mapfile -t targets < <(fuzz_targets "$folder")
     # As many at a time as there are processors: each has one thread.
     for target in "${targets[@]}"; do
-        while (($(jobs -rp | wc -l) >= $(nproc))); do sleep 0.1; done
+        while (($(running_of "${running[@]}") >= $(nproc))); do sleep 0.1; done
         fuzz_one "$folder" "$target" &
         running+=("$!")
     done
     for pid in "${running[@]}"; do wait "$pid" || failed=1; done
     return "$failed"
 }
+build_fuzz() {
+    local folder="$root/build/fuzz" targets
+    configure_preset fuzz "$folder" -DCMAKE_CXX_COMPILER=clang++-14 || return 1
+    mapfile -t targets < <(fuzz_targets "$folder")
+    if ((${#targets[@]} == 0)); then
+        printf 'fuzz: no targets in tests/fuzz\n' >&2
+        return 1
+    fi
+    build "$folder" "${targets[@]}"
+}
+# running_of [PID...]: how many of them.
+running_of() {
+    local pid count=0
+    for pid in "$@"; do
+        if kill -0 "$pid" 2>/dev/null; then count=$((count + 1)); fi
+    done
+    printf '%s\n' "$count"
+}
+fuzz_targets() { ninja -C "$1" -t targets all | sed -n 's/: CXX_EXECUTABLE_LINKER.*//p' | grep fuzz; }
 # fuzz_one FOLDER TARGET
 fuzz_one() {
     local folder=$1 target=$2 name kept
@@ -165,7 +191,11 @@ fuzz_one() {
     fi
 }
 
-run_tidy() { python3 "$root/scripts/tidy.py" "$root" "$root/build/dev"; }
+run_tidy() {
+    await_ahead tidy
+    tidy_dev
+}
+tidy_dev() { python3 "$root/scripts/tidy.py" "$root" "$root/build/dev"; }
 run_analyse() {
     local folder="$root/build/analyse"
     configure_preset dev "$folder" -DCMAKE_UNITY_BUILD=OFF -DPSICARVE_TESTS=OFF -DPSICARVE_HARDWARE=OFF && build "$folder" &&
@@ -188,8 +218,10 @@ verdicts=()
 left_out=()
 failed_parts=()
 presets=()
+parts_to_come=("${parts[@]}")
 for part in "${parts[@]}"; do
     begin=$SECONDS
+    parts_to_come=("${parts_to_come[@]:1}")
     verdict=passed
     if [[ $part != dev ]] && is_late; then
         left_out+=("$part")

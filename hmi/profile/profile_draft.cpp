@@ -50,10 +50,8 @@ void age_backups(const std::string& path) {
 }  // namespace
 
 ProfileDraft::ProfileDraft() : entries_(profile_keys().size()) {
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-        entries_[i].saved_toml = profile_keys()[i].built_in;
-        undo(i);
-    }
+    for (std::size_t i = 0; i < entries_.size(); ++i) entries_[i].saved_toml = profile_keys()[i].built_in;
+    undo_all();
 }
 
 Result<ProfileDraft> ProfileDraft::open(const std::string& path) {

@@ -43,8 +43,8 @@ void WindowRig::open_window() {
     window_.reset();
     session::SessionOptions options{segment_name_, {}, {}};
     options.hand_limit = kLongestJogLease;  // however slow a sanitizer on a busy computer
+    WindowSettings{}.set_theme(ThemeChoice::light);
     window_ = std::make_unique<MainWindow>(options);
-    window_->set_theme(ThemeChoice::light);
     window_->resize(1280, 720);  // the platform's screen is smaller
     window_->show();
 }

@@ -11,6 +11,7 @@
 #include <limits>
 #include <ostream>
 #include <random>
+#include <span>
 #include <string>
 
 #include "hmi/model/load_mesh.hpp"
@@ -153,13 +154,17 @@ TEST_P(RealMeshOffset, IsThatOfTheToolsDefinitionToAPulse) {
     const mesh_files::Folder folder;
     const auto mesh = model::load_mesh(test::file_of(GetParam().mesh, folder.path()));
     ASSERT_TRUE(mesh.has_value()) << mesh.error().message;
-    for (const ToolProfile& tool :
-         {ToolProfile{ToolShape::ball, 3.0, 60.0, 0.0}, ToolProfile{ToolShape::flat, 2.0, 60.0, 0.0},
-          ToolProfile{ToolShape::vee, 4.0, 50.0, 0.0}}) {
+    const std::array tools{ToolProfile{ToolShape::ball, 3.0, 60.0, 0.0},
+                           ToolProfile{ToolShape::flat, 2.0, 60.0, 0.0},
+                           ToolProfile{ToolShape::vee, 4.0, 50.0, 0.0}};
+    // Shorter: the meshes take the tools in turn.
+    const std::size_t first = test::is_thorough() ? 0 : GetParam().seed % tools.size();
+    const std::size_t count = test::is_thorough() ? tools.size() : 1;
+    for (const ToolProfile& tool : std::span{tools}.subspan(first, count)) {
         SCOPED_TRACE(static_cast<int>(tool.shape));
         expect_exact(*mesh, tool);
     }
-    EXPECT_EQ(figures_.places, 3 * 2 * kPlaces);
+    EXPECT_EQ(figures_.places, static_cast<int>(count) * 2 * kPlaces);
     EXPECT_GT(figures_.above_core, figures_.places / 2) << "the core would hide what is wrong";
 }
 

@@ -20,6 +20,7 @@
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/hmi/model/fins.hpp"
 #include "tests/hmi/model/shapes.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::piece {
 namespace {
@@ -278,6 +279,7 @@ Profile with_tool(ToolShape shape, double diameter_mm, double angle_deg) {
 // The tables' directions are 6 degrees apart, and none of them meets the needle.
 TEST(PieceDeviation, TellsOfANeedleThatWasCutOff) {
     for (const double direction_deg : {3.0, 200.7}) {
+        if (!psicarve::test::is_thorough() && direction_deg != 3.0) continue;
         for (const double width_deg : {0.1, 1.2}) {
             const model::Mesh mesh = shapes::needle(direction_deg, width_deg);
             for (const Profile& profile :

@@ -12,6 +12,7 @@
 #include "shared/snapshot_file.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -94,7 +95,8 @@ TEST_F(ExpectedPiece, IsADraftBeforeTheModelIsSlicedAndTheJobsAfterwards) {
 TEST_F(ExpectedPiece, CanBeCancelled) {
     ASSERT_NO_FATAL_FAILURE(open_owl());
     take_ball();
-    ASSERT_NO_FATAL_FAILURE(slice(400, 400));
+    const int many = psicarve::test::is_thorough() ? 400 : 160;
+    ASSERT_NO_FATAL_FAILURE(slice(many, many));
     button("view_piece").click();
     window_->refresh();
     ASSERT_TRUE(part<QProgressBar>("piece_progress").isVisible());

@@ -227,12 +227,11 @@ TEST_P(Fit, InTheListOfKeys) {
         EXPECT_TRUE(jog.contains(QString::fromUtf8(key))) << key;
 }
 
-/// Every language on every screen. Where a sanitizer looks on, which counts no pixels, each of them once.
+/// Every language on every screen. Where a sanitizer looks on, which counts no pixels, the window as it
+/// usually is and as it is arranged where room is short.
 std::vector<std::tuple<Language, QSize>> languages_and_screens() {
     if (psicarve::test::kIsSanitized)
-        return {{Language::english, kUsualScreen},
-                {Language::chinese, kScaledScreen},
-                {Language::russian, kLeastScreen}};
+        return {{Language::russian, kUsualScreen}, {Language::chinese, kLeastScreen}};
     std::vector<std::tuple<Language, QSize>> all;
     for (const Language language : {Language::english, Language::chinese, Language::russian}) {
         for (const QSize& screen : {kUsualScreen, kScaledScreen, kLeastScreen})

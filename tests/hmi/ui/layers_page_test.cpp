@@ -32,7 +32,7 @@ protected:
 TEST_F(Layers, TellNoLeastTimeOnceTheCoreHasPlannedTheJob) {
     start_core();
     open_window();
-    const JobTable table = two_process::long_job();
+    const JobTable table = two_process::lobed_job(400, 201);
     ASSERT_NO_FATAL_FAILURE(publish_job(table));
     ASSERT_NO_FATAL_FAILURE(look_at_layers());
     layer().setValue(static_cast<int>(table.layer_count));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/thoroughness.hpp"
 #include "tests/two_process/cli_machine_rig.hpp"
 
 namespace psicarve::test {
@@ -107,7 +108,7 @@ TEST_F(Machine, ARunningCoreByTheWallClockIsJudgedAsWell) {
 
 TEST_F(Machine, AKilledReaderOfThePinsHoldsUpNobodyAndLeavesThemToTheNext) {
     start_core();
-    const std::string path = long_job();
+    const std::string path = is_thorough() ? long_job() : job("80", "200");
     RunningProgram killed{"psicarve", {"carve", path, "--trace", file("killed.vcd"), "--segment", segment_}};
     ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
     killed.send(SIGKILL);

@@ -32,6 +32,7 @@ TEST_F(OtherProfile, IsCountedByTheJobsThatTheCoreHasAccepted) {
     std::swap(own.port.pins[index_of(Signal::r1_step)], own.port.pins[index_of(Signal::r2_step)]);
     start_core_with(own);
     open_window();
+    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
     ASSERT_TRUE(comes_to_be_called("profile unknown")) << label();
     EXPECT_EQ(unit(), "pulses");
     publish_job(two_process::long_job());
@@ -50,6 +51,7 @@ TEST_F(OtherProfile, IsNotTakenFromAJobThatTheCoreRefuses) {
     own.r1.pulses_per_mm *= 2.0;
     start_core_with(own);
     open_window();
+    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
     ASSERT_TRUE(comes_to_be_called("profile unknown"));
     Snapshot snapshot;
     snapshot.job_blob = job_blob_from_table(two_process::long_job());

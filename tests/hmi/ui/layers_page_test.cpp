@@ -76,10 +76,12 @@ TEST_F(Layers, TakeAsLongAsPlannedOnceThatIsKnown) {
     open_window();
     ASSERT_NO_FATAL_FAILURE(publish_job(two_process::lobed_job(6, 33)));
     ASSERT_NO_FATAL_FAILURE(look_at_layers());
-    layer().setValue(3);
-    EXPECT_TRUE(layer().toolTip().contains("takes at least ")) << layer().toolTip().toStdString();
-    // Until a core of our own has planned the job, a moment after it was opened.
     const auto planned = [&] { return window_->bench().estimate.planned(window_->bench().desk.job()); };
+    // Until a core of our own has planned the job, a moment after it was opened, or the machine's has: on a
+    // busy computer they have done so already.
+    const bool is_known = planned().has_value() || session::planned_seconds(sight()).has_value();
+    layer().setValue(3);
+    EXPECT_TRUE(is_known || layer().toolTip().contains("takes at least ")) << layer().toolTip().toStdString();
     ASSERT_TRUE(comes_true([&] { return planned() && !text("layer_time").starts_with("at least "); }))
         << text("layer_time") << all_messages().toStdString();
     EXPECT_EQ(text("layer_time"), session::clock_text(planned()->layer_seconds[2]));

@@ -6,13 +6,22 @@
 
 namespace psicarve::test {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool kIsSanitized = true;
-#elif defined(__has_feature)
-inline constexpr bool kIsSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#if defined(__has_feature)
+inline constexpr bool kIsAddressSanitized = __has_feature(address_sanitizer);
+inline constexpr bool kIsThreadSanitized = __has_feature(thread_sanitizer);
 #else
-inline constexpr bool kIsSanitized = false;
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool kIsAddressSanitized = true;
+#else
+inline constexpr bool kIsAddressSanitized = false;
 #endif
+#if defined(__SANITIZE_THREAD__)
+inline constexpr bool kIsThreadSanitized = true;
+#else
+inline constexpr bool kIsThreadSanitized = false;
+#endif
+#endif
+inline constexpr bool kIsSanitized = kIsAddressSanitized || kIsThreadSanitized;
 
 /// Whether tests with a long form are to take it: `scripts/test.sh --long` sets PSICARVE_LONG=1.
 inline bool is_long_run() {

@@ -68,6 +68,12 @@ bool RunningProgram::has_ended() const {
            ended.si_pid == pid_;
 }
 
+bool RunningProgram::is_stopped() const {
+    siginfo_t stopped{};
+    return waitid(P_PID, static_cast<id_t>(pid_), &stopped, WSTOPPED | WNOHANG | WNOWAIT) == 0 &&
+           stopped.si_pid == pid_;
+}
+
 int RunningProgram::wait() {
     if (!is_over_) {
         int status = 0;

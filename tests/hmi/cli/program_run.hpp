@@ -54,6 +54,8 @@ public:
     }
     /// Whether it has ended by itself already.
     bool has_ended() const;
+    /// Whether SIGSTOP holds it.
+    bool is_stopped() const;
     /// Its exit code; 128 + signal when one ended it.
     int wait();
     /// What came of it, once it has ended.

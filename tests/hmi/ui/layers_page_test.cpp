@@ -70,7 +70,8 @@ TEST_F(Layers, TellAPointsRadiiAsTheJobHasThem) {
     take_picture("layers_point_light");
 }
 
-/// Without a machine, so that nobody but a core of the window's own can plan the job; it looks for one in PATH.
+/// Without a machine, so that nobody but a core of the window's own can plan the job; it looks for one in
+/// PATH.
 TEST_F(Layers, TakeAsLongAsPlannedOnceThatIsKnown) {
     const QByteArray path = qgetenv("PATH");
     const auto restored = qScopeGuard([&] { qputenv("PATH", path); });

@@ -84,30 +84,41 @@ public:
         static_cast<void>(
             rtcore::drop_privileges({.priority = 0, .locks_memory = false, .group = duty_.group}));
         const sigset_t order_set = orders_to_end();
-        const int orders = signalfd(-1, &order_set, SFD_CLOEXEC | SFD_NONBLOCK);
-        while (!core_has_ended(orders)) {
-            forward_orders(orders);
+        orders_ = signalfd(-1, &order_set, SFD_CLOEXEC | SFD_NONBLOCK);
+        while (!core_has_ended()) {
+            forward_orders();
             watch_ticks();
             page_.note_look();
         }
-        return bury(orders);
+        return bury();
     }
 
 private:
     /// Sleeps until something happens, or it is time to look at the ticks.
-    bool core_has_ended(int orders) const noexcept {
+    bool core_has_ended() const noexcept {
         std::array<pollfd, 2> sources{pollfd{.fd = from_core_, .events = POLLIN, .revents = 0},
-                                      pollfd{.fd = orders, .events = POLLIN, .revents = 0}};
+                                      pollfd{.fd = orders_, .events = POLLIN, .revents = 0}};
         if (poll(sources.data(), sources.size(), kLook_ms) <= 0) return false;
         return (sources[0].revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
     }
 
-    void forward_orders(int orders) const noexcept {
+    /// The next one's number; 0 when there is none.
+    int take_order() const noexcept {
         signalfd_siginfo order{};
-        while (orders >= 0 && read(orders, &order, sizeof order) == ssize_t{sizeof order}) {
-            kill(core_pid_, static_cast<int>(order.ssi_signo));
+        const bool is_order = orders_ >= 0 && read(orders_, &order, sizeof order) == ssize_t{sizeof order};
+        return is_order ? static_cast<int>(order.ssi_signo) : 0;
+    }
+
+    void forward_orders() noexcept {
+        while (const int number = take_order()) {
+            note_order();
+            kill(core_pid_, number);
         }
     }
+
+    // Who orders after he has read that we go on trying, with a core that ends anyway, means us: he may not
+    // order twice.
+    void note_order() noexcept { is_released_ = is_released_ || (has_ticked_ && is_silence_said_); }
 
     // A core that is stopped, or starved, puts out no pulses; but a spindle turns on.
     void watch_ticks() noexcept {
@@ -131,9 +142,14 @@ private:
     // One that has put out its last tick may still have traces to end, and does not look after the port.
     void watch_end(bool is_ticking) noexcept {
         if (was_ticking_ && !is_ticking) {
-            has_ticked_ = true;
             owes_safe_state_ = !write_safe_state(duty_.safe_state);
-            if (owes_safe_state_) say_outcome("", false);
+            forward_orders();  // who gave them has not read yet what we say now
+            has_ticked_ = true;
+            if (owes_safe_state_) {
+                say_outcome("", false);
+            } else if (is_silence_said_) {
+                say_it_answers();
+            }
         }
         was_ticking_ = is_ticking;
     }
@@ -144,42 +160,38 @@ private:
         if (is_ours && !owes_safe_state_) say_it_answers();
     }
 
-    int bury(int orders) {
+    int bury() {
         int status = 0;
         while (waitpid(core_pid_, &status, 0) < 0 && errno == EINTR) {
         }
         // One that ended in order has made the port safe itself; that its end was one nobody has to believe.
         const bool is_safe = write_safe_state(duty_.safe_state);
         int exit_code = WEXITSTATUS(status);
+        std::string event;
         if (WIFEXITED(status)) {
             // Also where the core has made it answer, of which we hear nothing.
             if (is_safe && is_silence_said_) say_it_answers();
             if (is_safe) return exit_code;
-            say_outcome("", false);
         } else {
             const int number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
             exit_code = kSignalExitBase + number;
             leave_words(is_safe);
-            say_outcome("the core (pid " + std::to_string(core_pid_) + ") was ended by signal " +
-                            std::to_string(number) + " (" + strsignal(number) + "); ",
-                        is_safe);
+            event = "the core (pid " + std::to_string(core_pid_) + ") was ended by signal " +
+                    std::to_string(number) + " (" + strsignal(number) + "); ";
         }
+        while (take_order() != 0) note_order();
+        say_outcome(event, is_safe);
         if (is_safe) return exit_code;
-        if (!persist(orders)) return exit_code == 0 ? kExitUnsafe : exit_code;
+        if (!persist()) return exit_code == 0 ? kExitUnsafe : exit_code;
         say_it_answers();
         leave_words(true);
         return exit_code;
     }
 
     /// An order that comes while it lasts is meant for us: there is nobody else.
-    bool persist(int orders) const {
-        signalfd_siginfo order{};
-        const auto is_ordered = [&] {
-            return orders >= 0 && read(orders, &order, sizeof order) == ssize_t{sizeof order};
-        };
-        while (is_ordered()) {
-        }
-        return port::write_until_taken(duty_.safe_state, kPatience, is_ordered);
+    bool persist() const {
+        return port::write_until_taken(duty_.safe_state, kPatience,
+                                       [&] { return is_released_ || take_order() != 0; });
     }
 
     void leave_words(bool is_safe) const {
@@ -189,25 +201,28 @@ private:
     static void try_to_say(const std::string& text) noexcept { rtcore::try_to_say("guard: " + text); }
     void say_outcome(const std::string& event, bool is_safe) noexcept {
         is_silence_said_ = !is_safe;
+        if (is_safe) is_released_ = false;
         try_to_say(event + outcome(is_safe));
     }
     void say_it_answers() noexcept { say_outcome("the port answers again; ", true); }
-    static const char* outcome(bool is_safe) noexcept {
-        return is_safe ? "drives and spindle are switched off"
-                       : "the port does not answer: switch the machine off by its own switch; the guard goes "
-                         "on trying";
+    std::string outcome(bool is_safe) const {
+        if (is_safe) return "drives and spindle are switched off";
+        return std::string{"the port does not answer: switch the machine off by its own switch; "} +
+               (is_released_ ? "the guard ends, as it was ordered to" : "the guard goes on trying");
     }
 
     GuardDuty duty_;
     pid_t core_pid_;
     int from_core_;
+    int orders_ = -1;  ///< signals, to be read
     GuardPage page_;
     std::uint64_t ticks_seen_ = 0;
     int silent_looks_ = 0;
     bool owes_safe_state_ = false;  ///< the port did not take it
     bool is_silence_said_ = false;  ///< that the port does not answer, and not yet that it does again
     bool was_ticking_ = false;
-    bool has_ticked_ = false;  ///< and will not any more
+    bool has_ticked_ = false;   ///< and will not any more
+    bool is_released_ = false;  ///< by an order that was meant for us
 };
 
 }  // namespace

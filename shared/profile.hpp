@@ -199,6 +199,14 @@ struct ProfileProblem {
 };
 std::vector<ProfileProblem> profile_problems(std::string_view toml);
 
+/// A text as far as it can be read. Keys with a wrong value have the built-in one in `profile`.
+struct ProfileReading {
+    Profile profile;
+    std::vector<ProfileProblem> problems;  ///< as profile_problems() has them
+    bool is_each_value_read;  ///< false: `problems` names those that are not; true: they do not go together
+};
+ProfileReading read_profile(std::string_view toml);
+
 enum class ProfileValue : std::uint8_t { number, integer, range, text, word };
 
 /// One key, as `profile show`, the docs and a profile editor need it.

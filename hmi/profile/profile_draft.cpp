@@ -57,22 +57,25 @@ ProfileDraft::ProfileDraft() : entries_(profile_keys().size()) {
 Result<ProfileDraft> ProfileDraft::open(const std::string& path) {
     auto text = text_of(path);
     if (!text) return text.error();
-    const auto read = parse_profile(*text, path);
+    const ProfileReading read = read_profile(*text);
     const std::vector<ProfileKey>& keys = profile_keys();
-    if (!read) {
-        for (const ProfileProblem& problem : profile_problems(*text)) {
-            const auto is_it = [&](const ProfileKey& key) { return key.path == problem.key; };
-            if (std::none_of(keys.begin(), keys.end(), is_it)) return read.error();
-        }
+    std::vector<std::string> values = profile_values(read.profile);
+    for (const ProfileProblem& problem : read.problems) {
+        const auto key = std::find_if(keys.begin(), keys.end(),
+                                      [&](const ProfileKey& each) { return each.path == problem.key; });
+        if (key == keys.end()) return parse_profile(*text, path).error();
+        if (read.is_each_value_read) continue;
+        // As it is written, since it says nothing else; a table in its place nobody can correct here.
+        auto written = value_in(*text, key->path);
+        if (!written) return parse_profile(*text, path).error();
+        values[static_cast<std::size_t>(key - keys.begin())] = std::move(*written);
     }
     ProfileDraft draft;
     draft.path_ = path;
     draft.file_text_ = std::move(*text);
-    const std::vector<std::string> values = profile_values(read ? *read : Profile{});
     for (std::size_t i = 0; i < keys.size(); ++i) {
         Entry& entry = draft.entries_[i];
-        const auto written = read ? std::nullopt : value_in(draft.file_text_, keys[i].path);
-        entry.saved_toml = written.value_or(values[i]);
+        entry.saved_toml = std::move(values[i]);
         entry.typed = typed_from_toml(keys[i], entry.saved_toml);
         entry.toml = entry.saved_toml;
     }
@@ -159,14 +162,20 @@ Result<Profile> ProfileDraft::profile() const {
     return parse_profile(every_value(), path_.empty() ? "the profile" : path_);
 }
 
-// The file with the changed lines changed; written anew where that does not say what it should.
-std::string ProfileDraft::new_file_text(const Profile& profile) const {
+Result<std::string> ProfileDraft::new_file_text(const Profile& profile) const {
+    if (file_text_.empty()) return profile_to_toml(profile);
     std::string text = file_text_;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-        if (is_changed(i)) text = with_value(text, profile_keys()[i].path, entries_[i].toml);
+        if (!is_changed(i)) continue;
+        auto changed = with_value(text, profile_keys()[i].path, entries_[i].toml);
+        if (!changed) return bad_input(path_ + ": " + changed.error().message);
+        text = std::move(*changed);
     }
+    // Whoever loads it must find what is shown here.
     const auto read = parse_profile(text, path_);
-    return !file_text_.empty() && read && *read == profile ? text : profile_to_toml(profile);
+    if (!read) return read.error();
+    if (*read != profile) return bad_input(path_ + ": it would not say what is shown here; open it again");
+    return text;
 }
 
 namespace {
@@ -183,7 +192,8 @@ std::string file_behind(const std::string& path) {
 Result<void> ProfileDraft::write(const std::string& path, const std::string& present_text) {
     const auto wanted = profile();
     if (!wanted) return wanted.error();
-    const std::string text = new_file_text(*wanted);
+    const auto text = new_file_text(*wanted);
+    if (!text) return text.error();
     const auto save_text = [](const std::string& to, const std::string& what) {
         return write_file_atomically(to, std::as_bytes(std::span(what)));
     };
@@ -191,9 +201,9 @@ Result<void> ProfileDraft::write(const std::string& path, const std::string& pre
         age_backups(path);
         if (auto kept = save_text(backup_path(path), present_text); !kept) return kept.error();
     }
-    if (auto written = save_text(file_behind(path), text); !written) return written.error();
+    if (auto written = save_text(file_behind(path), *text); !written) return written.error();
     path_ = path;
-    file_text_ = text;
+    file_text_ = *text;
     for (Entry& entry : entries_) entry.saved_toml = entry.toml;
     return {};
 }

@@ -12,13 +12,13 @@
 namespace psicarve::profile {
 
 /// A machine profile while somebody edits it: every key of profile_keys() by its index, as typed, checked
-/// after each change. What is saved keeps the file's comments and the order of its lines.
+/// after each change. What is saved keeps every byte of the file but the changed values.
 class ProfileDraft {
 public:
     /// The built-in profile; it has no file until it is saved as one.
     ProfileDraft();
     /// Wrong values of a file show at their keys. Errors: bad_input when it cannot be read, is no TOML, or
-    /// has keys that nobody knows.
+    /// has keys that nobody knows or a table where a value belongs.
     static Result<ProfileDraft> open(const std::string& path);
 
     /// Empty: not from a file.
@@ -48,8 +48,9 @@ public:
     /// The profile that this is. Errors: bad_input as long as something is wrong.
     Result<Profile> profile() const;
 
-    /// Into its file, whose old state becomes the backup. Errors: bad_input while something is wrong or when
-    /// somebody else has changed the file meanwhile; those of write_file_atomically: the old file stays.
+    /// Into its file, whose old state becomes the backup. Errors: bad_input while something is wrong, when
+    /// somebody else has changed the file meanwhile, or where a value cannot be put in its place; those of
+    /// write_file_atomically: the old file stays.
     Result<void> save();
     /// Under another name from now on; what stood there becomes the backup.
     Result<void> save_as(const std::string& path);
@@ -66,7 +67,8 @@ private:
 
     void check();
     std::string every_value() const;
-    std::string new_file_text(const Profile& profile) const;
+    /// The file's text with the changed values changed. Errors: bad_input, naming file and line.
+    Result<std::string> new_file_text(const Profile& profile) const;
     Result<void> write(const std::string& path, const std::string& present_text);
 
     std::string path_;

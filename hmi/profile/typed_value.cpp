@@ -24,6 +24,10 @@ std::optional<std::string> real_from(std::string_view typed) {
     // TOML wants digits on both sides of a point, and none of C's other spellings.
     const bool is_plain = text.find_first_not_of("0123456789+-.eE") == std::string::npos;
     if (!is_plain) return std::nullopt;
+    // Nor does it know zeros before a number.
+    const std::size_t begin = text.starts_with('-') ? 1 : 0;
+    while (text.size() > begin + 1 && text[begin] == '0' && text[begin + 1] >= '0' && text[begin + 1] <= '9')
+        text.erase(begin, 1);
     const std::size_t point = text.find('.');
     if (point != std::string::npos) {
         if (point + 1 == text.size() || text.find_first_of("eE") == point + 1) text.insert(point + 1, "0");

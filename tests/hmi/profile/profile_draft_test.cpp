@@ -90,7 +90,7 @@ TEST_F(ProfileFile, KeepsCommentsAndABackup) {
     sut.type(key_named("tick.period_us"), "40");
     ASSERT_TRUE(sut.save());
     EXPECT_EQ(read(path),
-              "# bought in 2012\nname = \"old one\"\n[axis.r1]\nspeed_mm_s = 9.0 # the left screw is worn\n"
+              "# bought in 2012\nname = \"old one\"\n[axis.r1]\nspeed_mm_s = 9.0   # the left screw is worn\n"
               "start_stop_mm_s = 0.9\n\n[tick]\nperiod_us = 40.0\n");
     EXPECT_EQ(read(ProfileDraft::backup_path(path)), kMachine);
     EXPECT_EQ(sut.changed_count(), 0U);
@@ -115,13 +115,38 @@ TEST_F(ProfileFile, KeepsItsLastBackups) {
     EXPECT_FALSE(load_profile(ProfileDraft::older_backup_path(path, ProfileDraft::kOlderBackups + 1)));
 }
 
-TEST_F(ProfileFile, IsWrittenAnewWhereItsWayOfWritingCannotBeKept) {
-    write(path, "axis = { r1 = { speed_mm_s = 8 } }  # all in one line\n");
+TEST_F(ProfileFile, KeepsItsWayOfWriting) {
+    write(path, "axis = { r1 = { speed_mm_s = 8 } }  # all in one line\r\n# the end");
     ProfileDraft sut = opened();
     EXPECT_EQ(sut.typed(speed), "8.0");
     sut.type(speed, "9");
     ASSERT_TRUE(sut.save());
+    EXPECT_EQ(read(path), "axis = { r1 = { speed_mm_s = 9.0 } }  # all in one line\r\n# the end");
     EXPECT_EQ(load_profile(path)->r1.speed_mm_s, 9.0);
+}
+
+TEST_F(ProfileFile, TakesKeysOfATableThatItWroteWithinBraces) {
+    write(path, "axis = { r1 = { speed_mm_s = 8 } }\n");
+    ProfileDraft sut = opened();
+    sut.type(key_named("axis.r2.speed_mm_s"), "7");
+    sut.type(key_named("axis.r2.start_stop_mm_s"), "0.5");
+    const auto saved = sut.save();
+    ASSERT_TRUE(saved) << saved.error().message;
+    EXPECT_EQ(load_profile(path)->r2.speed_mm_s, 7.0);
+    EXPECT_EQ(load_profile(path)->r2.start_stop_mm_s, 0.5);
+}
+
+// One wrong value must not change how the others are read.
+TEST_F(ProfileFile, ShowsWhatItSaysHoweverThatIsWrittenBesideAWrongValue) {
+    write(path,
+          "name = \"\"\"\nC:\\u005cnew\"\"\"\n[axis.r1]\ntravel_mm = [\n  0, # in, and\n  20,\n]\nspeed_mm_s "
+          "= -8\n");
+    ProfileDraft sut = opened();
+    EXPECT_EQ(sut.problem_count(), 1U);
+    EXPECT_EQ(sut.typed(key_named("name")), "C:\\new");
+    EXPECT_EQ(sut.typed(key_named("axis.r1.travel_mm")), "0.0 ... 20.0");
+    EXPECT_EQ(sut.typed(speed), "-8");
+    EXPECT_EQ(sut.changed_count(), 0U);
 }
 
 TEST_F(ProfileFile, ThatIsALinkStaysOne) {
@@ -163,7 +188,8 @@ TEST_F(ProfileFile, WithWrongValuesOpensAndShowsThem) {
 }
 
 TEST_F(ProfileFile, ThatIsNoProfileIsRefused) {
-    for (const char* text : {"speed = \n", "[axis.r1]\nzebra = 1\n", "\x7f\x45\x4c\x46"}) {
+    for (const char* text : {"speed = \n", "[axis.r1]\nzebra = 1\n", "\x7f\x45\x4c\x46",
+                             "[axis.r1.home]\nx = 1\n", "[[axis.r1.speed_mm_s]]\n", "axis = 3\n"}) {
         write(path, text);
         const auto draft = ProfileDraft::open(path);
         ASSERT_FALSE(draft) << text;

@@ -28,6 +28,9 @@ TEST(TypedValue, NumbersAsPeopleTypeThem) {
     EXPECT_EQ(toml_of(path, "5."), "5.0");
     EXPECT_EQ(toml_of(path, "-.5e1"), "-0.5e1");
     EXPECT_EQ(toml_of(path, "1e-3"), "1e-3");
+    EXPECT_EQ(toml_of(path, "007"), "7.0");
+    EXPECT_EQ(toml_of(path, "-00.5"), "-0.5");
+    EXPECT_EQ(toml_of(path, "00"), "0.0");
     for (const char* none :
          {"", " ", "12 mm", "1.2.3", "1,000,0", "nan", "inf", "0x10", "- 5", "--5", "1\n2"}) {
         EXPECT_EQ(toml_of(path, none), "no value") << none;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace psicarve::profile {
+
+/// Bytes of a UTF-8 text by line and column, both from 1, columns in code points, as toml++ counts them: a
+/// byte order mark at the beginning counts as nothing. Keeps a view of the text.
+class TextPlaces {
+public:
+    explicit TextPlaces(std::string_view text);
+
+    /// The end of the text for what lies beyond it.
+    std::size_t offset_of(std::size_t line, std::size_t column) const;
+    /// Where the line begins in which this byte stands, and where the next one does, or the text ends.
+    std::size_t line_begin(std::size_t offset) const;
+    std::size_t line_end(std::size_t offset) const;
+    std::size_t text_begin() const noexcept { return begins_.front(); }
+    /// "\r\n" where the first line ends so, else "\n".
+    std::string_view newline() const;
+
+private:
+    std::string_view text_;
+    std::vector<std::size_t> begins_;
+};
+
+}  // namespace psicarve::profile

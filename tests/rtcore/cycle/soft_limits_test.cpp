@@ -50,6 +50,21 @@ TEST(SoftLimits, EachIsNamedWithItsAxis) {
     EXPECT_EQ(first_breach(wide, {2000, 8000, 0, 0}, {2000, 1900, 0, 0}).axis, 1);
 }
 
+TEST(SoftLimits, TheClearanceCountsFromEachHeadsOwnTip) {
+    for (const bool is_r1_longer : {false, true}) {
+        Profile profile;
+        profile.core_radius_mm = 0.5;
+        profile.head_clearance_mm = 3.0;
+        (is_r1_longer ? profile.r1 : profile.r2).tip_offset_mm = 0.5;
+        (is_r1_longer ? profile.r2 : profile.r1).tip_offset_mm = -0.25;
+        const SoftLimits sut = limits_of(profile);
+        const Pulses4 from{8000, 8000, 0, 4000};
+        // 2.75 mm between the heads, less the rounding of both to pulses.
+        EXPECT_EQ(first_breach(sut, from, {550, 549, 0, 4000}).limit, SoftLimit::none);
+        EXPECT_EQ(first_breach(sut, from, {549, 549, 0, 4000}).limit, SoftLimit::head_clearance);
+    }
+}
+
 // A breach that is there already and gets no worse is none: the way back must be open.
 TEST(SoftLimits, APlaceOutsideMayBeLeftTowardsTheInside) {
     const SoftLimits sut = limits_of(Profile{});

@@ -102,6 +102,27 @@ TEST(CheckJob, CountsFromTheRealTip) {
     EXPECT_THAT(verdict_on(table, Profile{}), HasSubstr("inside the core radius"));
 }
 
+TEST(CheckJob, CountsTheClearanceFromEachHeadsOwnTip) {
+    for (const bool is_r1_longer : {false, true}) {
+        Profile profile;
+        profile.core_radius_mm = 0.5;
+        profile.head_clearance_mm = 3.0;
+        (is_r1_longer ? profile.r1 : profile.r2).tip_offset_mm = 0.5;
+        (is_r1_longer ? profile.r2 : profile.r1).tip_offset_mm = -0.25;
+        JobTable table = small_job(profile, 3, 5, 3.0);
+        // The tips stand 0.25 mm further out together than the heads: 2.75 mm, 1100 pulses.
+        table.r_left_pulses[6] = 550;
+        table.r_right_pulses[6] = 550;
+        EXPECT_EQ(verdict_on(table, profile), "accepted");
+        table.r_left_pulses[6] = 549;
+        table.r_right_pulses[6] = 550;
+        EXPECT_EQ(verdict_on(table, profile), "accepted") << "rounding of both to pulses";
+        table.r_left_pulses[6] = 549;
+        table.r_right_pulses[6] = 549;
+        EXPECT_THAT(verdict_on(table, profile), HasSubstr("2.9950 mm apart, closer than head_clearance_mm"));
+    }
+}
+
 TEST(CheckJob, HeightsRiseWithinTheTravel) {
     JobTable table = small_job();
     table.layer_height_pulses = {1, 2, 60000};

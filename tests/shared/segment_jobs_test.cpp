@@ -2,14 +2,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <thread>
+#include <vector>
 
 #include "shared/layout.hpp"
 #include "shared/segment.hpp"
 #include "shared/shared_record.hpp"
 #include "tests/shared/segment_fixture.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve {
 namespace {
@@ -75,6 +80,35 @@ TEST_F(SegmentJobs, NothingIsPublishedWhileAJobRuns) {
     EXPECT_EQ(second.error().code, ErrorCode::machine_refused);
     EXPECT_NE(second.error().message.find("carving"), std::string::npos);
     EXPECT_EQ(published_generation(*hmi_), first);
+}
+
+// Each of the two slots is written to again while the core still copies it.
+TEST_F(SegmentJobs, WhatIsTakenIsOfOnePieceAndOfItsGenerationHoweverFastOthersFollow) {
+    const std::array<std::vector<std::byte>, 3> jobs{test::make_job(1, 300, 300), test::make_job(2, 300, 300),
+                                                     test::make_job(3, 300, 300)};
+    const int rounds = test::is_thorough() ? 400 : 40;
+    std::atomic<bool> is_over{false};
+    std::thread publisher{[&] {
+        for (std::uint64_t next = 1; !is_over; ++next) {
+            const auto generation = publish_job(*hmi_, jobs[next % 3]);
+            EXPECT_TRUE(generation && *generation == next) << (generation ? "" : generation.error().message);
+            // Now and then the core may be quicker.
+            if (next % 16 == 0) std::this_thread::sleep_for(milliseconds{1});
+        }
+    }};
+    int taken_count = 0;
+    const auto latest = std::chrono::steady_clock::now() + std::chrono::minutes{2};
+    while (taken_count < rounds && std::chrono::steady_clock::now() < latest) {
+        const auto taken = take_published_job(*core_, 0);
+        EXPECT_TRUE(taken) << taken.error().message;
+        if (!taken) break;
+        if (!taken->has_value()) continue;  // not begun yet, or each of its attempts was overtaken
+        ++taken_count;
+        EXPECT_TRUE((*taken)->blob == jobs[(*taken)->generation % 3]) << (*taken)->generation;
+    }
+    is_over = true;
+    publisher.join();
+    EXPECT_EQ(taken_count, rounds);
 }
 
 TEST_F(SegmentJobs, NewerJobReplacesAnOlderWhichMayBeLarger) {

@@ -199,6 +199,20 @@ TEST(SnapshotFile, SizesAndOffsetsThatCannotBeAreRefusedEvenWithARightChecksum) 
     }
 }
 
+TEST(SnapshotFile, ARecorderOfNoWholeNumberOfRecordsIsRefused) {
+    const Bytes whole = snapshot_bytes(full_snapshot());
+    SnapshotHeader header{};
+    std::memcpy(&header, whole.data(), sizeof(header));
+    Bytes bytes = whole;
+    const auto behind = static_cast<std::ptrdiff_t>(header.recorder_offset + header.recorder_bytes);
+    bytes.insert(bytes.begin() + behind, 8, std::byte{0});
+    put(bytes, offsetof(SnapshotHeader, recorder_bytes), header.recorder_bytes + 8);
+    put(bytes, offsetof(SnapshotHeader, job_offset), header.job_offset + 8);
+    put(bytes, offsetof(SnapshotHeader, total_bytes), header.total_bytes + 8);
+
+    EXPECT_THAT(refusal_of(bytes), HasSubstr("damaged: sizes and offsets"));
+}
+
 TEST(SnapshotFile, JobInsideIsCheckedToo) {
     Bytes bytes = snapshot_bytes(job_only());
     put(bytes, sizeof(SnapshotHeader) + offsetof(JobHeader, layer_count), std::uint32_t{5});

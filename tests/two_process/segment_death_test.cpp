@@ -26,6 +26,7 @@ using test::ChildProcess;
 using testing::HasSubstr;
 
 constexpr milliseconds kLong{60'000};
+constexpr int kRounds = 200;
 
 class SegmentDeath : public testing::Test {
 protected:
@@ -175,7 +176,9 @@ TEST_F(SegmentDeath, WaiterKilledNeverHangsTheSignaller) {
 TEST_F(SegmentDeath, SenderKilledAtAnyInstantNeverKeepsASlot) {
     ASSERT_TRUE(segment_->claim_core().has_value());
     std::uniform_int_distribution<int> life_steps{0, 60};
-    for (int round = 0; round < 200; ++round) {
+    int rounds_with_commands = 0;
+    for (int round = 0; round < 20 * kRounds && rounds_with_commands < kRounds; ++round) {
+        bool took_any = false;
         ChildProcess sender{[this](const ChildProcess::Signal& began) {
             Segment segment = attach();
             began.raise();
@@ -185,25 +188,32 @@ TEST_F(SegmentDeath, SenderKilledAtAnyInstantNeverKeepsASlot) {
         for (int step = life_steps(random_); step > 0; --step) {
             if (const auto command = take_command(*segment_)) {
                 answer_command(*segment_, *command, AnswerKind::done, "");
+                took_any = true;
             }
             ::usleep(10);
         }
         sender.kill();
         while (const auto command = take_command(*segment_)) {
             answer_command(*segment_, *command, AnswerKind::done, "");
+            took_any = true;
         }
         (void)take_command(*segment_).has_value();
         ASSERT_EQ(used_slots(), 0U) << round;
+        rounds_with_commands += took_any ? 1 : 0;
     }
+    EXPECT_EQ(rounds_with_commands, kRounds);
 }
 
+// Each publishes once before its life is measured: killed before that, it would prove nothing.
 TEST_F(SegmentDeath, PublisherKilledAtAnyInstantLeavesAWholeJobPublished) {
     std::uniform_int_distribution<useconds_t> life_us{0, 4000};
-    for (int round = 0; round < 200; ++round) {
-        ChildProcess publisher{[this](const ChildProcess::Signal& began) {
+    const auto first = test::make_job(1, 300, 300);
+    const auto second = test::make_job(2, 300, 300);
+    for (int round = 0; round < kRounds; ++round) {
+        const std::uint64_t published_before = published_generation(*segment_);
+        ChildProcess publisher{[&](const ChildProcess::Signal& began) {
             Segment segment = attach();
-            const auto first = test::make_job(1, 300, 300);
-            const auto second = test::make_job(2, 300, 300);
+            (void)publish_job(segment, second, kLong).has_value();
             began.raise();
             for (;;) {
                 (void)publish_job(segment, first, kLong).has_value();
@@ -214,11 +224,12 @@ TEST_F(SegmentDeath, PublisherKilledAtAnyInstantLeavesAWholeJobPublished) {
         ::usleep(life_us(random_));
         publisher.kill();
 
-        const auto taken = take_published_job(*segment_, 0);
+        ASSERT_GT(published_generation(*segment_), published_before) << round;
+        const auto taken = take_published_job(*segment_, published_before);
         ASSERT_TRUE(taken.has_value()) << taken.error().message;
-        if (!taken->has_value()) continue;  // killed before its first job was published
+        ASSERT_TRUE(taken->has_value()) << round;
         const auto& blob = (*taken)->blob;
-        ASSERT_TRUE(blob == test::make_job(1, 300, 300) || blob == test::make_job(2, 300, 300)) << round;
+        ASSERT_TRUE(blob == first || blob == second) << round;
     }
     EXPECT_TRUE(publish_job(*segment_, test::make_job(3), kLong).has_value());
 }
@@ -226,21 +237,23 @@ TEST_F(SegmentDeath, PublisherKilledAtAnyInstantLeavesAWholeJobPublished) {
 TEST_F(SegmentDeath, CoreKilledWhileWritingItsStatusIsFollowedByOneThatCanBeRead) {
     std::uniform_int_distribution<useconds_t> life_us{0, 300};
     for (int round = 0; round < 60; ++round) {
-        ChildProcess core{[this](const ChildProcess::Signal& began) {
+        ChildProcess core{[this](const ChildProcess::Signal& writes) {
             Segment segment = attach();
             (void)segment.claim_core().has_value();
-            began.raise();
             CoreStatus status{};
-            for (;; ++status.tick, ++status.heartbeat) {
+            for (;;) {
+                ++status.tick;
+                ++status.heartbeat;
                 write_record(segment.header().status, status);
                 append_to_ring(segment.header().recorder, FlightRecord{});
+                if (status.tick == 1) writes.raise();
             }
         }};
         ASSERT_TRUE(core.wait_for_signal());
         ::usleep(life_us(random_));
         core.kill();
         const auto left = read_record(segment_->header().status);
-        ASSERT_TRUE(!left || left->tick == left->heartbeat);
+        ASSERT_TRUE(!left || (left->tick == left->heartbeat && left->tick > 0)) << round;
 
         ASSERT_TRUE(segment_->claim_core().has_value());
         ASSERT_TRUE(read_record(segment_->header().status).has_value());

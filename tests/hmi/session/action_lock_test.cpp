@@ -123,6 +123,20 @@ TEST(Preflight, SaysWhatIsMissing) {
     EXPECT_EQ(failing_check(MachineSight{}, DeskState::empty), "Core alive: no core; ");
 }
 
+TEST(Preflight, FailsWithAnyLimitClosedAndNamesEach) {
+    for (const auto& [axis, said] : {std::pair{Axis::r1, "R1"}, {Axis::r2, "R2"}, {Axis::y, "Y"}}) {
+        MachineSight machine = machine_in(S::ready);
+        machine.status->signals = bit_of(sensor_of(axis));
+        EXPECT_EQ(failing_check(machine, DeskState::published),
+                  std::string{"Limits clear: "} + said + " closed; ");
+    }
+    MachineSight machine = machine_in(S::ready);
+    machine.status->signals = bit_of(Signal::r1_limit) | bit_of(Signal::y_limit);
+    EXPECT_EQ(failing_check(machine, DeskState::published), "Limits clear: R1, Y closed; ");
+    machine.status->signals = bit_of(Signal::psi_index);
+    EXPECT_EQ(failing_check(machine, DeskState::published), "") << "the table may stand anywhere";
+}
+
 TEST(Preflight, TellsTheClearanceThatTheJobKeeps) {
     MachineSight machine = machine_in(S::ready);
     const auto clearance_row = [&](DeskState desk) {

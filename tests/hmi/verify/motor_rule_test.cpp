@@ -56,6 +56,14 @@ TEST_F(StoppedAtOnce, IsAnOffenceWhenTheLimitCameLongBefore) {
     EXPECT_EQ(offences(), 1U);
 }
 
+// Behind a limit a motor is judged again as soon as the core had to heed it: filter and one tick, 0.15 ms.
+TEST_F(StoppedAtOnce, IsAnOffenceAgainSoonAfterALimit) {
+    sut_.levels_changed(levels_, levels_ | bit_of(Signal::r1_limit), now_ns_ + 1);
+    now_ns_ += kNsPerMs;
+    for (int i = 0; i < 30; ++i) pulse();  // for 7.5 ms at top speed, from rest and to rest at once
+    EXPECT_GE(offences(), 1U);
+}
+
 TEST_F(StoppedAtOnce, IsNoneWhenItsDriveIsSwitchedOff) {
     sut_.levels_changed(levels_, levels_ & ~bit_of(Signal::r1_enable), now_ns_ + 1);
     EXPECT_EQ(offences(), 0U);

@@ -19,6 +19,8 @@ namespace psicarve {
 inline constexpr int kRecordRetries = 1000;
 /// After so many failed tries the writer may be one that waits for our processor.
 inline constexpr int kRetriesBeforeYield = 16;
+/// On a busy computer each may take some milliseconds: a reader must not wait a second for a dead writer.
+inline constexpr int kMostYields = 16;
 
 template <typename T>
 using RecordWords = std::array<std::uint64_t, sizeof(T) / 8>;
@@ -62,7 +64,8 @@ std::optional<T> read_record(const SharedRecord<T>& record, int retries = kRecor
             const T value = load_words<T>(record.words);
             if (record.sequence.load(std::memory_order_relaxed) == before) return value;
         }
-        if (attempt >= kRetriesBeforeYield) ::sched_yield();
+        const int yields = attempt - kRetriesBeforeYield;
+        if (yields >= 0 && yields < kMostYields) ::sched_yield();
     }
     return std::nullopt;
 }

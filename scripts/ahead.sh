@@ -4,24 +4,29 @@
 : "${root:?}" "${logs:?}"
 
 # Builds, and clang-tidy: what wants a processor, and nothing depends on how long it takes. One process does it, one part
-# after the other, in the time that no other process of this computer wants. It judges nothing: what it says of a part is in
-# $logs/ahead-PART.log, and the part does the same again when its turn comes, finds most of it done, and says what is wrong.
+# after the other, in the time that no other process of this session wants (the kernel weighs SCHED_IDLE within a session,
+# and sessions against each other by what they ask for). It judges nothing: what it says of a part is in
+# $logs/ahead-PART.log. When a part's turn comes, it does the same again, whatever was done ahead of it, and says what is
+# wrong.
 ahead_pid=''
 ahead_parts=''
+ahead_patience_s=60
 
 # begin_ahead PART...: of these, those that there is such work for.
 begin_ahead() {
     local part
-    rm -f "$logs"/ahead-*
+    ahead_parts=''
     for part in "$@"; do
-        if [[ " tsan fuzz asan tidy " == *" $part "* ]]; then ahead_parts+=" $part"; fi
+        if [[ " tsan fuzz asan tidy " != *" $part "* ]]; then continue; fi
+        ahead_parts+=" $part"
+        rm -f "$logs/ahead-$part".*
     done
     if [[ -z $ahead_parts ]]; then return; fi
     set -m # it gets a process group, which ends with us
     work_ahead &
     ahead_pid=$!
     set +m
-    trap 'kill -- "-$ahead_pid" 2>/dev/null' EXIT
+    trap end_ahead EXIT
 }
 
 work_ahead() {
@@ -38,9 +43,32 @@ work_ahead() {
     done
 } &>/dev/null
 
-# await_ahead PART: until that process has come past this part; at once if it has nothing to do for it.
-await_ahead() {
+# end_ahead: ends that process and all that it has started, and comes back when they are gone; what they had finished
+# stays. Whoever does not go when asked is killed.
+end_ahead() {
+    local pid tries
+    if [[ -z $ahead_pid ]]; then return; fi
+    kill -- "-$ahead_pid" 2>/dev/null
+    # That they need not wait for a processor to go; root alone may do so.
+    for pid in $(pgrep -g "$ahead_pid"); do chrt --other --pid 0 "$pid"; done &>/dev/null
+    for ((tries = 0; tries < ahead_patience_s * 10; ++tries)); do
+        if ! kill -0 -- "-$ahead_pid" 2>/dev/null; then break; fi
+        sleep 0.1
+    done
+    kill -KILL -- "-$ahead_pid" 2>/dev/null
+    wait "$ahead_pid" 2>/dev/null
+    ahead_pid=''
+}
+
+# take_over PART: this part's turn has come, and it does not wait for work at low priority that may take for ever beside
+# other programs. Where that process is not past the part, it ends here and goes on with the parts after it.
+take_over() {
+    local part later=()
     if [[ " $ahead_parts " != *" $1 "* || -e $logs/ahead-$1.done ]]; then return; fi
-    say "$1: waits for what was begun of it beside the tests before"
-    while [[ ! -e $logs/ahead-$1.done ]] && kill -0 "$ahead_pid" 2>/dev/null; do sleep 0.2; done
+    say "$1: takes over what was begun of it beside the tests before"
+    end_ahead
+    for part in $ahead_parts; do
+        if [[ $part != "$1" && ! -e $logs/ahead-$part.done ]]; then later+=("$part"); fi
+    done
+    begin_ahead "${later[@]}"
 }

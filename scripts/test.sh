@@ -128,7 +128,7 @@ run_asan() { build_and_test asan; }
 run_tsan() { build_and_test tsan threads_tests; }
 # build_and_test PRESET [TARGETS...]
 build_and_test() {
-    await_ahead "$1"
+    take_over "$1"
     configure_preset "$1" "$root/build/$1" && build "$root/build/$1" "${@:2}" && run_ctest "$1"
 }
 
@@ -136,7 +136,7 @@ build_and_test() {
 # PSICARVE_FUZZ_SECONDS others every time.
 run_fuzz() {
     local folder="$root/build/fuzz" targets target pid running=() failed=0
-    await_ahead fuzz
+    take_over fuzz
     build_fuzz || return 1
     mapfile -t targets < <(fuzz_targets "$folder")
     # As many at a time as there are processors: each has one thread.
@@ -192,7 +192,7 @@ fuzz_one() {
 }
 
 run_tidy() {
-    await_ahead tidy
+    take_over tidy
     tidy_dev
 }
 tidy_dev() { python3 "$root/scripts/tidy.py" "$root" "$root/build/dev"; }

@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# usage: ahead_test.sh ROOT WORK
+# Work for the parts to come (scripts/ahead.sh) with builds that are not builds: they say that they began, and wait for a
+# file, or for ever.
+set -uo pipefail
+source_root=$1
+root=$2
+logs=$root/logs
+rm -rf "$root"
+mkdir -p "$logs"
+failures=0
+
+say() { printf '%s\n' "$*" >>"$root/said"; }
+configure_preset() { :; }
+build() { work_on "${1##*/}"; }
+build_fuzz() { work_on fuzz; }
+tidy_dev() { work_on tidy; }
+# work_on PART: takes until $root/go-PART is there; meanwhile a child of it is at work, too.
+work_on() {
+    printf '%s\n' "$BASHPID" >>"$root/began-$1"
+    if [[ -e $root/stubborn-$1 ]]; then trap '' TERM; fi
+    while [[ ! -e $root/go-$1 ]]; do sleep 0.05; done
+}
+# shellcheck source=scripts/ahead.sh
+source "$source_root/scripts/ahead.sh"
+ahead_patience_s=5
+
+expect() {
+    if ! eval "$1"; then
+        printf 'line %d: not so: %s\n' "${BASH_LINENO[0]}" "$1"
+        failures=$((failures + 1))
+    fi
+}
+comes_true() {
+    local tries
+    for ((tries = 0; tries < 600; ++tries)); do
+        if eval "$1"; then return 0; fi
+        sleep 0.05
+    done
+    printf 'line %d: never so: %s\n' "${BASH_LINENO[0]}" "$1"
+    failures=$((failures + 1))
+    return 1
+}
+is_gone() { ! kill -0 "$(tail -n 1 "$root/began-$1")" 2>/dev/null; }
+
+# What is done is not done again, and nothing is ended for it.
+touch "$root/go-tsan"
+begin_ahead dev tsan fuzz asan tidy
+comes_true '[[ -e $root/began-fuzz ]]'
+worker=$ahead_pid
+take_over tsan
+expect '[[ $ahead_pid == "$worker" ]]'
+
+# What is not done: its work ends with all its processes, and the parts after it are begun.
+take_over fuzz
+expect 'is_gone fuzz'
+expect '! kill -0 -- "-$worker" 2>/dev/null'
+expect '[[ $ahead_parts == " asan tidy" ]]'
+comes_true '[[ -e $root/began-asan ]]'
+expect '[[ $(wc -l <"$root/began-tsan") == 1 && $(wc -l <"$root/began-fuzz") == 1 ]]'
+
+# A part that the work has not come to is taken out of it.
+take_over tidy
+expect '[[ $ahead_parts == " asan" && ! -e $root/began-tidy ]]'
+
+# Once taken over it is nobody else's.
+comes_true '[[ $(wc -l <"$root/began-asan") == 2 ]]'
+worker=$ahead_pid
+take_over tidy
+expect '[[ $ahead_pid == "$worker" ]]'
+
+# Also a process that does not go when asked.
+touch "$root/stubborn-asan"
+end_ahead
+begin_ahead asan
+comes_true '[[ $(wc -l <"$root/began-asan") == 3 ]]'
+sleep 0.2
+take_over asan
+expect 'is_gone asan'
+expect '[[ -z $ahead_pid && -z $ahead_parts ]]'
+
+# It ends with us.
+rm "$root/stubborn-asan"
+(
+    begin_ahead asan
+    comes_true '[[ $(wc -l <"$root/began-asan") == 4 ]]'
+) || failures=$((failures + 1))
+expect 'is_gone asan'
+
+exit $((failures > 0))

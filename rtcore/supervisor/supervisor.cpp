@@ -91,6 +91,8 @@ bool Supervisor::poll(Hearing hearing) {
 }
 
 bool Supervisor::take_requests() {
+    // A jog that has begun since the look before is judged by its own lease.
+    drain_reports();
     mirror_jog_lease();
     const std::size_t requests_before = parts_->io->requests.size();
     take_job();

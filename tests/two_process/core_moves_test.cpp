@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <csignal>
+#include <stop_token>
+#include <thread>
+
 #include "shared/jog_lease.hpp"
 #include "tests/two_process/core_rig.hpp"
 
@@ -53,12 +57,58 @@ TEST_F(CoreMoves, AJogIsKeptGoingByItsHolderForLongerThanItsLease) {
         write_jog_lease(*segment_, 5, beat);
         ASSERT_TRUE(eventually([&] { return status().position_pulses[2] > seen + 1000; }));
         ASSERT_EQ(status().state, MachineState::moving);
+        write_jog_lease(*segment_, 6,
+                        0);  // another holder's: it ends nothing, for several of the core's looks
         seen = status().position_pulses[2];
-        write_jog_lease(*segment_, 6, 0);  // somebody else's: it lets nothing go
+        ASSERT_TRUE(eventually([&] {
+            return status().position_pulses[2] > seen + 10'000 || status().state == MachineState::ready;
+        }));
+        ASSERT_EQ(status().state, MachineState::moving);
+        seen = status().position_pulses[2];
     }
     write_jog_lease(*segment_, 5, 0);
     ASSERT_TRUE(reaches(MachineState::ready));
     EXPECT_EQ(status().move_end, MoveEnd::released);
+}
+
+/// Has the core run for a moment and stand still for longer, again and again.
+class Stutter {
+public:
+    explicit Stutter(pid_t core) : core_(core), thread_([this](const std::stop_token& end) { run(end); }) {}
+
+private:
+    void run(const std::stop_token& end) const {
+        while (!end.stop_requested()) {
+            kill(core_, SIGSTOP);
+            std::this_thread::sleep_for(milliseconds{5});
+            kill(core_, SIGCONT);
+            std::this_thread::sleep_for(std::chrono::microseconds{100});
+        }
+    }
+
+    pid_t core_;
+    std::jthread thread_;
+};
+
+// The lease of the jog before, however short it was, is over and done with.
+TEST_F(CoreMoves, AJogIsJudgedByItsOwnLeaseFromItsFirstTick) {
+    start_core();
+    home();
+    const Stutter stutter{core_->pid()};
+    for (std::uint32_t token = 1; token <= 20; ++token) {
+        SCOPED_TRACE(token);
+        jog_on(Axis::psi, 2 * token, 1);
+        ASSERT_TRUE(reaches(MachineState::ready));
+        ASSERT_EQ(status().move_end, MoveEnd::lease_gone);
+        const std::int64_t before = status().position_pulses[2];
+        jog_on(Axis::psi, 2 * token + 1);
+        ASSERT_TRUE(eventually([&] {
+            return status().position_pulses[2] > before + 1000 || status().state == MachineState::ready;
+        }));
+        write_jog_lease(*segment_, 2 * token + 1, 0);
+        ASSERT_TRUE(reaches(MachineState::ready));
+        ASSERT_EQ(status().move_end, MoveEnd::released);
+    }
 }
 
 TEST_F(CoreMoves, AJogIsKeptGoingByNobodyElse) {

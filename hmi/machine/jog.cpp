@@ -31,11 +31,12 @@ Result<HeldJog> HeldJog::begin(MachineLink& link, Command command, std::chrono::
     HeldJog jog{link, new_token()};
     command.lease_token = jog.token_;
     command.lease_ms = static_cast<std::uint32_t>(lease.count());
-    jog.renew();
     if (const auto sent = link.send(command); !sent) {
         jog.is_released_ = true;
         return sent.error();
     }
+    // Not before: the word may still say that the holder before lets go.
+    jog.renew();
     return jog;
 }
 

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "hmi/machine/jog.hpp"
 #include "hmi/machine/snapshot_taker.hpp"
 #include "shared/shared_record.hpp"
 #include "tests/two_process/child_process.hpp"
@@ -109,6 +110,22 @@ TEST_F(MachineLinkTest, ARefusalCarriesTheCoresReason) {
     ASSERT_FALSE(sent.has_value());
     EXPECT_EQ(sent.error().code, ErrorCode::machine_refused);
     EXPECT_NE(sent.error().message.find("home first"), std::string::npos);
+}
+
+// Written before the answer, the new lease would hide that the holder before lets go.
+TEST_F(MachineLinkTest, AJogTakesTheLeaseOnceItIsAccepted) {
+    ScriptedCore core{name_, MachineState::ready, [count = 0](const Command&, CoreStatus&) mutable {
+                          return std::string{count++ == 0 ? "another axis moves" : ""};
+                      }};
+    MachineLink sut = attached();
+    write_jog_lease(sut.segment(), 7, 0);
+    const auto word = [&] { return sut.segment().header().jog_lease.load(); };
+    ASSERT_FALSE(HeldJog::on(sut, Axis::r1, true, 0.0).has_value());
+    EXPECT_EQ(word(), jog_lease_word(7, 0));
+    const auto jog = HeldJog::on(sut, Axis::r1, true, 0.0);
+    ASSERT_TRUE(jog.has_value()) << jog.error().message;
+    EXPECT_NE(jog_lease_token(word()), 7U);
+    EXPECT_NE(jog_lease_beat(word()), 0U);
 }
 
 TEST_F(MachineLinkTest, AnAlarmEndsAWaitAndIsNamed) {

@@ -154,10 +154,12 @@ private:
         was_ticking_ = is_ticking;
     }
 
-    // A core that ticks again does it itself: it has an alarm.
+    // A core that ticks again does it itself: it has an alarm. Whether the port answers by then we do not
+    // hear.
     void repay(bool is_ours) noexcept {
         owes_safe_state_ = is_ours && !duty_.safe_state.write();
-        if (is_ours && !owes_safe_state_) say_it_answers();
+        if (!is_ours) return try_to_say("the core ticks again: from now on it tries itself");
+        if (!owes_safe_state_) say_it_answers();
     }
 
     int bury() {

@@ -65,16 +65,22 @@ TEST_F(CoreGuard, APortThatDidNotAnswerIsSaidToAnswerAgainIfTheCoreFoundItSo) {
         SCOPED_TRACE(guard_sleeps);
         start_port_core();
         home();
-        kill(core_pid_, SIGSTOP);
+        const auto guard_says = [&](const char* words) {
+            return eventually([&] { return text_of(file("core.err")).find(words) != std::string::npos; });
+        };
         fail_port(EIO, -1);
-        ASSERT_TRUE(eventually(
-            [&] { return text_of(file("core.err")).find("the port does not answer") != std::string::npos; }));
+        kill(core_pid_, SIGSTOP);
+        ASSERT_TRUE(guard_says("the guard goes on trying"));
         // Asleep, it has never seen that the core ticks again, and finds it ended.
         if (guard_sleeps) kill(guard_pid(), SIGSTOP);
+        const std::uint64_t beats = last_status().heartbeat;
         kill(core_pid_, SIGCONT);
+        ASSERT_TRUE(eventually([&] { return last_status().heartbeat > beats + 2; }));
         ASSERT_TRUE(eventually([&] { return status().is_port_silent == 1; }));
         // Awake, it sees so, and leaves the port to the core.
-        if (!guard_sleeps) std::this_thread::sleep_for(std::chrono::milliseconds{200});
+        if (!guard_sleeps) {
+            EXPECT_TRUE(guard_says("the core ticks again: from now on it tries itself"));
+        }
         mend_port();
         ASSERT_TRUE(eventually([&] { return status().is_port_silent == 0; }));
         ASSERT_EQ(refusal_of(CommandKind::shutdown), "");

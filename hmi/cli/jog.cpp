@@ -2,7 +2,6 @@
 #include "hmi/machine/jog.hpp"
 
 #include <chrono>
-#include <cmath>
 #include <memory>
 
 #include "hmi/cli/commands.hpp"
@@ -30,15 +29,6 @@ struct JogOptions {
 
 bool goes_on(const JogOptions& options) {
     return options.distance == "+" || options.distance == "-";
-}
-
-Result<std::chrono::milliseconds> lease_of(const JogOptions& options) {
-    if (!options.lease_s) return goes_on(options) ? kJogLease : machine::kDistanceJogLease;
-    const double lease_ms = *options.lease_s * 1000.0;
-    const bool is_possible = lease_ms >= static_cast<double>(2 * kJogRenewal.count()) &&
-                             lease_ms <= static_cast<double>(kLongestJogLease.count());
-    if (!is_possible) return Error{ErrorCode::bad_usage, "--lease: from 0.1 to 2 seconds"};
-    return std::chrono::milliseconds{std::lround(lease_ms)};
 }
 
 Result<machine::HeldJog> begin_jog(machine::MachineLink& link, const JogOptions& options, double distance,
@@ -70,7 +60,8 @@ Result<int> jog(const CommonOptions& common, const JogOptions& options) {
         if (!number) return number.error();
         distance = *number;
     }
-    const auto lease = lease_of(options);
+    const auto lease =
+        lease_argument(options.lease_s, goes_on(options) ? kJogLease : machine::kDistanceJogLease);
     if (!lease) return lease.error();
     auto link = link_to_core(common);
     if (!link) return link.error();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/cli/motion_command.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,6 +11,7 @@
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/cli/status_text.hpp"
 #include "hmi/report/status_json.hpp"
+#include "shared/jog_lease.hpp"
 
 namespace psicarve::cli {
 
@@ -42,6 +44,16 @@ Result<CoreStatus> run_motion(machine::MachineLink& link, const MotionCommand& c
     auto reached = link.wait_for_state(command.wanted, watch);
     if (!operator_break.was_asked()) return reached;
     return operator_break.error(link.last_status().value_or(CoreStatus{}));
+}
+
+Result<std::chrono::milliseconds> lease_argument(std::optional<double> asked_s,
+                                                 std::chrono::milliseconds usual) {
+    if (!asked_s) return usual;
+    const double lease_ms = *asked_s * 1000.0;
+    const bool is_possible = lease_ms >= static_cast<double>(2 * kJogRenewal.count()) &&
+                             lease_ms <= static_cast<double>(kLongestJogLease.count());
+    if (!is_possible) return Error{ErrorCode::bad_usage, "--lease: from 0.1 to 2 seconds"};
+    return std::chrono::milliseconds{std::lround(lease_ms)};
 }
 
 void report_motion(const CommonOptions& common, std::string_view name, const CoreStatus& status) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,10 @@ Result<CoreStatus> run_motion(machine::MachineLink& link, const MotionCommand& c
 
 /// run_motion on the common options' segment, then the report: "home: the machine is ready".
 Result<int> motion_body(const CommonOptions& common, const MotionCommand& command);
+
+/// What --lease says of a jog or a test [s], `usual` if nothing; bad_usage beyond what the core allows.
+Result<std::chrono::milliseconds> lease_argument(std::optional<double> asked_s,
+                                                 std::chrono::milliseconds usual);
 
 /// "home: the machine is ready", or {"command": ..., "state": ...}.
 void report_motion(const CommonOptions& common, std::string_view name, const CoreStatus& status);

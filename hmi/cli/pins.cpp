@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -32,6 +33,7 @@ struct PinsOptions {
     std::string signal;
     std::uint32_t pulses = 0;
     std::uint32_t rate_hz = kUsualRate_hz;
+    std::optional<double> lease_s;
     bool watch = false;
 };
 
@@ -97,14 +99,15 @@ Result<void> judge_test(const CoreStatus& status, bool was_asked) {
                                : "pins: ended early: somebody stopped the machine"};
 }
 
-Result<int> test_output(const CommonOptions& common, machine::MachineLink& link, const PinsOptions& options) {
+Result<int> test_output(const CommonOptions& common, machine::MachineLink& link, const PinsOptions& options,
+                        std::chrono::milliseconds lease) {
     const auto output = signal_from_name(options.signal);
     if (!output || !is_output(*output)) {
         return Error{ErrorCode::bad_usage,
                      "pins: '" + options.signal + "' is no output; as in the profile's [port.pins]: r1_step"};
     }
     OperatorBreak operator_break;
-    auto held = machine::HeldJog::test(link, *output, options.pulses, options.rate_hz);
+    auto held = machine::HeldJog::test(link, *output, options.pulses, options.rate_hz, lease);
     if (!held) return held.error();
     std::optional<SignalWord> shown;
     const auto watch = [&](const CoreStatus& status) -> Result<void> {
@@ -127,11 +130,13 @@ Result<int> test_output(const CommonOptions& common, machine::MachineLink& link,
 }
 
 Result<int> pins(const CommonOptions& common, const PinsOptions& options) {
+    const auto lease = lease_argument(options.lease_s, kJogLease);
+    if (!lease) return lease.error();
     const auto chosen = chosen_profile(common);
     if (!chosen) return chosen.error();
     auto link = link_to_core(common);
     if (!link) return link.error();
-    if (!options.signal.empty()) return test_output(common, *link, options);
+    if (!options.signal.empty()) return test_output(common, *link, options, *lease);
     const auto show = [&](bool as_line) -> Result<std::string> {
         const auto status = link->status();
         if (!status) return status.error();
@@ -152,6 +157,10 @@ void add_pins(CommandSet& commands) {
         .optional_argument("SIGNAL", options->signal, "The output to test, as in the profile: r1_step")
         .option("--pulses", options->pulses, 1, kMostPulses, "Send so many pulses and end")
         .option("--rate", options->rate_hz, 1, kMostRate_hz, "Pulses in a second")
+        .option(
+            "--lease", options->lease_s, "SECONDS",
+            "How long a test goes on after this program has died, 0.1 to 2 [0.2]: longer on a computer that "
+            "is busy")
         .flag("--watch", options->watch, "Go on showing the levels until Ctrl-C");
 }
 

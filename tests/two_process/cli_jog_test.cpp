@@ -83,7 +83,7 @@ TEST_F(Jogging, AnOutputIsTestedWithTheDrivesOffWhileTheProgramIsThere) {
     ASSERT_EQ(run({"drives-off"}).out, "drives-off: the machine is off\n");
     EXPECT_EQ(status().homed_mask, 0);
     {
-        RunningProgram held{"psicarve", {"pins", "spindle", "--segment", segment_}};
+        RunningProgram held{"psicarve", {"pins", "spindle", "--lease", "2", "--segment", segment_}};
         const auto is_spindle_alone = [&] {
             return (status().signals & kOutputMask) == bit_of(Signal::spindle);
         };
@@ -93,7 +93,7 @@ TEST_F(Jogging, AnOutputIsTestedWithTheDrivesOffWhileTheProgramIsThere) {
         ASSERT_TRUE(eventually([&] { return status().state == MachineState::off; }));
     }
     EXPECT_EQ(status().signals & kOutputMask, 0U);
-    const Outcome sent = run({"pins", "r1_step", "--pulses", "20", "--rate", "500"});
+    const Outcome sent = run({"pins", "r1_step", "--pulses", "20", "--rate", "500", "--lease", "2"});
     ASSERT_EQ(sent.exit_code, 0) << sent.error;
     // The machine's own count may come a look later than the state.
     const auto ignored = [&] { return status().sim_ignored_pulses[index_of(Axis::r1)]; };
@@ -142,6 +142,7 @@ TEST_F(Jogging, ALeaseIsAsLongAsTheCoreAllows) {
     for (const std::string lease : {"0.09", "2.1", "-1", "nan"}) {
         const Outcome refused = run({"jog", "psi", "+", "--lease=" + lease});
         EXPECT_EQ(refused.exit_code, 2) << lease;
+        EXPECT_EQ(run({"pins", "spindle", "--lease=" + lease}).exit_code, 2) << lease;
     }
     start_core({"--clock", "virtual"});
     const Outcome refused = run({"jog", "psi", "+", "--lease", "3"});

@@ -210,7 +210,10 @@ TEST(JobEstimator, ItsThreadHandlesFatalSignalsOnAStackOfTheirOwn) {
     for (int tries = 0; tries < most_tries && (tries == 0 || g_stack_flags.load() == 0); ++tries) {
         g_stack_flags.store(-1);
         ASSERT_EQ(tgkill(getpid(), *its.begin(), SIGUSR1), 0);
-        while (g_stack_flags.load() == -1) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        const auto deadline = std::chrono::steady_clock::now() + kPatience;
+        while (g_stack_flags.load() == -1 && std::chrono::steady_clock::now() < deadline) {
+            std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        }
     }
     sigaction(SIGUSR1, &before, nullptr);
     EXPECT_EQ(g_stack_flags.load(), SS_ONSTACK);

@@ -35,6 +35,10 @@ OpenPort::~OpenPort() {
     for (const int descriptor : descriptors_) ::close(descriptor);
 }
 
+std::string OpenPort::description() const {
+    return modes_.empty() ? name_ : name_ + ": " + modes_ + "; plain register access";
+}
+
 void OpenPort::keep(OpenPort&& other) {
     const std::vector<int> descriptors = std::exchange(other.descriptors_, {});
     descriptors_.insert(descriptors_.end(), descriptors.begin(), descriptors.end());

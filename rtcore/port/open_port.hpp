@@ -18,27 +18,31 @@ namespace psicarve::port {
 class OpenPort {
 public:
     /// Takes the descriptors: what keeps others out of the port.
-    OpenPort(std::vector<int> descriptors, const PortAccess& access, std::string description) noexcept
-        : descriptors_(std::move(descriptors)), access_(access), description_(std::move(description)) {}
+    OpenPort(std::vector<int> descriptors, const PortAccess& access, std::string name) noexcept
+        : descriptors_(std::move(descriptors)), access_(access), name_(std::move(name)) {}
     OpenPort(OpenPort&& other) noexcept
         : descriptors_(std::exchange(other.descriptors_, {})),
           access_(other.access_),
-          description_(std::move(other.description_)) {}
+          name_(std::move(other.name_)),
+          modes_(std::move(other.modes_)) {}
     OpenPort& operator=(OpenPort&&) = delete;
     ~OpenPort();
 
     const PortAccess& access() const noexcept { return access_; }
     /// For people: "/dev/parport0: can do SPP, PS/2; plain register access".
-    const std::string& description() const noexcept { return description_; }
+    std::string description() const;
+    /// "can do SPP, PS/2"; empty until it is known.
+    const std::string& modes() const noexcept { return modes_; }
+    void note_modes(std::string modes) { modes_ = std::move(modes); }
 
     /// This one's way to the registers, and whatever keeps others out of the other, too.
     void keep(OpenPort&& other);
-    void describe(std::string description) { description_ = std::move(description); }
 
 private:
     std::vector<int> descriptors_;
     PortAccess access_;
-    std::string description_;
+    std::string name_;  ///< of the port, for people
+    std::string modes_;
 };
 
 /// Opens a real port for this process alone and writes its safe state, for some seconds if it does not take

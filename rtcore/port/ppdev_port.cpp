@@ -94,7 +94,7 @@ Result<OpenPort> open_ppdev(const std::string& device, const PinMap& pin_map) {
     const int direction_error = ioctl(descriptor, PPDATADIR, &outwards) == 0 ? 0 : errno;
     if (const auto safe = make_safe_at_opening(open.access(), pin_map, device); !safe) return safe.error();
     if (direction_error != 0) return why_not_claimed(device, descriptor, direction_error);
-    open.describe(device + ": can do " + port_modes_text(modes) + "; plain register access");
+    open.note_modes("can do " + port_modes_text(modes));
     return open;
 }
 

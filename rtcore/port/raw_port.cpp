@@ -94,18 +94,22 @@ Result<OpenPort> open_raw(std::uint16_t base, const PinMap& pin_map, const Kerne
     auto claimed = claim_from_kernel(base, ports, pin_map, places);
     if (!claimed) return claimed.error();
     const bool is_claimed = claimed->has_value();
-    if (is_claimed) open.keep(std::move(**claimed));
+    std::string modes;
+    if (is_claimed) {
+        modes = "claimed from the kernel's driver, " + (*claimed)->modes();
+        open.keep(std::move(**claimed));
+    }
     const bool is_empty = inb(base) == kNothingThere &&
                           inb(static_cast<std::uint16_t>(base + 1)) == kNothingThere &&
                           inb(static_cast<std::uint16_t>(base + kControlOffset)) == kNothingThere;
     if (is_empty) return refused(base, "nothing answers there; see the BIOS, or name another address");
-    const std::string mode = is_claimed ? "claimed from the kernel's driver" : mode_of(base, ports);
     // What was claimed is safe already.
     if (!is_claimed) {
+        modes = mode_of(base, ports);
         if (const auto safe = make_safe_at_opening(open.access(), pin_map, open.description()); !safe)
             return safe.error();
     }
-    open.describe("port at " + hex(base) + ": " + mode + "; plain register access");
+    open.note_modes(std::move(modes));
     return open;
 }
 

@@ -33,7 +33,10 @@ TEST_F(CorePort, CarvesAJobWithExactlyThePulsesOfTheSimulatedPort) {
     EXPECT_EQ(end.state, MachineState::ready) << name_of(end.alarm_cause);
     EXPECT_EQ(end.is_simulator, 0);
     ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
-    EXPECT_EQ(core_->wait_for_exit(), 0) << text_of(file("core.err"));
+    const std::string said = text_of(file("core.err"));
+    EXPECT_EQ(core_->wait_for_exit(), 0) << said;
+    EXPECT_NE(said.find(": can do SPP"), std::string::npos) << said;
+    EXPECT_NE(said.find("; plain register access\n"), std::string::npos) << said;
     EXPECT_EQ(fake_port::pulses_with_spindle(fake_port::levels_of(port_.writes(), profile_)), wanted);
     expect_safe_first_and_last();
     EXPECT_EQ(port_.state().claimed_by.load(), 0U) << "given back";

@@ -144,6 +144,14 @@ namespace {
     if (bytes > 0) write_back(first + bytes - 1);
 }
 
+bool has_realtime_kernel(const std::string& root) {
+    std::string realtime;
+    std::string version;
+    std::getline(std::ifstream{root + "/sys/kernel/realtime"}, realtime);
+    std::getline(std::ifstream{root + "/proc/version"}, version);
+    return is_realtime_kernel(realtime, version);
+}
+
 std::optional<int> isolated_cpu(const std::string& root) {
     std::ifstream file{root + "/sys/devices/system/cpu/isolated"};
     std::string text;
@@ -176,7 +184,10 @@ SetupStep WakeLatencyHold::hold(const char* path) {
     if (descriptor_ < 0) descriptor_ = open(path, O_WRONLY | O_CLOEXEC);
     const std::int32_t most_us = 0;
     if (descriptor_ < 0 || write(descriptor_, &most_us, sizeof most_us) != sizeof most_us) {
-        return refused(RealtimeStep::wake_latency, errno);
+        const int error = errno;
+        SetupStep step = refused(RealtimeStep::wake_latency, error);
+        if (error == ENOENT) step.remedy = kNoLatencyDeviceRemedy;
+        return step;
     }
     return done(RealtimeStep::wake_latency, "processors kept awake");
 }

@@ -33,6 +33,9 @@ SetupStep touch_heap();
 /// Writes to every page of it without changing a byte, so that none of them faults later.
 void touch_pages(void* begin, std::size_t bytes) noexcept;
 
+/// Whether this kernel is PREEMPT_RT. `root` stands before /sys and /proc.
+bool has_realtime_kernel(const std::string& root = {});
+
 /// The processor for the tick when none is named: the last of those that the kernel keeps free of everything
 /// else (isolcpus) and that this process may use; nothing when there is none. `root` stands before /sys.
 std::optional<int> isolated_cpu(const std::string& root = {});

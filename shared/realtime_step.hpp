@@ -28,6 +28,16 @@ inline constexpr int kTickPriority = 80;
 std::string_view name_of(RealtimeStep step) noexcept;
 /// What an administrator does when the system refused it.
 std::string_view remedy_of(RealtimeStep step) noexcept;
+/// The same where the kernel has no /dev/cpu_dma_latency that one could be let write to.
+inline constexpr std::string_view kNoLatencyDeviceRemedy =
+    "start the kernel with processor.max_cstate=1, or one that has that device";
+
+/// Whether a kernel is PREEMPT_RT, by /sys/kernel/realtime (empty: it has none) and /proc/version.
+constexpr bool is_realtime_kernel(std::string_view realtime_file, std::string_view version) noexcept {
+    return realtime_file.starts_with('1') || version.find("PREEMPT_RT") != std::string_view::npos;
+}
+inline constexpr std::string_view kKernelRemedy =
+    "install a real-time kernel: apt install linux-image-rt-amd64";
 
 constexpr std::uint32_t bit_of(RealtimeStep step) noexcept {
     return std::uint32_t{1} << static_cast<unsigned>(step);

@@ -5,6 +5,7 @@
 #include "hmi/doctor/checks.hpp"
 #include "shared/cpu_list.hpp"
 #include "shared/layout.hpp"
+#include "shared/realtime_step.hpp"
 
 namespace psicarve::doctor {
 namespace {
@@ -23,13 +24,13 @@ bool is_cpu(const std::string& name) {
 Finding check_preemption(const SystemFiles& files) {
     const std::string name = "kernel";
     const std::string version = files.text("/proc/sys/kernel/osrelease").value_or("unknown");
-    const bool is_realtime = files.text("/sys/kernel/realtime").value_or("0") == "1" ||
-                             files.text("/proc/version").value_or("").find("PREEMPT_RT") != std::string::npos;
-    if (is_realtime) return fine(name, version + ", PREEMPT_RT");
+    if (is_realtime_kernel(files.text("/sys/kernel/realtime").value_or(""),
+                           files.text("/proc/version").value_or("")))
+        return fine(name, version + ", PREEMPT_RT");
     return {
         name, Verdict::warning, version + ", not PREEMPT_RT",
         "the kernel itself keeps the tick waiting, at times for milliseconds; they are skipped and counted",
-        "install a real-time kernel: apt install linux-image-rt-amd64"};
+        std::string{kKernelRemedy}};
 }
 
 Finding check_isolated_cpus(const SystemFiles& files) {

@@ -39,8 +39,7 @@ Finding check_wake_latency(const SystemFiles& files) {
     const std::string name = "processor sleep";
     if (!files.exists(kLatencyDevice)) {
         return {name, Verdict::warning, std::string{kLatencyDevice} + " is not there",
-                "processors that sleep deeply wake up late",
-                "start the kernel with processor.max_cstate=1, or one that has that device"};
+                "processors that sleep deeply wake up late", std::string{kNoLatencyDeviceRemedy}};
     }
     if (files.may_write(kLatencyDevice)) return fine(name, "can be kept shallow");
     return {name, Verdict::warning, std::string{kLatencyDevice} + " may not be written",

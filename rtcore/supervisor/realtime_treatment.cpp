@@ -46,6 +46,12 @@ bool RealtimeTreatment::treat_this_thread() {
     for (const std::string& line : rtcore::report_of(steps_)) {
         std::fprintf(stderr, "psicarve-rtcore: %s\n", line.c_str());
     }
+    if (!rtcore::has_realtime_kernel()) {
+        std::fprintf(stderr,
+                     "psicarve-rtcore: the kernel is not PREEMPT_RT: it keeps the tick waiting, at times for "
+                     "milliseconds; %s\n",
+                     std::string{kKernelRemedy}.c_str());
+    }
     // A processor that was asked for by name and cannot be had is a mistake of whoever asked.
     const bool has_no_cpu = wish_.cpu && !is_done(RealtimeStep::tick_cpu);
     const bool may_tick = !wish_.is_needed || (facts_.has_rights() && !has_no_cpu);

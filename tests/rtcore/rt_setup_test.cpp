@@ -160,8 +160,29 @@ TEST(RtSetup, HoldsProcessorsAwakeByAFourByteZero) {
     WakeLatencyHold elsewhere;
     const SetupStep refused = elsewhere.hold("/nowhere/cpu_dma_latency");
     EXPECT_EQ(refused.outcome, SetupStep::Outcome::refused);
-    EXPECT_NE(refused.remedy.find("udev"), std::string::npos);
+    EXPECT_EQ(refused.remedy, kNoLatencyDeviceRemedy) << "no rule can let it write what is not there";
+    const SetupStep forbidden = elsewhere.hold(testing::TempDir().c_str());
+    EXPECT_EQ(forbidden.outcome, SetupStep::Outcome::refused);
+    EXPECT_EQ(forbidden.remedy, remedy_of(RealtimeStep::wake_latency));
     unlink(path.c_str());
+}
+
+TEST(RtSetup, KnowsARealTimeKernel) {
+    const test::TemporaryFolder folder;
+    const auto put = [&](const std::string& path, const char* text) {
+        std::filesystem::create_directories(std::filesystem::path{folder.path(path)}.parent_path());
+        std::ofstream{folder.path(path)} << text;
+    };
+    EXPECT_FALSE(has_realtime_kernel(folder.path(""))) << "none of the files is there";
+    put("proc/version", "Linux version 6.1.0-28-amd64 #1 SMP PREEMPT_DYNAMIC Debian 6.1.119-1\n");
+    EXPECT_FALSE(has_realtime_kernel(folder.path("")));
+    put("sys/kernel/realtime", "0\n");
+    EXPECT_FALSE(has_realtime_kernel(folder.path("")));
+    put("sys/kernel/realtime", "1\n");
+    EXPECT_TRUE(has_realtime_kernel(folder.path("")));
+    put("sys/kernel/realtime", "0\n");
+    put("proc/version", "Linux version 6.1.0-28-rt-amd64 #1 SMP PREEMPT_RT Debian 6.1.119-1\n");
+    EXPECT_TRUE(has_realtime_kernel(folder.path("")));
 }
 
 TEST(RtSetup, TouchedMemoryIsAsItWasAndFaultsNoMore) {

@@ -21,6 +21,7 @@
 #include "rtcore/supervisor/latency_run.hpp"
 #include "rtcore/supervisor/piece_file.hpp"
 #include "rtcore/supervisor/realtime_treatment.hpp"
+#include "rtcore/supervisor/recorded_job.hpp"
 #include "rtcore/supervisor/replay.hpp"
 #include "rtcore/supervisor/replay_script.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
@@ -151,6 +152,10 @@ void leave_privileges(const CoreOptions& options) {
 int serve_segment(const CoreOptions& options, const Profile& profile, PartsRequest request, Segment segment,
                   std::optional<Replay>& replay) {
     EndRequest end;
+    if (replay) {
+        const auto published = publish_recorded_job(segment, replay->snapshot.job_blob);
+        if (!published) return fail(published.error());
+    }
     std::optional<RealtimeTreatment> treatment;
     if (options.clock == ClockKind::real) treatment.emplace(wish_of(options));
     leave_privileges(options);
@@ -161,11 +166,6 @@ int serve_segment(const CoreOptions& options, const Profile& profile, PartsReque
                           .is_simulator = options.port.is_simulated(),
                           .is_virtual_clock = options.clock == ClockKind::virtual_time,
                           .missing_sensors_mask = missing_sensors(profile)};
-    if (replay) {
-        if (const auto published = publish_job(segment, replay->snapshot.job_blob); !published) {
-            return fail(published.error());
-        }
-    }
     Supervisor supervisor{**parts, segment_options_of(options), std::move(segment), facts};
     if (replay && replay->script) supervisor.refuse_commands("a recorded run is being replayed");
     supervisor.segment().sign_core();

@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include "shared/robust_mutex.hpp"
+#include "tests/two_process/child_process.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::two_process {
@@ -18,6 +25,27 @@ protected:
         return core.wait_for_exit();
     }
 };
+
+// A core that waits for a lock of the segment can be held up by whoever may write there.
+TEST_F(CoreReplay, IsRefusedWhereAnotherProcessKeepsTheSegmentsMutex) {
+    start_core();
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    ASSERT_EQ(core_->wait_for_exit(), 0);
+    save_job(lobed_job(5, 65), file("job"));
+    {
+        const test::ChildProcess holder{[&](test::ChildProcess::Signal holds) {
+            RobustMutex mutex{segment_->header().mutex};
+            if (mutex.try_lock()) holds.raise();
+            pause();
+        }};
+        ASSERT_TRUE(holder.wait_for_signal());
+        EXPECT_EQ(replay(file("job"), file("a.vcd")), 5);
+        const std::string said = text_of(file("replay.err"));
+        EXPECT_NE(said.find("process " + std::to_string(holder.pid())), std::string::npos) << said;
+        EXPECT_FALSE(std::filesystem::exists(file("a.vcd"))) << "nothing has begun";
+    }
+    EXPECT_EQ(replay(file("job"), file("a.vcd")), 0) << "the mutex of a dead holder is free";
+}
 
 TEST_F(CoreReplay, TwoReplaysOfAJobGiveTheSameBytes) {
     save_job(lobed_job(5, 65), file("job"));

@@ -132,6 +132,33 @@ TEST_F(CoreTickCalls, OnTheSimulatorNothingButItsSleep) {
     EXPECT_THAT(calls_but({SYS_clock_nanosleep}), ::testing::IsEmpty());
 }
 
+// Nobody watches here, for what watches has pages of its own.
+TEST_F(CoreTickCalls, OnTheSimulatorNoPageFault) {
+    if (test::kIsSanitized) GTEST_SKIP() << "a sanitizer's memory is not locked";
+    // The kernel may move a page that lies in memory, and a thread that touches it then faults by no doing of
+    // its own: a few at a time. What the tick itself does would be there in each of these runs.
+    constexpr int kMostRuns = 3;
+    constexpr std::uint64_t kMostMoved_pages = 4;
+    CoreStatus end{};
+    for (int runs = 1; runs <= kMostRuns; ++runs) {
+        core_ = std::make_unique<CoreProcess>(traced_simulator_arguments(), file("core.err"));
+        attach();
+        ASSERT_TRUE(eventually([&] { return segment_->core_pid().has_value(); }));
+        ASSERT_NO_FATAL_FAILURE(work_through_a_day());
+        // The core reads the kernel's counts twice a second.
+        const std::uint64_t tick = status().tick;
+        ASSERT_TRUE(eventually([&] { return status().tick > tick + 10'000; }));
+        end = status();
+        EXPECT_GT(end.tick - end.missed_ticks, 20'000U);
+        EXPECT_EQ(end.tick_major_faults, 0U);
+        ASSERT_LE(end.tick_minor_faults, kMostMoved_pages);
+        if (end.tick_minor_faults == 0) break;
+        ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+        ASSERT_EQ(core_->wait_for_exit(), 0);
+    }
+    EXPECT_EQ(end.tick_minor_faults, 0U);
+}
+
 // The one schedule that may lock.
 TEST_F(CoreTickCalls, WithTwoTimersTheLockThatTheyShareBesides) {
     profile_.tick.schedule = Schedule::two_timer;

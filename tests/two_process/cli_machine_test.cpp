@@ -254,16 +254,27 @@ TEST_F(Machine, WatchGoesOnLineByLineUntilInterrupted) {
 }
 
 TEST_F(Machine, AKilledCoreIsSaidWhileCarving) {
-    start_core();
-    RunningProgram carve{"psicarve", {"carve", long_job(), "--segment", segment_, "--json"}};
-    ASSERT_TRUE(makes_it_carve(carve));
-    core_->send(SIGKILL);
-    EXPECT_EQ(carve.wait(), 5) << carve.error();
-    // The state may be seen before the answer to the last command was.
-    const bool is_said = carve.error().find("no core serves") != std::string::npos ||
-                         carve.error().find("the core ended before it answered") != std::string::npos;
-    EXPECT_TRUE(is_said) << carve.error();
-    EXPECT_EQ(nlohmann::json::parse(carve.out())["error"]["code"], "no_core");
+    constexpr std::size_t kKills = 3;
+    std::vector<milliseconds> times;
+    while (times.size() < kKills) {
+        start_core();
+        RunningProgram carve{"psicarve", {"carve", long_job(), "--segment", segment_, "--json"}};
+        ASSERT_TRUE(makes_it_carve(carve));
+        const auto killed = std::chrono::steady_clock::now();
+        core_->send(SIGKILL);
+        EXPECT_EQ(carve.wait(), 5) << carve.error();
+        times.push_back(std::chrono::duration_cast<milliseconds>(std::chrono::steady_clock::now() - killed));
+        // The state may be seen before the answer to the last command was.
+        const bool is_said = carve.error().find("no core serves") != std::string::npos ||
+                             carve.error().find("the core ended before it answered") != std::string::npos;
+        EXPECT_TRUE(is_said) << carve.error();
+        EXPECT_EQ(nlohmann::json::parse(carve.out())["error"]["code"], "no_core");
+        core_.reset();
+    }
+    // The spec's number. A busy computer may take itself away for as long, but not in most cases.
+    std::ranges::sort(times);
+    std::printf("said after %lld ms\n", static_cast<long long>(times[kKills / 2].count()));
+    EXPECT_LT(times[kKills / 2], milliseconds{500});
 }
 
 TEST_F(Machine, AStoppedCoreIsCalledSilent) {

@@ -37,6 +37,20 @@ protected:
         return static_cast<std::uint64_t>(now.tv_sec) * 1'000'000'000 +
                static_cast<std::uint64_t>(now.tv_nsec);
     }
+    /// When the write came that has left the port in its safe state ever since.
+    std::uint64_t safe_from_ns() {
+        OutputRegisters now{};
+        std::uint64_t since_ns = 0;
+        bool was_safe = false;
+        for (const fake_port::Write& write : port_.writes()) {
+            (write.reg == fake_port::Register::data ? now.data : now.control) = write.value;
+            const bool is_safe = now.data == safe().data && now.control == safe().control;
+            if (is_safe && !was_safe) since_ns = write.time_ns;
+            was_safe = is_safe;
+        }
+        EXPECT_TRUE(was_safe);
+        return since_ns;
+    }
     CoreStatus last_status() const { return load_words<CoreStatus>(segment_->header().status.words); }
 };
 
@@ -145,6 +159,24 @@ TEST_F(CoreGuard, SwitchesOffWithinATenthOfASecond) {
     std::printf("safe after %.1f to %.1f ms, median %.1f\n", times_ms.front(), times_ms.back(),
                 times_ms[kKills / 2]);
     EXPECT_LT(times_ms[kKills / 2], 100.0);
+}
+
+// The same while it carves with the spindle on, whatever the core dies of: also of a fault whose handler
+// writes the safe state itself.
+TEST_F(CoreGuard, SwitchesASpindleOffWithinATenthOfASecondWhateverTheCoreDiesOf) {
+    std::vector<double> times_ms;
+    for (const int death : {SIGKILL, SIGSEGV, SIGABRT, SIGBUS, SIGKILL}) {
+        SCOPED_TRACE(strsignal(death));
+        ASSERT_NO_FATAL_FAILURE(carve_for_long());
+        const std::uint64_t killed_ns = now_ns();
+        kill(core_pid_, death);
+        EXPECT_EQ(core_->wait_for_exit(), 128 + death);
+        expect_safe_registers();
+        times_ms.push_back(static_cast<double>(safe_from_ns() - killed_ns) * 1e-6);
+    }
+    std::ranges::sort(times_ms);
+    std::printf("safe after %.1f to %.1f ms\n", times_ms.front(), times_ms.back());
+    EXPECT_LT(times_ms[times_ms.size() / 2], 100.0);
 }
 
 TEST_F(CoreGuard, AfterACrashNothingMovesBeforeItIsHomedAndTheJobGoesOn) {

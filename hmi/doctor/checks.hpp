@@ -24,8 +24,10 @@ Finding check_swap(const SystemFiles& files);
 Finding check_hypervisor(const SystemFiles& files);
 /// `free_bytes` of /dev/shm; nothing: unknown.
 Finding check_shared_memory(std::optional<std::uint64_t> free_bytes);
-// port_checks.cpp: one for each port, or one that says there is none
-std::vector<Finding> check_ports(const SystemFiles& files);
+// port_checks.cpp: one for each device, or one that says there is none. `has_raw_access`: a core with --port
+// io:... is let at the addresses; then also one for each address where a core has a port, and where no device
+// can be driven one for each address that a core would take.
+std::vector<Finding> check_ports(const SystemFiles& files, bool has_raw_access);
 /// What the kernel says to a core with --port io:... Nobody has to have it who has a device that can be
 /// driven.
 Finding check_raw_access(const std::optional<RawRefusal>& refusal, bool has_device);

@@ -113,14 +113,15 @@ std::vector<Finding> check_all(const SystemFiles& files) {
         check_isolated_cpus(files), check_frequency(files),
         check_clock_source(files),  check_swap(files),
         check_hypervisor(files),    check_shared_memory(files.free_bytes("/dev/shm"))};
+    constexpr std::uint16_t kClassicBase = 0x378;
+    constexpr std::uint16_t kRegisters = 3;
+    const auto refusal = ask_for_addresses(kClassicBase, kRegisters);
     bool has_device = false;
-    for (Finding& finding : check_ports(files)) {
+    for (Finding& finding : check_ports(files, !refusal)) {
         has_device = has_device || (finding.verdict == Verdict::ok && finding.name.starts_with("/dev/"));
         findings.push_back(std::move(finding));
     }
-    constexpr std::uint16_t kClassicBase = 0x378;
-    constexpr std::uint16_t kRegisters = 3;
-    findings.push_back(check_raw_access(ask_for_addresses(kClassicBase, kRegisters), has_device));
+    findings.push_back(check_raw_access(refusal, has_device));
     return findings;
 }
 

@@ -54,13 +54,13 @@ TEST_F(MadeUpComputer, DevicesBelongToGroupsOrToNobodyElse) {
     mode("/dev/parport0", 0660);
     mode("/dev/cpu_dma_latency", 0600);
     user("0000000000000000", 54321, "54322");
-    expect_bad(check_ports(files()).front(), Verdict::problem,
+    expect_bad(check_ports(files(), false).front(), Verdict::problem,
                std::string{"adduser USER "} + ::getgrgid(own_group)->gr_name + ",");
     expect_bad(check_wake_latency(files()), Verdict::warning, "udev");
     user("0000000000000000", 54321, "54322 " + std::to_string(own_group));
-    EXPECT_EQ(check_ports(files()).front().verdict, Verdict::ok);
+    EXPECT_EQ(check_ports(files(), false).front().verdict, Verdict::ok);
     user("0000000000000002", 54321, "");
-    EXPECT_EQ(check_ports(files()).front().verdict, Verdict::ok);
+    EXPECT_EQ(check_ports(files(), false).front().verdict, Verdict::ok);
     EXPECT_EQ(check_wake_latency(files()).verdict, Verdict::ok);
     remove("/dev/cpu_dma_latency");
     expect_bad(check_wake_latency(files()), Verdict::warning, "max_cstate");
@@ -91,25 +91,25 @@ TEST_F(MadeUpComputer, SaysOfRawAddressesWhatThisKernelSays) {
 
 TEST_F(MadeUpComputer, PortInAnothersHandsNamesIt) {
     put("/proc/sys/dev/parport/parport0/devices/active", "lp\n");
-    expect_bad(check_ports(files()).front(), Verdict::problem, "rmmod lp");
+    expect_bad(check_ports(files(), false).front(), Verdict::problem, "rmmod lp");
     put("/proc/sys/dev/parport/parport0/devices/active", "ppdev0\n");
-    EXPECT_EQ(check_ports(files()).front().seen, "held by ppdev0");
+    EXPECT_EQ(check_ports(files(), false).front().seen, "held by ppdev0");
 }
 
 TEST_F(MadeUpComputer, ModuleLpIsAWarningAndItsNameMustBeWhole) {
     put("/proc/modules", "lpc_ich 1 0 - Live 0x0\nppdev 24576 0 - Live 0x0\n");
-    EXPECT_EQ(check_ports(files()).size(), 1U);
+    EXPECT_EQ(check_ports(files(), false).size(), 1U);
     put("/proc/modules", "lp 20480 0 - Live 0x0\n");
-    ASSERT_EQ(check_ports(files()).size(), 2U);
-    expect_bad(check_ports(files()).back(), Verdict::warning, "blacklist lp");
+    ASSERT_EQ(check_ports(files(), false).size(), 2U);
+    expect_bad(check_ports(files(), false).back(), Verdict::warning, "blacklist lp");
 }
 
 TEST_F(MadeUpComputer, WithoutAPortDrivesNoRealMachine) {
     remove("/dev/parport0");
-    expect_bad(check_ports(files()).front(), Verdict::problem, "modprobe ppdev");
-    EXPECT_EQ(worst_of(check_all(files())), Verdict::problem);
+    expect_bad(check_ports(files(), false).front(), Verdict::problem, "modprobe ppdev");
+    EXPECT_EQ(worst_of(check_ports(files(), false)), Verdict::problem);
     remove("/proc/sys/dev/parport");
-    EXPECT_EQ(check_ports(files()).front().seen, "none");
+    EXPECT_EQ(check_ports(files(), false).front().seen, "none");
 }
 
 TEST_F(MadeUpComputer, EachWayToBeLateIsAWarning) {

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of ports that a core drives by their addresses, where it is let at them. The locks are those
+// of a real core's own opening of a port, which stands still in the middle of it.
+#include <gtest/gtest.h>
+#include <linux/parport.h>
+#include <linux/ppdev.h>
+#include <signal.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdarg>
+
+#include "hmi/doctor/base_holder.hpp"
+#include "hmi/doctor/checks.hpp"
+#include "rtcore/port/raw_port.hpp"
+#include "shared/kernel_ports.hpp"
+#include "tests/hmi/doctor/made_up_computer.hpp"
+
+namespace {
+
+/// Of the process that opens a port: where it says that it has come to the kernel's claim.
+int claim_report = -1;
+
+}  // namespace
+
+// The kernel's part, before the C library's own: whoever asks is let at addresses, which nobody touches here,
+// and a claim is never answered.
+extern "C" {
+int ioperm(unsigned long /*from*/, unsigned long /*count*/, int /*on*/) noexcept {
+    return 0;
+}
+int ioctl(int /*descriptor*/, unsigned long request, ...) noexcept {
+    va_list list;
+    va_start(list, request);
+    void* const argument = va_arg(list, void*);
+    va_end(list);
+    if (request == PPGETMODES) {
+        *static_cast<unsigned*>(argument) = PARPORT_MODE_PCSPP;
+        return 0;
+    }
+    if (claim_report >= 0 && ::write(claim_report, "c", 1) == 1) {
+        for (;;) ::pause();
+    }
+    return -1;
+}
+}
+
+namespace psicarve::doctor {
+namespace {
+
+using test::MadeUpComputer;
+
+/// A process that opens a port by its addresses and stands still once the lock of its base is its own.
+class OpeningCore {
+public:
+    OpeningCore(std::uint16_t base, const SystemFiles& files) {
+        std::array<int, 2> ends{};
+        if (::pipe(ends.data()) != 0) return;
+        pid_ = ::fork();
+        if (pid_ == 0) {
+            ::close(ends[0]);
+            claim_report = ends[1];
+            static_cast<void>(port::open_raw(base, PinMap::from_profile(Profile{}).value(),
+                                             {.proc = files.path_of("/proc"), .dev = files.path_of("/dev")}));
+            ::_exit(1);
+        }
+        ::close(ends[1]);
+        char said = 0;
+        has_lock_ = ::read(ends[0], &said, 1) == 1;
+        ::close(ends[0]);
+    }
+    ~OpeningCore() {
+        ::kill(pid_, SIGKILL);
+        ::waitpid(pid_, nullptr, 0);
+    }
+    OpeningCore(const OpeningCore&) = delete;
+    OpeningCore& operator=(const OpeningCore&) = delete;
+
+    bool has_lock() const { return has_lock_; }
+    std::string held_by() const { return "held by " + process_text(pid_); }
+
+private:
+    pid_t pid_ = -1;
+    bool has_lock_ = false;
+};
+
+class RawPorts : public MadeUpComputer {
+protected:
+    RawPorts() {
+        kernel_has(0x378);
+        // Without it the locks are names, which all tests of this computer share.
+        put("/dev/port", "");
+    }
+    void kernel_has(std::uint16_t base) const {
+        put("/proc/sys/dev/parport/parport0/base-addr", std::to_string(base) + "\t0\n");
+    }
+    /// Whose device is there for the core to claim, and not for the doctor to see.
+    void hide_device() const { remove("/dev/parport0"); }
+    void without_port() const {
+        remove("/dev/parport0");
+        remove("/proc/sys/dev/parport");
+    }
+    Finding finding_of(const std::string& name) const {
+        const auto findings = check_ports(files(), true);
+        const auto found = std::ranges::find(findings, name, &Finding::name);
+        return found == findings.end() ? Finding{} : *found;
+    }
+};
+
+TEST_F(RawPorts, StandInForADeviceThatIsNotThere) {
+    without_port();
+    const auto findings = check_ports(files(), true);
+    ASSERT_EQ(findings.size(), 4U);
+    EXPECT_EQ(findings.front().name, "parallel port");
+    EXPECT_EQ(findings.front().verdict, Verdict::warning);
+    EXPECT_EQ(findings.front().meaning, "only --port io:ADDRESS can drive a machine");
+    EXPECT_EQ(findings.front().remedy, "fit a parallel port; modprobe parport_pc ppdev");
+    for (const char* name : {"io:0x378", "io:0x278", "io:0x3bc"}) {
+        EXPECT_EQ(finding_of(name).verdict, Verdict::ok) << name;
+        EXPECT_TRUE(finding_of(name).seen.starts_with("no core has it")) << name << finding_of(name).seen;
+    }
+    EXPECT_NE(worst_of(check_all(files())), Verdict::problem) << "a core with --port io:0x378 is let in";
+    EXPECT_EQ(check_all(files()).back().seen, "allowed by CAP_SYS_RAWIO");
+}
+
+TEST_F(RawPorts, AreNoneWhereNobodyIsLetAtAddresses) {
+    without_port();
+    const auto findings = check_ports(files(), false);
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_EQ(findings.front().verdict, Verdict::problem);
+    EXPECT_EQ(findings.front().meaning, "only the simulated machine can be driven");
+}
+
+TEST_F(RawPorts, AreNotListedBesideADeviceThatCanBeDriven) {
+    EXPECT_EQ(check_ports(files(), true).size(), 1U);
+    user("0000000000000000", 54321, "54322");
+    mode("/dev/parport0", 0660);
+    EXPECT_EQ(finding_of("/dev/parport0").verdict, Verdict::warning) << "io:0x378 is the same port";
+    EXPECT_EQ(check_ports(files(), false).front().verdict, Verdict::problem);
+    EXPECT_EQ(finding_of("io:0x278").verdict, Verdict::ok);
+    kernel_has(0);
+    EXPECT_EQ(finding_of("/dev/parport0").verdict, Verdict::problem) << "a USB port has no address";
+}
+
+TEST_F(RawPorts, OfTheKernelAreAmongThemAndMayBeInOtherHands) {
+    kernel_has(0xd010);
+    hide_device();
+    EXPECT_EQ(finding_of("io:0xd010").verdict, Verdict::ok);
+    EXPECT_EQ(check_ports(files(), true).front().remedy, "modprobe ppdev");
+    put("/proc/sys/dev/parport/parport0/devices/active", "lp\n");
+    EXPECT_EQ(finding_of("io:0xd010").seen, "held by lp");
+    EXPECT_EQ(finding_of("io:0xd010").verdict, Verdict::problem);
+}
+
+TEST_F(RawPorts, HeldByACoreNameItsProcess) {
+    const OpeningCore core{0x378, files()};
+    ASSERT_TRUE(core.has_lock());
+    EXPECT_EQ(finding_of("/dev/parport0").seen, core.held_by());
+    EXPECT_EQ(check_ports(files(), false).front().verdict, Verdict::problem)
+        << "also for those with a device";
+    // The kernel's driver is gone, the core is not.
+    without_port();
+    const Finding sut = finding_of("io:0x378");
+    EXPECT_EQ(sut.verdict, Verdict::problem);
+    EXPECT_EQ(sut.seen, core.held_by());
+    EXPECT_EQ(sut.remedy, "end the program that holds it; psicarve status shows a core");
+    EXPECT_EQ(finding_of("io:0x278").verdict, Verdict::ok) << "its addresses are others";
+}
+
+TEST_F(RawPorts, HeldByANameAreSeenWithoutTheDeviceOfAddresses) {
+    remove("/dev/port");
+    // Nobody else's: tests run beside each other.
+    const auto base = static_cast<std::uint16_t>(0x8000 + ::getpid() % 0x1000 * 4);
+    kernel_has(base);
+    const std::string name = "io:" + hex_of(base);
+    {
+        const OpeningCore core{base, files()};
+        ASSERT_TRUE(core.has_lock());
+        EXPECT_EQ(finding_of("/dev/parport0").seen, core.held_by());
+        hide_device();
+        EXPECT_EQ(finding_of(name).seen, core.held_by());
+    }
+    EXPECT_EQ(finding_of(name).verdict, Verdict::ok) << "the lock goes with the core";
+}
+
+TEST_F(RawPorts, AreAskedForWithoutTakingThem) {
+    hide_device();
+    EXPECT_EQ(finding_of("io:0x378").verdict, Verdict::ok);
+    put("/dev/parport0", "");
+    const OpeningCore core{0x378, files()};
+    EXPECT_TRUE(core.has_lock());
+}
+
+}  // namespace
+}  // namespace psicarve::doctor

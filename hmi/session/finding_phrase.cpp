@@ -82,6 +82,8 @@ std::vector<Phrase> said() {
         phrase("parallel port"),
         phrase("the kernel has one, but /dev/parport0 is not there"),
         phrase("only the simulated machine can be driven"),
+        phrase("only --port io:ADDRESS can drive a machine"),
+        phrase("no core has it; one that is started says whether a port is there"),
         phrase("modprobe ppdev"),
         phrase("fit a parallel port; modprobe parport_pc ppdev"),
         phrase("module lp"),

@@ -4959,6 +4959,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>нет ядра</translation>
         </message>
         <message>
+            <source>no core has it; one that is started says whether a port is there</source>
+            <translation>не занят никаким ядром; есть ли там порт, скажет ядро при запуске</translation>
+        </message>
+        <message>
             <source>no core serves segment %1</source>
             <translation>сегмент %1 не обслуживает ни одно ядро</translation>
         </message>
@@ -5121,6 +5125,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>off</source>
             <translation>выключен</translation>
+        </message>
+        <message>
+            <source>only --port io:ADDRESS can drive a machine</source>
+            <translation>станком можно управлять только через --port io:ADDRESS</translation>
         </message>
         <message>
             <source>only in a trace</source>

@@ -4952,6 +4952,10 @@ N、Shift+N  下一条、上一条记录
             <translation>无内核</translation>
         </message>
         <message>
+            <source>no core has it; one that is started says whether a port is there</source>
+            <translation>没有内核占用它；那里是否有端口，内核启动时会说明</translation>
+        </message>
+        <message>
             <source>no core serves segment %1</source>
             <translation>没有内核服务于共享段 %1</translation>
         </message>
@@ -5114,6 +5118,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>off</source>
             <translation>关闭</translation>
+        </message>
+        <message>
+            <source>only --port io:ADDRESS can drive a machine</source>
+            <translation>只能通过 --port io:ADDRESS 驱动机器</translation>
         </message>
         <message>
             <source>only in a trace</source>

@@ -22,6 +22,11 @@ bool is_remedy_of_a_step(const std::string& text) {
                        [&text](RealtimeStep step) { return text == remedy_of(step); });
 }
 
+/// The same in all languages: /dev/parport0, io:0x378.
+bool is_name_of_a_port(const std::string& name) {
+    return name.starts_with("/dev/") || name.starts_with("io:");
+}
+
 void expect_known(const std::string& text) {
     if (text.empty() || is_remedy_of_a_step(text)) return;
     const Phrase shown = finding_phrase(text);
@@ -42,7 +47,7 @@ TEST(FindingPhrase, KnowsWhatTheDoctorSaysOfAComputerWithoutAnything) {
 
 TEST(FindingPhrase, KnowsWhatTheDoctorSaysOfThisComputer) {
     for (const doctor::Finding& finding : doctor::check_all(doctor::SystemFiles{})) {
-        if (!finding.name.starts_with("/dev/")) expect_known(finding.name);
+        if (!is_name_of_a_port(finding.name)) expect_known(finding.name);
         expect_known(finding.meaning);
         expect_known(finding.remedy);
     }
@@ -56,7 +61,7 @@ protected:
     static void expect_finding_known(const doctor::Finding& finding) {
         // Names of versions, clocks, ports and the like are the same in all languages.
         static const std::set<std::string> kNames{"6.1.0-rt", "tsc", "hpet", "cpu1: powersave"};
-        if (!finding.name.starts_with("/dev/")) expect_known(finding.name);
+        if (!is_name_of_a_port(finding.name)) expect_known(finding.name);
         if (!kNames.contains(finding.seen)) expect_known(finding.seen);
         expect_known(finding.meaning);
         expect_known(finding.remedy);
@@ -111,6 +116,11 @@ TEST(FindingPhrase, KnowsEachAmountOfRoom) {
         for (const std::string& text : {finding.name, finding.seen, finding.meaning, finding.remedy})
             expect_known(text);
     }
+}
+
+TEST_F(FindingPhraseOf, PortsThatAreDrivenByTheirAddresses) {
+    remove("/dev/parport0");
+    for (const doctor::Finding& finding : doctor::check_ports(files(), true)) expect_finding_known(finding);
 }
 
 TEST(FindingPhrase, TakesNumbersAndNamesAlong) {

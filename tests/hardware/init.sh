@@ -1,7 +1,7 @@
 #!/bin/busybox sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The one process of the guest: loads the port's drivers, carves through both kinds of port, until the core is killed, into an emergency
-# stop and into a limit, and switches the machine off. Lines for the test begin with LAB.
+# The one process of the guest: loads the port's drivers, carves through both kinds of port, until the core is killed,
+# into an emergency stop and into a limit, and switches the machine off. Lines for the test begin with LAB.
 B=/bin/busybox
 $B mount -t devtmpfs dev /dev
 $B mount -t proc proc /proc
@@ -40,37 +40,58 @@ run() {
     say "core on $1 ended $?"
 }
 
+# What the registers show, read past every driver: data, status, control, as numbers.
+registers() { $B dd if=/dev/port bs=1 skip=$((0x378)) count=3 2>/dev/null | $B hexdump -v -e '3/1 "%u "'; }
+# Status bit 3: by it the test says how far it is. This machine's sleep takes no time of the test's.
+estop() { set -- $(registers); echo $(($2 & 8)); }
+# Whether steps, drives and spindle are as /safe says: data, and the four lines of control.
+is_safe() { set -- $(registers); [ "$1 $(($3 & 15))" = "$($B cat /safe)" ]; }
+# This machine's own monotonic clock, which counts its instructions.
+now_ns() { $B sed -n 's/^now at \([0-9]*\) nsecs$/\1/p' /proc/timer_list; }
+
+# kill_core PORT: kills a core that carves; says how long its guard takes to switch the machine off and what the guard
+# ends with; waits until the test has looked at the port.
+kill_core() {
+    psicarve-rtcore --port "$1" --profile /unsensed.toml --capacity 100x20 &
+    guard=$!
+    until psicarve status >/dev/null 2>&1; do $B sleep 0.1; done
+    quietly psicarve home && quietly psicarve publish /long.psi && quietly psicarve start --carve
+    core=$(psicarve status --json | $B sed -n 's/.*"core_pid": *\([0-9]*\).*/\1/p')
+    [ "$core" != $guard ] || say "failed: the core is its own guard"
+    # Started by root with every capability: what each thread of core and guard kept, and what goes on without.
+    for process in core:$core guard:$guard; do
+        for status in /proc/${process#*:}/task/*/status; do
+            $B sed -n 's/^\(Cap[A-Z][a-z]*\|NoNewPrivs\):[^0-9]*\([0-9a-f]*\)$/\1=\2/p' "$status" |
+                $B tr '\n' ' ' | $B sed "s/^/LAB rights of ${process%:*}: /"
+            echo
+        done
+    done
+    priority=$(psicarve status --json | $B sed -n 's/.*"tick_priority": *\([0-9]*\).*/\1/p' | $B head -n 1)
+    locked_kb=$($B sed -n 's/^VmLck:[^0-9]*\([0-9]*\) kB/\1/p' "/proc/$core/status")
+    say "tick after that on $1: priority $priority, locked $locked_kb kB"
+    $B sleep 1
+    is_safe && say "failed: nothing to switch off on $1"
+    before=$(now_ns)
+    $B kill -KILL "$core"
+    looks=0
+    until is_safe || [ $looks -ge 500 ]; do looks=$((looks + 1)); done
+    say "safe on $1 after $(($(now_ns) - before)) ns, looks in vain $looks"
+    wait $guard
+    ended=$?
+    released=$(estop)
+    say "killed core's guard on $1 ended $ended"
+    while [ "$(estop)" = "$released" ]; do $B sleep 0.1; done
+    say "port $1 was looked at"
+    while [ "$(estop)" != "$released" ]; do $B sleep 0.1; done
+}
+
 say "begin ppdev"
 run ppdev:/dev/parport0 /job.psi /machine.toml
 say "begin io"
 run io:0x378 /job.psi /machine.toml
 say "begin kill"
-psicarve-rtcore --port ppdev:/dev/parport0 --profile /unsensed.toml --capacity 100x20 &
-guard=$!
-until psicarve status >/dev/null 2>&1; do $B sleep 0.1; done
-quietly psicarve home && quietly psicarve publish /long.psi && quietly psicarve start --carve
-core=$(psicarve status --json | $B sed -n 's/.*"core_pid": *\([0-9]*\).*/\1/p')
-[ "$core" != $guard ] || say "failed: the core is its own guard"
-# Started by root with every capability: what each thread of core and guard kept, and what goes on without.
-for process in core:$core guard:$guard; do
-    for status in /proc/${process#*:}/task/*/status; do
-        $B sed -n 's/^\(Cap[A-Z][a-z]*\|NoNewPrivs\):[^0-9]*\([0-9a-f]*\)$/\1=\2/p' "$status" | $B tr '\n' ' ' | $B sed "s/^/LAB rights of ${process%:*}: /"
-        echo
-    done
-done
-say "tick after that: priority $(psicarve status --json | $B sed -n 's/.*"tick_priority": *\([0-9]*\).*/\1/p' | $B head -n 1), locked $($B sed -n 's/^VmLck:[^0-9]*\([0-9]*\) kB/\1/p' /proc/$core/status) kB"
-$B sleep 1
-$B kill -KILL "$core"
-wait $guard
-ended=$?
-# What status bit 3 shows, read past every driver: by it the test says how far it is. This machine's sleep takes no
-# time of the test's.
-estop() { echo $(($($B dd if=/dev/port bs=1 skip=$((0x379)) count=1 2>/dev/null | $B hexdump -v -e '1/1 "%u"') & 8)); }
-released=$(estop)
-say "killed core's guard ended $ended"
-while [ "$(estop)" = "$released" ]; do $B sleep 0.1; done
-say "port was looked at"
-while [ "$(estop)" != "$released" ]; do $B sleep 0.1; done
+kill_core ppdev:/dev/parport0
+kill_core io:0x378
 say "begin estop"
 run ppdev:/dev/parport0 /long.psi /unsensed.toml
 # Until the test has let go of the stop.

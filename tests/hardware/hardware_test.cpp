@@ -20,6 +20,7 @@ constexpr std::size_t kRuns = 6;
 constexpr std::uint32_t kR2LimitBit = 0x80;
 constexpr std::uint32_t kLines = 0x0f;  ///< of control: the driver keeps the interrupt's bit as it likes
 constexpr std::uint64_t kSafeAfterDeath_ns = 100'000'000;
+constexpr std::uint64_t kLeastTimesSet = 50;
 constexpr const char* kPpdev = "ppdev:/dev/parport0";
 constexpr const char* kRawPort = "io:0x378";
 
@@ -83,6 +84,12 @@ protected:
         std::printf("%s: safe %.1f ms after the core was killed\n", port.c_str(),
                     static_cast<double>(after_ns) * 1e-6);
     }
+    /// While the first run lasted.
+    static void expect_no_alarm_by_the_clock(const std::string& console) {
+        EXPECT_GE(number_after(console, "LAB clock was set "), kLeastTimesSet) << console;
+        EXPECT_NE(console.find("LAB status alarms     0 since the core started"), std::string::npos)
+            << console;
+    }
     /// On the real clock, driving a real port, with all of a root's rights at the start.
     static void expect_no_privileges(const std::string& console) {
         const std::string nothing =
@@ -140,6 +147,7 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     EXPECT_EQ(console.find("LAB failed"), std::string::npos) << console;
     EXPECT_NE(console.find("realtime 1 device /dev/parport0"), std::string::npos) << console;
     EXPECT_NE(console.find("LAB end of run on ppdev:/dev/parport0: ready"), std::string::npos) << console;
+    expect_no_alarm_by_the_clock(console.substr(0, console.find("LAB begin io")));
     EXPECT_NE(console.find("LAB end of run on io:0x378: ready"), std::string::npos) << console;
     EXPECT_NE(console.find("LAB end of run on ppdev:/dev/parport0: alarm"), std::string::npos) << console;
     EXPECT_NE(console.find("in alarm (emergency stop"), std::string::npos) << console;
@@ -167,7 +175,7 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     // What the kernel's claiming does to the lines until our first write: docs/hardware.md.
     const std::vector<Pulse> claiming{{static_cast<std::uint8_t>(index_of(Axis::y)), false}};
     for (std::size_t run = 0; run < kRuns; ++run) EXPECT_EQ(runs[2 * run], claiming) << run;
-    EXPECT_EQ(runs[1], wanted) << "through ppdev";
+    EXPECT_EQ(runs[1], wanted) << "through ppdev, the clock set forth and back";
     EXPECT_EQ(runs[3], wanted) << "through raw I/O";
     EXPECT_GT(runs[5].size(), 10U) << "until the core was killed on ppdev";
     EXPECT_GT(runs[7].size(), 10U) << "until it was killed on the raw port";

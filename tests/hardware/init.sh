@@ -1,7 +1,8 @@
 #!/bin/busybox sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The one process of the guest: loads the port's drivers, carves through both kinds of port, until the core is killed,
-# into an emergency stop and into a limit, and switches the machine off. Lines for the test begin with LAB.
+# The one process of the guest: loads the port's drivers, carves through both kinds of port, while the clock is set to
+# and fro, until the core is killed, into an emergency stop and into a limit, and switches the machine off.
+# Lines for the test begin with LAB.
 B=/bin/busybox
 $B mount -t devtmpfs dev /dev
 $B mount -t proc proc /proc
@@ -49,6 +50,19 @@ is_safe() { set -- $(registers); [ "$1 $(($3 & 15))" = "$($B cat /safe)" ]; }
 # This machine's own monotonic clock, which counts its instructions.
 now_ns() { $B sed -n 's/^now at \([0-9]*\) nsecs$/\1/p' /proc/timer_list; }
 
+# Sets the clock days and hours ahead and back, counted from the time at the start, until /tmp/clock_is_right is there.
+set_clock_to_and_fro() {
+    right_s=$($B date +%s)
+    times=0
+    until [ -e /tmp/clock_is_right ]; do
+        for off_s in 432000 -3600 10800 -172800 0; do
+            $B date -s "@$((right_s + off_s))" >/dev/null && times=$((times + 1))
+            $B sleep 0.1
+        done
+    done
+    say "clock was set $times times"
+}
+
 # kill_core PORT: kills a core that carves; says how long its guard takes to switch the machine off and what the guard
 # ends with; waits until the test has looked at the port.
 kill_core() {
@@ -86,7 +100,11 @@ kill_core() {
 }
 
 say "begin ppdev"
+set_clock_to_and_fro &
+setter=$!
 run ppdev:/dev/parport0 /job.psi /machine.toml
+: >/tmp/clock_is_right
+wait $setter
 say "begin io"
 run io:0x378 /job.psi /machine.toml
 say "begin kill"

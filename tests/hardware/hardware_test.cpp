@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -16,10 +17,13 @@ using std::chrono::seconds;
 
 constexpr seconds kBootLimit{300};
 constexpr seconds kRunLimit{600};
-constexpr std::size_t kRuns = 6;
+constexpr std::size_t kRuns = 7;
 constexpr std::uint32_t kR2LimitBit = 0x80;
 constexpr std::uint32_t kLines = 0x0f;  ///< of control: the driver keeps the interrupt's bit as it likes
 constexpr std::uint64_t kSafeAfterDeath_ns = 100'000'000;
+constexpr std::uint64_t kLeastSleep_s = 2;
+constexpr std::uint64_t kLeastSleep_ns = kLeastSleep_s * 1'000'000'000;
+constexpr std::size_t kMostPulsesAwake = 10;  ///< of four axes in 5 ms, a look's time: one in two ticks
 constexpr std::uint64_t kLeastTimesSet = 50;
 constexpr const char* kPpdev = "ppdev:/dev/parport0";
 constexpr const char* kRawPort = "io:0x378";
@@ -90,6 +94,44 @@ protected:
         EXPECT_NE(console.find("LAB status alarms     0 since the core started"), std::string::npos)
             << console;
     }
+    /// Finds the first write after the guest's sleep, and the last one of that run.
+    void watch_sleep() {
+        ASSERT_TRUE(lab_.wait_for("LAB falls asleep", kRunLimit)) << lab_.console();
+        const std::uint64_t first = port_.state().write_count.load();
+        ASSERT_TRUE(lab_.wait_for("LAB end of run on ppdev:/dev/parport0: alarm", kRunLimit))
+            << lab_.console();
+        const auto writes = port_.writes();
+        // The port's longest pause is the sleep: nothing is written while the guest sleeps.
+        std::uint64_t longest_ns = 0;
+        for (std::size_t i = std::max<std::size_t>(first, 1); i < writes.size(); ++i) {
+            const std::uint64_t pause_ns = writes[i].time_ns - writes[i - 1].time_ns;
+            if (pause_ns > longest_ns) first_write_awake_ = i;
+            longest_ns = std::max(longest_ns, pause_ns);
+        }
+        ASSERT_GT(longest_ns, kLeastSleep_ns) << lab_.console();
+        ASSERT_TRUE(lab_.wait_for("LAB begin kill", kRunLimit)) << lab_.console();
+        last_write_awake_ = port_.state().write_count.load();
+        expect_safe_lines();
+    }
+    static void expect_slept(const std::string& console) {
+        const std::size_t begin = console.find("LAB begin sleep");
+        ASSERT_NE(begin, std::string::npos) << console;
+        const std::string said = console.substr(begin, console.find("LAB begin kill") - begin);
+        EXPECT_GE(number_after(said, "LAB slept "), kLeastSleep_s) << said;
+        for (const char* line : {"LAB status state      in alarm (tick gap)", "LAB status homed      none",
+                                 "LAB status drives on  none, spindle off"}) {
+            EXPECT_NE(said.find(line), std::string::npos) << line << '\n' << said;
+        }
+    }
+    /// The core makes up for no tick; a few more go on until its supervisor sees that the computer slept.
+    void expect_no_burst_after_sleep(const std::vector<std::uint32_t>& levels) const {
+        std::vector<Pulse> pulses;
+        for (std::size_t i = first_write_awake_; i < last_write_awake_; ++i) {
+            fake_port::add_pulses(levels[i - 1], levels[i], pulses);
+        }
+        EXPECT_LE(pulses.size(), kMostPulsesAwake);
+        std::printf("%zu pulses after the computer slept\n", pulses.size());
+    }
     /// On the real clock, driving a real port, with all of a root's rights at the start.
     static void expect_no_privileges(const std::string& console) {
         const std::string nothing =
@@ -115,6 +157,8 @@ protected:
         }
     }
     Lab lab_;
+    std::size_t first_write_awake_ = 0;
+    std::size_t last_write_awake_ = 0;
 };
 
 // One boot for everything: it is what takes the time.
@@ -124,6 +168,7 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     lab_.boot(port_);
     ASSERT_TRUE(lab_.wait_for("LAB begin ppdev", kBootLimit)) << lab_.console();
     const std::size_t drivers_writes = port_.state().write_count.load();
+    ASSERT_NO_FATAL_FAILURE(watch_sleep());
     ASSERT_NO_FATAL_FAILURE(expect_safe_after_death(kPpdev));
     port_.state().status_flip.store(0);
     ASSERT_NO_FATAL_FAILURE(expect_safe_after_death(kRawPort));
@@ -146,10 +191,10 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     const std::string console = lab_.console();
     EXPECT_EQ(console.find("LAB failed"), std::string::npos) << console;
     EXPECT_NE(console.find("realtime 1 device /dev/parport0"), std::string::npos) << console;
-    EXPECT_NE(console.find("LAB end of run on ppdev:/dev/parport0: ready"), std::string::npos) << console;
     EXPECT_NE(console.find("psicarve-rtcore: /dev/parport0: can do SPP, EPP; plain register access"),
               std::string::npos)
         << console;
+    EXPECT_NE(console.find("LAB end of run on ppdev:/dev/parport0: ready"), std::string::npos) << console;
     expect_no_alarm_by_the_clock(console.substr(0, console.find("LAB begin io")));
     EXPECT_NE(console.find("LAB end of run on io:0x378: ready"), std::string::npos) << console;
     EXPECT_NE(console.find("LAB end of run on ppdev:/dev/parport0: alarm"), std::string::npos) << console;
@@ -166,6 +211,7 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     }
 
     expect_no_privileges(console);
+    expect_slept(console);
     for (const char* port : {kPpdev, kRawPort}) expect_soon_safe(console, port);
 
     const auto all_writes = port_.writes();
@@ -173,6 +219,7 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     const std::vector<fake_port::Write> writes(
         all_writes.begin() + static_cast<std::ptrdiff_t>(drivers_writes),
         all_writes.begin() + static_cast<std::ptrdiff_t>(runs_writes));
+    expect_no_burst_after_sleep(fake_port::levels_of(all_writes, profile_));
     const auto runs = fake_port::runs_with_spindle(fake_port::levels_of(writes, profile_));
     ASSERT_EQ(runs.size(), 2 * kRuns) << console;
     // What the kernel's claiming does to the lines until our first write: docs/hardware.md.
@@ -180,12 +227,13 @@ TEST_F(Hardware, ARealKernelsDriversBringExactlyTheJobsPulsesToThePins) {
     for (std::size_t run = 0; run < kRuns; ++run) EXPECT_EQ(runs[2 * run], claiming) << run;
     EXPECT_EQ(runs[1], wanted) << "through ppdev, the clock set forth and back";
     EXPECT_EQ(runs[3], wanted) << "through raw I/O";
-    EXPECT_GT(runs[5].size(), 10U) << "until the core was killed on ppdev";
-    EXPECT_GT(runs[7].size(), 10U) << "until it was killed on the raw port";
-    EXPECT_LT(runs[9].size(), wanted.size() * 2) << "into the emergency stop";
-    EXPECT_GT(runs[9].size(), 10U);
-    EXPECT_LT(runs[11].size(), wanted.size() * 2) << "into the limit";
+    EXPECT_GT(runs[5].size(), 10U) << "until the computer slept";
+    EXPECT_GT(runs[7].size(), 10U) << "until the core was killed on ppdev";
+    EXPECT_GT(runs[9].size(), 10U) << "until it was killed on the raw port";
+    EXPECT_LT(runs[11].size(), wanted.size() * 2) << "into the emergency stop";
     EXPECT_GT(runs[11].size(), 10U);
+    EXPECT_LT(runs[13].size(), wanted.size() * 2) << "into the limit";
+    EXPECT_GT(runs[13].size(), 10U);
     expect_safe_lines();
 }
 

@@ -1,8 +1,8 @@
 #!/bin/busybox sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The one process of the guest: loads the port's drivers, carves through both kinds of port, while the clock is set to
-# and fro, until the core is killed, into an emergency stop and into a limit, and switches the machine off.
-# Lines for the test begin with LAB.
+# and fro, until the computer sleeps, until the core is killed, into an emergency stop and into a limit, and switches
+# the machine off. Lines for the test begin with LAB.
 B=/bin/busybox
 $B mount -t devtmpfs dev /dev
 $B mount -t proc proc /proc
@@ -63,6 +63,20 @@ set_clock_to_and_fro() {
     say "clock was set $times times"
 }
 
+# Sends this machine to sleep (to memory, S3) while a core carves, until the alarm of its real-time clock, which is the
+# host's: the test waits for as long.
+sleep_while_it_carves() {
+    until psicarve status 2>/dev/null | $B grep -q '^state  *carving'; do $B sleep 0.1; done
+    $B sleep 1
+    awake_ns=$(now_ns)
+    alive_s=$($B cut -d. -f1 /proc/uptime)
+    say "falls asleep"
+    echo +4 >/sys/class/rtc/rtc0/wakealarm
+    echo mem >/sys/power/state || say "failed to sleep"
+    slept_s=$(($($B cut -d. -f1 /proc/uptime) - alive_s))
+    say "slept $slept_s s, awake meanwhile $((($(now_ns) - awake_ns) / 1000000)) ms"
+}
+
 # kill_core PORT: kills a core that carves; says how long its guard takes to switch the machine off and what the guard
 # ends with; waits until the test has looked at the port.
 kill_core() {
@@ -107,6 +121,9 @@ run ppdev:/dev/parport0 /job.psi /machine.toml
 wait $setter
 say "begin io"
 run io:0x378 /job.psi /machine.toml
+say "begin sleep"
+sleep_while_it_carves &
+run ppdev:/dev/parport0 /long.psi /unsensed.toml
 say "begin kill"
 kill_core ppdev:/dev/parport0
 kill_core io:0x378

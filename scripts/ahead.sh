@@ -46,18 +46,25 @@ work_ahead() {
 # end_ahead: ends that process and all that it has started, and comes back when they are gone; what they had finished
 # stays. Whoever does not go when asked is killed.
 end_ahead() {
-    local pid tries
+    local pid signal tries
     if [[ -z $ahead_pid ]]; then return; fi
-    kill -- "-$ahead_pid" 2>/dev/null
-    # That they need not wait for a processor to go; root alone may do so.
-    for pid in $(pgrep -g "$ahead_pid"); do chrt --other --pid 0 "$pid"; done &>/dev/null
-    for ((tries = 0; tries < ahead_patience_s * 10; ++tries)); do
-        if ! kill -0 -- "-$ahead_pid" 2>/dev/null; then break; fi
-        sleep 0.1
+    for signal in TERM KILL; do
+        kill "-$signal" -- "-$ahead_pid" 2>/dev/null
+        # That they need not wait for a processor to go; root alone may do so.
+        for pid in $(pgrep -g "$ahead_pid"); do chrt --other --pid 0 "$pid"; done &>/dev/null
+        for ((tries = 0; tries < ahead_patience_s * 10; ++tries)); do
+            if ! lives_ahead "$ahead_pid"; then break 2; fi
+            sleep 0.1
+        done
     done
-    kill -KILL -- "-$ahead_pid" 2>/dev/null
     wait "$ahead_pid" 2>/dev/null
     ahead_pid=''
+}
+
+# lives_ahead GROUP: whether a process of it is there that is more than a zombie, which some containers' first process never
+# takes away.
+lives_ahead() {
+    ps -e -o pgid=,stat= | awk -v group="$1" '$1 == group && $2 !~ /^Z/ { lives = 1 } END { exit !lives }'
 }
 
 # take_over PART: this part's turn has come, and it does not wait for work at low priority that may take for ever beside

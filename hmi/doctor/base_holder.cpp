@@ -68,10 +68,10 @@ std::string hex_of(std::uint16_t base) {
 }
 
 std::optional<std::string> base_holder(const std::string& dev, std::uint16_t base) {
+    // A core that is not let at the device has a name instead, also where we are let at it.
+    if (auto listener = listener_at("psicarve-port-" + hex_of(base))) return listener;
     const std::string device = dev + "/port";
-    const auto is_locked = is_range_locked(device, base);
-    if (!is_locked) return listener_at("psicarve-port-" + hex_of(base));
-    if (!*is_locked) return std::nullopt;
+    if (!is_range_locked(device, base).value_or(false)) return std::nullopt;
     const std::string holders = processes_with(device);
     return holders.empty() ? kUnknownHolder : holders;
 }

@@ -71,7 +71,7 @@ sleep_while_it_carves() {
     awake_ns=$(now_ns)
     alive_s=$($B cut -d. -f1 /proc/uptime)
     say "falls asleep"
-    echo +4 >/sys/class/rtc/rtc0/wakealarm
+    echo +15 >/sys/class/rtc/rtc0/wakealarm
     echo mem >/sys/power/state || say "failed to sleep"
     slept_s=$(($($B cut -d. -f1 /proc/uptime) - alive_s))
     say "slept $slept_s s, awake meanwhile $((($(now_ns) - awake_ns) / 1000000)) ms"

@@ -18,8 +18,8 @@ build_fuzz() { work_on fuzz; }
 tidy_dev() { work_on tidy; }
 # work_on PART: takes until $root/go-PART is there; meanwhile a child of it is at work, too.
 work_on() {
-    printf '%s\n' "$BASHPID" >>"$root/began-$1"
     if [[ -e $root/stubborn-$1 ]]; then trap '' TERM; fi
+    printf '%s\n' "$BASHPID" >>"$root/began-$1"
     while [[ ! -e $root/go-$1 ]]; do sleep 0.05; done
 }
 # shellcheck source=scripts/ahead.sh
@@ -42,7 +42,7 @@ comes_true() {
     failures=$((failures + 1))
     return 1
 }
-is_gone() { ! kill -0 "$(tail -n 1 "$root/began-$1")" 2>/dev/null; }
+is_gone() { [[ ! "$(ps -o stat= -p "$(tail -n 1 "$root/began-$1")")" =~ ^[^Z] ]]; }
 
 # What is done is not done again, and nothing is ended for it.
 touch "$root/go-tsan"
@@ -55,7 +55,7 @@ expect '[[ $ahead_pid == "$worker" ]]'
 # What is not done: its work ends with all its processes, and the parts after it are begun.
 take_over fuzz
 expect 'is_gone fuzz'
-expect '! kill -0 -- "-$worker" 2>/dev/null'
+expect '! lives_ahead "$worker"'
 expect '[[ $ahead_parts == " asan tidy" ]]'
 comes_true '[[ -e $root/began-asan ]]'
 expect '[[ $(wc -l <"$root/began-tsan") == 1 && $(wc -l <"$root/began-fuzz") == 1 ]]'
@@ -75,8 +75,9 @@ touch "$root/stubborn-asan"
 end_ahead
 begin_ahead asan
 comes_true '[[ $(wc -l <"$root/began-asan") == 3 ]]'
-sleep 0.2
+begin=$SECONDS
 take_over asan
+expect '((SECONDS - begin >= ahead_patience_s - 1))'
 expect 'is_gone asan'
 expect '[[ -z $ahead_pid && -z $ahead_parts ]]'
 

@@ -182,7 +182,11 @@ class Sandbox:
             listener = seccomp.seccomp_notify_fd(calls.context)
             socket.send_fds(theirs, [" ".join(left_out).encode() or b" "], [listener])
 
-        process = subprocess.Popen(words, preexec_fn=confine, **popen)
+        try:
+            process = subprocess.Popen(words, preexec_fn=confine, **popen)
+        except subprocess.SubprocessError as error:
+            raise SystemExit("this kernel, or the container round us, lets nobody confine a process and hear of its "
+                             f"calls (seccomp user notification): {error}") from error
         said, descriptors, _, _ = socket.recv_fds(ours, 1000, 1)
         self.left_out |= set(said.decode().split())
         threading.Thread(target=self.answer, args=(descriptors[0], process), daemon=True).start()
@@ -235,7 +239,8 @@ class Sandbox:
         done = libc.mount(None, b"/", None, MS_REC | MS_PRIVATE, None) == 0
         for path in writable:
             done = done and libc.mount(path, path, None, MS_BIND | MS_REC, None) == 0
-        done = done and change(b"/", MOUNT_ATTR_RDONLY, 0)
-        for path in writable:
-            done = done and change(path, 0, MOUNT_ATTR_RDONLY)
-        return done
+        if not done or not change(b"/", MOUNT_ATTR_RDONLY, 0):
+            return False
+        if not all(change(path, 0, MOUNT_ATTR_RDONLY) for path in writable):
+            raise OSError(ctypes.get_errno(), "no path of the unit's can be made writable again")
+        return True

@@ -84,12 +84,15 @@ class Core:
         environment = subprocess.run([os.path.join(BUILD, "tests", "fake_port_environment"), port, profile],
                                      capture_output=True, text=True, check=True).stdout
         found = dict(line.split("=", 1) for line in environment.splitlines())
-        group = grp.getgrgid(os.getegid()).gr_name
+        try:
+            group = ["--group", grp.getgrgid(os.getegid()).gr_name]
+        except KeyError:  # a container's, which has no name
+            group = []
         rights = ["--allow-no-realtime"] if confined.left_out & LIMITS else []
         self.said = os.path.join(WORK, "core.err")
         with open(self.said, "w", encoding="utf-8") as said:
             self.guard = confined.start(
-                [os.path.join(BIN, "psicarve-rtcore"), "--segment", SEGMENT, "--group", group, "--port",
+                [os.path.join(BIN, "psicarve-rtcore"), "--segment", SEGMENT, *group, "--port",
                  f"ppdev:{port}/parport0", "--profile", profile, "--capacity", "50x100", *rights],
                 stderr=said, stdin=subprocess.DEVNULL, env={**os.environ, **found})
         RUNNING.append(self)

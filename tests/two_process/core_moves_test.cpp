@@ -102,7 +102,9 @@ TEST_F(CoreMoves, AJogIsJudgedByItsOwnLeaseFromItsFirstTick) {
         ASSERT_EQ(status().move_end, MoveEnd::lease_gone);
         const std::int64_t before = status().position_pulses[2];
         jog_on(Axis::psi, 2 * token + 1);
+        std::uint32_t beat = 0;
         ASSERT_TRUE(eventually([&] {
+            write_jog_lease(*segment_, 2 * token + 1, ++beat);
             return status().position_pulses[2] > before + 1000 || status().state == MachineState::ready;
         }));
         write_jog_lease(*segment_, 2 * token + 1, 0);

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "shared/realtime_step.hpp"
 #include "tests/places.hpp"
 #include "tests/system_calls/tick_calls.hpp"
 #include "tests/thoroughness.hpp"
@@ -138,7 +139,6 @@ TEST_F(CoreTickCalls, OnTheSimulatorNoPageFault) {
     // The kernel may move a page that lies in memory, and a thread that touches it then faults by no doing of
     // its own: a few at a time. What the tick itself does would be there in each of these runs.
     constexpr int kMostRuns = 3;
-    constexpr std::uint64_t kMostMoved_pages = 4;
     CoreStatus end{};
     for (int runs = 1; runs <= kMostRuns; ++runs) {
         core_ = std::make_unique<CoreProcess>(traced_simulator_arguments(), file("core.err"));
@@ -151,12 +151,14 @@ TEST_F(CoreTickCalls, OnTheSimulatorNoPageFault) {
         end = status();
         EXPECT_GT(end.tick - end.missed_ticks, 20'000U);
         EXPECT_EQ(end.tick_major_faults, 0U);
-        ASSERT_LE(end.tick_minor_faults, kMostMoved_pages);
         if (end.tick_minor_faults == 0) break;
         ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
         ASSERT_EQ(core_->wait_for_exit(), 0);
     }
     EXPECT_EQ(end.tick_minor_faults, 0U);
+    // Where it may not be locked, it only happened to be there.
+    const bool is_locked = (end.realtime_done & bit_of(RealtimeStep::lock_memory)) != 0;
+    std::printf("memory %s\n", is_locked ? "locked" : "not locked: this user may not");
 }
 
 // The one schedule that may lock.

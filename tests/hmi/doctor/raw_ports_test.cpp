@@ -73,6 +73,7 @@ public:
         ::close(ends[0]);
     }
     ~OpeningCore() {
+        if (pid_ <= 0) return;  // -1 would be everybody
         ::kill(pid_, SIGKILL);
         ::waitpid(pid_, nullptr, 0);
     }

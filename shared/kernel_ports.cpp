@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -55,7 +56,17 @@ std::vector<KernelPort> kernel_ports(const std::string& proc) {
 }
 
 bool is_classic_base(std::uint16_t base) noexcept {
-    return base == 0x378 || base == 0x278 || base == 0x3bc;
+    return std::ranges::find(kClassicBases, base) != kClassicBases.end();
+}
+
+std::string hex_of(std::uint16_t base) {
+    std::array<char, 8> text{};
+    (void)std::snprintf(text.data(), text.size(), "0x%x", base);
+    return text.data();
+}
+
+std::string base_lock_name(const std::string& dev, std::uint16_t base) {
+    return "psicarve-port-" + hex_of(base) + (dev == "/dev" ? "" : "@" + dev);
 }
 
 bool is_lp_loaded(const std::string& proc) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,7 +20,18 @@ struct KernelPort {
 std::vector<KernelPort> kernel_ports(const std::string& proc = "/proc");
 
 /// The three places at which PCs have had parallel ports since the first one.
+inline constexpr std::array<std::uint16_t, 3> kClassicBases{0x378, 0x278, 0x3bc};
 bool is_classic_base(std::uint16_t base) noexcept;
+
+/// Data, status, control: the addresses from the base on that a port driven by them has, and that are locked.
+inline constexpr std::uint16_t kPortRegisters = 3;
+
+/// "0x378"
+std::string hex_of(std::uint16_t base);
+
+/// The name (abstract_name.hpp) at which a core listens that drives a port by its addresses; with another
+/// place than /dev for the devices, as tests have one, a name of that place alone.
+std::string base_lock_name(const std::string& dev, std::uint16_t base);
 
 /// The printer driver, which registers itself with every port and so keeps everybody out who wants one alone.
 bool is_lp_loaded(const std::string& proc = "/proc");

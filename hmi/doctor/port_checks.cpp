@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 
 #include "hmi/doctor/base_holder.hpp"
 #include "hmi/doctor/checks.hpp"
@@ -9,7 +8,6 @@
 namespace psicarve::doctor {
 namespace {
 
-constexpr std::array<std::uint16_t, 3> kClassicBases{0x378, 0x278, 0x3bc};
 constexpr const char* kByAddressAlone = "only --port io:ADDRESS can drive a machine";
 
 Finding held(const std::string& name, const std::string& holder) {

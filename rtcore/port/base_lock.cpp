@@ -3,14 +3,12 @@
 
 #include <fcntl.h>
 #include <sys/socket.h>
-#include <sys/un.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cstddef>
 #include <system_error>
 
+#include "shared/abstract_name.hpp"
 #include "shared/kernel_ports.hpp"
 
 namespace psicarve::port {
@@ -23,30 +21,6 @@ Error busy(const std::string& holder) {
 
 Error failed(const std::string& what) {
     return Error{ErrorCode::machine_refused, what + ": " + std::generic_category().message(errno)};
-}
-
-/// A name of the kernel's own, of no file: its first byte is 0.
-struct AbstractName {
-    explicit AbstractName(const std::string& name) {
-        address.sun_family = AF_UNIX;
-        const std::size_t length = std::min(name.size(), sizeof address.sun_path - 1);
-        std::copy_n(name.begin(), length, address.sun_path + 1);
-        bytes = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + length);
-    }
-    const sockaddr* get() const noexcept { return reinterpret_cast<const sockaddr*>(&address); }
-    sockaddr_un address{};
-    socklen_t bytes;
-};
-
-/// Who listens there: "pid 4711".
-std::string holder_of(const AbstractName& name) {
-    const int caller = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-    ucred holder{};
-    socklen_t bytes = sizeof holder;
-    const bool is_known = caller >= 0 && ::connect(caller, name.get(), name.bytes) == 0 &&
-                          ::getsockopt(caller, SOL_SOCKET, SO_PEERCRED, &holder, &bytes) == 0;
-    if (caller >= 0) ::close(caller);
-    return is_known && holder.pid > 0 ? "pid " + std::to_string(holder.pid) : "";
 }
 
 struct flock signature(short type) noexcept {
@@ -88,12 +62,15 @@ Result<std::optional<int>> lock_range(const std::string& device, std::uint16_t f
 }
 
 Result<int> lock_name(const std::string& name) {
-    const AbstractName wanted{name};
+    const auto wanted = AbstractName::from(name);
+    if (!wanted) return Error{ErrorCode::machine_refused, "cannot be locked: too long a name: " + name};
     const int listener = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (listener < 0) return failed("cannot be locked");
-    if (::bind(listener, wanted.get(), wanted.bytes) == 0 && ::listen(listener, SOMAXCONN) == 0)
+    if (::bind(listener, wanted->address(), wanted->bytes()) == 0 && ::listen(listener, SOMAXCONN) == 0)
         return listener;
-    const Error error = errno == EADDRINUSE ? busy(holder_of(wanted)) : failed("cannot be locked");
+    const bool is_taken = errno == EADDRINUSE;
+    const Error error =
+        is_taken ? busy(holder_of(*wanted).value_or(NameHolder{}).text) : failed("cannot be locked");
     ::close(listener);
     return error;
 }

@@ -5,9 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rtcore/port/base_lock.hpp"
@@ -21,26 +21,23 @@
 namespace psicarve::port {
 namespace {
 
-constexpr std::uint16_t kRegisters = 3;
-
-std::string hex(std::uint16_t base) {
-    char text[8];
-    (void)std::snprintf(text, sizeof text, "0x%x", base);
-    return text;
-}
-
 Error refused(std::uint16_t base, const std::string& text) {
-    return Error{ErrorCode::machine_refused, "port at " + hex(base) + ": " + text};
+    return Error{ErrorCode::machine_refused, "port at " + hex_of(base) + ": " + text};
 }
 
-/// Takes the lock of this base, for ports without a driver: the descriptor that holds it.
-Result<int> lock_base(std::uint16_t base, const KernelPlaces& places) {
-    const auto range = lock_range(places.dev + "/port", base, kRegisters);
-    if (!range) return refused(base, range.error().message);
-    if (*range) return **range;
-    const auto name = lock_name("psicarve-port-" + hex(base));
+/// Takes the locks of this base, for ports without a driver: the descriptors that hold them. The name is
+/// every core's; the bytes besides, where they can be had, are what other programs may know of.
+Result<std::vector<int>> lock_base(std::uint16_t base, const KernelPlaces& places) {
+    const auto name = lock_name(base_lock_name(places.dev, base));
     if (!name) return refused(base, name.error().message);
-    return *name;
+    std::vector<int> locks{*name};
+    const auto range = lock_range(places.dev + "/port", base, kPortRegisters);
+    if (!range) {
+        ::close(*name);
+        return refused(base, range.error().message);
+    }
+    if (*range) locks.push_back(**range);
+    return locks;
 }
 
 /// Where the kernel drives the same port: claims it there. Nothing: the kernel does not know it, or offers no
@@ -82,15 +79,15 @@ Result<OpenPort> open_raw(std::uint16_t base, const PinMap& pin_map, const Kerne
         std::any_of(ports.begin(), ports.end(), [&](const KernelPort& port) { return port.base == base; });
     if (base == 0 || (!is_listed && !is_classic_base(base))) {
         return Error{ErrorCode::bad_usage,
-                     "--port io:" + hex(base) +
+                     "--port io:" + hex_of(base) +
                          ": the kernel lists no parallel port there; 0x378, 0x278, 0x3bc, "
                          "or one of /proc/sys/dev/parport/*/base-addr"};
     }
-    if (const auto refusal = take_addresses(base, kRegisters))
+    if (const auto refusal = take_addresses(base, kPortRegisters))
         return refused(base, refusal->reason + "; " + refusal->remedy);
-    const auto lock = lock_base(base, places);
-    if (!lock) return lock.error();
-    OpenPort open{{*lock}, PortAccess::raw(base), "port at " + hex(base)};
+    auto locks = lock_base(base, places);
+    if (!locks) return locks.error();
+    OpenPort open{std::move(*locks), PortAccess::raw(base), "port at " + hex_of(base)};
     auto claimed = claim_from_kernel(base, ports, pin_map, places);
     if (!claimed) return claimed.error();
     const bool is_claimed = claimed->has_value();

@@ -17,8 +17,8 @@ struct KernelPlaces {
 
 /// Opens the addresses of a parallel port to this thread and those that it starts: only where the kernel
 /// lists one, or at one of the three classic bases. Where the kernel has a driver for it, it is claimed there
-/// as well, so that nobody else gets it. Nothing of the port is touched before the lock of its base is ours;
-/// its safe state is written.
+/// as well, so that nobody else gets it. Nothing of the port is touched before the locks of its base are
+/// ours; its safe state is written.
 Result<OpenPort> open_raw(std::uint16_t base, const PinMap& pin_map, const KernelPlaces& places = {});
 
 }  // namespace psicarve::port

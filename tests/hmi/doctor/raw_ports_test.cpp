@@ -2,22 +2,20 @@
 // What is said of ports that a core drives by their addresses, where it is let at them. The locks are those
 // of a real core's own opening of a port, which stands still in the middle of it.
 #include <gtest/gtest.h>
-#include <linux/parport.h>
-#include <linux/ppdev.h>
 #include <signal.h>
-#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdarg>
 
 #include "hmi/doctor/base_holder.hpp"
 #include "hmi/doctor/checks.hpp"
+#include "rtcore/port/base_lock.hpp"
 #include "rtcore/port/raw_port.hpp"
 #include "shared/kernel_ports.hpp"
 #include "tests/hmi/doctor/made_up_computer.hpp"
+#include "tests/rtcore/port/kernel_stand_in.hpp"
 
 namespace {
 
@@ -26,26 +24,11 @@ int claim_report = -1;
 
 }  // namespace
 
-// The kernel's part, before the C library's own: whoever asks is let at addresses, which nobody touches here,
-// and a claim is never answered.
-extern "C" {
-int ioperm(unsigned long /*from*/, unsigned long /*count*/, int /*on*/) noexcept {
-    return 0;
-}
-int ioctl(int /*descriptor*/, unsigned long request, ...) noexcept {
-    va_list list;
-    va_start(list, request);
-    void* const argument = va_arg(list, void*);
-    va_end(list);
-    if (request == PPGETMODES) {
-        *static_cast<unsigned*>(argument) = PARPORT_MODE_PCSPP;
-        return 0;
-    }
+int psicarve::port::test::answer_of_driver(unsigned long /*request*/) noexcept {
     if (claim_report >= 0 && ::write(claim_report, "c", 1) == 1) {
-        for (;;) ::pause();
+        for (;;) ::pause();  // a claim that is never answered
     }
     return -1;
-}
 }
 
 namespace psicarve::doctor {
@@ -92,7 +75,6 @@ class RawPorts : public MadeUpComputer {
 protected:
     RawPorts() {
         kernel_has(0x378);
-        // Without it the locks are names, which all tests of this computer share.
         put("/dev/port", "");
     }
     void kernel_has(std::uint16_t base) const {
@@ -171,20 +153,39 @@ TEST_F(RawPorts, HeldByACoreNameItsProcess) {
     EXPECT_EQ(finding_of("io:0x278").verdict, Verdict::ok) << "its addresses are others";
 }
 
-TEST_F(RawPorts, HeldByANameAreSeenWithoutTheDeviceOfAddresses) {
+TEST_F(RawPorts, HeldByACoreAreSeenWithoutTheDeviceOfAddresses) {
     remove("/dev/port");
-    // Nobody else's: tests run beside each other.
-    const auto base = static_cast<std::uint16_t>(0x8000 + ::getpid() % 0x1000 * 4);
-    kernel_has(base);
-    const std::string name = "io:" + hex_of(base);
+    kernel_has(0xd010);
     {
-        const OpeningCore core{base, files()};
+        const OpeningCore core{0xd010, files()};
         ASSERT_TRUE(core.has_lock());
         EXPECT_EQ(finding_of("/dev/parport0").seen, core.held_by());
         hide_device();
-        EXPECT_EQ(finding_of(name).seen, core.held_by());
+        EXPECT_EQ(finding_of("io:0xd010").seen, core.held_by());
+        put("/dev/port", "");
+        EXPECT_EQ(finding_of("io:0xd010").seen, core.held_by()) << "nor is it in the device's locks";
     }
-    EXPECT_EQ(finding_of(name).verdict, Verdict::ok) << "the lock goes with the core";
+    EXPECT_EQ(finding_of("io:0xd010").verdict, Verdict::ok) << "the lock goes with the core";
+}
+
+TEST_F(RawPorts, HeldByAnotherProgramThatHeedsTheDeviceAreSeenToo) {
+    hide_device();
+    const auto others = port::lock_range(files().path_of("/dev/port"), 0x378, kPortRegisters);
+    ASSERT_TRUE(others && *others);
+    EXPECT_EQ(finding_of("io:0x378").seen, "held by another core");
+    ::close(**others);
+    EXPECT_EQ(finding_of("io:0x378").verdict, Verdict::ok);
+}
+
+TEST_F(RawPorts, OfTwoCoresNameEachItsOwn) {
+    const OpeningCore core{0x378, files()};
+    kernel_has(0x278);
+    const OpeningCore other{0x278, files()};
+    ASSERT_TRUE(core.has_lock());
+    ASSERT_TRUE(other.has_lock());
+    without_port();
+    EXPECT_EQ(finding_of("io:0x378").seen, core.held_by());
+    EXPECT_EQ(finding_of("io:0x278").seen, other.held_by());
 }
 
 TEST_F(RawPorts, AreAskedForWithoutTakingThem) {

@@ -2,48 +2,33 @@
 #include "rtcore/port/raw_port.hpp"
 
 #include <gtest/gtest.h>
-#include <linux/parport.h>
-#include <linux/ppdev.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdarg>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "rtcore/port/base_lock.hpp"
+#include "shared/kernel_ports.hpp"
+#include "tests/rtcore/port/kernel_stand_in.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace {
 
-// The kernel's part, before the C library's own: addresses that nobody touches here, and a driver whose port
-// somebody else has.
+// Of a driver whose port somebody else has.
 int claims = 0;
-
-int answer_of_a_busy_port(unsigned long request, void* argument) {
-    if (request == PPGETMODES) {
-        *static_cast<unsigned*>(argument) = PARPORT_MODE_PCSPP;
-        return 0;
-    }
-    if (request == PPEXCL || request == PPCLAIM) ++claims;
-    errno = ENXIO;
-    return -1;
-}
+std::function<void()> at_claim;
 
 }  // namespace
 
-extern "C" {
-int ioperm(unsigned long /*from*/, unsigned long /*count*/, int /*on*/) noexcept {
-    return 0;
-}
-int ioctl(int /*descriptor*/, unsigned long request, ...) noexcept {
-    va_list list;
-    va_start(list, request);
-    void* const argument = va_arg(list, void*);
-    va_end(list);
-    return answer_of_a_busy_port(request, argument);
-}
+int psicarve::port::test::answer_of_driver(unsigned long request) noexcept {
+    if (request == PPEXCL || request == PPCLAIM) {
+        ++claims;
+        if (at_claim) at_claim();
+    }
+    errno = ENXIO;
+    return -1;
 }
 
 namespace psicarve::port {
@@ -66,7 +51,8 @@ protected:
                                    {.proc = folder_.path("proc"), .dev = folder_.path("dev")});
         return open ? "" : open.error().message;
     }
-    const test::TemporaryFolder folder_;
+    Result<int> lock_its_name() const { return lock_name(base_lock_name(folder_.path("dev"), 0x378)); }
+    const psicarve::test::TemporaryFolder folder_;
 };
 
 // The claim writes to the port: spindle on, with the default wiring.
@@ -81,11 +67,43 @@ TEST_F(RawPort, IsNotClaimedBeforeTheLockOfItsBaseIsOurs) {
     EXPECT_GT(claims, 0);
 }
 
+// A core that is let at the device of addresses beside one that is not, as a service that has the capability
+// alone: each of them sees the other.
+TEST_F(RawPort, IsNotOpenedBesideACoreThatIsNotLetAtTheDevice) {
+    const auto others = lock_its_name();
+    ASSERT_TRUE(others) << others.error().message;
+    claims = 0;
+    EXPECT_NE(refusal().find("busy"), std::string::npos) << refusal();
+    EXPECT_NE(refusal().find("(pid " + std::to_string(::getpid()) + ")"), std::string::npos) << refusal();
+    EXPECT_EQ(claims, 0);
+    const auto bytes = lock_range(folder_.path("dev/port"), 0x378, 3);
+    EXPECT_TRUE(bytes && *bytes) << "whoever is refused keeps none of its locks";
+    if (bytes && *bytes) ::close(**bytes);
+    ::close(*others);
+}
+
 TEST_F(RawPort, RefusedByTheDriverLeavesItsBaseToOthers) {
     EXPECT_NE(refusal(), "");
-    const auto others = lock_range(folder_.path("dev/port"), 0x378, 3);
-    EXPECT_TRUE(others && *others);
-    if (others && *others) ::close(**others);
+    const auto bytes = lock_range(folder_.path("dev/port"), 0x378, 3);
+    EXPECT_TRUE(bytes && *bytes);
+    EXPECT_NE(refusal().find("busy"), std::string::npos) << "the bytes are in others' hands now";
+    if (bytes && *bytes) ::close(**bytes);
+    const auto name = lock_its_name();
+    EXPECT_TRUE(name) << "whoever is refused keeps none of its locks";
+    if (name) ::close(*name);
+}
+
+TEST_F(RawPort, HasBothItsLocksBeforeItIsClaimed) {
+    bool has_name = false;
+    bool has_bytes = false;
+    at_claim = [&] {
+        has_name = !lock_its_name();
+        has_bytes = !lock_range(folder_.path("dev/port"), 0x378, 3);
+    };
+    EXPECT_NE(refusal(), "");
+    at_claim = nullptr;
+    EXPECT_TRUE(has_name);
+    EXPECT_TRUE(has_bytes);
 }
 
 }  // namespace

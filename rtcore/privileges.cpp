@@ -3,13 +3,16 @@
 
 #include <grp.h>
 #include <linux/capability.h>
+#include <pwd.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdint>
+#include <system_error>
 
 namespace psicarve::rtcore {
 namespace {
@@ -30,6 +33,17 @@ Capabilities permitted() noexcept {
     return words[0].permitted | Capabilities{words[1].permitted} << kBitsPerWord;
 }
 
+/// Permitted and in effect; none is inherited.
+bool set_capabilities(Capabilities capabilities) noexcept {
+    __user_cap_header_struct header{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
+    std::array<__user_cap_data_struct, 2> words{};
+    for (unsigned i = 0; i < words.size(); ++i) {
+        const auto word = static_cast<std::uint32_t>(capabilities >> (i * kBitsPerWord));
+        words[i] = {.effective = word, .permitted = word, .inheritable = 0};
+    }
+    return syscall(SYS_capset, &header, words.data()) == 0;
+}
+
 bool keep_only(Capabilities kept) noexcept {
     // The bounding set first: it takes a capability to make it smaller.
     for (int capability = 0; capability < kMostCapabilities; ++capability) {
@@ -37,13 +51,7 @@ bool keep_only(Capabilities kept) noexcept {
     }
     static_cast<void>(prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0));
     static_cast<void>(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0));
-    __user_cap_header_struct header{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
-    std::array<__user_cap_data_struct, 2> words{};
-    for (unsigned i = 0; i < words.size(); ++i) {
-        const auto word = static_cast<std::uint32_t>(kept >> (i * kBitsPerWord));
-        words[i] = {.effective = word, .permitted = word, .inheritable = 0};
-    }
-    return syscall(SYS_capset, &header, words.data()) == 0;
+    return set_capabilities(kept);
 }
 
 /// Up to so much of it may be had without a capability from here on.
@@ -67,7 +75,35 @@ void join_group(const std::string& name) {
     static_cast<void>(setgroups(groups.size(), groups.data()));
 }
 
+Error wrong_user(const std::string& name, const std::string& why) {
+    return Error{ErrorCode::bad_usage, "--user " + name + ": " + why};
+}
+
 }  // namespace
+
+Result<void> become_user(const std::string& name) {
+    const ::passwd* const entry = ::getpwnam(name.c_str());
+    if (entry == nullptr) return wrong_user(name, "there is no such user");
+    const uid_t user = entry->pw_uid;
+    const gid_t group = entry->pw_gid;
+    if (user == 0) return wrong_user(name, "the core is to go on as another user than root");
+    uid_t real = 0;
+    uid_t effective = 0;
+    uid_t saved = 0;
+    ::getresuid(&real, &effective, &saved);
+    if (real == user && effective == user && saved == user) return {};
+    const Capabilities capabilities = permitted();
+    // The kernel takes them from who leaves root, unless it is told not to; in effect they are none then.
+    const bool is_user = ::initgroups(name.c_str(), group) == 0 && ::setresgid(group, group, group) == 0 &&
+                         prctl(PR_SET_KEEPCAPS, 1, 0, 0, 0) == 0 && ::setresuid(user, user, user) == 0;
+    if (!is_user && errno == EPERM)
+        return wrong_user(name, "only root can start a core for another user; or start it as " + name);
+    if (!is_user || !set_capabilities(capabilities)) {
+        return Error{ErrorCode::machine_refused,
+                     "cannot become user " + name + ": " + std::generic_category().message(errno)};
+    }
+    return {};
+}
 
 std::vector<std::string> drop_privileges(const StillNeeded& needed) {
     const Capabilities before = permitted();

@@ -4,7 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "shared/result.hpp"
+
 namespace psicarve::rtcore {
+
+/// From here on this process, which has one thread, is this user's, with the user's groups and no others, and
+/// cannot go back once its capabilities are dropped; until then it keeps them all. The kernel no longer lets
+/// that user's other programs look into it (PR_GET_DUMPABLE is 0): through it they would have what the user
+/// has not. Refused: an unknown user, root, and whoever may not do it; who is that user already changes
+/// nothing.
+Result<void> become_user(const std::string& name);
 
 /// What goes on without privileges, by limits instead, once they are dropped.
 struct StillNeeded {

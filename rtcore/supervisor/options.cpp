@@ -92,6 +92,9 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
     app.add_option("--capacity", texts.capacity, "Largest job of a new segment, layers x points")
         ->default_str("4000x3600");
     app.add_option("--group", options.group, "Members of this group may use the segment, too (mode 0660)");
+    app.add_option("--user", options.user,
+                   "Started by root: be this user instead, who then owns segment and outputs")
+        ->check(check_not_empty);
     app.add_option("--replay", options.replay_path,
                    "Run this job or snapshot file from the home positions, then exit")
         ->check(check_not_empty);
@@ -143,6 +146,8 @@ Result<void> check_meant(const CLI::App& app, const CoreOptions& options) {
     }
     if (options.assume_homed && options.replay_path.empty())
         return wrong("--assume-homed", "is for --replay on a real port; home the machine instead");
+    if (options.measures_latency && app.count("--user") > 0)
+        return wrong("--user", "--measure-latency has neither segment nor port, and is whose start it was");
     const long processors = sysconf(_SC_NPROCESSORS_CONF);
     if (options.measures_latency && options.cpu && *options.cpu >= processors)
         return wrong("--cpu", "this computer has no such processor");

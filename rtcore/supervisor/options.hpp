@@ -29,6 +29,7 @@ struct CoreOptions {
     std::uint32_t capacity_layers = kDefaultCapacityLayers;
     std::uint32_t capacity_points = kDefaultCapacityPoints;
     std::string group;
+    std::string user;  ///< who it is from its start on; empty: who started it
     bool exit_with_parent = false;
     bool allow_no_realtime = false;  ///< a real port may be driven without real-time rights
     bool no_guard = false;           ///< nobody makes a real port safe when the core dies

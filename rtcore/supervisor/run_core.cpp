@@ -146,6 +146,12 @@ void leave_privileges(const CoreOptions& options) {
     for (const std::string& name : stayed) {
         std::fprintf(stderr, "psicarve-rtcore: %s stays: its limit cannot be raised here\n", name.c_str());
     }
+    if (!options.port.is_simulated() && geteuid() == 0) {
+        std::fprintf(
+            stderr,
+            "psicarve-rtcore: goes on as root, without privileges but with root's files; --user NAME "
+            "makes it another user\n");
+    }
 }
 
 /// The segment is ours.
@@ -181,6 +187,10 @@ int serve_segment(const CoreOptions& options, const Profile& profile, PartsReque
 }  // namespace
 
 int run_core(const CoreOptions& options) {
+    // Before all else: whatever is made from here on is that user's; and the kernel would forget the parent.
+    if (!options.user.empty()) {
+        if (const auto changed = rtcore::become_user(options.user); !changed) return fail(changed.error());
+    }
     if (options.exit_with_parent && !tie_to_parent()) return kExitDone;
     if (options.measures_latency) return run_latency_measurement(options);
     auto replay = load_replay(options);

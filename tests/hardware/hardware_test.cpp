@@ -146,6 +146,16 @@ protected:
                     << console.substr(at, 200);
             }
         }
+        const std::string carver = "1000\t1000\t1000\t1000";
+        for (const char* whose :
+             {"LAB Uid of core: ", "LAB Gid of core: ", "LAB Uid of guard: ", "LAB Gid of guard: "}) {
+            std::size_t at = console.find(whose);
+            EXPECT_NE(at, std::string::npos) << whose;
+            for (; at != std::string::npos; at = console.find(whose, at + 1)) {
+                EXPECT_EQ(console.compare(at + std::string{whose}.size(), carver.size(), carver), 0)
+                    << console.substr(at, 60);
+            }
+        }
         EXPECT_GE(threads, 2 * 5)
             << "tick, planner, supervisor, estimator, and the guard, on two kinds of port";
         EXPECT_EQ(console.find(" stays: "), std::string::npos) << "limits took the place of all of them";

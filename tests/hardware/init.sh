@@ -10,6 +10,10 @@ $B mount -t sysfs sys /sys
 $B mkdir -p /dev/shm
 $B mount -t tmpfs tmp /dev/shm
 export PATH=/bin LC_ALL=C
+$B mkdir -p /etc
+echo root:x:0:0:::/bin/false >/etc/passwd
+echo carver:x:1000:1000:::/bin/false >>/etc/passwd
+echo carver:x:1000: >/etc/group
 say() { echo "LAB $*"; }
 # quietly COMMAND...: what it says shows only if it fails.
 quietly() { "$@" >/tmp/said 2>&1 || { say "failed $*"; $B cat /tmp/said; return 1; }; }
@@ -77,14 +81,15 @@ sleep_while_it_carves() {
     say "slept $slept_s s, awake meanwhile $((($(now_ns) - awake_ns) / 1000000)) ms"
 }
 
-# kill_core PORT: kills a core that carves; says how long its guard takes to switch the machine off and what the guard
+# kill_core PORT: kills a core that carves as another user than the root that started it; says how long its guard takes to switch the machine off and what the guard
 # ends with; waits until the test has looked at the port.
 kill_core() {
-    psicarve-rtcore --port "$1" --profile /unsensed.toml --capacity 100x20 &
+    psicarve-rtcore --port "$1" --profile /unsensed.toml --capacity 100x20 --user carver --group carver &
     guard=$!
-    until psicarve status >/dev/null 2>&1; do $B sleep 0.1; done
-    quietly psicarve home && quietly psicarve publish /long.psi && quietly psicarve start --carve
-    core=$(psicarve status --json | $B sed -n 's/.*"core_pid": *\([0-9]*\).*/\1/p')
+    until psicarve status --group carver >/dev/null 2>&1; do $B sleep 0.1; done
+    quietly psicarve home --group carver && quietly psicarve publish /long.psi --group carver &&
+        quietly psicarve start --carve --group carver
+    core=$(psicarve status --json --group carver | $B sed -n 's/.*"core_pid": *\([0-9]*\).*/\1/p')
     [ "$core" != $guard ] || say "failed: the core is its own guard"
     # Started by root with every capability: what each thread of core and guard kept, and what goes on without.
     for process in core:$core guard:$guard; do
@@ -92,9 +97,10 @@ kill_core() {
             $B sed -n 's/^\(Cap[A-Z][a-z]*\|NoNewPrivs\):[^0-9]*\([0-9a-f]*\)$/\1=\2/p' "$status" |
                 $B tr '\n' ' ' | $B sed "s/^/LAB rights of ${process%:*}: /"
             echo
+            $B sed -n "s/^\([UG]id\):[^0-9]*/LAB \1 of ${process%:*}: /p" "$status"
         done
     done
-    priority=$(psicarve status --json | $B sed -n 's/.*"tick_priority": *\([0-9]*\).*/\1/p' | $B head -n 1)
+    priority=$(psicarve status --json --group carver | $B sed -n 's/.*"tick_priority": *\([0-9]*\).*/\1/p' | $B head -n 1)
     locked_kb=$($B sed -n 's/^VmLck:[^0-9]*\([0-9]*\) kB/\1/p' "/proc/$core/status")
     say "tick after that on $1: priority $priority, locked $locked_kb kB"
     $B sleep 1

@@ -2,41 +2,20 @@
 // What a core keeps of its privileges, and where its threads run.
 #include <sched.h>
 
-#include <cstdio>
 #include <filesystem>
-#include <map>
 
+#include "tests/two_process/kernel_facts.hpp"
 #include "tests/two_process/port_rig.hpp"
 
 namespace psicarve::two_process {
 namespace {
-
-std::vector<pid_t> threads_of(pid_t process) {
-    std::vector<pid_t> threads;
-    const std::string folder = "/proc/" + std::to_string(process) + "/task";
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        threads.push_back(static_cast<pid_t>(std::stol(entry.path().filename().string())));
-    }
-    return threads;
-}
-
-/// "CapEff" -> "0000000000000000", of a thread.
-std::map<std::string, std::string> kernel_facts(pid_t process, pid_t thread) {
-    std::ifstream file{"/proc/" + std::to_string(process) + "/task/" + std::to_string(thread) + "/status"};
-    std::map<std::string, std::string> facts;
-    std::string key;
-    std::string value;
-    while (std::getline(file, key, ':') && std::getline(file >> std::ws, value)) facts[key] = value;
-    return facts;
-}
 
 class CoreRights : public PortRig {
 protected:
     /// Only what its limits cannot replace, and it has said so.
     void expect_no_privileges(pid_t process) {
         const std::string said = text_of(file("core.err"));
-        constexpr unsigned long long kReplaced = 1ULL << 14 | 1ULL << 23;  // CAP_IPC_LOCK, CAP_SYS_NICE
-        const unsigned long long allowed = said.find(" stays: ") != std::string::npos ? kReplaced : 0;
+        const unsigned long long allowed = said.find(" stays: ") != std::string::npos ? kReplacedByLimits : 0;
         for (const pid_t thread : threads_of(process)) {
             auto facts = kernel_facts(process, thread);
             for (const char* set : {"CapInh", "CapPrm", "CapEff", "CapAmb"}) {

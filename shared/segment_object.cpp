@@ -94,7 +94,11 @@ Error no_room(const std::string& name, std::uint64_t bytes) {
 Result<void> check_group(const std::string& name, const struct stat& facts, const std::string& group) {
     const Result<gid_t> wanted = group_id(group);
     if (!wanted) return wanted.error();
-    if (*wanted != facts.st_gid) return bad_input("segment " + name + ": is not of group " + group);
+    if (*wanted != facts.st_gid) {
+        return bad_input("segment " + name + ": belongs to " + user_name(facts.st_uid) +
+                         " and is not of group " + group +
+                         ": choose another name with --segment, or let its owner remove it");
+    }
     if (service_user(group) != std::optional{facts.st_uid} && !is_member(facts.st_uid, *wanted)) {
         return bad_input("segment " + name + ": belongs to " + user_name(facts.st_uid) +
                          ", who is no member of group " + group + ": choose another name with --segment");

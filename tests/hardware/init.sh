@@ -81,15 +81,18 @@ sleep_while_it_carves() {
     say "slept $slept_s s, awake meanwhile $((($(now_ns) - awake_ns) / 1000000)) ms"
 }
 
-# kill_core PORT: kills a core that carves as another user than the root that started it; says how long its guard takes to switch the machine off and what the guard
-# ends with; waits until the test has looked at the port.
+# theirs COMMAND...: psicarve, to the core of another user.
+theirs() { psicarve "$@" --segment /carver --group carver; }
+
+# kill_core PORT: kills a core that carves as another user than the root that started it; says how long its guard takes
+# to switch the machine off and what the guard ends with; waits until the test has looked at the port.
 kill_core() {
-    psicarve-rtcore --port "$1" --profile /unsensed.toml --capacity 100x20 --user carver --group carver &
+    psicarve-rtcore --port "$1" --profile /unsensed.toml --capacity 100x20 \
+        --segment /carver --user carver --group carver &
     guard=$!
-    until psicarve status --group carver >/dev/null 2>&1; do $B sleep 0.1; done
-    quietly psicarve home --group carver && quietly psicarve publish /long.psi --group carver &&
-        quietly psicarve start --carve --group carver
-    core=$(psicarve status --json --group carver | $B sed -n 's/.*"core_pid": *\([0-9]*\).*/\1/p')
+    until theirs status >/dev/null 2>&1; do $B sleep 0.1; done
+    quietly theirs home && quietly theirs publish /long.psi && quietly theirs start --carve
+    core=$(theirs status --json | $B sed -n 's/.*"core_pid": *\([0-9]*\).*/\1/p')
     [ "$core" != $guard ] || say "failed: the core is its own guard"
     # Started by root with every capability: what each thread of core and guard kept, and what goes on without.
     for process in core:$core guard:$guard; do
@@ -100,7 +103,7 @@ kill_core() {
             $B sed -n "s/^\([UG]id\):[^0-9]*/LAB \1 of ${process%:*}: /p" "$status"
         done
     done
-    priority=$(psicarve status --json --group carver | $B sed -n 's/.*"tick_priority": *\([0-9]*\).*/\1/p' | $B head -n 1)
+    priority=$(theirs status --json | $B sed -n 's/.*"tick_priority": *\([0-9]*\).*/\1/p' | $B head -n 1)
     locked_kb=$($B sed -n 's/^VmLck:[^0-9]*\([0-9]*\) kB/\1/p' "/proc/$core/status")
     say "tick after that on $1: priority $priority, locked $locked_kb kB"
     $B sleep 1

@@ -100,7 +100,8 @@ TEST_F(SegmentRights, AGroupsServiceUserIsTrustedByThoseWhoNameTheGroup) {
     ASSERT_EQ(::chmod(path().c_str(), 0660), 0);
     if (!give_away_to(kDaemon, kDaemon)) {
         EXPECT_EQ(rule_for_owner(kDaemon, "daemon", kDaemon), "");
-        EXPECT_THAT(rule_for_owner(kDaemon, "daemon", kDaemon + 1), HasSubstr("is not of group daemon"));
+        EXPECT_THAT(rule_for_owner(kDaemon, "daemon", kDaemon + 1),
+                    HasSubstr("and is not of group daemon: choose another name"));
         EXPECT_THAT(rule_for_owner(kDaemon, ""), HasSubstr("uid 1"));
         EXPECT_THAT(rule_for_owner(kDaemon, "bin"), HasSubstr("uid 1"));
         return;

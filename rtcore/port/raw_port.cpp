@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/port/raw_port.hpp"
 
+#include <fcntl.h>
 #include <sys/io.h>
 #include <unistd.h>
 
@@ -48,7 +49,8 @@ Result<std::optional<OpenPort>> claim_from_kernel(std::uint16_t base, const std:
         std::find_if(ports.begin(), ports.end(), [&](const KernelPort& port) { return port.base == base; });
     if (found == ports.end()) return std::optional<OpenPort>{};
     const std::string device = places.dev + "/" + found->name;
-    if (::access(device.c_str(), R_OK | W_OK) != 0) {
+    // By our capabilities, too, whoever we are.
+    if (::faccessat(AT_FDCWD, device.c_str(), R_OK | W_OK, AT_EACCESS) != 0) {
         if (found->holder.empty()) return std::optional<OpenPort>{};
         return refused(base, "busy: " + found->holder + " has " + found->name + "; end that first");
     }

@@ -2,6 +2,7 @@
 #include "rtcore/port/raw_port.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,6 +11,7 @@
 #include <functional>
 
 #include "rtcore/port/base_lock.hpp"
+#include "rtcore/privileges.hpp"
 #include "shared/kernel_ports.hpp"
 #include "tests/rtcore/port/kernel_stand_in.hpp"
 #include "tests/shared/temporary_folder.hpp"
@@ -91,6 +93,22 @@ TEST_F(RawPort, RefusedByTheDriverLeavesItsBaseToOthers) {
     const auto name = lock_its_name();
     EXPECT_TRUE(name) << "whoever is refused keeps none of its locks";
     if (name) ::close(*name);
+}
+
+// As a core that has left root for another user.
+TEST_F(RawPort, IsClaimedByWhoMayOpenTheDeviceByCapabilityAlone) {
+    std::filesystem::permissions(folder_.path("dev/parport0"), std::filesystem::perms{0600});
+    claims = 0;
+    const pid_t child = ::fork();
+    if (child == 0) {
+        // Who is not root cannot become another user, and opens what is his own.
+        if (::geteuid() == 0 && !rtcore::become_user("nobody")) ::_exit(1);
+        static_cast<void>(refusal());
+        ::_exit(claims > 0 ? 0 : 2);
+    }
+    int status = -1;
+    ::waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
 }
 
 TEST_F(RawPort, HasBothItsLocksBeforeItIsClaimed) {

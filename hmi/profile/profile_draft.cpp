@@ -54,6 +54,12 @@ ProfileDraft::ProfileDraft() : entries_(profile_keys().size()) {
     undo_all();
 }
 
+std::vector<std::string> ProfileDraft::backups_of(const std::string& path) {
+    std::vector<std::string> backups{backup_path(path)};
+    for (int age = 1; age <= kOlderBackups; ++age) backups.push_back(older_backup_path(path, age));
+    return backups;
+}
+
 Result<ProfileDraft> ProfileDraft::open(const std::string& path) {
     auto text = text_of(path);
     if (!text) return text.error();

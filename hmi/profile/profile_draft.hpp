@@ -29,6 +29,8 @@ public:
         return backup_path(path) + "." + std::to_string(age);
     }
     static constexpr int kOlderBackups = 4;
+    /// Where they would be, newest first.
+    static std::vector<std::string> backups_of(const std::string& path);
 
     const std::string& typed(std::size_t key) const { return entries_[key].typed; }
     void type(std::size_t key, std::string_view text);

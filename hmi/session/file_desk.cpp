@@ -5,12 +5,14 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <span>
 #include <utility>
 
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/machine/snapshot_taker.hpp"
 #include "hmi/report/job_export.hpp"
 #include "hmi/verify/picture.hpp"
+#include "shared/atomic_file.hpp"
 #include "shared/snapshot_file.hpp"
 
 namespace psicarve::session {
@@ -73,6 +75,12 @@ void FileDesk::save_job(const std::string& path, std::shared_ptr<const cam::Prep
 
 void FileDesk::save_tables(const std::string& path, std::shared_ptr<const cam::PreparedJob> job) {
     lane_.post([this, path, job = std::move(job)] { return told(tables_to(path, job->view), path); });
+}
+
+void FileDesk::save_text(const std::string& path, std::string text) {
+    lane_.post([this, path, text = std::move(text)] {
+        return told(write_file_atomically(path, std::as_bytes(std::span{text})), path);
+    });
 }
 
 void FileDesk::save_picture(const std::string& path, std::shared_ptr<const Judgement> judgement) {

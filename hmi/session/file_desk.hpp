@@ -23,6 +23,8 @@ public:
     void save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
     /// As CSV, or as JSON where the name ends so.
     void save_tables(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
+    /// That is made already, and goes to the file as a whole.
+    void save_text(const std::string& path, std::string text);
     /// The carved piece as the pins of a trace carved it.
     void save_picture(const std::string& path, std::shared_ptr<const Judgement> judgement);
     /// At screen rate.

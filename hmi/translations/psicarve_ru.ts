@@ -2713,14 +2713,6 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Отчёт о модели</translation>
         </message>
         <message>
-            <source>Report saved: %1</source>
-            <translation>Отчёт сохранён: %1</translation>
-        </message>
-        <message>
-            <source>Report: %1</source>
-            <translation>Отчёт: %1</translation>
-        </message>
-        <message>
             <source>Report: no job was started</source>
             <translation>Отчёт: ни одно задание не запускалось</translation>
         </message>

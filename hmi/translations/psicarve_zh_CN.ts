@@ -2708,14 +2708,6 @@ N、Shift+N  下一条、上一条记录
             <translation>模型报告</translation>
         </message>
         <message>
-            <source>Report saved: %1</source>
-            <translation>报告已保存：%1</translation>
-        </message>
-        <message>
-            <source>Report: %1</source>
-            <translation>报告：%1</translation>
-        </message>
-        <message>
             <source>Report: no job was started</source>
             <translation>报告：尚未启动作业</translation>
         </message>

@@ -7,6 +7,7 @@
 #include "hmi/replay/replay_desk.hpp"
 #include "hmi/session/estimate_desk.hpp"
 #include "hmi/session/file_desk.hpp"
+#include "hmi/session/file_presence.hpp"
 #include "hmi/session/job_desk.hpp"
 #include "hmi/session/log_file.hpp"
 #include "hmi/session/machine_session.hpp"
@@ -41,6 +42,7 @@ struct Bench {
     session::PinRecorder pins;
     session::TraceJudge judge;
     session::FileDesk files;
+    session::FilePresence presence;  ///< of what menus offer
     session::EstimateDesk estimate{log};
     session::RunKind wanted_run = session::RunKind::carve;  ///< of every button that starts the job
 
@@ -89,6 +91,7 @@ struct Bench {
         pins.poll(machine.sight());
         judge.poll();
         files.poll();
+        presence.poll();
         keeper.poll(log);
         estimate.poll(job_to_estimate(), session::EstimateDesk::Clock::now());
         replay.poll(replay::ReplayDesk::Clock::now());

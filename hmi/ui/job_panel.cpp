@@ -213,7 +213,7 @@ bool JobPanel::may_start_from_layer(std::uint32_t layer, session::RunKind kind) 
 
 void JobPanel::show_report() {
     auto* report = new ReportDialog{bench_.runs, bench_.job_of_run(),
-                                    bench_.pins.verdict_on(*bench_.runs.run()), bench_.log, window()};
+                                    bench_.pins.verdict_on(*bench_.runs.run()), bench_.files, window()};
     report->show();
 }
 

@@ -9,7 +9,6 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include <span>
 #include <thread>
 
 #include "hmi/report/latency_report.hpp"
@@ -20,7 +19,6 @@
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/histogram_view.hpp"
 #include "hmi/ui/words.hpp"
-#include "shared/atomic_file.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::ui {
@@ -132,13 +130,7 @@ void LatencyPanel::set_theme(const Tokens& tokens) {
 
 void LatencyPanel::save(const QString& path) {
     if (!desk_.last()) return;
-    const std::string csv = report::latency_csv(desk_.last()->result);
-    const auto saved = write_file_atomically(path.toStdString(), std::as_bytes(std::span{csv}));
-    if (saved) {
-        bench_.log.add(session::Severity::info, session::phrase("Saved: %1", path.toStdString()));
-    } else {
-        bench_.log.add(session::Severity::warning, session::phrase("Not saved: %1", saved.error().message));
-    }
+    bench_.files.save_text(path.toStdString(), report::latency_csv(desk_.last()->result));
 }
 
 void LatencyPanel::show_result() {

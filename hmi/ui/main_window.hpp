@@ -121,6 +121,7 @@ private:
     void name_tabs();
     void count_in_tabs();
     void choose_file();
+    void look_for_recent();
     void fill_recent();
     void refresh_status_bar();
     void elide_message();

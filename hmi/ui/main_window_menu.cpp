@@ -60,7 +60,9 @@ void MainWindow::make_file_menu() {
     open_action->setShortcut(QKeySequence::Open);
     connect(open_action, &QAction::triggered, this, [this] { choose_file(); });
     recent_ = file_menu_->addMenu(tr("Open recent"));
+    recent_->setObjectName("recent_menu");
     connect(recent_, &QMenu::aboutToShow, this, [this] { fill_recent(); });
+    look_for_recent();
     file_menu_->addSeparator();
     make_keeping_actions();
     file_menu_->addSeparator();
@@ -199,15 +201,23 @@ void MainWindow::choose_file() {
     if (!path.isEmpty()) open(path);
 }
 
+void MainWindow::look_for_recent() {
+    std::vector<std::string> files;
+    for (const QString& path : settings_.recent_files()) files.push_back(path.toStdString());
+    bench_.presence.look(std::move(files));
+}
+
 void MainWindow::fill_recent() {
     recent_->clear();
     const QStringList files = settings_.recent_files();
     for (const QString& path : files) {
+        if (bench_.presence.seen(path.toStdString()).state == session::FilePresence::State::gone) continue;
         QAction* action = recent_->addAction(QFileInfo{path}.fileName());
         action->setToolTip(path);
         connect(action, &QAction::triggered, this, [this, path] { open(path); });
     }
-    if (files.isEmpty()) recent_->addAction(tr("None yet"))->setEnabled(false);
+    if (recent_->isEmpty()) recent_->addAction(tr("None yet"))->setEnabled(false);
+    look_for_recent();  // for the next time
 }
 
 CloseChoice MainWindow::ask_what_to_do() {

@@ -150,7 +150,7 @@ void ProfilePage::make_menus() {
     open_->setMenu(profiles);
     connect(profiles, &QMenu::aboutToShow, this, [this, profiles] {
         fill_profile_menu(
-            *profiles, WindowSettings{}.recent_profiles(), [this] { ask_open(); },
+            *profiles, WindowSettings{}.recent_profiles(), bench_.presence, [this] { ask_open(); },
             [this](const QString& path) {
                 if (may_lose_changes()) open(path);
             },
@@ -162,7 +162,7 @@ void ProfilePage::make_menus() {
     backups->setObjectName("profile_backups_menu");
     restore_->setMenu(backups);
     connect(backups, &QMenu::aboutToShow, this, [this, backups] {
-        fill_backup_menu(*backups, draft_.path(), [this](const std::string& backup) {
+        fill_backup_menu(*backups, draft_.path(), bench_.presence, [this](const std::string& backup) {
             if (const auto taken = draft_.take_backup(backup); !taken) report(taken);
             show_state();
         });
@@ -263,6 +263,22 @@ QString ProfilePage::lock() const {
     return {};
 }
 
+bool ProfilePage::has_backup() const {
+    return bench_.presence.seen(profile::ProfileDraft::backup_path(draft_.path())).state ==
+           session::FilePresence::State::there;
+}
+
+/// By somebody else: disks may sleep.
+void ProfilePage::look_for_files() {
+    std::vector<std::string> files;
+    for (const QString& path : WindowSettings{}.recent_profiles()) files.push_back(path.toStdString());
+    if (!draft_.path().empty()) {
+        for (std::string& backup : profile::ProfileDraft::backups_of(draft_.path()))
+            files.push_back(std::move(backup));
+    }
+    bench_.presence.look(std::move(files));
+}
+
 void ProfilePage::refresh() {
     const QString reason = lock();
     const bool can_save = reason.isEmpty();
@@ -270,8 +286,7 @@ void ProfilePage::refresh() {
     save_->setEnabled(can_save && has_file && draft_.changed_count() > 0);
     save_as_->setEnabled(can_save);
     undo_->setEnabled(draft_.changed_count() > 0);
-    restore_->setEnabled(has_file && QFileInfo::exists(QString::fromStdString(
-                                         profile::ProfileDraft::backup_path(draft_.path()))));
+    restore_->setEnabled(has_file && has_backup());
     calibrate_->refresh(bench_);
     if (calibration_ != nullptr && calibration_->isVisible()) calibration_->refresh();
     const QString text = !reason.isEmpty() ? reason
@@ -323,6 +338,7 @@ bool ProfilePage::open(const QString& path) {
 
 void ProfilePage::show_draft(profile::ProfileDraft draft) {
     draft_ = std::move(draft);
+    look_for_files();
     show_rows();
 }
 
@@ -332,6 +348,7 @@ bool ProfilePage::report(const Result<void>& saved) {
     } else {
         bench_.log.add(Severity::warning, session::phrase("Profile not saved: %1", saved.error().message));
     }
+    look_for_files();
     show_state();
     return saved.has_value();
 }

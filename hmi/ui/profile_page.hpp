@@ -73,6 +73,8 @@ private:
     void explain(std::size_t key);
     bool report(const Result<void>& saved);
     QString lock() const;
+    bool has_backup() const;
+    void look_for_files();
     QString unsaved_text() const;
 
     Bench& bench_;

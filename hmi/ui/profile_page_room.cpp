@@ -41,6 +41,7 @@ void ProfilePage::resizeEvent(QResizeEvent* event) {
 
 void ProfilePage::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
+    look_for_files();
     // A page that its room makes narrower while it is being shown is not told so.
     QTimer::singleShot(0, this, [this] { arrange(); });
 }

@@ -7,21 +7,19 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include <span>
 #include <utility>
 
 #include "hmi/report/run_report.hpp"
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/words.hpp"
-#include "shared/atomic_file.hpp"
 
 namespace psicarve::ui {
 
 ReportDialog::ReportDialog(const session::RunWatch& runs, std::shared_ptr<const cam::PreparedJob> job,
-                           std::optional<verify::VerifyReport> verdict, session::MessageLog& log,
+                           std::optional<verify::VerifyReport> verdict, session::FileDesk& files,
                            QWidget* parent)
-    : QDialog(parent), run_(*runs.run()), verdict_(std::move(verdict)), job_(std::move(job)), log_(log) {
+    : QDialog(parent), run_(*runs.run()), verdict_(std::move(verdict)), job_(std::move(job)), files_(files) {
     setObjectName("report");
     setWindowTitle(tr("Report"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -56,13 +54,7 @@ void ReportDialog::save(const QString& path) {
     whole.verification = verdict_;
     whole.unverified_reason =
         run_.after.is_dry != 0 ? "a dry run carves nothing" : "its pins were not recorded";
-    const std::string text = report::run_json(whole) + "\n";
-    const auto saved = write_file_atomically(path.toStdString(), std::as_bytes(std::span{text}));
-    if (saved) {
-        log_.add(session::Severity::info, session::phrase("Report saved: %1", path.toStdString()));
-    } else {
-        log_.add(session::Severity::warning, session::phrase("Report: %1", saved.error().message));
-    }
+    files_.save_text(path.toStdString(), report::run_json(whole) + "\n");
 }
 
 }  // namespace psicarve::ui

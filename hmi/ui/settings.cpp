@@ -86,10 +86,7 @@ void WindowSettings::set_language(std::optional<Language> language) {
 }
 
 QStringList WindowSettings::recent(const char* list) const {
-    QStringList files = store_.value(list).toStringList();
-    const auto is_gone = [](const QString& path) { return !QFileInfo::exists(path); };
-    files.erase(std::remove_if(files.begin(), files.end(), is_gone), files.end());
-    return files;
+    return store_.value(list).toStringList();
 }
 
 void WindowSettings::add_recent(const char* list, const QString& path) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -14,10 +15,12 @@
 #include <QTableWidget>
 #include <QTimer>
 
+#include <filesystem>
 #include <fstream>
 
 #include "hmi/ui/profile_page.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve::ui {
@@ -195,7 +198,7 @@ TEST_F(Pages, ProfileChecksAsOneTypesAndSavesWithABackup) {
     EXPECT_EQ(load_profile(path)->r1.speed_mm_s, 9.0);
     EXPECT_EQ(load_profile(path + ".bak")->r1.speed_mm_s, 8.0);
     EXPECT_TRUE(all_messages().contains("Profile saved"));
-    ASSERT_TRUE(button("profile_restore").isEnabled());
+    ASSERT_TRUE(comes_true([&] { return button("profile_restore").isEnabled(); }));
     const QStringList backups = entries_of("profile_backups_menu");
     ASSERT_EQ(backups.size(), 1);
     EXPECT_TRUE(backups[0].endsWith("  machine.toml.bak")) << backups[0].toStdString();
@@ -232,6 +235,28 @@ TEST_F(Pages, ProfilesThatWereOpenedAreOpenedAgain) {
     ASSERT_TRUE(choose("profile_open_menu", "Built-in profile"));
     EXPECT_EQ(profile().draft().path(), "");
     EXPECT_EQ(profile().draft().changed_count(), 0U);
+    std::filesystem::remove(folder.path("left.toml"));
+    show_page("ports_page");
+    show_page("profile_page");
+    EXPECT_TRUE(comes_true([&] { return !entries_of("profile_open_menu").contains("left.toml"); }));
+    EXPECT_TRUE(entries_of("profile_open_menu").contains("right.toml"));
+    std::ofstream(folder.path("left.toml")) << "name = \"left\"\n";
+    show_page("ports_page");
+    show_page("profile_page");
+    EXPECT_TRUE(comes_true([&] { return entries_of("profile_open_menu").contains("left.toml"); }))
+        << "it is not forgotten";
+}
+
+TEST_F(Pages, FilesThatWereOpenedAreOfferedWhileTheyAreThere) {
+    const psicarve::test::TemporaryFolder folder;
+    const QString gone = QString::fromStdString(folder.path("gone.stl"));
+    ASSERT_TRUE(QFile::copy(QString::fromStdString(example("small.stl")), gone));
+    WindowSettings{}.add_recent_file(gone);
+    WindowSettings{}.add_recent_file(QString::fromStdString(example("small.stl")));
+    open_window();
+    EXPECT_EQ(entries_of("recent_menu"), (QStringList{"small.stl", "gone.stl"}));
+    QFile::remove(gone);
+    EXPECT_TRUE(comes_true([&] { return entries_of("recent_menu") == QStringList{"small.stl"}; }));
 }
 
 TEST_F(Pages, ProfileFindsKeysAndShowsOnlyWhatDiffers) {

@@ -117,6 +117,10 @@ TEST_F(Tools, RecordThePinsOfARunWhichIsThenVerifiedInItsReport) {
     ASSERT_TRUE(click("report_button"));
     auto* const report = static_cast<ReportDialog*>(&part<QDialog>("report"));
     report->save(QString::fromStdString(file("report.json")));
+    EXPECT_FALSE(all_messages().contains("report.json")) << "a disk that sleeps does not stop the window";
+    ASSERT_TRUE(comes_true([&] {
+        return all_messages().contains("Saved: " + QString::fromStdString(file("report.json")));
+    })) << all_messages().toStdString();
     QFile saved{QString::fromStdString(file("report.json"))};
     ASSERT_TRUE(saved.open(QIODevice::ReadOnly));
     const QJsonObject object = QJsonDocument::fromJson(saved.readAll()).object();
@@ -311,6 +315,8 @@ TEST_F(Tools, MeasureThisComputerAtLengthAndKeepTheFigures) {
         << "wider than the screen";
     auto& panel = static_cast<LatencyPanel&>(part<QWidget>("latency_panel"));
     panel.save(QString::fromStdString(file("late.csv")));
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("late.csv"); }))
+        << all_messages().toStdString();
     QFile saved{QString::fromStdString(file("late.csv"))};
     ASSERT_TRUE(saved.open(QIODevice::ReadOnly));
     EXPECT_EQ(saved.readLine(), "late_us,ticks\n");

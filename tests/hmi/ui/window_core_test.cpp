@@ -136,6 +136,8 @@ TEST_F(WindowOnCore, KeepsALogSavesABundleAndReportsTheRun) {
     ASSERT_NE(report, nullptr);
     report->grab().save(QString::fromStdString(in_build("screenshots/report_light.png")));
     report->save(QString::fromStdString(file("report.json")));
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("report.json"); }))
+        << all_messages().toStdString();
     const QByteArray json = content_of("report.json");
     const QJsonObject object = QJsonDocument::fromJson(json).object();
     EXPECT_EQ(object["layers"].toInt(), 3) << json.toStdString();
@@ -159,7 +161,7 @@ TEST_F(WindowOnCore, KeepsALogSavesABundleAndReportsTheRun) {
     ASSERT_TRUE(saved);
     EXPECT_EQ(saved->job_blob, snapshot.job_blob);
     window_.reset();
-    EXPECT_TRUE(content_of("state/psicarve/psicarve-hmi.log").contains("Report saved"));
+    EXPECT_TRUE(content_of("state/psicarve/psicarve-hmi.log").contains("report.json"));
 }
 
 TEST_F(WindowOnCore, TakesAModelFromItsFileToACarvedPiece) {

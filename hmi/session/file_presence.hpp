@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "hmi/session/work_lane.hpp"
+
+namespace psicarve::session {
+
+/// Which of the files that a window offers are there, found out on a thread of its own: a disk that sleeps,
+/// or a server that does not answer, must not stop the window. One thread, the owner's.
+class FilePresence {
+public:
+    enum class State : std::uint8_t { unknown, there, gone };
+    struct Seen {
+        State state = State::unknown;
+        std::filesystem::file_time_type written{};  ///< of one that is there
+    };
+
+    /// Has these looked at, anew where they were before; what was seen then holds meanwhile.
+    void look(std::vector<std::string> paths);
+    /// At screen rate.
+    void poll() { lane_.deliver(); }
+    Seen seen(const std::string& path) const;
+
+private:
+    std::map<std::string, Seen> seen_;
+    WorkLane lane_;  // last: its thread uses the others
+};
+
+}  // namespace psicarve::session

@@ -9,6 +9,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
@@ -33,13 +34,14 @@ Capabilities permitted() noexcept {
     return words[0].permitted | Capabilities{words[1].permitted} << kBitsPerWord;
 }
 
-/// Permitted and in effect; none is inherited.
-bool set_capabilities(Capabilities capabilities) noexcept {
+/// None is inherited.
+bool set_capabilities(Capabilities permitted, Capabilities effective) noexcept {
     __user_cap_header_struct header{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
     std::array<__user_cap_data_struct, 2> words{};
     for (unsigned i = 0; i < words.size(); ++i) {
-        const auto word = static_cast<std::uint32_t>(capabilities >> (i * kBitsPerWord));
-        words[i] = {.effective = word, .permitted = word, .inheritable = 0};
+        words[i] = {.effective = static_cast<std::uint32_t>(effective >> (i * kBitsPerWord)),
+                    .permitted = static_cast<std::uint32_t>(permitted >> (i * kBitsPerWord)),
+                    .inheritable = 0};
     }
     return syscall(SYS_capset, &header, words.data()) == 0;
 }
@@ -51,7 +53,7 @@ bool keep_only(Capabilities kept) noexcept {
     }
     static_cast<void>(prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0));
     static_cast<void>(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0));
-    return set_capabilities(kept);
+    return set_capabilities(kept, kept);
 }
 
 /// Up to so much of it may be had without a capability from here on.
@@ -79,30 +81,58 @@ Error wrong_user(const std::string& name, const std::string& why) {
     return Error{ErrorCode::bad_usage, "--user " + name + ": " + why};
 }
 
+bool is_already(const UserAccount& account) noexcept {
+    uid_t users[3];
+    gid_t groups[3];
+    ::getresuid(&users[0], &users[1], &users[2]);
+    ::getresgid(&groups[0], &groups[1], &groups[2]);
+    return std::all_of(users, users + 3, [&](uid_t user) { return user == account.user; }) &&
+           std::all_of(groups, groups + 3, [&](gid_t group) { return group == account.group; });
+}
+
 }  // namespace
 
-Result<void> become_user(const std::string& name) {
+Result<UserAccount> account_of(const std::string& name) {
     const ::passwd* const entry = ::getpwnam(name.c_str());
     if (entry == nullptr) return wrong_user(name, "there is no such user");
-    const uid_t user = entry->pw_uid;
-    const gid_t group = entry->pw_gid;
-    if (user == 0) return wrong_user(name, "the core is to go on as another user than root");
-    uid_t real = 0;
-    uid_t effective = 0;
-    uid_t saved = 0;
-    ::getresuid(&real, &effective, &saved);
-    if (real == user && effective == user && saved == user) return {};
-    const Capabilities capabilities = permitted();
-    // The kernel takes them from who leaves root, unless it is told not to; in effect they are none then.
-    const bool is_user = ::initgroups(name.c_str(), group) == 0 && ::setresgid(group, group, group) == 0 &&
-                         prctl(PR_SET_KEEPCAPS, 1, 0, 0, 0) == 0 && ::setresuid(user, user, user) == 0;
-    if (!is_user && errno == EPERM)
-        return wrong_user(name, "only root can start a core for another user; or start it as " + name);
-    if (!is_user || !set_capabilities(capabilities)) {
+    if (entry->pw_uid == 0) return wrong_user(name, "the core is to go on as another user than root");
+    return UserAccount{name, entry->pw_uid, entry->pw_gid};
+}
+
+Result<void> become_user(const UserAccount& account) {
+    if (is_already(account)) return {};
+    const Capabilities before = permitted();
+    // The kernel takes them from who leaves root, unless it is told not to.
+    const bool is_user = ::initgroups(account.name.c_str(), account.group) == 0 &&
+                         ::setresgid(account.group, account.group, account.group) == 0 &&
+                         prctl(PR_SET_KEEPCAPS, 1, 0, 0, 0) == 0 &&
+                         ::setresuid(account.user, account.user, account.user) == 0;
+    if (!is_user && errno == EPERM) {
+        return wrong_user(account.name,
+                          "only root, with CAP_SETUID and CAP_SETGID, can start a core for another user; or "
+                          "start it as " +
+                              account.name);
+    }
+    // What the kernel makes of it by itself depends on fs.suid_dumpable.
+    if (!is_user || prctl(PR_SET_KEEPCAPS, 0, 0, 0, 0) != 0 || !set_capabilities(before, 0) ||
+        prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0) {
         return Error{ErrorCode::machine_refused,
-                     "cannot become user " + name + ": " + std::generic_category().message(errno)};
+                     "cannot become user " + account.name + ": " + std::generic_category().message(errno)};
     }
     return {};
+}
+
+void raise_privileges() noexcept {
+    const Capabilities all = permitted();
+    static_cast<void>(set_capabilities(all, all));
+}
+
+bool is_in_group(gid_t group) {
+    if (::getegid() == group) return true;
+    const int count = getgroups(0, nullptr);
+    std::vector<gid_t> groups(static_cast<std::size_t>(std::max(count, 0)));
+    return getgroups(static_cast<int>(groups.size()), groups.data()) == count &&
+           std::find(groups.begin(), groups.end(), group) != groups.end();
 }
 
 std::vector<std::string> drop_privileges(const StillNeeded& needed) {

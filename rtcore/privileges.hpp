@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <sys/types.h>
+
 #include <string>
 #include <vector>
 
@@ -8,12 +10,26 @@
 
 namespace psicarve::rtcore {
 
+/// A user as whom a core that root starts goes on.
+struct UserAccount {
+    std::string name;
+    uid_t user = 0;
+    gid_t group = 0;
+};
+
+/// Refuses unknown users and root.
+Result<UserAccount> account_of(const std::string& name);
+
 /// From here on this process, which has one thread, is this user's, with the user's groups and no others, and
-/// cannot go back once its capabilities are dropped; until then it keeps them all. The kernel no longer lets
-/// that user's other programs look into it (PR_GET_DUMPABLE is 0): through it they would have what the user
-/// has not. Refused: an unknown user, root, and whoever may not do it; who is that user already changes
-/// nothing.
-Result<void> become_user(const std::string& name);
+/// cannot go back once its capabilities are dropped; until then it keeps them, and none of them is in effect
+/// before raise_privileges(). The kernel no longer lets that user's other programs look into it, nor writes a
+/// core file of it (PR_SET_DUMPABLE 0): by it they would have what the user has not. Refused: whoever may not
+/// do it; who is that user already changes nothing.
+Result<void> become_user(const UserAccount& account);
+/// All that are permitted are in effect.
+void raise_privileges() noexcept;
+/// Of this process, by its own group or one that it was put into.
+bool is_in_group(gid_t group);
 
 /// What goes on without privileges, by limits instead, once they are dropped.
 struct StillNeeded {

@@ -66,7 +66,10 @@ std::string hex_of(std::uint16_t base) {
 }
 
 std::string base_lock_name(const std::string& dev, std::uint16_t base) {
-    return "psicarve-port-" + hex_of(base) + (dev == "/dev" ? "" : "@" + dev);
+    const std::string name = "psicarve-port-" + hex_of(base);
+    struct stat place {};
+    if (dev == "/dev" || ::stat(dev.c_str(), &place) != 0) return name;
+    return name + "@" + std::to_string(place.st_dev) + ":" + std::to_string(place.st_ino);
 }
 
 bool is_lp_loaded(const std::string& proc) {

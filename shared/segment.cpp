@@ -155,6 +155,16 @@ Result<Segment> Segment::attach_to_stop(const std::string& name) {
     return attach_by(name, SegmentObject::open_whosoever);
 }
 
+Result<void> Segment::hand_over(const std::string& name, uid_t user, gid_t group) {
+    const Result<std::string> whole_name = SegmentObject::checked_name(name);
+    if (!whole_name) return whole_name.error();
+    auto found = SegmentObject::open_whosoever(*whole_name);
+    if (!found) return found.error();
+    // Whoever becomes its core meanwhile finds it locked.
+    if (!found->has_value() || !(*found)->try_lock(LockByte::core)) return {};
+    return (*found)->give_to_user(*whole_name, user, group);
+}
+
 Result<void> Segment::fit_rights(const std::string& group) {
     return mapping_->object.fit_rights(name(), group);
 }

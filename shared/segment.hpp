@@ -88,6 +88,9 @@ public:
     /// Between the two: mode 0600, or 0660 and of this group, however it was left. Refused when another
     /// user's segment is not as asked for.
     Result<void> fit_rights(const std::string& group);
+    /// One that is ours and that no core serves becomes another user's, job and all; any other stays as it
+    /// is. For whoever goes on as that user.
+    static Result<void> hand_over(const std::string& name, uid_t user, gid_t group);
     void sign_core() noexcept;
     void release_core() noexcept;
     /// A living core serves the segment: its pid, else nothing. Asks the lock, not the words.

@@ -213,6 +213,15 @@ Result<void> SegmentObject::give_to_group(const std::string& name, const std::st
     return {};
 }
 
+Result<void> SegmentObject::give_to_user(const std::string& name, uid_t user, gid_t group) {
+    struct stat facts {};
+    if (::fstat(descriptor(), &facts) != 0) return object_error(name, "cannot look at it", errno);
+    if (facts.st_uid != ::geteuid() || facts.st_nlink != 1) return {};
+    // First what others may do with it: at no instant has the user's group more than it is to have.
+    if (::fchmod(descriptor(), kOwnerMode) == 0 && ::fchown(descriptor(), user, group) == 0) return {};
+    return object_error(name, "cannot be given to another user", errno);
+}
+
 Result<void> SegmentObject::fit_rights(const std::string& name, const std::string& group) {
     struct stat facts {};
     if (::fstat(descriptor(), &facts) != 0) return object_error(name, "cannot look at it", errno);

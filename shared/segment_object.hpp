@@ -64,6 +64,8 @@ public:
     /// 0600, or 0660 with a group: as asked for, however it was made. Refused when it is another's and not
     /// so.
     Result<void> fit_rights(const std::string& name, const std::string& group);
+    /// For that user alone (0600), when it is ours; another's stays as it is.
+    Result<void> give_to_user(const std::string& name, uid_t user, gid_t group);
 
 private:
     static Result<std::optional<SegmentObject>> open_checked(const std::string& name,

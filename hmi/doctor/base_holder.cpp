@@ -10,7 +10,7 @@
 namespace psicarve::doctor {
 namespace {
 
-constexpr const char* kUnknownHolder = "another core";
+constexpr const char* kUnknownHolder = "another program";
 
 /// Whether anybody has a lock on the base's bytes of the device; nothing: this user is not let at it.
 std::optional<bool> is_range_locked(const std::string& device, std::uint16_t base) {

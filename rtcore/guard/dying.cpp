@@ -42,14 +42,19 @@ bool says_dying(std::string_view status) noexcept {
     return has_kill_in(value_of(status, "SigPnd:")) || has_kill_in(value_of(status, "ShdPnd:"));
 }
 
-bool is_dying(pid_t pid) noexcept {
+DyingWatch::DyingWatch(pid_t pid) noexcept {
     std::array<char, 64> path{};
     std::snprintf(path.data(), path.size(), "/proc/%d/status", static_cast<int>(pid));
-    const int file = open(path.data(), O_RDONLY | O_CLOEXEC);
-    if (file < 0) return true;  // it is our child: nobody else has its pid while we have not buried it
+    status_ = open(path.data(), O_RDONLY | O_CLOEXEC);
+}
+
+DyingWatch::~DyingWatch() {
+    if (status_ >= 0) close(status_);
+}
+
+bool DyingWatch::is_dying() const noexcept {
     std::array<char, 4096> text{};
-    const ssize_t length = read(file, text.data(), text.size());
-    close(file);
+    const ssize_t length = pread(status_, text.data(), text.size(), 0);
     return length > 0 && says_dying({text.data(), static_cast<std::size_t>(length)});
 }
 

@@ -71,7 +71,11 @@ void ignore_other_signals() {
 class Guard {
 public:
     Guard(GuardDuty duty, pid_t core_pid, int from_core, GuardPage page)
-        : duty_(std::move(duty)), core_pid_(core_pid), from_core_(from_core), page_(std::move(page)) {}
+        : duty_(std::move(duty)),
+          core_pid_(core_pid),
+          from_core_(from_core),
+          page_(std::move(page)),
+          core_end_(core_pid) {}
 
     int run() {
         prctl(PR_SET_NAME, "psicarve-guard");
@@ -130,7 +134,7 @@ private:
         silent_looks_ = is_silent ? silent_looks_ + 1 : 0;
         if (owes_safe_state_) repay(is_silent || has_ticked_);
         // Its pipe closes once its memory is given back; a spindle need not turn for so long.
-        if (is_silent && is_dying(core_pid_)) write_safe_state(duty_.safe_state);
+        if (is_silent && core_end_.is_dying()) write_safe_state(duty_.safe_state);
         if (silent_looks_ != kSilentLooks) return;
         // First: a core that comes back meanwhile must not write what it had in mind after us.
         page_.note_act();
@@ -218,6 +222,7 @@ private:
     int from_core_;
     int orders_ = -1;  ///< signals, to be read
     GuardPage page_;
+    DyingWatch core_end_;
     std::uint64_t ticks_seen_ = 0;
     int silent_looks_ = 0;
     bool owes_safe_state_ = false;  ///< the port did not take it

@@ -16,7 +16,7 @@ namespace {
 
 Error busy(const std::string& holder) {
     return Error{ErrorCode::machine_refused,
-                 "busy: " + (holder.empty() ? "another core" : holder) + " has it; end that first"};
+                 "busy: " + (holder.empty() ? "another program" : holder) + " has it; end that first"};
 }
 
 Error failed(const std::string& what) {

@@ -26,6 +26,7 @@
 #include "rtcore/supervisor/replay_script.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
 #include "rtcore/supervisor/supervisor.hpp"
+#include "shared/segment_object.hpp"
 #include "shared/snapshot_file.hpp"
 
 namespace psicarve::supervisor {
@@ -137,6 +138,24 @@ int run_loop(CoreParts& parts, Supervisor& supervisor, std::optional<Replay>& re
                                 : run_on_real_clock(parts, supervisor, directors, end, *treatment);
 }
 
+/// For the user that is asked for.
+Result<void> leave_root(const CoreOptions& options) {
+    if (options.user.empty()) return {};
+    const auto account = rtcore::account_of(options.user);
+    if (!account) return account.error();
+    // What a core of root's has left when it ended is taken over, as every core takes it over.
+    if (auto handed = Segment::hand_over(options.segment_name, account->user, account->group); !handed)
+        return handed.error();
+    if (auto changed = rtcore::become_user(*account); !changed) return changed.error();
+    if (options.group.empty()) return {};
+    const auto group = group_id(options.group);
+    if (!group) return group.error();
+    if (rtcore::is_in_group(*group)) return {};
+    return Error{ErrorCode::bad_usage, "--group " + options.group +
+                                           ": its members do not trust a segment of " + options.user +
+                                           ", who is none: adduser " + options.user + " " + options.group};
+}
+
 /// Before any thread starts and any output is opened; port, segment and memory are there.
 void leave_privileges(const CoreOptions& options) {
     const bool is_realtime = options.clock == ClockKind::real;
@@ -188,9 +207,7 @@ int serve_segment(const CoreOptions& options, const Profile& profile, PartsReque
 
 int run_core(const CoreOptions& options) {
     // Before all else: whatever is made from here on is that user's; and the kernel would forget the parent.
-    if (!options.user.empty()) {
-        if (const auto changed = rtcore::become_user(options.user); !changed) return fail(changed.error());
-    }
+    if (const auto left = leave_root(options); !left) return fail(left.error());
     if (options.exit_with_parent && !tie_to_parent()) return kExitDone;
     if (options.measures_latency) return run_latency_measurement(options);
     auto replay = load_replay(options);
@@ -200,6 +217,8 @@ int run_core(const CoreOptions& options) {
     const auto machine = options.machine_path.empty() ? profile : load_core_profile(options.machine_path);
     if (!machine) return fail(machine.error());
     PartsRequest request = parts_request_of(*replay, *profile, *machine);
+    // What was read so far only that user could read; for port, memory and scheduling they are needed.
+    if (!options.user.empty()) rtcore::raise_privileges();
     if (!options.port.is_simulated()) {
         auto side = open_guarded_port(options, *profile);
         if (!side) return fail(side.error());

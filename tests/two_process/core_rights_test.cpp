@@ -34,6 +34,8 @@ TEST_F(CoreRights, CoreAndGuardOfARealPortKeepNoPrivilege) {
     ASSERT_TRUE(eventually([&] { return status().tick > 10; }));
     expect_no_privileges(core_pid_);
     expect_no_privileges(core_->pid());
+    const bool says_root = text_of(file("core.err")).find("goes on as root") != std::string::npos;
+    EXPECT_EQ(says_root, geteuid() == 0) << text_of(file("core.err"));
     // And all goes on: it moves, and makes files of its own.
     home();
     ASSERT_EQ(refusal_of(CommandKind::shutdown), "");

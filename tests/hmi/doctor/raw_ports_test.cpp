@@ -172,7 +172,7 @@ TEST_F(RawPorts, HeldByAnotherProgramThatHeedsTheDeviceAreSeenToo) {
     hide_device();
     const auto others = port::lock_range(files().path_of("/dev/port"), 0x378, kPortRegisters);
     ASSERT_TRUE(others && *others);
-    EXPECT_EQ(finding_of("io:0x378").seen, "held by another core");
+    EXPECT_EQ(finding_of("io:0x378").seen, "held by another program");
     ::close(**others);
     EXPECT_EQ(finding_of("io:0x378").verdict, Verdict::ok);
 }

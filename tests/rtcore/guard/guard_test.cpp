@@ -32,13 +32,25 @@ TEST(Dying, IsWhoHasAKillComing) {
 }
 
 TEST(Dying, AZombieIsAndWeAreNot) {
-    EXPECT_FALSE(is_dying(getpid()));
+    EXPECT_FALSE(DyingWatch{getpid()}.is_dying());
     const pid_t child = fork();
-    if (child == 0) _exit(0);
+    if (child == 0) {
+        pause();
+        _exit(0);
+    }
+    const DyingWatch sut{child};
+    EXPECT_FALSE(sut.is_dying());
+    kill(child, SIGKILL);
     siginfo_t ended{};
     ASSERT_EQ(waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT), 0);
-    EXPECT_TRUE(is_dying(child));
+    EXPECT_TRUE(sut.is_dying());
     waitpid(child, nullptr, 0);
+    EXPECT_FALSE(sut.is_dying()) << "nor is whoever has its number next";
+}
+
+// As where /proc is mounted with hidepid: a core that only pauses must not be taken for one that was killed.
+TEST(Dying, IsNobodyWhoCannotBeSeen) {
+    EXPECT_FALSE(DyingWatch{0}.is_dying());
 }
 
 TEST(Silence, IsTooLongAfterTwoSecondsButNotWhileNobodyAsked) {

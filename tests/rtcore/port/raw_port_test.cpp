@@ -102,7 +102,11 @@ TEST_F(RawPort, IsClaimedByWhoMayOpenTheDeviceByCapabilityAlone) {
     const pid_t child = ::fork();
     if (child == 0) {
         // Who is not root cannot become another user, and opens what is his own.
-        if (::geteuid() == 0 && !rtcore::become_user("nobody")) ::_exit(1);
+        if (::geteuid() == 0) {
+            const auto account = rtcore::account_of("nobody");
+            if (!account || !rtcore::become_user(*account)) ::_exit(1);
+            rtcore::raise_privileges();
+        }
         static_cast<void>(refusal());
         ::_exit(claims > 0 ? 0 : 2);
     }

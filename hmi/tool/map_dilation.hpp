@@ -37,7 +37,7 @@ struct Stride {
 Result<std::vector<float>> dilated(const SampledRadii& surface, const Tool& tool, Stride stride,
                                    double allowance, const slice::SliceOptions& options);
 
-/// So far apart that a round tool's end is hardly bent between: a twelfth of its radius. Requires a sample.
+/// So far apart that a round tool's end is hardly bent between: an eighth of its radius. Requires a sample.
 Stride draft_stride(const SampledRadii& surface, const Tool& tool);
 
 /// An allowance for what a smooth surface does between its samples under a ball or a flat tool: by how they

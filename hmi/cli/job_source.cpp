@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <thread>
@@ -17,11 +15,11 @@
 #include "hmi/cam/table_job.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/progress_bar.hpp"
+#include "hmi/cli/tool_choice.hpp"
 #include "hmi/cli/turn_choice.hpp"
 #include "hmi/flat/load_model.hpp"
 #include "hmi/model/turned_mesh.hpp"
 #include "hmi/rough/roughing.hpp"
-#include "shared/decimals.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -30,11 +28,6 @@ constexpr std::uint32_t kMostLayers = 1'000'000;
 constexpr std::uint32_t kMostPoints = 1'000'000;
 constexpr std::uint32_t kLeastPoints = 2;
 constexpr std::uint32_t kMostThreads = 256;
-
-bool parse_number(std::string_view text, double& value) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
-}
 
 /// "X,Y", "origin", "best" or "centre".
 Result<void> read_axis_at(const std::string& text, cam::JobOptions& options) {
@@ -77,77 +70,10 @@ Result<cam::JobOptions> job_options(const ModelOptions& options) {
 bool has_any(const ModelOptions& options) {
     return options.layer_count > 0 || options.point_count > 0 || !options.up.empty() ||
            !options.axis_at.empty() || !options.joining.empty() || !options.tool.empty() ||
-           !options.blank.empty() || !options.blank_at.empty() || options.depth_limit_mm ||
-           options.stepdown_mm || options.allowance_mm || options.stepover_mm || options.finish_only ||
-           !options.rotate.empty() || !options.mirror.empty() || options.fits || options.height_mm ||
-           options.scale || has_any(options.flat);
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (std::size_t end = 0; end != std::string_view::npos;) {
-        end = text.find(separator);
-        parts.push_back(text.substr(0, end));
-        if (end != std::string_view::npos) text.remove_prefix(end + 1);
-    }
-    return parts;
-}
-
-/// "point", "ball:3", "flat:2", "vee:6:60".
-Result<void> read_tool(const std::string& text, ToolProfile& tool) {
-    if (text.empty()) return {};
-    const auto parts = split(text, ':');
-    const auto shape = tool_shape_from_name(parts[0]);
-    const std::size_t wanted = shape == ToolShape::point ? 1 : shape == ToolShape::vee ? 3 : 2;
-    const ProfileBounds sizes_mm = profile_bounds("tool.diameter_mm");
-    const bool is_good = shape && parts.size() == wanted &&
-                         (wanted < 2 || parse_number(parts[1], tool.diameter_mm)) &&
-                         (wanted < 3 || parse_number(parts[2], tool.angle_deg));
-    if (!is_good || !sizes_mm.hold(tool.diameter_mm) ||
-        !profile_bounds("tool.angle_deg").hold(tool.angle_deg)) {
-        return Error{ErrorCode::bad_usage, "--tool: '" + text +
-                                               "' is none of point, ball:MM, flat:MM, vee:MM:DEGREES (as in "
-                                               "ball:3 or vee:6:60), " +
-                                               decimals(sizes_mm.least, 3) + " to " +
-                                               decimals(sizes_mm.greatest, 0) + " mm across"};
-    }
-    tool.shape = *shape;
-    return {};
-}
-
-/// "30x60".
-Result<void> read_blank(const std::string& text, BlankProfile& blank) {
-    if (text.empty()) return {};
-    const auto parts = split(text, 'x');
-    if (parts.size() != 2 || !parse_number(parts[0], blank.radius_mm) ||
-        !parse_number(parts[1], blank.height_mm) || !(blank.radius_mm > 0.0) || !(blank.height_mm > 0.0)) {
-        return Error{ErrorCode::bad_usage,
-                     "--blank: '" + text + "' is not RADIUSxHEIGHT in mm (as in 30x60)"};
-    }
-    return {};
-}
-
-/// "1.5,-2".
-Result<void> read_blank_at(const std::string& text, BlankProfile& blank) {
-    if (text.empty()) return {};
-    const auto parts = split(text, ',');
-    if (parts.size() != 2 || !parse_number(parts[0], blank.offset_x_mm) ||
-        !parse_number(parts[1], blank.offset_z_mm)) {
-        return Error{ErrorCode::bad_usage, "--blank-at: '" + text + "' is not X,Z in mm (as in 1.5,-2)"};
-    }
-    if (std::hypot(blank.offset_x_mm, blank.offset_z_mm) < blank.radius_mm) return {};
-    return Error{ErrorCode::bad_usage,
-                 "--blank-at: the table's axis would be outside the blank; --blank says how large that is"};
-}
-
-Result<void> read_depth_limit(const std::optional<double>& limit_mm, BlankProfile& blank) {
-    if (!limit_mm) return {};
-    blank.depth_limit_mm = *limit_mm;
-    if (!(*limit_mm > 0.0) || !std::isfinite(*limit_mm))
-        return Error{ErrorCode::bad_usage, "--depth-limit must be more than 0 mm"};
-    if (blank.radius_mm > 0.0) return {};
-    return Error{ErrorCode::bad_usage,
-                 "--depth-limit is counted from the blank's surface: --blank says where that is"};
+           options.flute_mm || !options.blank.empty() || !options.blank_at.empty() ||
+           options.depth_limit_mm || options.stepdown_mm || options.allowance_mm || options.stepover_mm ||
+           options.finish_only || !options.rotate.empty() || !options.mirror.empty() || options.fits ||
+           options.height_mm || options.scale || has_any(options.flat);
 }
 
 /// Asked for as the profile does, but for what the options say.
@@ -178,6 +104,7 @@ Result<Profile> profile_for(const ModelOptions& options, const CommonOptions& co
     auto profile = chosen_profile(common);
     if (!profile) return profile;
     if (const auto read = read_tool(options.tool, profile->tool); !read) return read.error();
+    if (const auto read = read_flute(options.flute_mm, profile->tool); !read) return read.error();
     if (const auto read = read_blank(options.blank, profile->blank); !read) return read.error();
     if (const auto read = read_blank_at(options.blank_at, profile->blank); !read) return read.error();
     if (const auto read = read_depth_limit(options.depth_limit_mm, profile->blank); !read)
@@ -198,6 +125,7 @@ Result<PreparedJob> job_of_table(const std::string& path, ModelOptions options, 
     const auto joining = joining_from_name(std::exchange(options.joining, {}));
     options.thread_count = 0;
     options.tool.clear();
+    options.flute_mm.reset();
     options.blank.clear();
     options.blank_at.clear();
     options.depth_limit_mm.reset();
@@ -207,7 +135,7 @@ Result<PreparedJob> job_of_table(const std::string& path, ModelOptions options, 
         return Error{ErrorCode::bad_usage,
                      path +
                          " is a table, whose layers and radii are taken as they stand: of the options for "
-                         "models only --joining, --tool, those of the blank and of roughing apply"};
+                         "models only --joining, --tool, --flute, those of the blank and of roughing apply"};
     }
     auto built = cam::job_from_table(path, profile, joining);
     if (!built) return built.error();
@@ -304,6 +232,9 @@ void add_model_options(Syntax& syntax, ModelOptions& options) {
                 "What both heads carve with (default: the profile's): point, ball:3, flat:2, vee:6:60; "
                 "diameter in "
                 "mm, angle between a vee's flanks in degrees")
+        .option_from_zero("--flute", options.flute_mm, "MM",
+                          "How deep that tool cuts: a job that goes deeper into the blank is warned of "
+                          "(default: the profile's; 0: deeper than any cut)")
         .option("--blank", options.blank, "RADIUSxHEIGHT",
                 "The cylinder that is carved, in mm (default: the profile's)")
         .option("--blank-at", options.blank_at, "X,Z",

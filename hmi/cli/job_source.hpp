@@ -26,6 +26,7 @@ struct ModelOptions {
     std::string axis_at;
     std::string joining;
     std::string tool;
+    std::optional<double> flute_mm;
     std::string blank;
     std::string blank_at;
     std::optional<double> depth_limit_mm;

@@ -119,6 +119,40 @@ TEST_F(SliceCommand, ToolAndBlankReachTheJob) {
     EXPECT_EQ(profile->blank, (BlankProfile{8.0, 2.0}));
 }
 
+TEST_F(SliceCommand, TheFluteLengthIsSaidBesideTheTool) {
+    const std::string profile = file("machine.toml");
+    write("machine.toml", "[tool]\nshape = \"ball\"\ndiameter_mm = 2.0\nflute_mm = 3.0\n");
+    const std::string box = box_stl("box.stl");
+    const auto flute_of = [&](const std::vector<std::string>& more, double said_mm) {
+        std::vector<std::string> arguments{"slice", box,        "-o", file("box.job"), "--layers",
+                                           "2",     "--points", "5",  "--blank",       "14x8"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = psicarve(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+        // The box's nearest faces are 7 mm from its axis: 7 mm into the blank.
+        const bool is_short = said_mm > 0.0 && said_mm < 7.0;
+        const std::string warning =
+            "the tool cuts " + std::to_string(static_cast<int>(said_mm)) + ".00 mm deep, but the job goes ";
+        EXPECT_EQ(outcome.error.find(warning) != std::string::npos, is_short) << outcome.error;
+        const auto read = load_snapshot(file("box.job"));
+        EXPECT_EQ(job_profile(JobView::check(read->job_blob).value())->tool.flute_mm, said_mm);
+    };
+    flute_of({"--profile", profile}, 3.0);
+    flute_of({"--profile", profile, "--flute", "2"}, 2.0);
+    flute_of({"--profile", profile, "--flute", "40"}, 40.0);
+    flute_of({"--profile", profile, "--flute", "0"}, 0.0);
+    flute_of({"--tool", "flat:2", "--flute", "5"}, 5.0);
+    // Of a table, too; a job has its own.
+    write("t.csv", "y_mm,r_mm\n2,6,6,6,6\n3,6,6,6,6\n");
+    const Outcome table = psicarve(
+        {"slice", file("t.csv"), "-o", file("t.job"), "--tool", "ball:2", "--blank", "14x8", "--flute", "3"});
+    EXPECT_EQ(table.exit_code, 0) << table.error;
+    EXPECT_NE(table.error.find("the tool cuts 3.00 mm deep, but the job goes 8.00 mm into the blank"),
+              std::string::npos)
+        << table.error;
+    EXPECT_EQ(psicarve({"estimate", file("t.job"), "--flute", "3"}).exit_code, 2);
+}
+
 TEST_F(SliceCommand, ASpiralOfTwoLayersHasThreeRows) {
     const Outcome outcome = psicarve({"slice", box_stl("box.stl"), "-o", file("box.job"), "--layers", "2",
                                       "--points", "5", "--joining", "spiral", "--json"});

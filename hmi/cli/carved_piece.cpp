@@ -69,7 +69,7 @@ Result<void> CarvedPiece::compare_with(std::shared_ptr<const model::Mesh> model,
 Result<std::unique_ptr<CarvedPiece>> CarvedPiece::make(const PreparedJob& job,
                                                        std::shared_ptr<const model::Mesh> model,
                                                        const PieceFiles& files) {
-    if (!files.any()) return std::unique_ptr<CarvedPiece>{};
+    if (!files.any() && !model) return std::unique_ptr<CarvedPiece>{};
     const auto geometry = verify::JobGeometry::make(job.view, job.profile);
     if (!geometry) return bad_input(std::string(job.view.source_name()) + ": " + geometry.error().message);
     std::unique_ptr<CarvedPiece> made{new CarvedPiece{*geometry, job, files}};

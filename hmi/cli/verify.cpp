@@ -80,10 +80,6 @@ std::string text_of(const verify::VerifyReport& report, const std::unique_ptr<Ca
 
 Result<int> verify_files(const CommonOptions& common, const VerifyOptions& options) {
     if (const auto writable = check_output_folder(options.picture); !writable) return writable.error();
-    if (!options.model.empty() && !options.files.any()) {
-        return Error{ErrorCode::bad_usage,
-                     "--model is what the piece is compared with: add --piece or --deviation"};
-    }
     if (const auto writable = check_piece_files(options.files); !writable) return writable.error();
     auto snapshot = load_snapshot(options.job);
     if (!snapshot) return snapshot.error();
@@ -130,7 +126,7 @@ void add_verify(CommandSet& commands) {
         .picture_option(options->picture)
         .option(
             "--model", options->model, "MODEL",
-            "The file that the job was sliced from: tell with --piece or --deviation how far the piece is "
+            "The file that the job was sliced from: tell how far the piece that the profile's tool leaves is "
             "from it");
     syntax
         .option("--from-layer", options->layers.first, 0, kMaxJobCount - 1,

@@ -54,6 +54,29 @@ TEST_F(Piece, IsComparedWithTheModelByCarveAndAgainByVerify) {
     EXPECT_TRUE(text_of(file("again.png")) == text_of(file("carved.png")));
 }
 
+TEST_F(Piece, IsComparedByVerifyWithTheModelAlone) {
+    const std::string model = box_stl("box.stl");
+    ASSERT_EQ(psicarve({"slice", model, "-o", file("box.job"), "--layers", "6", "--points", "41", "--tool",
+                        "ball:2"})
+                  .exit_code,
+              0);
+    ASSERT_EQ(psicarve({"replay", file("box.job"), "--trace", file("pins.trace")}).exit_code, 0);
+    const auto verified = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"verify", file("box.job"), file("pins.trace"), "--model", model};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = psicarve(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.error << outcome.out;
+        return outcome;
+    };
+    const auto files = files_in_folder();
+    const Json deviation = verified({"--json"}).json()["deviation"];
+    const std::string told = verified({}).out;
+    EXPECT_NE(told.find("\n  piece: "), std::string::npos) << told;
+    EXPECT_EQ(files_in_folder(), files) << "no file was asked for";
+    EXPECT_GT(deviation["places"].get<int>(), 1000) << deviation;
+    EXPECT_EQ(deviation, verified({"--json", "--deviation", file("a.png")}).json()["deviation"]);
+}
+
 TEST_F(Piece, OfEngravedLinesIsComparedWithTheGrooves) {
     write("lens.svg", kDrawing);
     const std::vector<std::string> options{"--engrave", "0.4", "--tool",   "ball:2", "--diameter", "24",
@@ -101,7 +124,6 @@ TEST_F(Piece, NeedsTheModelThatWasSliced) {
                                     box_stl("other.stl", 7.0), "--deviation", file("a.png")});
     EXPECT_EQ(other.exit_code, 3);
     EXPECT_NE(other.error.find("is not the file that the job was sliced from"), std::string::npos);
-    EXPECT_EQ(psicarve({"verify", file("box.job"), file("pins.trace"), "--model", model}).exit_code, 2);
     const Outcome jpeg = psicarve(
         {"verify", file("box.job"), file("pins.trace"), "--model", model, "--deviation", file("a.jpg")});
     EXPECT_EQ(jpeg.exit_code, 3);

@@ -16,7 +16,8 @@ constexpr double kTrifle_mm = 0.02;
 constexpr double kTrifleShare = 0.05;
 constexpr double kPointTrifle_mm = 0.002;
 constexpr double kShareBetweenRings = 0.25;
-// Over what is clear the tip keeps so far outside of where it may stand, and rises and falls by this.
+// Over what is clear the tip keeps so far outside of where it may stand and of the stock, and rises and falls
+// by this.
 constexpr double kLift_mm = 0.3;
 constexpr double kSlope = 0.4;
 // Rings and cells between which nothing that the tool would notice can hide.
@@ -45,6 +46,7 @@ struct PassPlanner::Row {
     std::size_t first_cell;
     std::vector<std::int32_t> radii;
     std::vector<char> cuts;
+    std::vector<double> bites_mm;  ///< by what a tip at `radii`, and between, would cut
 };
 
 PassPlanner::PassPlanner(const Rings& rings, RoughStock& stock, const Profile& profile,
@@ -165,7 +167,7 @@ RoughLayer PassPlanner::make_layer(RoughPass& pass, std::size_t ring, std::size_
     const std::size_t first_carved = carved_point(settings_.joining, static_cast<std::uint32_t>(points),
                                                   static_cast<std::uint32_t>(layer), 0);
     for (std::size_t h = 0; h < kHeads; ++h) {
-        Row row{h, ring, first_cell(settings_.joining, points, layer) + h * (points - 1), {}, {}};
+        Row row{h, ring, first_cell(settings_.joining, points, layer) + h * (points - 1), {}, {}, {}};
         for (std::size_t point = 0; point < points; ++point)
             row.radii.push_back(target(h, ring, (row.first_cell + point) % rings_.cell_count()));
         if (!pass.layers.empty()) clear_link(row, pass.layers.back().ring, first_carved);
@@ -179,12 +181,11 @@ RoughLayer PassPlanner::make_layer(RoughPass& pass, std::size_t ring, std::size_
 
 void PassPlanner::find_cuts(RoughPass& pass, Row& row) {
     const std::size_t points = row.radii.size();
-    const RoughHead& head = rings_.head(row.head);
     std::vector<char> cuts(points, 0);
+    row.bites_mm.assign(points, 0.0);
     for (std::size_t point = 0; point < points; ++point) {
-        const std::size_t cell = (row.first_cell + point) % rings_.cell_count();
-        const double tip_mm = head.real_mm(row.radii[point]);
-        cuts[point] = stock_.bite_mm({row.head, row.ring, cell, tip_mm}) > trifle_mm_ ? 1 : 0;
+        row.bites_mm[point] = stock_.bite_mm(place_of(row, point));
+        cuts[point] = row.bites_mm[point] > trifle_mm_ ? 1 : 0;
     }
     pass.cut_points += static_cast<std::uint64_t>(std::count(cuts.begin(), cuts.end(), 1));
     pass.air_points += static_cast<std::uint64_t>(std::count(cuts.begin(), cuts.end(), 0));
@@ -194,10 +195,16 @@ void PassPlanner::find_cuts(RoughPass& pass, Row& row) {
         if (point > 0 && cuts[point - 1] != 0) row.cuts[point] = 1;
         if (point + 1 < points && cuts[point + 1] != 0) row.cuts[point] = 1;
     }
+    for (std::size_t point = 0; point + 1 < points; ++point) {
+        if (row.cuts[point] != 0 && row.cuts[point + 1] != 0) continue;
+        const double between_mm = stock_.bite_between_mm(place_of(row, point), place_of(row, point + 1));
+        for (double* bite_mm : {&row.bites_mm[point], &row.bites_mm[point + 1]})
+            *bite_mm = std::max(*bite_mm, between_mm);
+    }
 }
 
-// The least hull over where the tip may stand that nowhere changes faster than the slope; at a cut's edge it
-// begins low.
+// The least hull over where the tip may stand and over the trifles that stay there, that nowhere changes
+// faster than the slope; at a cut's edge it begins low.
 void PassPlanner::lift_where_clear(Row& row) const {
     const std::vector<char>& cuts = row.cuts;
     const RoughHead& head = rings_.head(row.head);
@@ -214,7 +221,7 @@ void PassPlanner::lift_where_clear(Row& row) const {
         }
         std::vector<double> hull(end - first);
         for (std::size_t i = 0; i < hull.size(); ++i) {
-            double most = lift;
+            double most = lift + row.bites_mm[first + i] * head.pulses_per_mm;
             if (first > 0) most = std::min(most, step * static_cast<double>(i + 1));
             if (end < points) most = std::min(most, step * static_cast<double>(hull.size() - i));
             hull[i] = static_cast<double>(row.radii[first + i]) + most;
@@ -253,6 +260,7 @@ void PassPlanner::clear_end(RoughLayer& before, std::size_t ring, std::size_t la
                 ring,
                 first_cell(settings_.joining, points, layer) + h * (points - 1),
                 std::move(before.radii[h]),
+                {},
                 {}};
         clear_link(row, before.ring, last);
         before.radii[h] = std::move(row.radii);
@@ -260,16 +268,17 @@ void PassPlanner::clear_end(RoughLayer& before, std::size_t ring, std::size_t la
 }
 
 void PassPlanner::cut_row(const Row& row) {
-    const RoughHead& head = rings_.head(row.head);
     const std::size_t points = row.radii.size();
-    const auto place = [&](std::size_t point) {
-        const std::size_t cell = (row.first_cell + point) % rings_.cell_count();
-        return TipPlace{row.head, row.ring, cell, head.real_mm(row.radii[point])};
-    };
     for (std::size_t point = 0; point < points; ++point) {
         const std::size_t next = std::min(point + 1, points - 1);
-        if (row.cuts[point] != 0 || row.cuts[next] != 0) stock_.cut(place(point), place(next));
+        if (row.cuts[point] != 0 || row.cuts[next] != 0)
+            stock_.cut(place_of(row, point), place_of(row, next));
     }
+}
+
+TipPlace PassPlanner::place_of(const Row& row, std::size_t point) const {
+    const std::size_t cell = (row.first_cell + point) % rings_.cell_count();
+    return {row.head, row.ring, cell, rings_.head(row.head).real_mm(row.radii[point])};
 }
 
 }  // namespace psicarve::rough

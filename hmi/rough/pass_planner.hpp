@@ -66,6 +66,7 @@ private:
     void clear_link(Row& row, std::size_t ring_before, std::size_t point) const;
     void clear_end(RoughLayer& before, std::size_t ring, std::size_t layer) const;
     void cut_row(const Row& row);
+    TipPlace place_of(const Row& row, std::size_t point) const;
 
     const Rings& rings_;
     RoughStock& stock_;

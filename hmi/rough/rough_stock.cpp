@@ -59,17 +59,34 @@ double RoughStock::bite_mm(const TipPlace& place) {
     return std::max(0.0, stands_mm - place.tip_mm);
 }
 
-void RoughStock::cut(const TipPlace& place, const TipPlace& next) {
+template <typename Visit>
+void RoughStock::visit_steps(const TipPlace& place, const TipPlace& next, std::size_t first,
+                             const Visit& visit) const {
     const Contact at = contact(place);
-    if (tool_cut_) {
-        const double turn_rad = std::remainder(contact(next).direction_rad - at.direction_rad, 2.0 * kPi);
-        for (std::size_t step = 0; step < steps_per_cell_; ++step) {
-            const double part = static_cast<double>(step) / static_cast<double>(steps_per_cell_);
-            const double tip_mm = place.tip_mm + part * (next.tip_mm - place.tip_mm);
-            tool_cut_->at(at.direction_rad + part * turn_rad, at.height_mm, std::max(0.0, tip_mm));
-        }
-        return;
+    const double turn_rad = std::remainder(contact(next).direction_rad - at.direction_rad, 2.0 * kPi);
+    for (std::size_t step = first; step < steps_per_cell_; ++step) {
+        const double part = static_cast<double>(step) / static_cast<double>(steps_per_cell_);
+        const double tip_mm = place.tip_mm + part * (next.tip_mm - place.tip_mm);
+        visit(at.direction_rad + part * turn_rad, at.height_mm, std::max(0.0, tip_mm));
     }
+}
+
+double RoughStock::bite_between_mm(const TipPlace& place, const TipPlace& next) {
+    double most_mm = 0.0;
+    if (!tool_cut_) return most_mm;
+    visit_steps(place, next, 1, [&](double direction_rad, double height_mm, double tip_mm) {
+        most_mm = std::max(most_mm, tool_cut_->bite_mm(direction_rad, height_mm, tip_mm));
+    });
+    return most_mm;
+}
+
+void RoughStock::cut(const TipPlace& place, const TipPlace& next) {
+    if (tool_cut_) {
+        return visit_steps(place, next, 0, [this](double direction_rad, double height_mm, double tip_mm) {
+            tool_cut_->at(direction_rad, height_mm, tip_mm);
+        });
+    }
+    const Contact at = contact(place);
     if (places_.empty() || !has_material(at.height_mm)) return;
     float& radius = places_[place.ring * rings_.cell_count() + place.cell];
     radius = std::min(radius, static_cast<float>(place.tip_mm));

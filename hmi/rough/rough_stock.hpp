@@ -31,6 +31,8 @@ public:
 
     /// How deep, along the radius, the tool would cut from there.
     double bite_mm(const TipPlace& place);
+    /// Likewise from where it stands on the straight way between two neighbouring cells, both left out.
+    double bite_between_mm(const TipPlace& place, const TipPlace& next);
     /// Cuts from there, and on the straight way towards a neighbouring cell, where the tip is to stand then.
     void cut(const TipPlace& place, const TipPlace& next);
 
@@ -48,6 +50,10 @@ private:
         double height_mm;
     };
     Contact contact(const TipPlace& place) const noexcept;
+    /// `visit(direction [rad], height [mm], tip's radius [mm])` from a place on towards its neighbour.
+    template <typename Visit>
+    void visit_steps(const TipPlace& place, const TipPlace& next, std::size_t first,
+                     const Visit& visit) const;
     bool has_material(double height_mm) const noexcept { return height_mm <= top_mm_ && height_mm >= 0.0; }
 
     const Rings& rings_;

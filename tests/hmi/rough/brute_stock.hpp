@@ -48,6 +48,20 @@ public:
         }
     }
 
+    /// One head alone along a layer, its tip so much further in than the job has it.
+    void carve_head(const JobView& job, std::uint32_t layer, Axis head, double in_mm) {
+        constexpr double kFarAway_mm = 1e6;
+        const auto place = [&](std::uint32_t step) {
+            Place found = at(job, layer, step);
+            found.r1_mm = head == Axis::r1 ? found.r1_mm - in_mm : kFarAway_mm;
+            found.r2_mm = head == Axis::r2 ? found.r2_mm - in_mm : kFarAway_mm;
+            return found;
+        };
+        for (std::uint32_t step = 0; step + 1 < job.point_count(); ++step)
+            go(place(step), place(step + 1), is_point_ ? 1 : 3);
+        if (is_point_) stand(place(job.point_count() - 1));
+    }
+
     std::size_t rows() const { return rows_; }
     std::size_t columns() const { return columns_; }
     double removed_mm() const {

@@ -324,6 +324,64 @@ TEST_P(RandomTables, AreRoughedNoDeeperThanTheFinishAndNoFurtherAtOnceThanTheSte
     RecordProperty("passes", static_cast<int>(summary.passes.size()));
 }
 
+/// What a head that has nothing to cut in a layer keeps between its tool and the stock (docs/roughing.md).
+constexpr double kParkedClear_mm = 0.3;
+
+TEST_P(RandomTables, KeepAHeadThatCutsNothingInALayerClearOfTheStock) {
+    const Sweep& sweep = GetParam();
+    Profile profile = profile_with(sweep.shape);
+    profile.head_r2_angle_error_deg = sweep.angle_error_deg;
+    const double pitch_mm = sweep.shape == ToolShape::point ? 0.5 : 0.4;
+    // Of one half turn nothing is to be cut: there a head is parked in every other layer, or in all.
+    const TipRadius body = random_body(sweep.seed);
+    const TipRadius half = [&body](double direction, double height_mm) {
+        return std::sin(direction) > -0.1 ? 9.5 : body(direction, height_mm);
+    };
+    JobTable table = table_of(profile, 12, pitch_mm, sweep.joining, half);
+    roughed(table, profile, {3.0, 0.4, {}});
+    ASSERT_GE(table.passes.size(), 2U);
+    const auto blob = job_blob_from_table(table);
+    const JobView job = checked_view(blob, profile);
+    brute::Stock stock(profile, table, 28, 64);
+    // The stock's steps, and what stands between the cells that the planner looks at: under a vee's flank
+    // more.
+    const double steps_mm = sweep.shape == ToolShape::vee ? 0.08 : 0.03;
+    int parked = 0;
+    for (std::uint32_t layer = 0; layer < job.finishing_layer(); ++layer) {
+        for (const Axis head : {Axis::r1, Axis::r2}) {
+            brute::Stock tried = stock;
+            // One that is in the cut touches it.
+            tried.carve_head(job, layer, head, steps_mm);
+            if (tried.removed_mm() > stock.removed_mm()) continue;
+            ++parked;
+            tried.carve_head(job, layer, head, kParkedClear_mm - steps_mm);
+            EXPECT_EQ(tried.removed_mm(), stock.removed_mm())
+                << "layer " << layer << ", head " << name_of(head);
+        }
+        stock.carve(job, layer, layer + 1);
+    }
+    EXPECT_GE(parked, 5);
+}
+
+// What is too little to be worth a cut may be more than a head is lifted by.
+TEST(Roughing, AParkedHeadIsClearOfWhatIsLeftForTheNextPass) {
+    const Profile profile = profile_with(ToolShape::ball);
+    // With a stepdown of 8 mm 0.35 mm of stock are a trifle; behind 180 degrees there is much to do.
+    const TipRadius body = [](double direction, double) { return std::sin(direction) > -0.01 ? 9.35 : 4.0; };
+    JobTable table = table_of(profile, 6, 0.4, Joining::zigzag, body);
+    const RoughingSummary summary = roughed(table, profile, {8.0, 0.3, {}});
+    ASSERT_EQ(summary.passes.size(), 1U);
+    const auto blob = job_blob_from_table(table);
+    const JobView job = checked_view(blob, profile);
+    constexpr double kCells_mm = 0.01;  // of the planner's map
+    const std::int64_t clear = pulses_from_mm(10.0 + kParkedClear_mm - kCells_mm, profile.r1.pulses_per_mm);
+    for (std::uint32_t layer = 0; layer < job.finishing_layer(); ++layer) {
+        // Where both heads come, the other one has cut already.
+        for (std::uint32_t point = 1; point + 1 < kPoints; ++point)
+            EXPECT_GE(job.r_left_pulses(layer)[point], clear) << "layer " << layer << ", point " << point;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomTables,
                          ::testing::Values(Sweep{1, ToolShape::point, Joining::continuous, 0.0, 0.3},
                                            Sweep{2, ToolShape::point, Joining::zigzag, 0.0, 0.0},

@@ -25,10 +25,10 @@ public:
           rad_per_pulse_(rad_from_pulses(1, profile.psi.pulses_per_rev)) {}
 
     const LinearAxisProfile& axis() const noexcept { return axis_; }
-    /// `visit(direction of the workpiece [rad], radius [pulses])`, layer by layer.
+    /// `visit(direction of the workpiece [rad], radius [pulses])`, layer by layer from this one on.
     template <typename Radii, typename Visit>
-    void visit(const JobTable& table, Radii& radii, const Visit& visit) const {
-        for (std::size_t layer = 0; layer < table.layer_count; ++layer) {
+    void visit(const JobTable& table, std::size_t first_layer, Radii& radii, const Visit& visit) const {
+        for (std::size_t layer = first_layer; layer < table.layer_count; ++layer) {
             for (std::size_t point = 0; point < table.point_count; ++point) {
                 const std::int64_t psi =
                     table_angle_pulses(table.joining, table.psi_sweep_pulses, table.point_count,
@@ -53,7 +53,7 @@ double half_width_mm(const ToolProfile& tool) {
 void hold_head(const BlankProfile& blank, const HeadTable& head, const JobTable& table,
                std::vector<std::int32_t>& radii, SliceReport::DepthLimit& left) {
     const LinearAxisProfile& axis = head.axis();
-    head.visit(table, radii, [&](double direction_rad, std::int32_t& radius) {
+    head.visit(table, 0, radii, [&](double direction_rad, std::int32_t& radius) {
         const double least_mm = blank.surface_mm(direction_rad) - blank.depth_limit_mm - axis.tip_mm();
         // Up to the next pulse: never deeper.
         constexpr double kExact = 1e-6;
@@ -119,6 +119,10 @@ void OutermostRadii::note(std::span<const double> once_round) {
     for (std::size_t k = 0; k < once_round.size(); ++k) most_[k] = std::max(most_[k], once_round[k]);
 }
 
+std::size_t finishing_layer(const JobTable& table) noexcept {
+    return table.passes.empty() ? 0 : table.passes.back().first_layer;
+}
+
 void hold_depth_limit(const Profile& profile, JobTable& table, SliceReport& report) {
     if (!(profile.blank.depth_limit_mm > 0.0)) return;
     SliceReport::DepthLimit left;
@@ -177,7 +181,7 @@ void warn_about_blank(const Profile& profile, const JobTable& table, SliceReport
     std::vector<double> most_mm(kDirections, 0.0);
     const auto note = [&](Axis axis, const std::vector<std::int32_t>& radii) {
         const HeadTable head(profile, axis);
-        head.visit(table, radii, [&](double direction_rad, std::int32_t radius) {
+        head.visit(table, finishing_layer(table), radii, [&](double direction_rad, std::int32_t radius) {
             const double turns = direction_rad / (2.0 * kPi);
             const auto k = static_cast<std::size_t>(std::lround((turns - std::floor(turns)) * kDirections)) %
                            kDirections;
@@ -194,7 +198,7 @@ void warn_about_blank(const Profile& profile, const JobTable& table, SliceReport
 double layer_pitch_mm(const Profile& profile, const JobTable& table) {
     std::int64_t most_pulses = 0;
     const auto& heights = table.layer_height_pulses;
-    for (std::size_t i = 1; i < heights.size(); ++i)
+    for (std::size_t i = finishing_layer(table) + 1; i < heights.size(); ++i)
         most_pulses = std::max(most_pulses, std::abs(heights[i] - heights[i - 1]));
     return mm_from_pulses(most_pulses, profile.y.pulses_per_mm);
 }
@@ -204,7 +208,7 @@ double row_gap_mm(const Profile& profile, const JobTable& table) {
     const double error_mm = profile.head_r2_height_error_mm;
     if (table.joining == Joining::zigzag || error_mm == 0.0) return most_mm;
     std::vector<double> layers_mm;
-    for (const std::int64_t height : table.layer_height_pulses)
+    for (const std::int64_t height : std::span(table.layer_height_pulses).subspan(finishing_layer(table)))
         layers_mm.push_back(mm_from_pulses(height, profile.y.pulses_per_mm));
     for (const std::size_t r2 : {std::size_t{0}, std::size_t{1}}) {
         std::vector<double> rows_mm = layers_mm;
@@ -240,7 +244,8 @@ void warn_about_layers(const Profile& profile, const JobTable& table, SliceRepor
 }
 
 void note_what_meets_the_table(const Profile& profile, const JobTable& table, SliceReport& report) {
-    const double lowest_mm = mm_from_pulses(table.layer_height_pulses.front(), profile.y.pulses_per_mm) +
+    const std::int64_t lowest_pulses = table.layer_height_pulses[finishing_layer(table)];
+    const double lowest_mm = mm_from_pulses(lowest_pulses, profile.y.pulses_per_mm) +
                              std::min(0.0, profile.head_r2_height_error_mm);
     const double below_mm = half_width_mm(profile.tool) - lowest_mm;
     if (below_mm <= 0.0) return;

@@ -22,6 +22,9 @@ private:
     std::vector<double> most_;
 };
 
+/// Where a table's finishing pass begins, of which alone these warnings are.
+std::size_t finishing_layer(const JobTable& table) noexcept;
+
 /// Keeps all tips of the tables above the profile's depth limit below the blank's surface, counts what that
 /// leaves, and warns of it.
 void hold_depth_limit(const Profile& profile, JobTable& table, SliceReport& report);
@@ -44,7 +47,7 @@ void note_what_meets_the_table(const Profile& profile, const JobTable& table, Sl
 /// the core radius, or what the depth limit leaves. For a table made of a model, whose base is known.
 void warn_about_foot(const Profile& profile, const JobTable& table, SliceReport& report);
 
-/// How far a table's layers are from each other, before roughing; the most.
+/// How far the finishing pass' layers are from each other; the most.
 double layer_pitch_mm(const Profile& profile, const JobTable& table);
 /// The most between two rows of the same direction: not in zigzag the heads take turns there, and R2 stands
 /// higher or lower by its height error.

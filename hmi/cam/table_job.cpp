@@ -9,11 +9,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <new>
 #include <string_view>
 #include <utility>
 
 #include "hmi/cam/blank_check.hpp"
+#include "hmi/cam/exported_table.hpp"
+#include "hmi/cam/number_lines.hpp"
 #include "hmi/cam/radius_tables.hpp"
 #include "hmi/cam/rough_job.hpp"
 #include "hmi/model/file_bytes.hpp"
@@ -27,11 +30,8 @@ namespace psicarve::cam {
 namespace {
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30U;
-constexpr std::array<std::string_view, 6> kExportNames{"layer",      "point",         "y_pulses",
-                                                       "psi_pulses", "r_left_pulses", "r_right_pulses"};
-constexpr double kFarthest = 1e9;  // mm or pulses: far beyond every machine, and safe to calculate with
 
-enum class TableKind : std::uint8_t { none, mm, pulses, exported };
+enum class TableKind : std::uint8_t { none, mm, pulses, exported, exported_passes };
 
 /// What a table's first line says.
 struct TableHead {
@@ -44,7 +44,7 @@ TableHead head_of(std::string_view line) {
     if (mark == std::string_view::npos) return {};
     const char separator = line[mark];
     std::vector<std::string_view> names;
-    while (!line.empty() && names.size() <= kExportNames.size()) {
+    while (!line.empty() && names.size() <= kExportNames.size() + kPassNames.size()) {
         const std::size_t end = line.find(separator);
         names.push_back(trimmed(line.substr(0, end)));
         line = end == std::string_view::npos ? std::string_view{} : line.substr(end + 1);
@@ -54,61 +54,12 @@ TableHead head_of(std::string_view line) {
     };
     if (begins("y_mm", "r_mm")) return {TableKind::mm, separator};
     if (begins("y_pulses", "r_pulses")) return {TableKind::pulses, separator};
-    if (std::equal(names.begin(), names.end(), kExportNames.begin(), kExportNames.end()))
-        return {TableKind::exported, separator};
+    std::vector<std::string_view> wanted(kExportNames.begin(), kExportNames.end());
+    if (names == wanted) return {TableKind::exported, separator};
+    wanted.insert(wanted.end(), kPassNames.begin(), kPassNames.end());
+    if (names == wanted) return {TableKind::exported_passes, separator};
     return {TableKind::none, separator};
 }
-
-/// Lines of numbers between commas or semicolons; empty lines and those that begin with '#' are passed over.
-/// Where the head has semicolons or tabs, these alone part numbers, and a comma stands before decimals, as
-/// spreadsheets of half of Europe write.
-class NumberLines {
-public:
-    NumberLines(std::string_view text, const std::string& file)
-        : text_(model::without_byte_order_mark(text)), file_(file) {}
-
-    /// The next line as it stands; empty at the end.
-    std::string_view line() {
-        while (!text_.empty()) {
-            const std::size_t end = text_.find('\n');
-            const std::string_view taken = trimmed(text_.substr(0, end));
-            text_ = end == std::string_view::npos ? std::string_view{} : text_.substr(end + 1);
-            ++number_;
-            if (!taken.empty() && taken.front() != '#') return taken;
-        }
-        return {};
-    }
-    void part_by(char separator) { separators_ = separator == ',' ? ",;" : separator == ';' ? ";" : "\t"; }
-    /// False at the end.
-    Result<bool> numbers(std::vector<double>& out) {
-        out.clear();
-        std::string_view rest = line();
-        if (rest.empty()) return false;
-        while (!rest.empty()) {
-            const std::size_t end = rest.find_first_of(separators_);
-            std::string word(trimmed(rest.substr(0, end)));
-            if (separators_.find(',') == std::string_view::npos)
-                std::replace(word.begin(), word.end(), ',', '.');
-            rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
-            if (word.empty() && trimmed(rest).empty()) break;  // a comma at the line's end
-            const auto value = model::number(word);
-            if (!value || !(std::abs(*value) <= kFarthest)) {
-                return wrong(model::quoted(word) + " is not a number that a table can hold");
-            }
-            out.push_back(*value);
-        }
-        return true;
-    }
-    Error wrong(const std::string& what) const {
-        return bad_input(file_ + " line " + std::to_string(number_) + ": " + what);
-    }
-
-private:
-    std::string_view text_;
-    std::string file_;
-    std::string_view separators_ = ",;";
-    std::size_t number_ = 0;
-};
 
 JobTable empty_table(const Profile& profile) {
     JobTable table;
@@ -119,18 +70,36 @@ JobTable empty_table(const Profile& profile) {
 
 constexpr int kPlaces = 4;  // of a millimetre: a tenth of a usual pulse
 
-std::string place(const std::string& path, std::size_t layer, std::size_t point) {
-    return path + ": layer " + std::to_string(layer) + ", point " + std::to_string(point) + ": ";
+/// Layers lie higher than those before but where a pass begins, and where a spiral closes.
+Result<void> check_rise(const JobTable& table, bool is_exported, const std::string& path) {
+    const auto& heights = table.layer_height_pulses;
+    for (std::size_t layer = 1; layer < heights.size(); ++layer) {
+        const bool begins_pass =
+            std::any_of(table.passes.begin(), table.passes.end(),
+                        [layer](const JobPass& pass) { return pass.first_layer == layer; });
+        const bool closes = table.joining == Joining::spiral && layer + 1 == heights.size();
+        const bool is_right =
+            closes ? heights[layer] == heights[layer - 1] : heights[layer] > heights[layer - 1];
+        if (is_right || begins_pass) continue;
+        if (closes) return bad_input(path + ": the last row does not close the spiral");
+        const bool may_have_passes = is_exported && table.passes.empty();
+        return bad_input(path + ": layer " + std::to_string(layer) + " lies no higher than the one before" +
+                         (may_have_passes ? ": a table of several passes needs the columns run to clear_mm; "
+                                            "export the job again"
+                                          : ""));
+    }
+    return {};
 }
 
 /// What check_job would refuse, said of a table, which is neither scaled nor cut into other layers.
-Result<void> check_travel(const JobTable& table, const Profile& profile, const std::string& path) {
+Result<void> check_travel(const JobTable& table, const Profile& profile, bool is_exported,
+                          const std::string& path) {
     const auto refused = [&](std::size_t at, Axis axis, std::int64_t pulses) {
         const AxisMotion motion = axis_motion(profile, axis);
         const auto text = [&motion](std::int64_t where) {
             return mm_text(mm_from_pulses(where, motion.pulses_per_unit), kPlaces);
         };
-        return bad_input(place(path, at / table.point_count, at % table.point_count) + "axis " +
+        return bad_input(table_place(path, at / table.point_count, at % table.point_count) + "axis " +
                          std::string(name_of(axis)) + " would have to go to " + text(pulses) +
                          ", but goes from " + text(motion.travel_min_pulses) + " to " +
                          text(motion.travel_max_pulses));
@@ -140,11 +109,8 @@ Result<void> check_travel(const JobTable& table, const Profile& profile, const s
             return pulses < motion.travel_min_pulses || pulses > motion.travel_max_pulses;
         };
     };
+    if (auto rise = check_rise(table, is_exported, path); !rise) return rise.error();
     const auto& heights = table.layer_height_pulses;
-    for (std::size_t layer = 1; layer < heights.size(); ++layer) {
-        if (heights[layer] > heights[layer - 1]) continue;
-        return bad_input(path + ": layer " + std::to_string(layer) + " lies no higher than the one before");
-    }
     const auto high = std::find_if(heights.begin(), heights.end(), is_beyond(Axis::y));
     if (high != heights.end())
         return refused(static_cast<std::size_t>(high - heights.begin()) * table.point_count, Axis::y, *high);
@@ -183,7 +149,7 @@ Result<BuiltJob> full_circles(NumberLines& lines, bool is_in_mm, const Profile& 
             return radius_mm < profile.core_radius_mm - 0.5 / profile.r1.pulses_per_mm;
         });
         if (low != row.end()) {
-            return bad_input(place(path, rows.size(), static_cast<std::size_t>(low - row.begin())) +
+            return bad_input(table_place(path, rows.size(), static_cast<std::size_t>(low - row.begin())) +
                              "a radius of " + mm_text(*low, kPlaces) + ", less than core_radius_mm, " +
                              mm_text(profile.core_radius_mm, kPlaces));
         }
@@ -203,7 +169,7 @@ Result<BuiltJob> full_circles(NumberLines& lines, bool is_in_mm, const Profile& 
         tables.fill_left(layer, rows[layer]);
         tables.fill_right(layer, rows[layer]);
     }
-    if (auto fits = check_travel(built.table, profile, path); !fits) return fits.error();
+    if (auto fits = check_travel(built.table, profile, false, path); !fits) return fits.error();
     tables.report(built.report);
     if (count % 2 != 0) {
         built.report.notes.push_back("the table's " + std::to_string(count) +
@@ -216,80 +182,33 @@ Result<BuiltJob> full_circles(NumberLines& lines, bool is_in_mm, const Profile& 
     return built;
 }
 
-/// Whether point `point` of `layer` stands where a job of this joining has it.
-bool stands_right(const JobTable& table, Joining joining, std::size_t layer, std::size_t point, double psi,
-                  double first_psi) {
-    const std::int64_t wanted =
-        table_angle_pulses(joining, table.psi_sweep_pulses, table.point_count,
-                           static_cast<std::int64_t>(layer), static_cast<std::int64_t>(point));
-    return psi - first_psi == static_cast<double>(wanted);
+/// How far in and out the finishing pass goes.
+void note_radii(const Profile& profile, const JobTable& table, SliceReport& report) {
+    const std::size_t first = finishing_layer(table) * table.point_count;
+    report.r_min_mm = std::numeric_limits<double>::max();
+    for (const Axis axis : {Axis::r1, Axis::r2}) {
+        const LinearAxisProfile& head = axis == Axis::r1 ? profile.r1 : profile.r2;
+        const auto& radii = axis == Axis::r1 ? table.r_left_pulses : table.r_right_pulses;
+        const auto [least, most] =
+            std::minmax_element(radii.begin() + static_cast<std::ptrdiff_t>(first), radii.end());
+        const auto real_mm = [&head](std::int32_t counted) {
+            return mm_from_pulses(counted, head.pulses_per_mm) + head.tip_mm();
+        };
+        report.r_min_mm = std::min(report.r_min_mm, real_mm(*least));
+        report.r_max_mm = std::max(report.r_max_mm, real_mm(*most));
+    }
 }
 
 /// Rows of a point, as they were exported.
-Result<BuiltJob> exported(NumberLines& lines, const Profile& profile, const std::string& path) {
+Result<BuiltJob> exported(NumberLines& lines, bool has_passes, const Profile& profile, Joining joining,
+                          const std::string& path) {
     BuiltJob built;
-    JobTable& table = built.table;
-    table = empty_table(profile);
-    std::vector<double> row;
-    std::vector<double> psi;
-    std::vector<double> height;
-    while (true) {
-        const auto more = lines.numbers(row);
-        if (!more) return more.error();
-        if (!*more) break;
-        if (row.size() != 6) return lines.wrong(std::to_string(row.size()) + " numbers, not 6");
-        for (const double number : row) {
-            if (number != std::floor(number)) return lines.wrong("pulses and counts are whole numbers");
-        }
-        // Layers and points may begin at any layer of a longer job; within they follow each other.
-        if (row[1] == 0.0) ++table.layer_count;
-        if (table.layer_count <= 1) ++table.point_count;
-        const std::size_t at = psi.size();
-        if (table.layer_count == 0 || row[1] != static_cast<double>(at % table.point_count)) {
-            return lines.wrong("points do not follow each other from 0 on, as many in each layer");
-        }
-        height.push_back(row[2]);
-        psi.push_back(row[3]);
-        table.r_left_pulses.push_back(static_cast<std::int32_t>(row[4]));
-        table.r_right_pulses.push_back(static_cast<std::int32_t>(row[5]));
-    }
-    if (psi.empty() || psi.size() != std::size_t{table.layer_count} * table.point_count) {
-        return bad_input(path + ": the table's last layer is not whole, or there is none");
-    }
-    table.psi_sweep_pulses = static_cast<std::int64_t>(psi[table.point_count - 1] - psi[0]);
-    bool is_continuous = true;
-    bool is_zigzag = true;
-    for (std::size_t i = 0; i < psi.size(); ++i) {
-        const std::size_t layer = i / table.point_count;
-        const std::size_t point = i % table.point_count;
-        is_continuous =
-            is_continuous && stands_right(table, Joining::continuous, layer, point, psi[i], psi[0]);
-        is_zigzag = is_zigzag && stands_right(table, Joining::zigzag, layer, point, psi[i], psi[0]);
-        if (!is_continuous && !is_zigzag) {
-            return bad_input(place(path, layer, point) +
-                             "psi is not where a continuous or zigzag job has it");
-        }
-        if (point == 0) {
-            const auto own = height.begin() + static_cast<std::ptrdiff_t>(i);
-            const auto rises =
-                std::find_if(own, own + table.point_count, [&](double y) { return y != *own; });
-            if (rises != own + table.point_count) {
-                return bad_input(place(path, layer, static_cast<std::size_t>(rises - own)) +
-                                 "another height than the layer's first point: tables of spirals cannot be "
-                                 "read back; keep "
-                                 "the job file");
-            }
-            if (layer > 0 && height[i] <= static_cast<double>(table.layer_height_pulses.back())) {
-                return bad_input(
-                    path + ": layer " + std::to_string(layer) +
-                    " lies no higher than the one before: a table of several passes does not say "
-                    "where each begins and cannot be read back; keep the job file");
-            }
-            table.layer_height_pulses.push_back(static_cast<std::int64_t>(height[i]));
-        }
-    }
-    table.joining = is_continuous ? Joining::continuous : Joining::zigzag;
-    if (auto fits = check_travel(table, profile, path); !fits) return fits.error();
+    auto table = exported_table(lines, has_passes, joining, path);
+    if (!table) return table.error();
+    built.table = std::move(*table);
+    built.table.feed_mm_s = profile.job.feed_mm_s;
+    if (auto fits = check_travel(built.table, profile, true, path); !fits) return fits.error();
+    note_radii(profile, built.table, built.report);
     return built;
 }
 
@@ -307,13 +226,14 @@ Result<BuiltJob> read(const std::vector<char>& bytes, const std::string& path, c
     }
     lines.part_by(head.separator);
     const Joining chosen = joining.value_or(profile.job.joining);
-    if (head.kind != TableKind::exported && chosen == Joining::spiral) {
+    const bool has_passes = head.kind == TableKind::exported_passes;
+    const bool is_exported = has_passes || head.kind == TableKind::exported;
+    if (!is_exported && chosen == Joining::spiral) {
         return Error{ErrorCode::bad_usage,
                      path + ": a table of layers is no spiral: --joining continuous or zigzag"};
     }
-    auto built = head.kind == TableKind::exported
-                     ? exported(lines, profile, path)
-                     : full_circles(lines, head.kind == TableKind::mm, profile, chosen, path);
+    auto built = is_exported ? exported(lines, has_passes, profile, chosen, path)
+                             : full_circles(lines, head.kind == TableKind::mm, profile, chosen, path);
     if (!built) return built;
     hold_depth_limit(profile, built->table, built->report);
     warn_about_blank(profile, built->table, built->report);
@@ -369,6 +289,16 @@ Result<BuiltJob> job_from_table(const std::string& path, const Profile& profile,
         if (!bytes) return bytes.error();
         auto built = read(*bytes, path, profile, joining);
         if (!built || profile.roughing.stepdown_mm == 0.0) return built;
+        if (!built->table.passes.empty()) {
+            built->report.notes.emplace_back("the table has roughing passes of its own: it gets no others");
+            return built;
+        }
+        if (built->table.joining == Joining::spiral) {
+            return bad_input(
+                path +
+                ": roughing needs level layers, which a table of a spiral does not have: slice the "
+                "model with roughing, or leave it out with --finish-only");
+        }
         const JobTable own = built->table;
         if (auto done = rough(*built, own, profile); !done) return done.error();
         return built;

@@ -20,9 +20,8 @@ bool is_table_file(const std::string& path);
 /// or tabs:
 ///   y_mm,r_mm or y_pulses,r_pulses: a row a layer: its height, then its radii once round from direction 0,
 ///     equally far from each other. An odd number is evened.
-///   layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses: as `snapshot export --format csv` writes
-///   it,
-///     continuous or zigzag.
+///   layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses, and of a job with passes
+///   run,pass,allowance_mm,depth_mm,clear_mm besides: as `snapshot export --format csv` writes it.
 /// Refused with the line, or with the first layer and point that the machine cannot carve.
 Result<BuiltJob> job_from_table(const std::string& path, const Profile& profile,
                                 std::optional<Joining> joining);

@@ -20,6 +20,13 @@ void append(std::string& text, std::int64_t number, char after) {
     text.push_back(after);
 }
 
+/// As short as reads back to the same number.
+void append(std::string& text, double number) {
+    char digits[32];
+    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
+    text.append(digits, end);
+}
+
 void write(std::FILE* out, const std::string& text) {
     std::fwrite(text.data(), 1, text.size(), out);
 }
@@ -55,13 +62,28 @@ void write_point_heights(const JobView& job, std::FILE* out) {
     write(out, "]");
 }
 
+/// The end of each row of a layer: ",1,1,0.3,8,12\n".
+std::string run_columns(const JobView& job, std::uint32_t layer) {
+    const std::uint32_t run = job.pass_of(layer);
+    const JobPass& pass = job.passes()[run];
+    std::string text = "," + std::to_string(run + 1) + "," + std::to_string(pass.number);
+    for (const double length_mm : {pass.allowance_mm, pass.depth_mm, pass.clear_mm}) {
+        text.push_back(',');
+        append(text, length_mm);
+    }
+    return text + "\n";
+}
+
 }  // namespace
 
 void write_csv(const JobView& job, std::FILE* out) {
-    write(out, "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses\n");
+    const bool has_passes = job.header().pass_count > 0;
+    write(out, "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses");
+    write(out, has_passes ? ",run,pass,allowance_mm,depth_mm,clear_mm\n" : "\n");
     std::string rows;
     for (std::uint32_t layer = 0; layer < job.layer_count(); ++layer) {
         rows.clear();
+        const std::string end = has_passes ? run_columns(job, layer) : "\n";
         const auto left = job.r_left_pulses(layer);
         const auto right = job.r_right_pulses(layer);
         for (std::uint32_t point = 0; point < job.point_count(); ++point) {
@@ -70,7 +92,8 @@ void write_csv(const JobView& job, std::FILE* out) {
             append(rows, job.y_pulses(layer, point), ',');
             append(rows, job.psi_pulses(layer, point), ',');
             append(rows, left[point], ',');
-            append(rows, right[point], '\n');
+            append(rows, right[point], end.front());
+            rows.append(end, 1);
         }
         write(out, rows);
     }

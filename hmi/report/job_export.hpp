@@ -7,7 +7,9 @@
 
 namespace psicarve::report {
 
-/// One row a point, with the header layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses.
+/// One row a point, with the header layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses; of a job
+/// with passes also run (counted from 1 on), pass (its number), allowance_mm, depth_mm, clear_mm.
+/// cam::job_from_table reads it back.
 void write_csv(const JobView& job, std::FILE* out);
 
 /// One object: counts, joining, feed, profile, heights and both radius tables as arrays of layers; of a

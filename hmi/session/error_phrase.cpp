@@ -180,6 +180,8 @@ std::vector<Sentence> of_roughing() {
              "roughing begins at the blank's surface: say how large the blank is, or choose finishing only")},
         {"roughing: a stepdown of %1 makes more than %2 passes",
          phrase("a stepdown of %1 makes more than %2 passes")},
+        {"the table has roughing passes of its own: it gets no others",
+         phrase("the table has roughing passes of its own: it gets no others")},
         {"no roughing passes: nothing of the blank stands further out than the allowance",
          phrase("no roughing passes: nothing of the blank stands further out than the allowance")},
     };

@@ -79,13 +79,17 @@ std::vector<Sentence> flat_refusals() {
         phrase("layer %1 lies no higher than the one before"),
         phrase("the table's last layer is not whole, or there is none"),
         phrase("layer %1, point %2: psi is not where a continuous or zigzag job has it"),
-        phrase("layer %1, point %2: another height than the layer's first point: tables of spirals cannot be "
-               "read back; keep the job file"),
-        phrase(
-            "layer %1 lies no higher than the one before: a table of several passes does not say where each "
-            "begins and cannot be read back; keep the job file"),
+        phrase("layer %1, point %2: the height is neither its layer's nor on a spiral's way up"),
+        phrase("the last row does not close the spiral"),
+        phrase("layer %1 lies no higher than the one before: a table of several passes needs the columns run "
+               "to clear_mm; export the job again"),
         phrase("more than a gigabyte, which no table needs"),
     });
+    all.push_back(
+        {"roughing needs level layers, which a table of a spiral does not have: slice the model with "
+         "roughing, or leave it out with --finish-only",
+         phrase("roughing needs level layers, which a table of a spiral does not have: slice the model with "
+                "roughing, or choose finishing only")});
     all.push_back(
         {"a table of layers is no spiral: --joining continuous or zigzag",
          phrase("a table of layers is no spiral: choose Joining continuous or zigzag in the profile")});
@@ -109,7 +113,10 @@ std::vector<Sentence> flat_line_refusals() {
         phrase("%1 is no head of a table: y_mm,r_mm or y_pulses,r_pulses, or what snapshot export writes"),
         phrase("a layer needs its height and at least two radii"),
         phrase("%1 radii, but the layers before have %2"),
-        phrase("%1 numbers, not 6"),
+        phrase("%1 numbers, not %2"),
+        phrase("another run than that of the layer's first point"),
+        phrase("runs and passes do not count on by one"),
+        phrase("a pass has no such length"),
         phrase("pulses and counts are whole numbers"),
         phrase("points do not follow each other from 0 on, as many in each layer"),
     });

@@ -204,8 +204,8 @@
             <translation>%1 mm/s</translation>
         </message>
         <message>
-            <source>%1 numbers, not 6</source>
-            <translation>чисел %1, а не 6</translation>
+            <source>%1 numbers, not %2</source>
+            <translation>чисел %1, а не %2</translation>
         </message>
         <message>
             <source>%1 of %2</source>
@@ -4123,6 +4123,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>вытесненная страница останавливает такт до возврата; настоящий станок не запускается</translation>
         </message>
         <message>
+            <source>a pass has no such length</source>
+            <translation>у прохода не бывает такого размера</translation>
+        </message>
+        <message>
             <source>a picture %1 mm high would be %2 mm wide, and once round are only %3 mm: choose at most %4 mm of height, a larger diameter, or all round, which changes its shape</source>
             <translation>изображение высотой %1 mm имело бы ширину %2 mm, а окружность всего %3 mm: выберите высоту не более %4 mm, больший диаметр или полный оборот, который меняет пропорции</translation>
         </message>
@@ -4237,6 +4241,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>another job was carved last</source>
             <translation>в последний раз вырезалось другое задание</translation>
+        </message>
+        <message>
+            <source>another run than that of the layer's first point</source>
+            <translation>другой run, чем у первой точки слоя</translation>
         </message>
         <message>
             <source>any processor</source>
@@ -4771,16 +4779,12 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слой %1 лежит не выше предыдущего</translation>
         </message>
         <message>
-            <source>layer %1 lies no higher than the one before: a table of several passes does not say where each begins and cannot be read back; keep the job file</source>
-            <translation>слой %1 не выше предыдущего: таблица нескольких проходов не говорит, где начинается каждый, и прочесть её обратно нельзя; сохраните файл задания</translation>
+            <source>layer %1 lies no higher than the one before: a table of several passes needs the columns run to clear_mm; export the job again</source>
+            <translation>слой %1 не выше предыдущего: таблице нескольких проходов нужны столбцы от run до clear_mm; выгрузите задание заново</translation>
         </message>
         <message>
             <source>layer %1, point %2: a radius of %3 mm, less than core_radius_mm, %4 mm</source>
             <translation>слой %1, точка %2: радиус %3 mm меньше core_radius_mm, %4 mm</translation>
-        </message>
-        <message>
-            <source>layer %1, point %2: another height than the layer's first point: tables of spirals cannot be read back; keep the job file</source>
-            <translation>слой %1, точка %2: высота не та, что у первой точки слоя: таблицы спиралей обратно не читаются; сохраняйте файл задания</translation>
         </message>
         <message>
             <source>layer %1, point %2: axis %3 would have to go to %4 mm, but goes from %5 mm to %6 mm</source>
@@ -4789,6 +4793,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>layer %1, point %2: psi is not where a continuous or zigzag job has it</source>
             <translation>слой %1, точка %2: Ψ не там, где у непрерывного задания или зигзага</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: the height is neither its layer's nor on a spiral's way up</source>
+            <translation>слой %1, точка %2: высота не равна высоте слоя и не лежит на подъёме спирали</translation>
         </message>
         <message>
             <source>layer %1, point %2: the radius of %3, %4, is inside the core radius of %5; carve less deep, or lower core_radius_mm</source>
@@ -5375,8 +5383,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>черновая обработка начинается с поверхности заготовки: укажите её размер или выберите «только чистовая»</translation>
         </message>
         <message>
+            <source>roughing needs level layers, which a table of a spiral does not have: slice the model with roughing, or choose finishing only</source>
+            <translation>черновой обработке нужны ровные слои, которых в таблице спирали нет: нарежьте модель с черновой обработкой или выберите «только чистовая»</translation>
+        </message>
+        <message>
             <source>run with CAP_SYS_RAWIO, or use --port ppdev:/dev/parport0</source>
             <translation>запустите с CAP_SYS_RAWIO или используйте --port ppdev:/dev/parport0</translation>
+        </message>
+        <message>
+            <source>runs and passes do not count on by one</source>
+            <translation>run и pass не растут по одному</translation>
         </message>
         <message>
             <source>see in the kernel's messages why the tsc is not trusted; often the firmware is to blame</source>
@@ -5647,6 +5663,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>самое большое задание занимает %1, их может быть два</translation>
         </message>
         <message>
+            <source>the last row does not close the spiral</source>
+            <translation>последний ряд не замыкает спираль</translation>
+        </message>
+        <message>
             <source>the machine came to rest (%1), somebody stopped it</source>
             <translation>станок остановился (%1), его кто-то остановил</translation>
         </message>
@@ -5689,6 +5709,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the table has no layers</source>
             <translation>в таблице нет слоёв</translation>
+        </message>
+        <message>
+            <source>the table has roughing passes of its own: it gets no others</source>
+            <translation>в таблице есть свои черновые проходы: другие не добавляются</translation>
         </message>
         <message>
             <source>the table's %1 points a circle are evened to %2</source>

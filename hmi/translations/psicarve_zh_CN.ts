@@ -204,8 +204,8 @@
             <translation>%1 mm/s</translation>
         </message>
         <message>
-            <source>%1 numbers, not 6</source>
-            <translation>有 %1 个数，应为 6 个</translation>
+            <source>%1 numbers, not %2</source>
+            <translation>有 %1 个数，应为 %2 个</translation>
         </message>
         <message>
             <source>%1 of %2</source>
@@ -4116,6 +4116,10 @@ N、Shift+N  下一条、上一条记录
             <translation>被换出的内存页会使节拍停住直到取回；拒绝驱动真实机床</translation>
         </message>
         <message>
+            <source>a pass has no such length</source>
+            <translation>一道加工不可能有这样的尺寸</translation>
+        </message>
+        <message>
             <source>a picture %1 mm high would be %2 mm wide, and once round are only %3 mm: choose at most %4 mm of height, a larger diameter, or all round, which changes its shape</source>
             <translation>图片高 %1 mm 时宽 %2 mm，而一周只有 %3 mm：高度最多选 %4 mm，或加大直径，或选整周（会改变形状）</translation>
         </message>
@@ -4230,6 +4234,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>another job was carved last</source>
             <translation>上次雕刻的是另一个作业</translation>
+        </message>
+        <message>
+            <source>another run than that of the layer's first point</source>
+            <translation>run 与该层第一点的不同</translation>
         </message>
         <message>
             <source>any processor</source>
@@ -4764,16 +4772,12 @@ N、Shift+N  下一条、上一条记录
             <translation>第 %1 层不高于前一层</translation>
         </message>
         <message>
-            <source>layer %1 lies no higher than the one before: a table of several passes does not say where each begins and cannot be read back; keep the job file</source>
-            <translation>第 %1 层不高于前一层：多道加工的表格没有写明每一道从哪里开始，无法读回；请保留作业文件</translation>
+            <source>layer %1 lies no higher than the one before: a table of several passes needs the columns run to clear_mm; export the job again</source>
+            <translation>第 %1 层不高于前一层：多道加工的表格需要 run 至 clear_mm 各列；请重新导出作业</translation>
         </message>
         <message>
             <source>layer %1, point %2: a radius of %3 mm, less than core_radius_mm, %4 mm</source>
             <translation>第 %1 层第 %2 点：半径 %3 mm，小于 core_radius_mm（%4 mm）</translation>
-        </message>
-        <message>
-            <source>layer %1, point %2: another height than the layer's first point: tables of spirals cannot be read back; keep the job file</source>
-            <translation>第 %1 层第 %2 点：高度与该层第一点不同：螺旋的数据表无法读回；请保留任务文件</translation>
         </message>
         <message>
             <source>layer %1, point %2: axis %3 would have to go to %4 mm, but goes from %5 mm to %6 mm</source>
@@ -4782,6 +4786,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>layer %1, point %2: psi is not where a continuous or zigzag job has it</source>
             <translation>第 %1 层，第 %2 点：Ψ 不在连续或往复作业应在的位置</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: the height is neither its layer's nor on a spiral's way up</source>
+            <translation>第 %1 层第 %2 点：高度既不是该层的高度，也不在螺旋的上升路线上</translation>
         </message>
         <message>
             <source>layer %1, point %2: the radius of %3, %4, is inside the core radius of %5; carve less deep, or lower core_radius_mm</source>
@@ -5368,8 +5376,16 @@ N、Shift+N  下一条、上一条记录
             <translation>粗加工从毛坯表面开始：请给出毛坯尺寸，或选择“只做精加工”</translation>
         </message>
         <message>
+            <source>roughing needs level layers, which a table of a spiral does not have: slice the model with roughing, or choose finishing only</source>
+            <translation>粗加工需要水平的层，而螺旋的表格没有：请连同粗加工重新切片模型，或选择“只做精加工”</translation>
+        </message>
+        <message>
             <source>run with CAP_SYS_RAWIO, or use --port ppdev:/dev/parport0</source>
             <translation>请以 CAP_SYS_RAWIO 权限运行，或使用 --port ppdev:/dev/parport0</translation>
+        </message>
+        <message>
+            <source>runs and passes do not count on by one</source>
+            <translation>run 和 pass 没有逐一递增</translation>
         </message>
         <message>
             <source>see in the kernel's messages why the tsc is not trusted; often the firmware is to blame</source>
@@ -5640,6 +5656,10 @@ N、Shift+N  下一条、上一条记录
             <translation>最大的作业需要 %1，可能同时有两个</translation>
         </message>
         <message>
+            <source>the last row does not close the spiral</source>
+            <translation>最后一行没有使螺旋闭合</translation>
+        </message>
+        <message>
             <source>the machine came to rest (%1), somebody stopped it</source>
             <translation>机床已停下（%1），有人停止了它</translation>
         </message>
@@ -5682,6 +5702,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the table has no layers</source>
             <translation>表格没有层</translation>
+        </message>
+        <message>
+            <source>the table has roughing passes of its own: it gets no others</source>
+            <translation>表格自带粗加工各道：不再添加</translation>
         </message>
         <message>
             <source>the table's %1 points a circle are evened to %2</source>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <string_view>
 #include <vector>
 
 #include "shared/units.hpp"
@@ -24,7 +25,9 @@ Result<std::vector<Row>> read_rows(const std::string& path, LayerRange range) {
     std::ifstream file(path);
     std::vector<Row> rows;
     std::string line;
-    if (!std::getline(file, line) || line != "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses") {
+    // Of a job with passes there are more columns.
+    constexpr std::string_view kHead = "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses";
+    if (!std::getline(file, line) || !line.starts_with(kHead)) {
         return bad_input(path + ": not an exported table");
     }
     while (std::getline(file, line)) {

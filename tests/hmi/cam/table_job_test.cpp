@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "hmi/report/job_export.hpp"
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
@@ -157,64 +156,6 @@ TEST_F(TableJob, AnOddCircleIsEvenedByOnePoint) {
     EXPECT_EQ(job.report.notes[0], "the table's 3 points a circle are evened to 4");
 }
 
-TEST_F(TableJob, WhatWasExportedComesBackPulseForPulse) {
-    const Profile profile;
-    for (const Joining joining : {Joining::continuous, Joining::zigzag}) {
-        JobOptions options = small(5, 9);
-        options.joining = joining;
-        const auto first = built(oblong(), profile, options);
-        const auto blob = job_blob_from_table(first.table);
-        const auto view = JobView::check(blob);
-        ASSERT_TRUE(view.has_value());
-        const std::string path = folder_.path("out.csv");
-        std::FILE* out = std::fopen(path.c_str(), "w");
-        report::write_csv(*view, out);
-        std::fclose(out);
-        const auto again = job_from_table(path, profile, {});
-        ASSERT_TRUE(again.has_value()) << again.error().message;
-        EXPECT_EQ(again->table.r_left_pulses, first.table.r_left_pulses);
-        EXPECT_EQ(again->table.r_right_pulses, first.table.r_right_pulses);
-        EXPECT_EQ(again->table.layer_height_pulses, first.table.layer_height_pulses);
-        EXPECT_EQ(again->table.psi_sweep_pulses, first.table.psi_sweep_pulses);
-        EXPECT_EQ(again->table.joining, joining);
-    }
-}
-
-TEST_F(TableJob, OfSeveralPassesIsNotReadBackAsOne) {
-    Profile profile;
-    profile.blank.radius_mm = 12.0;
-    profile.roughing = {4.0, 0.5, 0.0};
-    const BuiltJob roughed = built(oblong(), profile, small(5, 9));
-    ASSERT_GE(roughed.table.passes.size(), 2U);
-    const auto blob = job_blob_from_table(roughed.table);
-    const std::string path = folder_.path("passes.csv");
-    std::FILE* out = std::fopen(path.c_str(), "w");
-    report::write_csv(JobView::check(blob).value(), out);
-    std::fclose(out);
-    const auto again = job_from_table(path, Profile{}, {});
-    ASSERT_FALSE(again.has_value());
-    EXPECT_THAT(again.error().message,
-                EndsWith("passes.csv: layer " + std::to_string(roughed.table.passes[1].first_layer) +
-                         " lies no higher than the one before: a table of several passes does not say where "
-                         "each begins and cannot be read back; keep the job file"));
-}
-
-TEST_F(TableJob, OfASpiralSaysThatItIsOne) {
-    JobOptions options = small(4, 9);
-    options.joining = Joining::spiral;
-    const auto blob = job_blob_from_table(built(oblong(), Profile{}, options).table);
-    const std::string path = folder_.path("spiral.csv");
-    std::FILE* out = std::fopen(path.c_str(), "w");
-    report::write_csv(JobView::check(blob).value(), out);
-    std::fclose(out);
-    const auto again = job_from_table(path, Profile{}, {});
-    ASSERT_FALSE(again.has_value());
-    EXPECT_THAT(
-        again.error().message,
-        EndsWith("spiral.csv: layer 1, point 1: another height than the layer's first point: tables of "
-                 "spirals cannot be read back; keep the job file"));
-}
-
 TEST_F(TableJob, ReportsNothingThatATableHasNot) {
     Profile profile;
     profile.tool = {ToolShape::ball, 2.0};
@@ -252,6 +193,8 @@ TEST_F(TableJob, BrokenTablesAreOneClearLine) {
     EXPECT_THAT(refusal(head + "0,0,0,0,5,5\n0,1,0,8,5,5\n1,0,3,8,5,5\n1,1,3,17,5,5\n"),
                 HasSubstr("layer 1, point 1: psi is not where"));
     EXPECT_THAT(refusal(head + "0,1,0,0,5,5\n"), HasSubstr("points do not follow each other"));
+    EXPECT_THAT(refusal(head + "0,0,0,0,5,5\n0,1,9,8,5,5\n"),
+                HasSubstr("layer 0, point 0: the height is neither its layer's nor on a spiral's way up"));
     EXPECT_THAT(refusal(head + "0,0,0,0,5\n"), HasSubstr("5 numbers, not 6"));
     EXPECT_THAT(refusal(head + "0,0,0,0.5,5,5\n"), HasSubstr("whole numbers"));
 }

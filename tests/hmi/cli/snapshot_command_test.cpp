@@ -49,6 +49,26 @@ TEST_F(SnapshotCommand, ExportsCsvWithOneRowAPoint) {
               "1,2,300,6400,4006,5006\n");
 }
 
+TEST_F(SnapshotCommand, ExportsCsvThatIsSlicedToTheSameTables) {
+    const std::string box = box_stl("box.stl");
+    const auto exported = [](const std::string& job) {
+        return psicarve({"snapshot", "export", job, "--format", "csv"}).out;
+    };
+    for (const char* joining : {"continuous", "zigzag", "spiral"}) {
+        const Outcome sliced =
+            psicarve({"slice", box, "-o", file("a.job"), "--layers", "8", "--points", "21", "--joining",
+                      joining, "--tool", "ball:3", "--blank", "14x8", "--stepdown", "2"});
+        ASSERT_EQ(sliced.exit_code, 0) << sliced.error;
+        write("a.csv", exported(file("a.job")));
+        const Outcome again =
+            psicarve({"slice", file("a.csv"), "-o", file("b.job"), "--profile", file("a.job"), "--json"});
+        ASSERT_EQ(again.exit_code, 0) << again.error;
+        EXPECT_EQ(again.json()["joining"], joining);
+        EXPECT_GE(again.json()["passes"].size(), 3U);
+        EXPECT_TRUE(exported(file("b.job")) == text_of(file("a.csv"))) << joining;
+    }
+}
+
 TEST_F(SnapshotCommand, ExportsZigzagWithinOneSweep) {
     const Outcome outcome = psicarve({"snapshot", "export", save("a.job", small_table(Joining::zigzag))});
     EXPECT_NE(outcome.out.find("1,0,300,0,4004,5004\n1,1,300,1600,4005,5005\n1,2,300,3200,4006,5006\n"),

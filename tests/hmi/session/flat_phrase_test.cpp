@@ -182,9 +182,30 @@ TEST_F(FlatPhrase, KnowsWhyATableIsRefused) {
     expect_table_refusal(exported);
     expect_table_refusal(exported + "0,0,1\n");
     expect_table_refusal(exported + "0,0,5,0,900,900\n0,1,6,3200,900,900\n");
+    expect_table_refusal(exported +
+                         "0,0,400,0,900,900\n0,1,400,3200,900,900\n1,0,400,3200,900,900\n"
+                         "1,1,800,6400,900,900\n");
+    const std::string passes = exported.substr(0, exported.size() - 1) +
+                               ",run,pass,allowance_mm,depth_mm,clear_mm\n0,0,400,0,4000,4000,1,1,0,0,9\n";
+    expect_table_refusal(passes + "0,1,400,3200,4000,4000,2,2,0,0,9\n");
+    expect_table_refusal(passes + "1,0,400,3200,4000,4000,3,2,0,0,9\n");
+    expect_table_refusal(passes + "1,0,400,3200,4000,4000,2,2,-1,0,9\n");
     expect_table_refusal(exported + "0,0,1.5,0,4000,4000\n");
     expect_table_refusal(exported + "0,1,400,0,4000,4000\n");
     expect_table_refusal(exported + "0,0,400,0,4000,4000\n0,1,400,100,4000,4000\n0,2,400,3200,4000,4000\n");
+}
+
+TEST_F(FlatPhrase, KnowsWhyATableOfASpiralIsNotRoughed) {
+    Profile profile;
+    profile.blank.radius_mm = 12.0;
+    profile.roughing.stepdown_mm = 2.0;
+    const std::string spiral =
+        "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses\n"
+        "0,0,400,0,4000,4000\n0,1,400,3200,4000,4000\n1,0,400,3200,4000,4000\n"
+        "1,1,800,6400,4000,4000\n2,0,800,6400,4000,4000\n2,1,800,9600,4000,4000\n";
+    const auto job = cam::job_from_table(written("table.csv", spiral), profile, std::nullopt);
+    ASSERT_FALSE(job);
+    expect_known(job.error().message);
 }
 
 TEST_F(FlatPhrase, KnowsWhatIsWarnedOf) {

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cam/exported_table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "hmi/cam/table_job.hpp"
+#include "hmi/report/job_export.hpp"
+#include "tests/hmi/cam/built_job.hpp"
+#include "tests/shared/temporary_folder.hpp"
+
+namespace psicarve::cam {
+namespace {
+
+using testing::Contains;
+using testing::EndsWith;
+using testing::HasSubstr;
+
+class ExportedTable : public ::testing::Test {
+protected:
+    std::string exported(const JobTable& table) const {
+        const auto blob = job_blob_from_table(table);
+        const std::string path = folder_.path("out.csv");
+        std::FILE* out = std::fopen(path.c_str(), "w");
+        report::write_csv(JobView::check(blob).value(), out);
+        std::fclose(out);
+        return path;
+    }
+    static std::string text_of(const std::string& path) {
+        std::ostringstream text;
+        text << std::ifstream(path).rdbuf();
+        return text.str();
+    }
+    Result<BuiltJob> read(const std::string& text, const Profile& profile = {}) const {
+        const std::string path = folder_.path("in.csv");
+        std::ofstream(path, std::ios::binary) << text;
+        EXPECT_TRUE(is_table_file(path));
+        return job_from_table(path, profile, {});
+    }
+    std::string refusal(const std::string& text) const {
+        const auto job = read(text);
+        EXPECT_FALSE(job.has_value()) << text;
+        return job ? "" : job.error().message;
+    }
+    /// Written, read, compared to the last byte, and written again to the same file.
+    void expect_back(const JobTable& first, const Profile& profile) const {
+        const std::string text = text_of(exported(first));
+        const auto again = read(text, profile);
+        ASSERT_TRUE(again.has_value()) << again.error().message;
+        const JobTable& table = again->table;
+        EXPECT_EQ(table.layer_count, first.layer_count);
+        EXPECT_EQ(table.point_count, first.point_count);
+        EXPECT_EQ(table.joining, first.joining);
+        EXPECT_EQ(table.psi_sweep_pulses, first.psi_sweep_pulses);
+        EXPECT_EQ(table.feed_mm_s, first.feed_mm_s);
+        EXPECT_EQ(table.layer_height_pulses, first.layer_height_pulses);
+        EXPECT_EQ(table.r_left_pulses, first.r_left_pulses);
+        EXPECT_EQ(table.r_right_pulses, first.r_right_pulses);
+        ASSERT_EQ(table.passes.size(), first.passes.size());
+        const std::size_t bytes = first.passes.size() * sizeof(JobPass);
+        EXPECT_TRUE(bytes == 0 || std::memcmp(table.passes.data(), first.passes.data(), bytes) == 0);
+        EXPECT_EQ(text_of(exported(table)), text);
+        // The machine takes it.
+        const auto blob = job_blob_from_table(table);
+        const auto view = JobView::check(blob);
+        ASSERT_TRUE(view) << view.error().message;
+        const auto good = check_job(*view, profile);
+        EXPECT_TRUE(good) << good.error().message;
+    }
+    static JobOptions joined(Joining joining, std::uint32_t layers) {
+        JobOptions options = small(layers, 9);
+        options.joining = joining;
+        return options;
+    }
+    static Profile roughing() {
+        Profile profile;
+        profile.blank.radius_mm = 12.0;
+        profile.roughing = {4.0 / 3.0, 0.3, 0.0};
+        return profile;
+    }
+
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(ExportedTable, OfEveryJoiningComesBackPulseForPulse) {
+    const Profile profile;
+    for (const Joining joining : {Joining::continuous, Joining::zigzag, Joining::spiral})
+        expect_back(built(oblong(), profile, joined(joining, 5)).table, profile);
+}
+
+TEST_F(ExportedTable, OfOneLayerIsJoinedAsTheProfileSays) {
+    for (const Joining joining : {Joining::continuous, Joining::zigzag, Joining::spiral}) {
+        Profile profile;
+        profile.job.joining = joining;
+        expect_back(built(oblong(), profile, joined(joining, 1)).table, profile);
+    }
+}
+
+TEST_F(ExportedTable, OfSeveralPassesKeepsThem) {
+    for (const Joining joining : {Joining::continuous, Joining::zigzag, Joining::spiral}) {
+        const Profile profile = roughing();
+        const JobTable table = built(oblong(), profile, joined(joining, 5)).table;
+        ASSERT_GE(table.passes.size(), 3U);
+        expect_back(table, profile);
+    }
+}
+
+TEST_F(ExportedTable, KeepsRunsThatShareAPass) {
+    Profile profile = roughing();
+    profile.head_r2_angle_error_deg = 0.5;
+    JobTable table = built(oblong(), profile, joined(Joining::continuous, 5)).table;
+    // An idle layer that lies above all layers of its pass is still a run of its own.
+    JobPass& last = table.passes[table.passes.size() - 2];
+    ASSERT_GE(last.layer_count, 1U);
+    if (last.layer_count > 1) {
+        JobPass more = last;
+        more.first_layer = last.first_layer + last.layer_count - 1;
+        more.layer_count = 1;
+        last.layer_count -= 1;
+        table.passes.insert(table.passes.end() - 1, more);
+    }
+    expect_back(table, profile);
+}
+
+TEST_F(ExportedTable, TellsOfPassesOnlyWhereThereAreSome) {
+    const auto first_line = [this](const JobTable& table) {
+        const std::string text = text_of(exported(table));
+        return text.substr(0, text.find('\n'));
+    };
+    EXPECT_EQ(first_line(built(oblong(), Profile{}, small(5, 9)).table),
+              "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses");
+    EXPECT_EQ(first_line(built(oblong(), roughing(), small(5, 9)).table),
+              "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses,run,pass,allowance_mm,depth_mm,"
+              "clear_mm");
+}
+
+TEST_F(ExportedTable, SaysOfABlankWhatItsFinishingPassSays) {
+    Profile profile = roughing();
+    profile.tool = {ToolShape::ball, 2.0, 60.0, 3.0};
+    const BuiltJob first = built(oblong(), profile, small(5, 9));
+    const auto again = read(text_of(exported(first.table)), profile);
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_NEAR(again->report.r_max_mm, first.report.r_max_mm, 1e-9);
+    EXPECT_NEAR(again->report.r_min_mm, first.report.r_min_mm, 1e-9);
+    EXPECT_THAT(again->report.warnings, Contains(HasSubstr("the tool cuts 3.00 mm deep, but the job goes ")));
+    EXPECT_THAT(again->report.warnings, testing::Not(Contains(HasSubstr("blank's radius"))))
+        << "a head that is parked outside of the blank is no model";
+}
+
+TEST_F(ExportedTable, WithPassesIsNotRoughedAgainAndASpiralNotAtAll) {
+    const BuiltJob roughed = built(oblong(), roughing(), small(5, 9));
+    const auto again = read(text_of(exported(roughed.table)), roughing());
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again->table.layer_count, roughed.table.layer_count);
+    EXPECT_THAT(again->report.notes, Contains(HasSubstr("roughing passes of its own")));
+    const JobTable spiral = built(oblong(), Profile{}, joined(Joining::spiral, 5)).table;
+    const auto refused = read(text_of(exported(spiral)), roughing());
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message, HasSubstr("roughing needs level layers"));
+    EXPECT_THAT(refused.error().message, HasSubstr("--finish-only"));
+}
+
+TEST_F(ExportedTable, OfSeveralPassesThatDoesNotSayWhereEachBeginsIsRefused) {
+    std::string text = text_of(exported(built(oblong(), roughing(), small(5, 9)).table));
+    std::string old;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = text.find('\n', at);
+        const std::string line = text.substr(at, end - at);
+        std::size_t comma = 0;
+        for (int column = 0; column < 6; ++column) comma = line.find(',', comma) + 1;
+        old += line.substr(0, comma - 1) + "\n";
+        at = end + 1;
+    }
+    EXPECT_THAT(refusal(old),
+                HasSubstr("lies no higher than the one before: a table of several passes needs the "
+                          "columns run to clear_mm"));
+}
+
+TEST_F(ExportedTable, WhosePassesMakeNoSenseIsOneClearLine) {
+    const std::string head =
+        "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses,run,pass,allowance_mm,depth_mm,clear_"
+        "mm\n";
+    const std::string first = "0,0,400,0,4000,4000,1,1,0.3,5,9\n0,1,400,3200,4000,4000,1,1,0.3,5,9\n";
+    EXPECT_THAT(refusal(head + "0,0,400,0,4000,4000\n"), EndsWith("line 2: 6 numbers, not 11"));
+    EXPECT_THAT(refusal(head + first + "1,0,400,3200,4000,4000,3,2,0,0,9\n"),
+                EndsWith("line 4: runs and passes do not count on by one"));
+    EXPECT_THAT(refusal(head + "0,0,400,0,4000,4000,1,1,0.3,5,9\n0,1,400,3200,4000,4000,2,2,0.3,5,9\n"),
+                EndsWith("line 3: another run than that of the layer's first point"));
+    EXPECT_THAT(refusal(head + "0,0,400,0,4000,4000,1,1,-0.3,5,9\n"),
+                EndsWith("line 2: a pass has no such length"));
+    EXPECT_THAT(refusal(head + "0,0,400,0,4000,4000,1.5,1,0.3,5,9\n"), HasSubstr("whole numbers"));
+    const std::string plain = "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses\n";
+    EXPECT_THAT(refusal(plain + "0,0,400,0,900,900\n0,1,400,3200,900,900\n1,0,400,3200,900,900\n"
+                                "1,1,800,6400,900,900\n"),
+                EndsWith("the last row does not close the spiral"));
+    // Of a longer job these may be the last layers: runs and passes count anew.
+    const auto rest = read(head +
+                           "7,0,400,0,4000,4000,4,3,0.3,5,9\n7,1,400,3200,4000,4000,4,3,0.3,5,9\n"
+                           "8,0,400,3200,4000,4000,5,4,0,0,9\n8,1,400,6400,4000,4000,5,4,0,0,9\n");
+    ASSERT_TRUE(rest) << rest.error().message;
+    ASSERT_EQ(rest->table.passes.size(), 2U);
+    EXPECT_EQ(rest->table.passes[1].number, 2U);
+    EXPECT_EQ(rest->table.passes[1].first_layer, 1U);
+}
+
+}  // namespace
+}  // namespace psicarve::cam

@@ -63,29 +63,35 @@ std::array<std::int64_t, 2> clear_of_blank(const JobView& job, const Profile& pr
 
 }  // namespace
 
+std::vector<PulseCounts> link_pulses(const JobView& job, const Profile& profile) {
+    std::vector<PulseCounts> links(job.layer_count());
+    const std::array<std::int64_t, 2> clear = clear_of_blank(job, profile);
+    for (std::uint32_t layer = 1; layer < job.layer_count(); ++layer) {
+        Place from = place_of(job, layer - 1, job.point_count() - 1);
+        const Place to = place_of(job, layer, 0);
+        if (job.begins_pass(layer)) {
+            Place outside = from;
+            for (const Axis head : {Axis::r1, Axis::r2}) {
+                const std::size_t h = index_of(head);
+                outside[h] = std::max(outside[h], clear[head == Axis::r1 ? 0 : 1]);
+            }
+            add_way(links[layer], from, outside);
+            from = outside;
+        }
+        add_way(links[layer], from, to);
+    }
+    return links;
+}
+
 std::vector<PulseCounts> pulses_to_end(const JobView& job, const Profile& profile) {
     std::vector<PulseCounts> to_end(job.layer_count());
-    const std::array<std::int64_t, 2> clear = clear_of_blank(job, profile);
-    const std::uint32_t last_step = job.point_count() - 1;
+    const std::vector<PulseCounts> links = link_pulses(job, profile);
     PulseCounts sum{};
     for (std::uint32_t layer = job.layer_count(); layer-- > 0;) {
-        if (layer + 1 < job.layer_count()) {
-            Place from = place_of(job, layer, last_step);
-            const Place to = place_of(job, layer + 1, 0);
-            if (job.begins_pass(layer + 1)) {
-                Place outside = from;
-                for (const Axis head : {Axis::r1, Axis::r2}) {
-                    const std::size_t h = index_of(head);
-                    outside[h] = std::max(outside[h], clear[head == Axis::r1 ? 0 : 1]);
-                }
-                add_way(sum, from, outside);
-                from = outside;
-            }
-            add_way(sum, from, to);
-        }
-        const PulseCounts own = along(job, layer, 0, last_step);
+        const PulseCounts own = along(job, layer, 0, job.point_count() - 1);
         for (std::size_t axis = 0; axis < kAxisCount; ++axis) sum[axis] += own[axis];
         to_end[layer] = sum;
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) sum[axis] += links[layer][axis];
     }
     return to_end;
 }

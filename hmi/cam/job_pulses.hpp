@@ -12,6 +12,10 @@ namespace psicarve::cam {
 
 using PulseCounts = std::array<std::uint64_t, kAxisCount>;  ///< by axis
 
+/// Pulses of the way to each layer from the one before, none to the first: straight, and to a layer that
+/// begins a pass out to where the heads clear the blank and in again.
+std::vector<PulseCounts> link_pulses(const JobView& job, const Profile& profile);
+
 /// Pulses from each layer's first point to the job's last: straight from point to point as the tables have
 /// them, and between two passes out to where the heads clear the blank and in again. One entry a layer. Some
 /// nanoseconds a point.

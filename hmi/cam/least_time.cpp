@@ -54,7 +54,9 @@ LeastTime least_time_of(const JobView& job, const Profile& profile) {
         const auto r_left = job.r_left_pulses(layer);
         const auto r_right = job.r_right_pulses(layer);
         std::int64_t before = job.psi_pulses(layer, 0);
+        std::int64_t height = job.y_pulses(layer, 0);
         double in_layer = 0.0;
+        std::array<double, 2> path_mm{};
         for (std::uint32_t point = 1; point < job.point_count(); ++point) {
             const std::int64_t psi = job.psi_pulses(layer, point);
             const auto turn_pulses = static_cast<double>(std::abs(psi - before));
@@ -62,8 +64,12 @@ LeastTime least_time_of(const JobView& job, const Profile& profile) {
             const double turn_rad = turn_pulses * rad_per_pulse;
             const HeadPace::Way r1 = left.way(r_left[point - 1], r_left[point], turn_rad);
             const HeadPace::Way r2 = right.way(r_right[point - 1], r_right[point], turn_rad);
-            sum.path_mm[0] += r1.path_mm;
-            sum.path_mm[1] += r2.path_mm;
+            // A spiral rises meanwhile, which takes no time of its own.
+            const std::int64_t y = job.y_pulses(layer, point);
+            const double rise_mm = mm_from_pulses(y - height, profile.y.pulses_per_mm);
+            height = y;
+            path_mm[0] += std::hypot(r1.path_mm, rise_mm);
+            path_mm[1] += std::hypot(r2.path_mm, rise_mm);
             const double feed = std::max(r1.path_mm, r2.path_mm) / feed_mm_s;
             const double psi_alone = turn_pulses / psi_speed_pps;
             const double longest = std::max({feed, r1.seconds, r2.seconds, psi_alone});
@@ -75,6 +81,8 @@ LeastTime least_time_of(const JobView& job, const Profile& profile) {
             in_layer += longest;
         }
         sum.layer_seconds.push_back(in_layer);
+        sum.layer_path_mm.push_back(path_mm);
+        for (std::size_t h = 0; h < path_mm.size(); ++h) sum.path_mm[h] += path_mm[h];
     }
     return sum;
 }

@@ -12,10 +12,11 @@ namespace psicarve::cam {
 /// The least time that a job's ways from point to point take [s], by what each of them waits for, and how
 /// long they are.
 struct LeastTime {
-    double feed_seconds = 0.0;                      ///< a tip at the job's feed over the surface
-    std::array<double, kAxisCount> axis_seconds{};  ///< an axis at its top speed; nothing waits for Y here
-    std::array<double, 2> path_mm{};                ///< R1's and R2's tip over the surface
-    std::vector<double> layer_seconds;              ///< of each layer
+    double feed_seconds = 0.0;                         ///< a tip at the job's feed over the surface
+    std::array<double, kAxisCount> axis_seconds{};     ///< an axis at its top speed; nothing waits for Y here
+    std::array<double, 2> path_mm{};                   ///< R1's and R2's tip over the surface
+    std::vector<double> layer_seconds;                 ///< of each layer
+    std::vector<std::array<double, 2>> layer_path_mm;  ///< of each layer
 
     double total() const noexcept;
 };

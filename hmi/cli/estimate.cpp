@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -9,6 +10,7 @@
 
 #include "hmi/cam/job_pulses.hpp"
 #include "hmi/cam/least_time.hpp"
+#include "hmi/cam/path_length.hpp"
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
@@ -39,6 +41,8 @@ struct EstimateOptions {
 struct Estimate {
     machine::PlannedTime planned;
     cam::LeastTime least;
+    std::vector<cam::LayerPath> layer_paths;
+    cam::LayerPath path;  ///< of all layers
     cam::PulseCounts pulses{};
     double removed_mm3 = 0.0;
 
@@ -55,6 +59,8 @@ Result<Estimate> estimate_of(const PreparedJob& job, const std::string& path) {
     if (!planned) return planned.error();
     estimate.planned = *planned;
     estimate.least = cam::least_time_of(job.view, job.profile);
+    estimate.layer_paths = cam::layer_paths(job.view, job.profile, estimate.least);
+    for (const cam::LayerPath& layer : estimate.layer_paths) estimate.path += layer;
     estimate.pulses = cam::pulses_to_end(job.view, job.profile).front();
     const auto geometry = verify::JobGeometry::make(job.view, job.profile);
     if (!geometry) return bad_input(path + ": " + geometry.error().message);
@@ -72,17 +78,20 @@ std::string json_of(const PreparedJob& job, const Estimate& estimate) {
     }
     bound["acceleration"] = estimate.share(estimate.changes_seconds());
     const auto& reference = estimate.planned.reference_seconds;
-    const Json object{{"source", std::string{job.view.source_name()}},
-                      {"layers", job.view.layer_count()},
-                      {"points", job.view.point_count()},
-                      {"carve_seconds", estimate.planned.carve_seconds},
-                      {"reference_seconds", reference ? Json(*reference) : Json(nullptr)},
-                      {"least_seconds", estimate.least.total()},
-                      {"passes", report::passes_json(job.view, estimate.planned.layer_seconds)},
-                      {"bound_by", bound},
-                      {"path_mm", {{"r1", estimate.least.path_mm[0]}, {"r2", estimate.least.path_mm[1]}}},
-                      {"pulses", pulses},
-                      {"removed_mm3", estimate.removed_mm3}};
+    const Json object{
+        {"source", std::string{job.view.source_name()}},
+        {"layers", job.view.layer_count()},
+        {"points", job.view.point_count()},
+        {"carve_seconds", estimate.planned.carve_seconds},
+        {"reference_seconds", reference ? Json(*reference) : Json(nullptr)},
+        {"least_seconds", estimate.least.total()},
+        {"passes", report::passes_json(job.view, estimate.planned.layer_seconds, estimate.layer_paths)},
+        {"bound_by", bound},
+        {"path_mm", report::heads_json(estimate.path.cutting_mm)},
+        {"links_mm", report::heads_json(estimate.path.link_mm)},
+        {"total_mm", report::heads_json(estimate.path.total_mm())},
+        {"pulses", pulses},
+        {"removed_mm3", estimate.removed_mm3}};
     return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -99,23 +108,31 @@ std::string bound_text(const Estimate& estimate) {
     return text;
 }
 
+/// "R1 120 mm, R2 118 mm".
+std::string lengths_text(const std::array<double, 2>& by_head_mm) {
+    return "R1 " + std::to_string(std::llround(by_head_mm[0])) + " mm, R2 " +
+           std::to_string(std::llround(by_head_mm[1])) + " mm";
+}
+
 std::string text_of(const PreparedJob& job, const Estimate& estimate) {
     std::string text = "job        " + std::string{job.view.source_name()} + ": " +
                        std::to_string(job.view.layer_count()) + " layers x " +
                        std::to_string(job.view.point_count()) + " points\n";
     text +=
         "carving    " + clock_text(estimate.planned.carve_seconds) + ", without approach and retraction\n";
-    const auto passes = report::passes_of(job.view, estimate.planned.layer_seconds);
+    const auto passes = report::passes_of(job.view, estimate.planned.layer_seconds, estimate.layer_paths);
     for (const report::PassLayers& pass : passes) {
         if (passes.size() > 1)
             text += "pass       " + pass.name + ": " + std::to_string(pass.layers) + " layers, " +
-                    clock_text(pass.seconds) + "\n";
+                    clock_text(pass.seconds) + ", path " + lengths_text(pass.path.cutting_mm) + ", links " +
+                    lengths_text(pass.path.link_mm) + "\n";
     }
     if (const auto& reference = estimate.planned.reference_seconds)
         text += "reference  " + clock_text(*reference) + "\n";
     text += "bound by   " + bound_text(estimate) + "\n";
-    text += "path       R1 " + std::to_string(std::llround(estimate.least.path_mm[0])) + " mm, R2 " +
-            std::to_string(std::llround(estimate.least.path_mm[1])) + " mm over the surface\n";
+    text += "path       " + lengths_text(estimate.path.cutting_mm) + " over the surface\n";
+    text += "links      " + lengths_text(estimate.path.link_mm) + " between layers and passes\n";
+    text += "total      " + lengths_text(estimate.path.total_mm()) + ", without approach and retraction\n";
     return text + "removed    " + std::to_string(std::llround(estimate.removed_mm3)) + " mm3\n";
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "hmi/cam/path_length.hpp"
 #include "shared/job.hpp"
 
 namespace psicarve::report {
@@ -17,13 +19,19 @@ struct PassLayers {
     JobPass first;  ///< of its runs
     std::uint32_t layers = 0;
     double seconds = 0.0;  ///< where seconds by layer were given
+    cam::LayerPath path;   ///< of all its layers, where paths by layer were given
 };
-/// At least one. `layer_seconds`: of every layer, or nothing.
-std::vector<PassLayers> passes_of(const JobView& job, std::span<const double> layer_seconds = {});
+/// At least one. `layer_seconds`, `layer_paths`: of every layer, or nothing.
+std::vector<PassLayers> passes_of(const JobView& job, std::span<const double> layer_seconds = {},
+                                  std::span<const cam::LayerPath> layer_paths = {});
 
 /// "7 roughing passes of 93 layers, leaving 0.3 mm, and the finishing pass of 40".
 std::string passes_text(const JobView& job);
-/// An array: pass, layers, allowance_mm, depth_mm; seconds where they were given.
-nlohmann::ordered_json passes_json(const JobView& job, std::span<const double> layer_seconds = {});
+/// An array: pass, layers, allowance_mm, depth_mm; seconds, and cutting_mm, links_mm and total_mm of both
+/// heads, where they were given.
+nlohmann::ordered_json passes_json(const JobView& job, std::span<const double> layer_seconds = {},
+                                   std::span<const cam::LayerPath> layer_paths = {});
+/// {"r1": ..., "r2": ...}.
+nlohmann::ordered_json heads_json(const std::array<double, 2>& by_head);
 
 }  // namespace psicarve::report

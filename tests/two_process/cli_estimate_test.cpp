@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <numbers>
+
 #include "tests/hmi/cli/program_run.hpp"
 
 namespace psicarve::test {
@@ -52,6 +54,54 @@ TEST_F(Estimate, OfAJobIsForAPersonAndLeavesNoCoreBehind) {
     EXPECT_EQ(psicarve({"status", "--segment", segment_}).exit_code, 5);
     EXPECT_EQ(psicarve({"estimate", file("box.job"), "--layers", "3"}).exit_code, 2);
     EXPECT_EQ(psicarve({"estimate", file("none.stl")}).exit_code, 3);
+}
+
+/// A table by hand: 400 pulses a mm, half a turn of three points a layer. Two roughing layers of 10 mm, 1 and
+/// 4 mm high, and two of 8 and 9.5 mm for R1, 7 mm for R2, in a blank of 12 mm.
+TEST_F(Estimate, AddsUpThePathOfEachPassWithItsLinks) {
+    std::string table =
+        "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses,run,pass,allowance_mm,depth_mm,clear_"
+        "mm\n";
+    const auto add = [&table](int layer, int y, int r1, int r2, const char* pass) {
+        for (int point = 0; point < 3; ++point) {
+            const int psi = 3200 * layer + 1600 * point;
+            for (const int number : {layer, point, y, psi, r1, r2}) table += std::to_string(number) + ",";
+            table += std::string{pass} + "\n";
+        }
+    };
+    add(0, 400, 4000, 4000, "1,1,0.3,10,12");
+    add(1, 1600, 4000, 4000, "1,1,0.3,10,12");
+    add(2, 400, 3200, 2800, "2,2,0,0,12");
+    add(3, 800, 3800, 2800, "2,2,0,0,12");
+    write("passes.csv", table);
+    const std::vector<std::string> command{"estimate", file("passes.csv"), "--tool",
+                                           "ball:2",   "--blank",          "12x20"};
+    std::vector<std::string> with_json = command;
+    with_json.push_back("--json");
+    const Outcome outcome = psicarve(with_json);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    const Json estimate = outcome.json();
+    const auto expect = [](const Json& said, const char* what, double r1_mm, double r2_mm) {
+        EXPECT_NEAR(said[what]["r1"].get<double>(), r1_mm, 1e-9) << what;
+        EXPECT_NEAR(said[what]["r2"].get<double>(), r2_mm, 1e-9) << what;
+    };
+    ASSERT_EQ(estimate["passes"].size(), 2U);
+    constexpr double kHalf = std::numbers::pi;
+    expect(estimate["passes"][0], "cutting_mm", kHalf * 20.0, kHalf * 20.0);
+    expect(estimate["passes"][0], "links_mm", 3.0, 3.0);
+    expect(estimate["passes"][0], "total_mm", kHalf * 20.0 + 3.0, kHalf * 20.0 + 3.0);
+    // From 10 mm out to 14, the blank and the clearance of 2; 3 mm down; in. Then 1 mm up, R1 1.5 mm out.
+    expect(estimate["passes"][1], "cutting_mm", kHalf * 17.5, kHalf * 14.0);
+    expect(estimate["passes"][1], "links_mm", 4.0 + 3.0 + 6.0 + 2.5, 4.0 + 3.0 + 7.0 + 1.0);
+    expect(estimate, "path_mm", kHalf * 37.5, kHalf * 34.0);
+    expect(estimate, "links_mm", 18.5, 18.0);
+    expect(estimate, "total_mm", kHalf * 37.5 + 18.5, kHalf * 34.0 + 18.0);
+    const std::string told = psicarve(command).out;
+    for (const char* line : {"path R1 63 mm, R2 63 mm, links R1 3 mm, R2 3 mm\n",
+                             "path       R1 118 mm, R2 107 mm over the surface\n",
+                             "links      R1 19 mm, R2 18 mm between layers and passes\n",
+                             "total      R1 136 mm, R2 125 mm, without approach and retraction\n"})
+        EXPECT_NE(told.find(line), std::string::npos) << line << told;
 }
 
 }  // namespace

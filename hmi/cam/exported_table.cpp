@@ -171,6 +171,7 @@ Result<JobTable> exported_table(NumberLines& lines, bool has_passes, Joining cho
     if (const auto read = read_rows(lines, has_passes, table, places); !read) return read.error();
     if (places.count() == 0 || places.count() != std::size_t{table.layer_count} * table.point_count)
         return bad_input(path + ": the table's last layer is not whole, or there is none");
+    if (table.point_count < 2) return bad_input(path + ": a layer of one point goes nowhere; it needs two");
     const std::size_t last = table.point_count - 1;
     table.psi_sweep_pulses = static_cast<std::int64_t>(places.psi_at(0, last) - places.psi_at(0, 0));
     for (std::size_t layer = 0; layer < table.layer_count; ++layer)

@@ -81,6 +81,7 @@ std::vector<Sentence> flat_refusals() {
         phrase("layer %1, point %2: psi is not where a continuous or zigzag job has it"),
         phrase("layer %1, point %2: the height is neither its layer's nor on a spiral's way up"),
         phrase("the last row does not close the spiral"),
+        phrase("a layer of one point goes nowhere; it needs two"),
         phrase("layer %1 lies no higher than the one before: a table of several passes needs the columns run "
                "to clear_mm; export the job again"),
         phrase("more than a gigabyte, which no table needs"),

@@ -4115,6 +4115,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слою нужны высота и не менее двух радиусов</translation>
         </message>
         <message>
+            <source>a layer of one point goes nowhere; it needs two</source>
+            <translation>слой из одной точки никуда не ведёт; нужны две</translation>
+        </message>
+        <message>
             <source>a packed file (gzip), as SVGZ is; unpack it first</source>
             <translation>сжатый файл (gzip), как SVGZ; сначала распакуйте его</translation>
         </message>

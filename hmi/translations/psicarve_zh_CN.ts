@@ -4108,6 +4108,10 @@ N、Shift+N  下一条、上一条记录
             <translation>每层需要高度和至少两个半径</translation>
         </message>
         <message>
+            <source>a layer of one point goes nowhere; it needs two</source>
+            <translation>只有一个点的层没有走向；至少需要两个点</translation>
+        </message>
+        <message>
             <source>a packed file (gzip), as SVGZ is; unpack it first</source>
             <translation>压缩文件（gzip），例如 SVGZ；请先解压</translation>
         </message>

@@ -7,8 +7,10 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <random>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hmi/cam/table_job.hpp"
@@ -165,6 +167,43 @@ TEST_F(ExportedTable, WithPassesIsNotRoughedAgainAndASpiralNotAtAll) {
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().message, HasSubstr("roughing needs level layers"));
     EXPECT_THAT(refused.error().message, HasSubstr("--finish-only"));
+}
+
+TEST_F(ExportedTable, OfOnePointALayerIsRefused) {
+    const std::string head = "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses\n";
+    for (const char* rows : {"0,0,400,0,4000,4000\n", "0,0,400,0,4000,4000\n1,0,500,0,4000,4000\n"})
+        EXPECT_THAT(refusal(head + rows), EndsWith("a layer of one point goes nowhere; it needs two"));
+}
+
+TEST_F(ExportedTable, DamagedAnywhereIsReadOrRefusedInOneLine) {
+    std::mt19937_64 random(11);
+    const Profile profile = roughing();
+    const std::string whole = text_of(exported(built(oblong(), profile, joined(Joining::spiral, 3)).table));
+    constexpr std::string_view kLetters = "0123456789,.-;\n\t#e ";
+    int read_count = 0;
+    for (int round = 0; round < 400; ++round) {
+        std::string text = whole;
+        const std::size_t head = text.find('\n') + 1;
+        for (std::size_t change = 0; change <= random() % 3; ++change) {
+            const std::size_t at = head + random() % (text.size() - head);
+            if (random() % 4 == 0) {
+                text.erase(at, random() % 40);
+            } else {
+                text[at] = kLetters[random() % kLetters.size()];
+            }
+        }
+        const auto job = read(text, profile);
+        if (!job) {
+            EXPECT_EQ(job.error().message.find('\n'), std::string::npos) << job.error().message;
+            continue;
+        }
+        ++read_count;
+        const auto blob = job_blob_from_table(job->table);
+        const auto view = JobView::check(blob);
+        EXPECT_TRUE(view || view.error().message.find('\n') == std::string::npos);
+    }
+    RecordProperty("read", read_count);
+    EXPECT_GT(read_count, 0);
 }
 
 TEST_F(ExportedTable, OfSeveralPassesThatDoesNotSayWhereEachBeginsIsRefused) {

@@ -181,6 +181,7 @@ TEST_F(FlatPhrase, KnowsWhyATableIsRefused) {
     const std::string exported = "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses\n";
     expect_table_refusal(exported);
     expect_table_refusal(exported + "0,0,1\n");
+    expect_table_refusal(exported + "0,0,400,0,4000,4000\n");
     expect_table_refusal(exported + "0,0,5,0,900,900\n0,1,6,3200,900,900\n");
     expect_table_refusal(exported +
                          "0,0,400,0,900,900\n0,1,400,3200,900,900\n1,0,400,3200,900,900\n"

@@ -91,8 +91,8 @@ void SnapshotRecording::fill_from_entry(std::int64_t time_ns, Shown& shown) cons
 
 /// The levels at the entries of the last seconds; steps are not known.
 void SnapshotRecording::look_back(Shown& shown) const {
-    constexpr std::int64_t kLength_ns = std::chrono::nanoseconds{session::LevelHistory::kLength}.count();
-    const std::int64_t from_ns = shown.time_ns - kLength_ns;
+    constexpr std::int64_t kBack_ns = std::chrono::nanoseconds{session::LevelHistory::kLength}.count();
+    const std::int64_t from_ns = shown.time_ns - kBack_ns;
     const int last = entry_at(facts_.entries, shown.time_ns);
     for (int i = std::max(entry_at(facts_.entries, from_ns), 0); i <= last; ++i) {
         const auto n = static_cast<std::size_t>(i);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace {
 // Source: Microsoft's description of BITMAPFILEHEADER and BITMAPINFOHEADER; all numbers little-endian.
 constexpr std::size_t kFileHeaderBytes = 14;
 constexpr std::size_t kLeastInfoBytes = 40;
+constexpr std::size_t kMasksBytes = 12;
 constexpr std::uint32_t kUncompressed = 0;
 constexpr std::uint32_t kWithMasks = 3;
 
@@ -23,6 +25,24 @@ std::uint32_t word(Bytes bytes, std::size_t at, std::size_t count) noexcept {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < count; ++i) value |= std::uint32_t{bytes[at + i]} << (8U * i);
     return value;
+}
+
+/// Which of a pixel's bytes is blue, green, red.
+struct ColourBytes {
+    std::size_t blue = 0;
+    std::size_t green = 1;
+    std::size_t red = 2;
+};
+
+/// As the three masks behind the head say; none where these are not a byte each.
+std::optional<ColourBytes> colour_bytes(Bytes bytes) noexcept {
+    std::array<std::size_t, 3> places{};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const std::uint32_t mask = word(bytes, kFileHeaderBytes + kLeastInfoBytes + 4 * i, 4);
+        while (places[i] < 4 && mask != 0xFFU << (8U * places[i])) ++places[i];
+        if (places[i] == 4) return std::nullopt;
+    }
+    return ColourBytes{.blue = places[2], .green = places[1], .red = places[0]};
 }
 
 std::uint16_t grey8(std::uint32_t red, std::uint32_t green, std::uint32_t blue) noexcept {
@@ -43,7 +63,10 @@ Result<GreyImage> read_bmp(Bytes bytes, const std::string& file) {
     if (info_bytes < kLeastInfoBytes)
         return bad_input(file + ": a BMP picture of OS/2's kind, which is not read");
     const bool is_known = bits == 1 || bits == 4 || bits == 8 || bits == 24 || bits == 32;
-    if (!is_known || (packing != kUncompressed && !(packing == kWithMasks && bits == 32))) {
+    const bool has_masks = packing == kWithMasks && bits == 32;
+    if (has_masks && bytes.size() < kFileHeaderBytes + kLeastInfoBytes + kMasksBytes) return cut;
+    const auto colours = has_masks ? colour_bytes(bytes) : ColourBytes{};
+    if (!is_known || (packing != kUncompressed && !has_masks) || !colours) {
         return bad_input(file + ": a BMP picture of a kind that is not read (" + std::to_string(bits) +
                          " bits, compression " + std::to_string(packing) + "); save it as PNG");
     }
@@ -77,7 +100,8 @@ Result<GreyImage> read_bmp(Bytes bytes, const std::string& file) {
         for (std::uint64_t x = 0; x < columns; ++x) {
             const auto at = static_cast<std::size_t>(row + x * bits / 8);
             if (bits > 8) {
-                image.values.push_back(grey8(bytes[at + 2], bytes[at + 1], bytes[at]));
+                image.values.push_back(
+                    grey8(bytes[at + colours->red], bytes[at + colours->green], bytes[at + colours->blue]));
                 continue;
             }
             const auto shift = static_cast<unsigned>(8 - bits - (x * bits) % 8);

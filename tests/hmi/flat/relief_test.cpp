@@ -3,12 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <png.h>
-#include <tiffio.h>
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -22,53 +19,9 @@ using testing::HasSubstr;
 
 class Relief : public PictureTest {
 protected:
-    std::string pgm(const std::string& name, const Samples& samples) const {
-        std::string text = "P2\n# by hand\n" + std::to_string(samples.width) + " " +
-                           std::to_string(samples.height) + " 65535\n";
-        for (const auto value : samples.values) text += std::to_string(value) + "\n";
-        return file(name, text);
-    }
-    std::string png(const std::string& name, const Samples& samples, int bits) const {
-        const std::string path = file(name, "");
-        png_image image{};
-        image.version = PNG_IMAGE_VERSION;
-        image.width = samples.width;
-        image.height = samples.height;
-        image.format = bits == 16 ? PNG_FORMAT_LINEAR_Y : PNG_FORMAT_GRAY;
-        std::vector<std::uint8_t> small;
-        for (const auto value : samples.values) small.push_back(static_cast<std::uint8_t>(value / 257));
-        const void* from = bits == 16 ? static_cast<const void*>(samples.values.data()) : small.data();
-        EXPECT_NE(png_image_write_to_file(&image, path.c_str(), 0, from, 0, nullptr), 0);
-        return path;
-    }
-    std::string tiff(const std::string& name, const Samples& samples, int bits) const {
-        const std::string path = file(name, "");
-        TIFF* out = TIFFOpen(path.c_str(), "wb");
-        TIFFSetField(out, TIFFTAG_IMAGEWIDTH, samples.width);
-        TIFFSetField(out, TIFFTAG_IMAGELENGTH, samples.height);
-        TIFFSetField(out, TIFFTAG_BITSPERSAMPLE, bits);
-        TIFFSetField(out, TIFFTAG_SAMPLESPERPIXEL, 1);
-        TIFFSetField(out, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
-        TIFFSetField(out, TIFFTAG_COMPRESSION, COMPRESSION_LZW);
-        for (std::uint32_t y = 0; y < samples.height; ++y) {
-            std::vector<std::uint16_t> row(&samples.values[y * samples.width],
-                                           &samples.values[y * samples.width] + samples.width);
-            std::vector<std::uint8_t> small;
-            for (const auto value : row) small.push_back(static_cast<std::uint8_t>(value / 257));
-            void* from = bits == 16 ? static_cast<void*>(row.data()) : small.data();
-            TIFFWriteScanline(out, from, y, 0);
-        }
-        TIFFClose(out);
-        return path;
-    }
     /// A ring of one row: the grey of each sample, over a cylinder of 20 mm diameter, 10 mm high.
     static GreyImage ring(const std::vector<std::uint16_t>& values) {
         return {values.size(), 1, values, "test", {}};
-    }
-    static DepthMap depths(const GreyImage& image, const FlatOptions& options) {
-        auto map = depths_of(image, options, "f");
-        EXPECT_TRUE(map.has_value()) << (map ? "" : map.error().message);
-        return map ? std::move(*map) : DepthMap{};
     }
 };
 

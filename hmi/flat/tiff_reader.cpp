@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "hmi/flat/exif.hpp"
 #include "hmi/flat/grey_image.hpp"
 #include "shared/result.hpp"
 
@@ -28,6 +29,8 @@ void on_error(const char* /*module*/, const char* format, va_list arguments) {
     *first_fault = text.data();
     for (char& c : *first_fault) c = c < ' ' || c > '~' ? '?' : c;
 }
+
+constexpr std::uint64_t kMostTileBytes = std::uint64_t{1} << 28U;
 
 /// A TIFF in memory, as libtiff's calls see it.
 struct TiffBytes {
@@ -65,32 +68,64 @@ std::uint16_t field(TIFF* tiff, std::uint32_t tag, std::uint16_t otherwise) {
     return value;
 }
 
-/// Grey of 8 or 16 bits in rows: as it stands. Everything else goes through libtiff's own way to colours.
-bool read_grey_rows(TIFF* tiff, GreyImage& image, std::uint16_t bits, bool white_is_zero) {
+/// Grey of 8 or 16 bits; libtiff has turned the bytes of 16 to ours.
+std::uint16_t grey_at(const unsigned char* row, std::size_t x, std::uint16_t bits) noexcept {
+    if (bits == 8) return static_cast<std::uint16_t>(row[x] * 257);
+    std::uint16_t value = 0;
+    std::memcpy(&value, row + 2 * x, 2);
+    return value;
+}
+
+/// Such grey in rows: as it stands.
+bool read_grey_rows(TIFF* tiff, GreyImage& image, std::uint16_t bits) {
     const auto row_bytes = static_cast<std::size_t>(TIFFScanlineSize(tiff));
     if (row_bytes < image.width * bits / 8) return false;
     std::vector<unsigned char> row(row_bytes);
     for (std::size_t y = 0; y < image.height; ++y) {
         if (TIFFReadScanline(tiff, row.data(), static_cast<std::uint32_t>(y), 0) < 0) return false;
-        for (std::size_t x = 0; x < image.width; ++x) {
-            std::uint16_t value = 0;
-            if (bits == 16) {
-                std::memcpy(&value, row.data() + 2 * x, 2);  // libtiff has turned the bytes to ours
-            } else {
-                value = static_cast<std::uint16_t>(row[x] * 257);
+        for (std::size_t x = 0; x < image.width; ++x)
+            image.values[y * image.width + x] = grey_at(row.data(), x, bits);
+    }
+    return true;
+}
+
+/// And in tiles, the last of which stand out over the picture's edges.
+bool read_grey_tiles(TIFF* tiff, GreyImage& image, std::uint16_t bits) {
+    std::uint32_t tile_width = 0;
+    std::uint32_t tile_height = 0;
+    TIFFGetField(tiff, TIFFTAG_TILEWIDTH, &tile_width);
+    TIFFGetField(tiff, TIFFTAG_TILELENGTH, &tile_height);
+    const auto tile_bytes = static_cast<std::uint64_t>(TIFFTileSize(tiff));
+    const auto row_bytes = static_cast<std::uint64_t>(TIFFTileRowSize(tiff));
+    if (tile_width == 0 || tile_height == 0 || tile_bytes > kMostTileBytes ||
+        row_bytes < std::uint64_t{tile_width} * bits / 8 || tile_bytes < row_bytes * tile_height) {
+        return false;
+    }
+    std::vector<unsigned char> tile(tile_bytes);
+    for (std::size_t top = 0; top < image.height; top += tile_height) {
+        for (std::size_t left = 0; left < image.width; left += tile_width) {
+            if (TIFFReadTile(tiff, tile.data(), static_cast<std::uint32_t>(left),
+                             static_cast<std::uint32_t>(top), 0, 0) < 0) {
+                return false;
             }
-            image.values[y * image.width + x] =
-                white_is_zero ? static_cast<std::uint16_t>(65535 - value) : value;
+            const std::size_t bottom = std::min<std::size_t>(image.height, top + tile_height);
+            const std::size_t right = std::min<std::size_t>(image.width, left + tile_width);
+            for (std::size_t y = top; y < bottom; ++y) {
+                const unsigned char* const row = tile.data() + (y - top) * row_bytes;
+                for (std::size_t x = left; x < right; ++x)
+                    image.values[y * image.width + x] = grey_at(row, x - left, bits);
+            }
         }
     }
     return true;
 }
 
-bool read_as_colours(TIFF* tiff, GreyImage& image) {
+/// Everything else goes through libtiff's own way to colours; as it is stored, like the others.
+bool read_as_colours(TIFF* tiff, GreyImage& image, std::uint16_t /*bits*/) {
     std::vector<std::uint32_t> pixels(image.width * image.height);
     if (TIFFReadRGBAImageOriented(tiff, static_cast<std::uint32_t>(image.width),
                                   static_cast<std::uint32_t>(image.height), pixels.data(),
-                                  ORIENTATION_TOPLEFT, 1) == 0) {
+                                  field(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT), 1) == 0) {
         return false;
     }
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -138,20 +173,19 @@ Result<GreyImage> read_tiff(Bytes bytes, const std::string& file) {
         return bad_input(file + ": a TIFF picture of signed or floating numbers; save it with 8 or 16 bits");
     }
     const bool is_grey = kind == PHOTOMETRIC_MINISBLACK || kind == PHOTOMETRIC_MINISWHITE;
-    const bool stands_upright =
-        field(tiff.get(), TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT) == ORIENTATION_TOPLEFT;
-    const bool as_it_stands = is_grey && samples == 1 && (bits == 8 || bits == 16) && stands_upright &&
-                              TIFFIsTiled(tiff.get()) == 0;
+    const bool as_it_stands = is_grey && samples == 1 && (bits == 8 || bits == 16);
     GreyImage image{width, height, {}, as_it_stands && bits == 16 ? "TIFF, 16 bits" : "TIFF, 8 bits", {}};
     image.values.resize(image.width * image.height);
-    const bool done = as_it_stands ? read_grey_rows(tiff.get(), image, bits, kind == PHOTOMETRIC_MINISWHITE)
-                                   : read_as_colours(tiff.get(), image);
-    if (!done || !fault.empty()) return damaged();
-    if (!is_grey) image.warnings.emplace_back("the picture is in colour; its brightness is taken");
-    if (is_grey && bits == 16 && !as_it_stands) {
-        image.warnings.emplace_back(
-            "of the picture's 16 bits 8 are taken, as it is stored in tiles or turned");
+    const auto read = !as_it_stands ? &read_as_colours
+                                    : (TIFFIsTiled(tiff.get()) != 0 ? &read_grey_tiles : &read_grey_rows);
+    if (!read(tiff.get(), image, bits) || !fault.empty()) return damaged();
+    if (as_it_stands && kind == PHOTOMETRIC_MINISWHITE) {
+        for (std::uint16_t& value : image.values) value = static_cast<std::uint16_t>(65535 - value);
     }
+    turn_upright(image, field(tiff.get(), TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT));
+    if (!is_grey) image.warnings.emplace_back("the picture is in colour; its brightness is taken");
+    if (is_grey && bits == 16 && !as_it_stands)
+        image.warnings.emplace_back("of the picture's 16 bits 8 are taken, as it holds more than grey");
     return image;
 }
 

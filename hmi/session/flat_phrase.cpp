@@ -141,8 +141,8 @@ std::vector<Sentence> flat_warnings() {
          phrase("Of <style> only rules for element names, .class and #id are followed, not %1.")},
         {"the picture is in colour; its brightness is taken",
          phrase("The picture is in colour; its brightness is taken.")},
-        {"of the picture's 16 bits 8 are taken, as it is stored in tiles or turned",
-         phrase("Of the picture's 16 bits 8 are taken, as it is stored in tiles or turned.")},
+        {"of the picture's 16 bits 8 are taken, as it holds more than grey",
+         phrase("Of the picture's 16 bits 8 are taken, as it holds more than grey.")},
         {"the picture's %1 x %2 pixels are averaged to %3 x %4",
          phrase("The picture's %1 x %2 pixels are averaged to %3 x %4.")},
         {"the picture's left and right edges do not meet: a step of up to %1 mm at direction 0; --seam blend "

@@ -2145,8 +2145,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Скорость инструмента более быстрой головки по поверхности за последнюю секунду</translation>
         </message>
         <message>
-            <source>Of the picture's 16 bits 8 are taken, as it is stored in tiles or turned.</source>
-            <translation>Из 16 бит изображения взято 8: оно хранится плитками или повёрнуто.</translation>
+            <source>Of the picture's 16 bits 8 are taken, as it holds more than grey.</source>
+            <translation>Из 16 бит изображения взято 8: в нём есть не только серый цвет.</translation>
         </message>
         <message>
             <source>Of the tool where it is widest.</source>

@@ -2144,8 +2144,8 @@ N、Shift+N  下一条、上一条记录
             <translation>较快刀头的刀具相对工件表面的速度，最近一秒</translation>
         </message>
         <message>
-            <source>Of the picture's 16 bits 8 are taken, as it is stored in tiles or turned.</source>
-            <translation>图片以分块或旋转方式存储，16 位中只取 8 位。</translation>
+            <source>Of the picture's 16 bits 8 are taken, as it holds more than grey.</source>
+            <translation>图片不只含灰度，16 位中只取 8 位。</translation>
         </message>
         <message>
             <source>Of the tool where it is widest.</source>

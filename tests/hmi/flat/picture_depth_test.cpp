@@ -211,5 +211,48 @@ TEST_F(PictureDepth, OfAGreyJpegIsThatOfItsFlatPlaces) {
         EXPECT_NEAR(map.at(8 * k + 4, 4), 3.0 * (255 - kGreys[k]) / 255.0, 3.0 / 255.0 + kFloat_mm) << k;
 }
 
+TEST_F(PictureDepth, OfATiffInTilesOrTurnedIsNotCutToEightBitsEither) {
+    const Samples samples = fine_steps(20, 18);
+    const GreyImage tiled = read(tiff_16("tiles.tif", samples, "wl", COMPRESSION_LZW, 16));
+    EXPECT_EQ(tiled.values, samples.values);
+    EXPECT_EQ(tiled.format, "TIFF, 16 bits");
+    EXPECT_TRUE(tiled.warnings.empty());
+    const std::string path = tiff_16("turned.tif", fine_steps(4, 2), "wl", COMPRESSION_NONE);
+    const auto as_turned = [&path](std::uint16_t orientation) {
+        TIFF* turned = TIFFOpen(path.c_str(), "r+");
+        TIFFSetField(turned, TIFFTAG_ORIENTATION, orientation);
+        TIFFRewriteDirectory(turned);
+        TIFFClose(turned);
+        return read(path);
+    };
+    const auto v = fine_steps(4, 2).values;
+    EXPECT_EQ(as_turned(ORIENTATION_BOTLEFT).values,
+              (std::vector<std::uint16_t>{v[4], v[5], v[6], v[7], v[0], v[1], v[2], v[3]}));
+    const GreyImage on_its_side = as_turned(ORIENTATION_RIGHTTOP);
+    EXPECT_EQ(on_its_side.width, 2U);
+    EXPECT_EQ(on_its_side.values,
+              (std::vector<std::uint16_t>{v[4], v[0], v[5], v[1], v[6], v[2], v[7], v[3]}));
+}
+
+TEST_F(PictureDepth, OfATiffInColourStandsUprightAsWell) {
+    const std::string path = file("colour.tif", "");
+    TIFF* out = TIFFOpen(path.c_str(), "wl");
+    TIFFSetField(out, TIFFTAG_IMAGEWIDTH, 2);
+    TIFFSetField(out, TIFFTAG_IMAGELENGTH, 1);
+    TIFFSetField(out, TIFFTAG_BITSPERSAMPLE, 8);
+    TIFFSetField(out, TIFFTAG_SAMPLESPERPIXEL, 3);
+    TIFFSetField(out, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    TIFFSetField(out, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_RGB);
+    TIFFSetField(out, TIFFTAG_ORIENTATION, ORIENTATION_LEFTBOT);
+    std::array<std::uint8_t, 6> row{10, 10, 10, 200, 200, 200};
+    TIFFWriteScanline(out, row.data(), 0, 0);
+    TIFFClose(out);
+    // The first row is the left side, its first pixel at the bottom.
+    const GreyImage image = read(path);
+    EXPECT_EQ(image.width, 1U);
+    EXPECT_EQ(image.height, 2U);
+    EXPECT_EQ(image.values, (std::vector<std::uint16_t>{200 * 257, 10 * 257}));
+}
+
 }  // namespace
 }  // namespace psicarve::flat

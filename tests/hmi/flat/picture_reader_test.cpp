@@ -5,11 +5,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tests/hmi/flat/picture_files.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::flat {
 namespace {
@@ -165,6 +168,18 @@ TEST_F(PictureReader, ATiffCutShortIsSaidToBeThat) {
                     EndsWith("a damaged TIFF picture: the file ends too early"))
             << kept;
     }
+}
+
+// Only from pictures that are read does the fuzzer come to what is done with them.
+TEST_F(PictureReader, ReadsWhatItsFuzzerBeginsWith) {
+    std::set<std::string> formats;
+    for (const auto& entry : std::filesystem::directory_iterator(in_source("tests/fuzz/corpus/picture"))) {
+        const GreyImage image = read(entry.path().string());
+        EXPECT_GT(image.values.size(), 1U) << entry.path();
+        formats.insert(image.format);
+    }
+    EXPECT_THAT(formats, testing::IsSupersetOf({"BMP", "JPEG", "PGM, 8 bits", "PNG, 8 bits", "PNG, 16 bits",
+                                                "TIFF, 8 bits", "TIFF, 16 bits"}));
 }
 
 }  // namespace

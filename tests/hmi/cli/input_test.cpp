@@ -2,7 +2,7 @@
 #include <cstring>
 #include <functional>
 
-#include "tests/hmi/cli/program_run.hpp"
+#include "tests/hmi/cli/refusal.hpp"
 #include "tests/hmi/model/three_mf_files.hpp"
 
 namespace psicarve::test {
@@ -50,20 +50,8 @@ const std::vector<BrokenFile>& broken_models() {
     return files;
 }
 
-class BrokenInput : public CliTest {
+class BrokenInput : public RefusalTest {
 protected:
-    /// Exit code 3, one line that names the file, and nothing new in the folder.
-    void expect_refused(const std::vector<std::string>& arguments, const std::string& name) {
-        const auto before = files_in_folder();
-        const Outcome outcome = psicarve(arguments);
-        EXPECT_EQ(outcome.exit_code, 3) << name << ": " << outcome.error;
-        EXPECT_EQ(outcome.out, "") << name;
-        EXPECT_EQ(outcome.error_lines(), 1U) << name << ": " << outcome.error;
-        EXPECT_TRUE(outcome.error.starts_with("psicarve: ")) << outcome.error;
-        EXPECT_NE(outcome.error.find(name), std::string::npos) << outcome.error;
-        EXPECT_EQ(files_in_folder(), before) << name;
-    }
-
     std::vector<std::vector<std::string>> commands_that_read(const std::string& path) const {
         return {{"slice", path, "-o", file("out.job")},
                 {"carve", path, "--segment", segment_},

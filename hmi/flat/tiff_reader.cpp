@@ -36,12 +36,16 @@ constexpr std::uint64_t kMostTileBytes = std::uint64_t{1} << 28U;
 struct TiffBytes {
     Bytes bytes;
     std::uint64_t at = 0;
+    bool has_run_out = false;
 
     static tmsize_t read(thandle_t handle, void* target, tmsize_t length) {
         auto* self = static_cast<TiffBytes*>(handle);
-        if (length < 0 || self->at >= self->bytes.size()) return 0;
-        const auto count =
-            std::min<std::uint64_t>(static_cast<std::uint64_t>(length), self->bytes.size() - self->at);
+        if (length < 0) return 0;
+        const std::uint64_t there =
+            self->bytes.size() - std::min<std::uint64_t>(self->at, self->bytes.size());
+        const auto count = std::min(static_cast<std::uint64_t>(length), there);
+        if (count < static_cast<std::uint64_t>(length)) self->has_run_out = true;
+        if (count == 0) return 0;
         std::memcpy(target, self->bytes.data() + self->at, count);
         self->at += count;
         return static_cast<tmsize_t>(count);
@@ -150,12 +154,13 @@ Result<GreyImage> read_tiff(Bytes bytes, const std::string& file) {
     struct Forget {
         ~Forget() { first_fault = nullptr; }
     } forget;
+    TiffBytes source{bytes};
     const auto damaged = [&] {
-        // libtiff names the row, counted in its own way, and bytes.
-        if (fault.find("ead error") != std::string::npos) fault = "the file ends too early";
+        // libtiff names the row, counted in its own way, and bytes; or the part of the directory.
+        if (source.has_run_out || fault.find("ead error") != std::string::npos)
+            fault = "the file ends too early";
         return bad_input(file + ": a damaged TIFF picture" + (fault.empty() ? "" : ": " + fault));
     };
-    TiffBytes source{bytes};
     const std::unique_ptr<TIFF, TiffClose> tiff(
         TIFFClientOpen("picture", "rm", &source, TiffBytes::read, TiffBytes::write, TiffBytes::seek,
                        TiffBytes::close, TiffBytes::size, nullptr, nullptr));

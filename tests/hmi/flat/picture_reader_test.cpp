@@ -168,6 +168,13 @@ TEST_F(PictureReader, ATiffCutShortIsSaidToBeThat) {
                     EndsWith("a damaged TIFF picture: the file ends too early"))
             << kept;
     }
+    // This one's directory stands behind its pixels.
+    const std::string behind = bytes_of(in_source("tests/fuzz/corpus/picture/grey16.tif"));
+    for (std::size_t kept = 4; kept < behind.size(); ++kept) {
+        EXPECT_THAT(refusal(file("cut.tif", behind.substr(0, kept))),
+                    EndsWith("a damaged TIFF picture: the file ends too early"))
+            << kept;
+    }
 }
 
 // Only from pictures that are read does the fuzzer come to what is done with them.

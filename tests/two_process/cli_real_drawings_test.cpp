@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/hmi/cli/program_run.hpp"
+#include "tests/hmi/cli/refusal.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -18,7 +18,8 @@ struct RealInput {
     std::size_t most_warnings;  ///< lines on standard error
 };
 
-const std::string kSigrok = "/usr/share/icons/hicolor/scalable/apps/sigrok-cli.svg";
+const std::string kIcons = "/usr/share/icons/hicolor/scalable/";
+const std::string kSigrok = kIcons + "apps/sigrok-cli.svg";
 const std::string kTablets = "/usr/share/libwacom/layouts/";
 const std::string kLibrecad = "/usr/share/librecad/library/";
 const std::string kEngraved = " --engrave 0.5 --tool ball:1";
@@ -53,6 +54,21 @@ INSTANTIATE_TEST_SUITE_P(
         RealInput{"tablet_as_stroked", kTablets + "intuos-m-p.svg",
                   "--diameter 20 --full-turn --stroke-width" + kEngraved, 9},
         RealInput{"icon_engraved", kSigrok, "--diameter 20 --full-turn" + kEngraved, 9},
+        RealInput{"gradients_engraved", kIcons + "apps/qemu.svg",
+                  "--diameter 16 --full-turn --engrave 0.5 --tool ball:1", 9},
+        RealInput{"waves_engraved", kIcons + "mimetypes/libsigrok.svg",
+                  "--diameter 20 --full-turn" + kEngraved, 9},
+        RealInput{"ellipses_extruded", kLibrecad + "plan/architect/Bathroom-toilet-E.dxf",
+                  "--fit --blank 12x20", 9},
+        RealInput{"linkage_extruded", kLibrecad + "kinetics/kin116.dxf", "--fit --blank 12x20", 9},
+        RealInput{"block_engraved", kLibrecad + "elektro/transistor/vt31.dxf",
+                  "--full-turn --diameter 20" + kEngraved, 9},
+        RealInput{"parts_of_ellipses_engraved", kLibrecad + "elektro/power/pe25.dxf",
+                  "--full-turn --diameter 20" + kEngraved, 9},
+        RealInput{"splines_engraved", kLibrecad + "kinetics/kin39.dxf",
+                  "--full-turn --diameter 20" + kEngraved, 9},
+        RealInput{"blocks_engraved", kLibrecad + "plan/architect/Complete-Lib-E.dxf",
+                  "--full-turn --diameter 10" + kEngraved, 9},
         RealInput{"circuit_engraved", kLibrecad + "elektro/transistor/vt1.dxf",
                   "--full-turn --diameter 20" + kEngraved, 9},
         RealInput{"tree_engraved", kLibrecad + "plan/vegetation/v1.dxf",
@@ -63,6 +79,52 @@ INSTANTIATE_TEST_SUITE_P(
                   9},
         RealInput{"gradient_jpg", "/usr/share/qt6/doc/global/template/images/Qt-header-bg.jpg",
                   "--diameter 30 --height 10 --full-turn", 9}),
+    [](const auto& chosen) { return chosen.param.name; });
+
+class RealCircuit : public CliTest {};
+
+// A transistor: a circle in a block, beside lines that stay open. What becomes of it is known.
+TEST_F(RealCircuit, HasACaseThatIsRound) {
+    const Outcome sliced = psicarve({"slice", kLibrecad + "elektro/transistor/vt31.dxf", "-o",
+                                     file("real.job"), "--layers", "4", "--points", "61", "--json"});
+    ASSERT_EQ(sliced.exit_code, 0) << sliced.error;
+    EXPECT_NEAR(sliced.json()["report"]["r_min_mm"].get<double>(), 5.0, 0.003);
+    EXPECT_NEAR(sliced.json()["report"]["r_max_mm"].get<double>(), 5.0, 0.003);
+    EXPECT_NE(sliced.error.find("4 strokes are not closed and left out"), std::string::npos) << sliced.error;
+}
+
+struct Refusal {
+    std::string name;
+    std::string path;
+    std::string options;
+    std::string said;
+};
+
+class RealDrawingThatIsNone : public RefusalTest, public ::testing::WithParamInterface<Refusal> {};
+
+TEST_P(RealDrawingThatIsNone, IsRefusedWithItsReason) {
+    const Refusal& input = GetParam();
+    ASSERT_TRUE(std::filesystem::exists(input.path))
+        << input.path << " is not there: scripts/deps.sh test installs it";
+    std::vector<std::string> slice{"slice", input.path, "-o", file("real.job")};
+    for (const std::string& word : words_of(input.options)) slice.push_back(word);
+    expect_refused(slice, input.path.substr(input.path.rfind('/') + 1));
+    const Outcome again = psicarve(slice);
+    EXPECT_NE(again.error.find(input.said), std::string::npos) << again.error;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    FromPackages, RealDrawingThatIsNone,
+    ::testing::Values(
+        Refusal{"open_splines", kLibrecad + "kinetics/kin39.dxf", "",
+                "has no closed outline; the longest stroke goes from (0.000, 3.500) to (12.000, 3.500) mm"},
+        Refusal{"open_arcs", kLibrecad + "elektro/grounding/gr6.dxf", "", "has no closed outline"},
+        Refusal{"strokes_there_and_back", kLibrecad + "plan/vegetation/v15.dxf", "",
+                "its outlines enclose no area"},
+        Refusal{"leaves_round_an_empty_middle", kLibrecad + "plan/vegetation/v22.dxf", "--fit --blank 12x20",
+                "the axis passes beside the model and no sample meets it"},
+        Refusal{"a_plan_of_metres", kLibrecad + "plan/architect/Complete-Lib-E.dxf", "",
+                "larger than the machine's travel"}),
     [](const auto& chosen) { return chosen.param.name; });
 
 }  // namespace

@@ -7,8 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-#include <limits>
 #include <ostream>
 #include <random>
 #include <span>
@@ -18,7 +16,7 @@
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/hmi/model/mesh_files.hpp"
 #include "tests/hmi/model/real_meshes.hpp"
-#include "tests/hmi/tool/brute_force.hpp"
+#include "tests/hmi/tool/brute_mesh.hpp"
 #include "tests/thoroughness.hpp"
 
 namespace psicarve::cam {
@@ -38,69 +36,6 @@ struct Chosen {
     friend void PrintTo(const Chosen& chosen, std::ostream* out) { *out << chosen.mesh.path; }
 };
 
-/// How far a tool's flank stands behind its tip at s from its axis, as the formulas have it.
-double behind_tip(const ToolProfile& tool, double s) {
-    const double radius = 0.5 * tool.diameter_mm;
-    if (tool.shape == ToolShape::ball) return radius - std::sqrt(std::max(0.0, radius * radius - s * s));
-    return tool.shape == ToolShape::vee ? s / std::tan(0.5 * tool.angle_deg * std::acos(-1.0) / 180.0) : 0.0;
-}
-
-/// The mesh as it stands on the table [mm]: turned upright, its box's middle on the axis, its foot at 0.
-model::Mesh standing(const model::Mesh& mesh, slice::Up up) {
-    constexpr double kFar = std::numeric_limits<double>::max();
-    std::array<double, 3> least{kFar, kFar, kFar};
-    std::array<double, 3> most{-kFar, -kFar, -kFar};
-    const auto turned = [up](const auto& v) {
-        const double x = v[0], y = v[1], z = v[2];
-        return up == slice::Up::y ? std::array{z, x, y} : std::array{x, y, z};
-    };
-    for (const model::Triangle& facet : mesh.triangles) {
-        for (const auto& vertex : facet.vertices) {
-            const auto point = turned(vertex);
-            for (std::size_t k = 0; k < 3; ++k) {
-                least[k] = std::min(least[k], point[k]);
-                most[k] = std::max(most[k], point[k]);
-            }
-        }
-    }
-    const double scale = kHeight_mm / (most[2] - least[2]);
-    model::Mesh out;
-    for (const model::Triangle& facet : mesh.triangles) {
-        model::Triangle placed;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto point = turned(facet.vertices[i]);
-            placed.vertices[i] = {static_cast<float>(scale * (point[0] - 0.5 * (least[0] + most[0]))),
-                                  static_cast<float>(scale * (point[1] - 0.5 * (least[1] + most[1]))),
-                                  static_cast<float>(scale * (point[2] - least[2]))};
-        }
-        out.triangles.push_back(placed);
-    }
-    return out;
-}
-
-/// Facets above and below the tool, and those that do not reach out beyond the greatest tip so far, cannot
-/// lift it: they are left out.
-double tip_mm(const model::Mesh& mesh, const ToolProfile& tool, double direction_rad, double height_mm) {
-    const auto rise = [&tool](double s) { return behind_tip(tool, s); };
-    const brute::Shape<decltype(rise)> shape{0.5 * tool.diameter_mm, rise};
-    const double cosine = std::cos(direction_rad);
-    const double sine = std::sin(direction_rad);
-    const double low = height_mm - shape.radius;
-    const double high = height_mm + shape.radius;
-    double greatest = 0.0;
-    for (const model::Triangle& facet : mesh.triangles) {
-        const auto& [a, b, c] = facet.vertices;
-        if (a[2] < low && b[2] < low && c[2] < low) continue;
-        if (a[2] > high && b[2] > high && c[2] > high) continue;
-        const auto out = [cosine, sine](const std::array<float, 3>& v) {
-            return v[0] * cosine + v[1] * sine;
-        };
-        if (std::max({out(a), out(b), out(c)}) <= greatest) continue;
-        greatest = std::max(greatest, brute::tip_radius(facet, direction_rad, height_mm, shape));
-    }
-    return greatest;
-}
-
 class RealMeshOffset : public ::testing::TestWithParam<Chosen> {
 protected:
     struct Figures {
@@ -116,7 +51,7 @@ protected:
         options.height_mm = kHeight_mm;
         const BuiltJob sut = built(mesh, profile, options);
         ASSERT_EQ(sut.report.clearance_points, 0U);
-        const model::Mesh body = standing(mesh, options.up);
+        const model::Mesh body = brute::standing(mesh, options.up, kHeight_mm);
         const double pi = std::acos(-1.0);
         std::mt19937_64 random{GetParam().seed};
         for (int i = 0; i < kPlaces; ++i) {
@@ -139,7 +74,7 @@ protected:
 private:
     void judge(const model::Mesh& body, const Profile& profile, double direction_rad, double height_mm,
                std::int32_t found_pulses, const LinearAxisProfile& head) {
-        const double tip = tip_mm(body, profile.tool, direction_rad, height_mm);
+        const double tip = brute::tip_mm(body, profile.tool, direction_rad, height_mm);
         const double wanted_pulses = head.pulses_per_mm * std::max(tip, profile.core_radius_mm);
         // Half a pulse is the table's rounding, half the single precision of `standing` and the search's.
         EXPECT_NEAR(found_pulses, wanted_pulses, 1.0)

@@ -95,7 +95,7 @@ private:
             } else if (element.type == "LAYER") {
                 const bool is_frozen = (element.whole(70, 0) & 1) != 0;
                 if (is_frozen || element.whole(62, 7) < 0)
-                    hidden_layers_.insert(std::string(element.text(2)));
+                    hidden_layers_.insert_or_assign(std::string(element.text(2)), is_frozen);
             } else if (element.type == "BLOCK" && section == "BLOCKS") {
                 blocks_.emplace(element.text(2), Block{here(), element.point(10)});
             }
@@ -115,7 +115,11 @@ private:
     }
 
     bool is_shown(const DxfElement& element, std::string_view layer) const {
-        return hidden_layers_.count(layer) == 0 && element.whole(60, 0) == 0 && element.whole(67, 0) == 0;
+        if (element.whole(60, 0) != 0 || element.whole(67, 0) != 0) return false;
+        const auto hidden = hidden_layers_.find(layer);
+        if (hidden == hidden_layers_.end()) return true;
+        // Of a block that is inserted on a layer that is off, what has a layer of its own is seen.
+        return element.type == "INSERT" && !hidden->second;
     }
 
     /// From a place to the end of its block or section.
@@ -236,7 +240,7 @@ private:
     std::string file_;
     PathMaker maker_;
     std::map<std::string, Block, NameOrder> blocks_;
-    std::set<std::string, NameOrder> hidden_layers_;
+    std::map<std::string, bool, NameOrder> hidden_layers_;  ///< frozen, or only off
     std::set<std::string> left_out_;
     std::set<std::string> warnings_;
     Place entities_;

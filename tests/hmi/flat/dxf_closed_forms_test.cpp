@@ -171,7 +171,8 @@ TEST_F(DxfClosedForm, BlocksInBlocksAreScaledTurnedAndMirroredTogether) {
 
 TEST_F(DxfClosedForm, LayersThatAreOffHideWhatStandsOnThemInBlocksAsWell) {
     const std::string tables =
-        " 0 SECTION 2 TABLES 0 TABLE 2 LAYER 0 LAYER 2 off 70 0 62 -3 0 LAYER 2 on 70 0 62 3 0 ENDTAB 0 "
+        " 0 SECTION 2 TABLES 0 TABLE 2 LAYER 0 LAYER 2 off 70 0 62 -3 0 LAYER 2 on 70 0 62 3 0 LAYER 2 cold "
+        "70 1 62 3 0 ENDTAB 0 "
         "ENDSEC";
     const std::string blocks =
         " 0 SECTION 2 BLOCKS 0 BLOCK 2 B 10 0 20 0 0 CIRCLE 8 0 10 0 20 0 40 4 0 CIRCLE 8 on 10 0 20 0 40 2 "
@@ -179,8 +180,16 @@ TEST_F(DxfClosedForm, LayersThatAreOffHideWhatStandsOnThemInBlocksAsWell) {
     const auto seen = dxf("0 INSERT 8 on 2 B 10 50 20 0 0 CIRCLE 8 off 10 0 20 0 40 7", tables + blocks);
     EXPECT_NEAR(area_mm2(seen), 16.0 * kPi, 0.02);
     expect_centroid(seen, {50.0, 0.0});
-    const auto other = dxf("0 INSERT 8 off 2 B 10 50 20 0 0 CIRCLE 8 on 10 0 20 0 40 1", tables + blocks);
-    EXPECT_NEAR(radius(other, 45), 1.0, kCurve_mm);
+    // Of a block that is inserted on it only what has no layer of its own is hidden.
+    const auto other = dxf("0 INSERT 8 off 2 B 10 50 20 0", tables + blocks);
+    EXPECT_NEAR(area_mm2(other), 4.0 * kPi, 0.02);
+    expect_centroid(other, {50.0, 0.0});
+    // One that is frozen hides all of it; so does an insertion that is invisible itself.
+    const auto frozen = dxf("0 INSERT 8 cold 2 B 10 50 20 0 0 CIRCLE 8 on 10 0 20 0 40 1", tables + blocks);
+    EXPECT_NEAR(area_mm2(frozen), kPi, 0.01);
+    const auto unseen =
+        dxf("0 INSERT 8 off 60 1 2 B 10 50 20 0 0 CIRCLE 8 on 10 0 20 0 40 1", tables + blocks);
+    EXPECT_NEAR(area_mm2(unseen), kPi, 0.01);
     // What a block holds on layer 0 stands where the block is inserted, whatever layer 0 is.
     const std::string no_zero =
         " 0 SECTION 2 TABLES 0 TABLE 2 LAYER 0 LAYER 2 0 70 0 62 -7 0 LAYER 2 off 70 1 0 ENDTAB 0 ENDSEC";

@@ -6,12 +6,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace psicarve::cam {
 namespace {
 
 constexpr std::size_t kRun = kExportNames.size();
+constexpr std::size_t kPsi = 3;
+constexpr double kFarthestPsi_pulses = 9007199254740992.0;  // 2^53: whole numbers so far are exact
 
 /// The runs of layers that rows name, one after the other.
 class PassRuns {
@@ -25,6 +29,8 @@ public:
         }
         if (!begins_layer) return "another run than that of the layer's first point";
         const auto follows = [&](std::size_t column) { return said[column] == said_[column] + 1.0; };
+        if (passes_.size() == kMaxJobPasses)
+            return "more than " + std::to_string(kMaxJobPasses) + " runs, which no job has";
         const bool is_next = passes_.empty() || (follows(0) && (said[1] == said_[1] || follows(1)));
         if (!is_next) return "runs and passes do not count on by one";
         for (const double length_mm : said.subspan(2)) {
@@ -36,6 +42,13 @@ public:
                            static_cast<std::uint32_t>(said[1] - first_pass_) + 1, layer, 1, said[2], said[3],
                            said[4]});
         return {};
+    }
+    /// Whether the last run can be the finishing pass: the job may have been cut off before it.
+    bool is_finished() const {
+        if (passes_.empty()) return true;
+        const JobPass& last = passes_.back();
+        const bool is_own_pass = passes_.size() == 1 || passes_[passes_.size() - 2].number != last.number;
+        return is_own_pass && last.allowance_mm == 0.0 && last.depth_mm == 0.0;
     }
     std::vector<JobPass> take() {
         if (!passes_.empty()) passes_.back().kind = static_cast<std::uint32_t>(PassKind::finishing);
@@ -103,8 +116,7 @@ Result<Fits> fits_of(const JobTable& table, const Places& places, const std::str
             fits.continuous = fits.continuous && places.turns_as(Joining::continuous, layer, point);
             fits.zigzag = fits.zigzag && places.turns_as(Joining::zigzag, layer, point);
             if (!fits.continuous && !fits.zigzag) {
-                return bad_input(table_place(path, layer, point) +
-                                 "psi is not where a continuous or zigzag job has it");
+                return bad_input(table_place(path, layer, point) + "psi is not where any joining has it");
             }
             fits.level = fits.level && places.is_level(layer, point);
             // A spiral turns on and on.
@@ -118,24 +130,43 @@ Result<Fits> fits_of(const JobTable& table, const Places& places, const std::str
     return fits;
 }
 
-Joining joining_of(const Fits& fits, Joining chosen) {
-    const auto is_possible = [&fits](Joining joining) {
-        if (joining == Joining::spiral) return fits.rising;
-        return fits.level && (joining == Joining::zigzag ? fits.zigzag : fits.continuous);
-    };
-    for (const Joining joining : {chosen, Joining::continuous, Joining::zigzag}) {
-        if (is_possible(joining)) return joining;
+bool is_possible(const Fits& fits, Joining joining) {
+    if (joining == Joining::spiral) return fits.rising;
+    return fits.level && (joining == Joining::zigzag ? fits.zigzag : fits.continuous);
+}
+
+Joining joining_of(const Fits& fits, Joining usual) {
+    for (const Joining joining : {usual, Joining::continuous, Joining::zigzag}) {
+        if (is_possible(fits, joining)) return joining;
     }
     return Joining::spiral;
 }
 
-Result<void> read_rows(NumberLines& lines, bool has_passes, JobTable& table, Places& places) {
+/// What is wrong with where a row says it stands, or nothing.
+std::string wrong_place(std::span<const double> row, double layer_before, const JobTable& table,
+                        std::size_t count) {
+    if (table.layer_count == 0 || row[1] != static_cast<double>(count % table.point_count))
+        return "points do not follow each other from 0 on, as many in each layer";
+    const bool is_first = count == 0;
+    if (!is_first && row[0] != layer_before + (row[1] == 0.0 ? 1.0 : 0.0))
+        return "layers do not count on by one";
+    for (std::size_t column = 0; column < row.size(); ++column) {
+        if (column != kPsi && std::abs(row[column]) > NumberLines::kFarthest)
+            return "a number that no machine has";
+    }
+    return {};
+}
+
+Result<void> read_rows(NumberLines& lines, bool has_passes, JobTable& table, Places& places,
+                       const std::string& path) {
     const std::size_t width = kRun + (has_passes ? kPassNames.size() : 0);
     const std::size_t counts = has_passes ? kRun + 2 : kRun;
     PassRuns runs;
     std::vector<double> row;
+    double layer_before = 0.0;
     while (true) {
-        const auto more = lines.numbers(row);
+        // Psi counts on through all layers.
+        const auto more = lines.numbers(row, kFarthestPsi_pulses);
         if (!more) return more.error();
         if (!*more) break;
         if (row.size() != width)
@@ -147,9 +178,9 @@ Result<void> read_rows(NumberLines& lines, bool has_passes, JobTable& table, Pla
         const bool begins_layer = row[1] == 0.0;
         if (begins_layer) ++table.layer_count;
         if (table.layer_count <= 1) ++table.point_count;
-        if (table.layer_count == 0 || row[1] != static_cast<double>(places.count() % table.point_count)) {
-            return lines.wrong("points do not follow each other from 0 on, as many in each layer");
-        }
+        const std::string misplaced = wrong_place(row, layer_before, table, places.count());
+        if (!misplaced.empty()) return lines.wrong(misplaced);
+        layer_before = row[0];
         if (has_passes) {
             const std::string problem = runs.add(row, table.layer_count - 1, begins_layer);
             if (!problem.empty()) return lines.wrong(problem);
@@ -158,27 +189,40 @@ Result<void> read_rows(NumberLines& lines, bool has_passes, JobTable& table, Pla
         table.r_left_pulses.push_back(static_cast<std::int32_t>(row[4]));
         table.r_right_pulses.push_back(static_cast<std::int32_t>(row[5]));
     }
+    if (!runs.is_finished()) {
+        return bad_input(path +
+                         ": the finishing pass is missing: the last run is of a roughing pass, and leaves "
+                         "what the model does not have");
+    }
     table.passes = runs.take();
     return {};
 }
 
 }  // namespace
 
-Result<JobTable> exported_table(NumberLines& lines, bool has_passes, Joining chosen,
+Result<JobTable> exported_table(NumberLines& lines, bool has_passes, const WishedJoining& wished,
                                 const std::string& path) {
     JobTable table;
     Places places(table);
-    if (const auto read = read_rows(lines, has_passes, table, places); !read) return read.error();
+    if (const auto read = read_rows(lines, has_passes, table, places, path); !read) return read.error();
     if (places.count() == 0 || places.count() != std::size_t{table.layer_count} * table.point_count)
         return bad_input(path + ": the table's last layer is not whole, or there is none");
     if (table.point_count < 2) return bad_input(path + ": a layer of one point goes nowhere; it needs two");
     const std::size_t last = table.point_count - 1;
-    table.psi_sweep_pulses = static_cast<std::int64_t>(places.psi_at(0, last) - places.psi_at(0, 0));
+    const double sweep_pulses = places.psi_at(0, last) - places.psi_at(0, 0);
+    if (std::abs(sweep_pulses) > NumberLines::kFarthest)
+        return bad_input(path + ": psi goes further in a layer than any machine");
+    table.psi_sweep_pulses = static_cast<std::int64_t>(sweep_pulses);
     for (std::size_t layer = 0; layer < table.layer_count; ++layer)
         table.layer_height_pulses.push_back(static_cast<std::int64_t>(places.y_at(layer, last)));
     const auto fits = fits_of(table, places, path);
     if (!fits) return fits.error();
-    table.joining = joining_of(*fits, chosen);
+    table.joining = joining_of(*fits, wished.usual);
+    if (wished.asked && !is_possible(*fits, *wished.asked)) {
+        return Error{ErrorCode::bad_usage,
+                     path + ": its points stand as a " + std::string(name_of(table.joining)) +
+                         " job has them: not --joining " + std::string(name_of(*wished.asked))};
+    }
     return table;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,9 +19,17 @@ inline constexpr std::array<std::string_view, 6> kExportNames{
 inline constexpr std::array<std::string_view, 5> kPassNames{"run", "pass", "allowance_mm", "depth_mm",
                                                             "clear_mm"};
 
+/// How somebody wants layers joined who cannot know whether the table's are.
+struct WishedJoining {
+    std::optional<Joining> asked;  ///< for this table
+    Joining usual = Joining::continuous;
+};
+
 /// Rows of a point, as they were exported; layers may begin at any layer of a longer job. Counts, heights,
 /// radii, joining and passes, nothing else. The heights of points tell a spiral, psi the other joinings;
-/// where a table of one layer could be of several, `chosen` decides if it is among them.
-Result<JobTable> exported_table(NumberLines& lines, bool has_passes, Joining chosen, const std::string& path);
+/// where a table of one layer could be of several, the usual one decides if it is among them. Errors:
+/// bad_input; bad_usage for a joining that was asked for and is not the table's.
+Result<JobTable> exported_table(NumberLines& lines, bool has_passes, const WishedJoining& wished,
+                                const std::string& path);
 
 }  // namespace psicarve::cam

@@ -8,11 +8,6 @@
 #include "shared/trimmed.hpp"
 
 namespace psicarve::cam {
-namespace {
-
-constexpr double kFarthest = 1e9;  // mm or pulses: far beyond every machine, and safe to calculate with
-
-}  // namespace
 
 NumberLines::NumberLines(std::string_view text, const std::string& file)
     : text_(model::without_byte_order_mark(text)), file_(file) {}
@@ -28,7 +23,7 @@ std::string_view NumberLines::line() {
     return {};
 }
 
-Result<bool> NumberLines::numbers(std::vector<double>& out) {
+Result<bool> NumberLines::numbers(std::vector<double>& out, double farthest) {
     out.clear();
     std::string_view rest = line();
     if (rest.empty()) return false;
@@ -39,7 +34,7 @@ Result<bool> NumberLines::numbers(std::vector<double>& out) {
         rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
         if (word.empty() && trimmed(rest).empty()) break;  // a comma at the line's end
         const auto value = model::number(word);
-        if (!value || !(std::abs(*value) <= kFarthest)) {
+        if (!value || !(std::abs(*value) <= farthest)) {
             return wrong(model::quoted(word) + " is not a number that a table can hold");
         }
         out.push_back(*value);

@@ -20,8 +20,10 @@ public:
     /// The next line as it stands; empty at the end.
     std::string_view line();
     void part_by(char separator) { separators_ = separator == ',' ? ",;" : separator == ';' ? ";" : "\t"; }
-    /// False at the end.
-    Result<bool> numbers(std::vector<double>& out);
+    /// mm or pulses: far beyond every machine, and safe to calculate with.
+    static constexpr double kFarthest = 1e9;
+    /// False at the end. Refused: what is no number, or is further from 0.
+    Result<bool> numbers(std::vector<double>& out, double farthest = kFarthest);
     /// Of the line that was read last.
     Error wrong(const std::string& what) const;
 

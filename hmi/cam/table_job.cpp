@@ -73,10 +73,10 @@ constexpr int kPlaces = 4;  // of a millimetre: a tenth of a usual pulse
 /// Layers lie higher than those before but where a pass begins, and where a spiral closes.
 Result<void> check_rise(const JobTable& table, bool is_exported, const std::string& path) {
     const auto& heights = table.layer_height_pulses;
+    auto pass = table.passes.begin();
     for (std::size_t layer = 1; layer < heights.size(); ++layer) {
-        const bool begins_pass =
-            std::any_of(table.passes.begin(), table.passes.end(),
-                        [layer](const JobPass& pass) { return pass.first_layer == layer; });
+        while (pass != table.passes.end() && pass->first_layer < layer) ++pass;
+        const bool begins_pass = pass != table.passes.end() && pass->first_layer == layer;
         const bool closes = table.joining == Joining::spiral && layer + 1 == heights.size();
         const bool is_right =
             closes ? heights[layer] == heights[layer - 1] : heights[layer] > heights[layer - 1];
@@ -200,10 +200,10 @@ void note_radii(const Profile& profile, const JobTable& table, SliceReport& repo
 }
 
 /// Rows of a point, as they were exported.
-Result<BuiltJob> exported(NumberLines& lines, bool has_passes, const Profile& profile, Joining joining,
-                          const std::string& path) {
+Result<BuiltJob> exported(NumberLines& lines, bool has_passes, const Profile& profile,
+                          std::optional<Joining> joining, const std::string& path) {
     BuiltJob built;
-    auto table = exported_table(lines, has_passes, joining, path);
+    auto table = exported_table(lines, has_passes, {joining, profile.job.joining}, path);
     if (!table) return table.error();
     built.table = std::move(*table);
     built.table.feed_mm_s = profile.job.feed_mm_s;
@@ -232,7 +232,7 @@ Result<BuiltJob> read(const std::vector<char>& bytes, const std::string& path, c
         return Error{ErrorCode::bad_usage,
                      path + ": a table of layers is no spiral: --joining continuous or zigzag"};
     }
-    auto built = is_exported ? exported(lines, has_passes, profile, chosen, path)
+    auto built = is_exported ? exported(lines, has_passes, profile, joining, path)
                              : full_circles(lines, head.kind == TableKind::mm, profile, chosen, path);
     if (!built) return built;
     hold_depth_limit(profile, built->table, built->report);
@@ -266,7 +266,8 @@ std::vector<double> evened(const std::vector<double>& once_round) {
 
 bool is_table_file(const std::string& path) {
     const auto file = model::InputFile::open(path);
-    std::array<char, 256> bytes{};
+    // Comments before the head may be long.
+    std::vector<char> bytes(std::size_t{1} << 16U);
     if (!file) return false;
     const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), file->size_bytes()));
     if (!file->read(0, std::span(bytes).first(count))) return false;

@@ -130,7 +130,7 @@ Result<PreparedJob> job_of_table(const std::string& path, ModelOptions options, 
     options.blank_at.clear();
     options.depth_limit_mm.reset();
     options.stepdown_mm = options.allowance_mm = options.stepover_mm = std::nullopt;
-    options.finish_only = false;
+    const bool is_finish_only = std::exchange(options.finish_only, false);
     if (has_any(options)) {
         return Error{ErrorCode::bad_usage,
                      path +
@@ -139,6 +139,12 @@ Result<PreparedJob> job_of_table(const std::string& path, ModelOptions options, 
     }
     auto built = cam::job_from_table(path, profile, joining);
     if (!built) return built.error();
+    if (is_finish_only && built->table.passes.size() > 1) {
+        return Error{ErrorCode::bad_usage,
+                     path +
+                         ": a table with roughing passes is carved as it stands: slice the model with "
+                         "--finish-only"};
+    }
     return prepared(std::move(*built), profile, path);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cam/table_job.hpp"
 #include "hmi/verify/verifier.hpp"
 
 #include <cmath>
@@ -54,6 +55,8 @@ model::MeshTurn turn_of(const nlohmann::json& report) {
 /// The file that the job was sliced from, read as it was then.
 Result<std::shared_ptr<const model::Mesh>> model_of(const std::string& path, const PreparedJob& job) {
     if (path.empty()) return std::shared_ptr<const model::Mesh>{};
+    if (cam::is_table_file(path))
+        return Error{ErrorCode::bad_usage, "--model " + path + ": a table has no model to compare with"};
     const auto report = nlohmann::json::parse(job.view.report_json(), nullptr, false);
     const bool has_body = report.is_object() && report.contains("body");
     auto mesh = flat::load_model(path, flat::flat_options_from_json(has_body ? report["body"].dump() : ""));

@@ -34,7 +34,7 @@ struct ColourBytes {
     std::size_t red = 2;
 };
 
-/// As the three masks behind the head say; none where these are not a byte each.
+/// As the three masks behind the head say; none where these are not a byte each, of its own.
 std::optional<ColourBytes> colour_bytes(Bytes bytes) noexcept {
     std::array<std::size_t, 3> places{};
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -42,6 +42,7 @@ std::optional<ColourBytes> colour_bytes(Bytes bytes) noexcept {
         while (places[i] < 4 && mask != 0xFFU << (8U * places[i])) ++places[i];
         if (places[i] == 4) return std::nullopt;
     }
+    if (places[0] == places[1] || places[1] == places[2] || places[0] == places[2]) return std::nullopt;
     return ColourBytes{.blue = places[2], .green = places[1], .red = places[0]};
 }
 
@@ -75,7 +76,9 @@ Result<GreyImage> read_bmp(Bytes bytes, const std::string& file) {
     const auto columns = static_cast<std::uint64_t>(width);
     if (auto fits = check_image_size(columns, height, file); !fits) return fits.error();
     const std::uint64_t row_bytes = (columns * bits + 31) / 32 * 4;
-    if (pixels_at > bytes.size() || bytes.size() - pixels_at < row_bytes * height) return cut;
+    if (pixels_at < kFileHeaderBytes + kLeastInfoBytes || pixels_at > bytes.size() ||
+        bytes.size() - pixels_at < row_bytes * height)
+        return cut;
 
     std::array<std::uint16_t, 256> palette{};
     bool was_colour = bits > 8;

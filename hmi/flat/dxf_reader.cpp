@@ -22,6 +22,7 @@
 namespace psicarve::flat {
 namespace {
 
+constexpr std::uint64_t kMostWalkedBytes = std::uint64_t{1} << 29U;
 constexpr std::size_t kMostElements = 1'000'000;  // drawn, those of blocks each time
 constexpr int kDeepestInsert = 16;
 constexpr std::size_t kMostNamedTypes = 8;
@@ -218,6 +219,10 @@ private:
                                      row * element.number(45, 0.0) - y_scale * block->second.base.y};
                 const Affine whole = after(plane, after(turned, shifted));
                 if (auto done = entities(block->second.begin, whole, layer, depth + 1); !done) return done;
+                // What is not shown is walked, too, each time.
+                walked_bytes_ += text_.position() - block->second.begin.position;
+                if (walked_bytes_ > kMostWalkedBytes)
+                    return bad_input(file_ + ": its blocks draw more than half a gigabyte of text");
             }
         }
         return {};
@@ -247,6 +252,7 @@ private:
     bool has_entities_ = false;
     int units_ = 0;
     std::size_t drawn_ = 0;
+    std::uint64_t walked_bytes_ = 0;  ///< of blocks, in all their copies
 };
 
 /// A type's name, which is foreign text.

@@ -69,6 +69,7 @@ std::vector<Sentence> flat_refusals() {
         phrase("a coordinate is not a finite number"),
         phrase("more than %1 points when its curves are cut into straight pieces; nobody can carve that"),
         phrase("its blocks draw more than a million elements"),
+        phrase("its blocks draw more than half a gigabyte of text"),
         phrase("its <use> elements draw more than two million elements"),
         phrase("a binary DXF drawing; save it as text (ASCII DXF)"),
         phrase("the drawing's width or height is not more than 0"),
@@ -78,9 +79,12 @@ std::vector<Sentence> flat_refusals() {
         phrase("layer %1, point %2: axis %3 would have to go to %4 mm, but goes from %5 mm to %6 mm"),
         phrase("layer %1 lies no higher than the one before"),
         phrase("the table's last layer is not whole, or there is none"),
-        phrase("layer %1, point %2: psi is not where a continuous or zigzag job has it"),
+        phrase("layer %1, point %2: psi is not where any joining has it"),
         phrase("layer %1, point %2: the height is neither its layer's nor on a spiral's way up"),
         phrase("the last row does not close the spiral"),
+        phrase("psi goes further in a layer than any machine"),
+        phrase("the finishing pass is missing: the last run is of a roughing pass, and leaves what the model "
+               "does not have"),
         phrase("a layer of one point goes nowhere; it needs two"),
         phrase("layer %1 lies no higher than the one before: a table of several passes needs the columns run "
                "to clear_mm; export the job again"),
@@ -118,6 +122,9 @@ std::vector<Sentence> flat_line_refusals() {
         phrase("another run than that of the layer's first point"),
         phrase("runs and passes do not count on by one"),
         phrase("a pass has no such length"),
+        phrase("more than %1 runs, which no job has"),
+        phrase("layers do not count on by one"),
+        phrase("a number that no machine has"),
         phrase("pulses and counts are whole numbers"),
         phrase("points do not follow each other from 0 on, as many in each layer"),
     });

@@ -4119,6 +4119,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слой из одной точки никуда не ведёт; нужны две</translation>
         </message>
         <message>
+            <source>a number that no machine has</source>
+            <translation>число, которого нет ни у одного станка</translation>
+        </message>
+        <message>
             <source>a packed file (gzip), as SVGZ is; unpack it first</source>
             <translation>сжатый файл (gzip), как SVGZ; сначала распакуйте его</translation>
         </message>
@@ -4735,6 +4739,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>блоки рисуют более миллиона элементов</translation>
         </message>
         <message>
+            <source>its blocks draw more than half a gigabyte of text</source>
+            <translation>его блоки рисуют больше полугигабайта текста</translation>
+        </message>
+        <message>
             <source>its grooves are of another tool</source>
             <translation>его канавки для другого инструмента</translation>
         </message>
@@ -4795,8 +4803,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слой %1, точка %2: оси %3 пришлось бы идти до %4 mm, а её ход от %5 mm до %6 mm</translation>
         </message>
         <message>
-            <source>layer %1, point %2: psi is not where a continuous or zigzag job has it</source>
-            <translation>слой %1, точка %2: Ψ не там, где у непрерывного задания или зигзага</translation>
+            <source>layer %1, point %2: psi is not where any joining has it</source>
+            <translation>слой %1, точка %2: Ψ не там, где она стоит при каком-либо способе соединения</translation>
         </message>
         <message>
             <source>layer %1, point %2: the height is neither its layer's nor on a spiral's way up</source>
@@ -4809,6 +4817,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>layers</source>
             <translation>слои</translation>
+        </message>
+        <message>
+            <source>layers do not count on by one</source>
+            <translation>номера слоёв не идут подряд</translation>
         </message>
         <message>
             <source>least blank ⌀ %1 mm</source>
@@ -4925,6 +4937,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>more than %1 points when its curves are cut into straight pieces; nobody can carve that</source>
             <translation>более %1 точек после разбиения кривых на отрезки; такое не вырезать</translation>
+        </message>
+        <message>
+            <source>more than %1 runs, which no job has</source>
+            <translation>больше %1 участков, столько нет ни в одном задании</translation>
         </message>
         <message>
             <source>more than 512 MiB, which no drawing or picture needs</source>
@@ -5269,6 +5285,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>profile: %1</source>
             <translation>профиль: %1</translation>
+        </message>
+        <message>
+            <source>psi goes further in a layer than any machine</source>
+            <translation>Ψ проходит за слой больше, чем может любой станок</translation>
         </message>
         <message>
             <source>psicarve-hmi --opengl tries it again</source>
@@ -5625,6 +5645,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the file is empty</source>
             <translation>файл пуст</translation>
+        </message>
+        <message>
+            <source>the finishing pass is missing: the last run is of a roughing pass, and leaves what the model does not have</source>
+            <translation>нет чистового прохода: последний участок принадлежит черновому проходу и оставляет то, чего нет в модели</translation>
         </message>
         <message>
             <source>the first element is not &lt;svg&gt;</source>

@@ -4112,6 +4112,10 @@ N、Shift+N  下一条、上一条记录
             <translation>只有一个点的层没有走向；至少需要两个点</translation>
         </message>
         <message>
+            <source>a number that no machine has</source>
+            <translation>超出任何机床范围的数</translation>
+        </message>
+        <message>
             <source>a packed file (gzip), as SVGZ is; unpack it first</source>
             <translation>压缩文件（gzip），例如 SVGZ；请先解压</translation>
         </message>
@@ -4728,6 +4732,10 @@ N、Shift+N  下一条、上一条记录
             <translation>其块绘出超过一百万个元素</translation>
         </message>
         <message>
+            <source>its blocks draw more than half a gigabyte of text</source>
+            <translation>其块展开后超过半吉字节的文本</translation>
+        </message>
+        <message>
             <source>its grooves are of another tool</source>
             <translation>其刻槽属于另一把刀具</translation>
         </message>
@@ -4788,8 +4796,8 @@ N、Shift+N  下一条、上一条记录
             <translation>第 %1 层第 %2 点：%3 轴须移至 %4 mm，而行程为 %5 mm 至 %6 mm</translation>
         </message>
         <message>
-            <source>layer %1, point %2: psi is not where a continuous or zigzag job has it</source>
-            <translation>第 %1 层，第 %2 点：Ψ 不在连续或往复作业应在的位置</translation>
+            <source>layer %1, point %2: psi is not where any joining has it</source>
+            <translation>第 %1 层，第 %2 点：Ψ 不符合任何一种连接方式的位置</translation>
         </message>
         <message>
             <source>layer %1, point %2: the height is neither its layer's nor on a spiral's way up</source>
@@ -4802,6 +4810,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>layers</source>
             <translation>层数</translation>
+        </message>
+        <message>
+            <source>layers do not count on by one</source>
+            <translation>层号不连续</translation>
         </message>
         <message>
             <source>least blank ⌀ %1 mm</source>
@@ -4918,6 +4930,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>more than %1 points when its curves are cut into straight pieces; nobody can carve that</source>
             <translation>曲线分成直线段后超过 %1 个点；无法雕刻</translation>
+        </message>
+        <message>
+            <source>more than %1 runs, which no job has</source>
+            <translation>超过 %1 段，没有作业有这么多</translation>
         </message>
         <message>
             <source>more than 512 MiB, which no drawing or picture needs</source>
@@ -5262,6 +5278,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>profile: %1</source>
             <translation>配置：%1</translation>
+        </message>
+        <message>
+            <source>psi goes further in a layer than any machine</source>
+            <translation>Ψ 在一层内的行程超出任何机床</translation>
         </message>
         <message>
             <source>psicarve-hmi --opengl tries it again</source>
@@ -5618,6 +5638,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the file is empty</source>
             <translation>文件为空</translation>
+        </message>
+        <message>
+            <source>the finishing pass is missing: the last run is of a roughing pass, and leaves what the model does not have</source>
+            <translation>缺少精加工：最后一段属于粗加工，会留下模型上没有的材料</translation>
         </message>
         <message>
             <source>the first element is not &lt;svg&gt;</source>

@@ -75,6 +75,11 @@ TEST_F(Piece, IsComparedByVerifyWithTheModelAlone) {
     EXPECT_EQ(files_in_folder(), files) << "no file was asked for";
     EXPECT_GT(deviation["places"].get<int>(), 1000) << deviation;
     EXPECT_EQ(deviation, verified({"--json", "--deviation", file("a.png")}).json()["deviation"]);
+    write("box.csv", psicarve({"snapshot", "export", file("box.job")}).out);
+    const Outcome table =
+        psicarve({"verify", file("box.job"), file("pins.trace"), "--model", file("box.csv")});
+    EXPECT_EQ(table.exit_code, 2);
+    EXPECT_NE(table.error.find("a table has no model to compare with"), std::string::npos) << table.error;
 }
 
 TEST_F(Piece, OfEngravedLinesIsComparedWithTheGrooves) {

@@ -16,6 +16,7 @@ and how many times faster than the machine the program was.
 """
 
 import argparse
+import contextlib
 import json
 import os
 import pathlib
@@ -62,7 +63,9 @@ def main():
     arguments = parser.parse_args()
     psicarve = arguments.build / "bin/psicarve"
     how = ["--tool", arguments.tool, "--layers", arguments.layers, "--points", arguments.points]
-    with tempfile.TemporaryDirectory() as folder:
+    segment = f"psicarve-bench-{os.getpid()}"
+    with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as end:
+        end.callback(lambda: pathlib.Path("/dev/shm", segment).unlink(missing_ok=True))
         job = f"{folder}/bench.job"
         run([psicarve, "slice", arguments.model, "-o", job, "--json", *how])
         kinds = {"job": [job], "job --piece": [job, "--piece", f"{folder}/piece.ply"], "model": [arguments.model, *how],
@@ -72,7 +75,7 @@ def main():
             names = list(kinds)
             for name in names[pair % len(names):] + names[:pair % len(names)]:
                 report, figures = run([psicarve, "carve", *kinds[name], "--json", "--segment",
-                                       f"/psicarve-bench-{os.getpid()}"])
+                                       f"/{segment}"])
                 found[name].append(figures)
     machine_s = report["total_seconds"]
     print(f"{arguments.model.name}, {arguments.layers} x {arguments.points}, {arguments.tool}: "

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -119,15 +120,14 @@ TEST_F(ExportedTable, KeepsRunsThatShareAPass) {
     profile.head_r2_angle_error_deg = 0.5;
     JobTable table = built(oblong(), profile, joined(Joining::continuous, 5)).table;
     // An idle layer that lies above all layers of its pass is still a run of its own.
-    JobPass& last = table.passes[table.passes.size() - 2];
-    ASSERT_GE(last.layer_count, 1U);
-    if (last.layer_count > 1) {
-        JobPass more = last;
-        more.first_layer = last.first_layer + last.layer_count - 1;
-        more.layer_count = 1;
-        last.layer_count -= 1;
-        table.passes.insert(table.passes.end() - 1, more);
-    }
+    const auto pass = std::find_if(table.passes.begin(), table.passes.end() - 1,
+                                   [](const JobPass& one) { return one.layer_count > 1; });
+    ASSERT_NE(pass, table.passes.end() - 1);
+    JobPass more = *pass;
+    more.first_layer = pass->first_layer + pass->layer_count - 1;
+    more.layer_count = 1;
+    pass->layer_count -= 1;
+    table.passes.insert(pass + 1, more);
     expect_back(table, profile);
 }
 
@@ -167,6 +167,66 @@ TEST_F(ExportedTable, WithPassesIsNotRoughedAgainAndASpiralNotAtAll) {
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().message, HasSubstr("roughing needs level layers"));
     EXPECT_THAT(refused.error().message, HasSubstr("--finish-only"));
+}
+
+TEST_F(ExportedTable, IsJoinedAsItsPointsStandAndNotOtherwise) {
+    const std::string path = exported(built(oblong(), Profile{}, joined(Joining::continuous, 5)).table);
+    for (const Joining asked : {Joining::zigzag, Joining::spiral}) {
+        const auto refused = job_from_table(path, Profile{}, asked);
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().code, ErrorCode::bad_usage);
+        EXPECT_THAT(refused.error().message, HasSubstr("stand as a continuous job has them: not --joining "));
+    }
+    EXPECT_TRUE(job_from_table(path, Profile{}, Joining::continuous));
+    Profile usual;
+    usual.job.joining = Joining::zigzag;
+    EXPECT_TRUE(job_from_table(path, usual, std::nullopt))
+        << "what a profile says is for whom it may concern";
+}
+
+// As a table of a fine psi has it: the sixteen-thousandth layer begins beyond a thousand million pulses.
+TEST_F(ExportedTable, TurnsAsFarAsItsLayersAre) {
+    std::string text = "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses\n";
+    constexpr std::int64_t kSweep = 640'000;
+    constexpr int kLayers = 2000;
+    for (std::int64_t layer = 0; layer < kLayers; ++layer) {
+        for (std::int64_t point = 0; point < 2; ++point) {
+            text += std::to_string(layer) + "," + std::to_string(point) + "," + std::to_string(layer + 1) +
+                    "," + std::to_string((layer + point) * kSweep) + ",4000,4000\n";
+        }
+    }
+    const auto job = read(text);
+    ASSERT_TRUE(job) << job.error().message;
+    EXPECT_EQ(job->table.psi_sweep_pulses, kSweep);
+    EXPECT_EQ(job->table.layer_count, std::uint32_t{kLayers});
+    EXPECT_THAT(refusal("layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses\n0,0,1,0,4000,4000\n"
+                        "0,1,1,2000000000,4000,4000\n"),
+                EndsWith("psi goes further in a layer than any machine"));
+    EXPECT_THAT(refusal("layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses\n"
+                        "0,0,2000000000,0,4000,4000\n"),
+                EndsWith("line 2: a number that no machine has"));
+    EXPECT_THAT(refusal("layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses\n"
+                        "0,0,1,1e16,4000,4000\n"),
+                HasSubstr("is not a number that a table can hold"));
+}
+
+TEST_F(ExportedTable, OfMoreRunsThanAnyJobHasIsRefusedWithTheLine) {
+    std::string text =
+        "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses,run,pass,allowance_mm,depth_mm,clear_"
+        "mm\n";
+    for (std::uint32_t run = 0; run <= kMaxJobPasses; ++run) {
+        for (std::uint32_t point = 0; point < 2; ++point) {
+            text += std::to_string(run) + "," + std::to_string(point) + ",400," +
+                    std::to_string((run + point) * 3200) + ",4000,4000," + std::to_string(run + 1) + "," +
+                    std::to_string(run + 1) + ",0.3,5,9\n";
+        }
+    }
+    EXPECT_THAT(refusal(text), EndsWith("line 2050: more than 1024 runs, which no job has"));
+}
+
+TEST_F(ExportedTable, MayBeginWithALongComment) {
+    const std::string text = text_of(exported(built(oblong(), Profile{}, joined(Joining::zigzag, 3)).table));
+    EXPECT_TRUE(read("# " + std::string(3000, 'x') + "\n\n" + text));
 }
 
 TEST_F(ExportedTable, OfOnePointALayerIsRefused) {
@@ -239,6 +299,14 @@ TEST_F(ExportedTable, WhosePassesMakeNoSenseIsOneClearLine) {
     EXPECT_THAT(refusal(plain + "0,0,400,0,900,900\n0,1,400,3200,900,900\n1,0,400,3200,900,900\n"
                                 "1,1,800,6400,900,900\n"),
                 EndsWith("the last row does not close the spiral"));
+    // As a spreadsheet cuts off what has more rows than it can hold.
+    for (const char* cut : {"1,0,400,3200,4000,4000,2,2,0.3,4,9\n1,1,400,6400,4000,4000,2,2,0.3,4,9\n",
+                            "1,0,500,3200,4000,4000,2,1,0,0,9\n1,1,500,6400,4000,4000,2,1,0,0,9\n", ""})
+        EXPECT_THAT(refusal(head + first + cut), HasSubstr(": the finishing pass is missing")) << cut;
+    EXPECT_THAT(refusal(head + "0,0,400,0,4000,4000,1,1,0.3,5,9\n5,1,400,3200,4000,4000,1,1,0.3,5,9\n"),
+                EndsWith("line 3: layers do not count on by one"));
+    EXPECT_THAT(refusal(head + first + "3,0,400,3200,4000,4000,2,2,0,0,9\n"),
+                EndsWith("line 4: layers do not count on by one"));
     // Of a longer job these may be the last layers: runs and passes count anew.
     const auto rest = read(head +
                            "7,0,400,0,4000,4000,4,3,0.3,5,9\n7,1,400,3200,4000,4000,4,3,0.3,5,9\n"

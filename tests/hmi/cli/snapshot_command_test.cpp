@@ -66,6 +66,17 @@ TEST_F(SnapshotCommand, ExportsCsvThatIsSlicedToTheSameTables) {
         EXPECT_EQ(again.json()["joining"], joining);
         EXPECT_GE(again.json()["passes"].size(), 3U);
         EXPECT_TRUE(exported(file("b.job")) == text_of(file("a.csv"))) << joining;
+        // What it cannot be is not left out in silence.
+        for (const std::vector<std::string>& asked :
+             {std::vector<std::string>{"--finish-only"},
+              {"--joining", std::string{joining} == "zigzag" ? "spiral" : "zigzag"}}) {
+            std::vector<std::string> arguments{"slice",       file("a.csv"), "-o",
+                                               file("c.job"), "--profile",   file("a.job")};
+            arguments.insert(arguments.end(), asked.begin(), asked.end());
+            const Outcome refused = psicarve(arguments);
+            EXPECT_EQ(refused.exit_code, 2) << joining << ' ' << asked.front();
+            EXPECT_NE(refused.error.find(asked.front()), std::string::npos) << refused.error;
+        }
     }
 }
 

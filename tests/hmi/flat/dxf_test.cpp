@@ -222,6 +222,16 @@ TEST_F(Dxf, BrokenFilesAreOneClearLine) {
         HasSubstr("more than a million elements"));
 }
 
+// What nobody sees is read all the same, once for each copy.
+TEST_F(Dxf, HiddenBlocksAreNotWalkedForEver) {
+    std::string many = " 0 SECTION 2 BLOCKS 0 BLOCK 2 B 10 0 20 0 0 LWPOLYLINE 8 hidden 70 0";
+    for (int i = 0; i < 50'000; ++i) many += " 10 1 20 1";
+    const std::string layers = " 0 SECTION 2 TABLES 0 LAYER 2 hidden 70 1 62 7 0 ENDSEC";
+    EXPECT_THAT(refusal(file("b.dxf", drawing("0 INSERT 8 0 2 B 10 0 20 0 70 499999",
+                                              layers + many + " 0 ENDBLK 0 ENDSEC"))),
+                HasSubstr("its blocks draw more than half a gigabyte of text"));
+}
+
 TEST_F(Dxf, EveryTruncationIsRefused) {
     const std::string good = drawing(std::string(kSquare) + " 0 CIRCLE 8 0 10 0 20 0 40 3");
     for (std::size_t length = 0; length + 1 < good.size(); ++length) {

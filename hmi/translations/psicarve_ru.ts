@@ -636,6 +636,10 @@
             <translation>Назад к станку</translation>
         </message>
         <message>
+            <source>Back: this is the first step</source>
+            <translation>Назад: это первый шаг</translation>
+        </message>
+        <message>
             <source>Before</source>
             <translation>Было</translation>
         </message>
@@ -2753,6 +2757,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Вернуть копию</translation>
         </message>
         <message>
+            <source>Restore backup: the built-in profile has no file</source>
+            <translation>Вернуть копию: у встроенного профиля нет файла</translation>
+        </message>
+        <message>
+            <source>Restore backup: this file has none yet</source>
+            <translation>Вернуть копию: у этого файла её ещё нет</translation>
+        </message>
+        <message>
             <source>Result</source>
             <translation>Итог</translation>
         </message>
@@ -2861,8 +2873,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Сохранить: неверных значений: %1</translation>
         </message>
         <message>
+            <source>Save: nothing was changed</source>
+            <translation>Сохранить: ничего не изменено</translation>
+        </message>
+        <message>
             <source>Save: one value is wrong</source>
             <translation>Сохранить: одно значение неверно</translation>
+        </message>
+        <message>
+            <source>Save: the built-in profile has no file; save it as one</source>
+            <translation>Сохранить: у встроенного профиля нет файла; сохраните его под именем</translation>
         </message>
         <message>
             <source>Save: the machine moves</source>
@@ -3285,6 +3305,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ось файла, меняющая знак до поворота модели</translation>
         </message>
         <message>
+            <source>The backup is being read</source>
+            <translation>Копия читается</translation>
+        </message>
+        <message>
             <source>The blank as carved so far</source>
             <translation>Заготовка, как она вырезана сейчас</translation>
         </message>
@@ -3541,6 +3565,18 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Порт не отвечает</translation>
         </message>
         <message>
+            <source>The profile is being opened</source>
+            <translation>Профиль открывается</translation>
+        </message>
+        <message>
+            <source>The profile is being saved</source>
+            <translation>Профиль сохраняется</translation>
+        </message>
+        <message>
+            <source>The profile is still being saved. Lose what is not saved yet?</source>
+            <translation>Профиль ещё сохраняется. Потерять то, что ещё не сохранено?</translation>
+        </message>
+        <message>
             <source>The shared memory was removed or damaged from outside: reset the alarm and publish the job again.</source>
             <translation>Общая память удалена или повреждена извне: сбросьте аварию и передайте задание снова.</translation>
         </message>
@@ -3771,6 +3807,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Undo all</source>
             <translation>Вернуть всё</translation>
+        </message>
+        <message>
+            <source>Undo all: nothing was changed</source>
+            <translation>Вернуть всё: ничего не изменено</translation>
         </message>
         <message>
             <source>Unit</source>

@@ -636,6 +636,10 @@
             <translation>回到机床</translation>
         </message>
         <message>
+            <source>Back: this is the first step</source>
+            <translation>上一步：这是第一步</translation>
+        </message>
+        <message>
             <source>Before</source>
             <translation>原值</translation>
         </message>
@@ -2748,6 +2752,14 @@ N、Shift+N  下一条、上一条记录
             <translation>恢复备份</translation>
         </message>
         <message>
+            <source>Restore backup: the built-in profile has no file</source>
+            <translation>恢复备份：内置配置没有文件</translation>
+        </message>
+        <message>
+            <source>Restore backup: this file has none yet</source>
+            <translation>恢复备份：此文件还没有备份</translation>
+        </message>
+        <message>
             <source>Result</source>
             <translation>结果</translation>
         </message>
@@ -2856,8 +2868,16 @@ N、Shift+N  下一条、上一条记录
             <translation>保存：%1 个值有误</translation>
         </message>
         <message>
+            <source>Save: nothing was changed</source>
+            <translation>保存：没有任何更改</translation>
+        </message>
+        <message>
             <source>Save: one value is wrong</source>
             <translation>保存：一个值有误</translation>
+        </message>
+        <message>
+            <source>Save: the built-in profile has no file; save it as one</source>
+            <translation>保存：内置配置没有文件；请另存为文件</translation>
         </message>
         <message>
             <source>Save: the machine moves</source>
@@ -3280,6 +3300,10 @@ N、Shift+N  下一条、上一条记录
             <translation>在旋转模型之前，文件中改变符号的轴</translation>
         </message>
         <message>
+            <source>The backup is being read</source>
+            <translation>正在读取备份</translation>
+        </message>
+        <message>
             <source>The blank as carved so far</source>
             <translation>目前雕刻到的毛坯</translation>
         </message>
@@ -3536,6 +3560,18 @@ N、Shift+N  下一条、上一条记录
             <translation>端口没有应答</translation>
         </message>
         <message>
+            <source>The profile is being opened</source>
+            <translation>正在打开配置</translation>
+        </message>
+        <message>
+            <source>The profile is being saved</source>
+            <translation>正在保存配置</translation>
+        </message>
+        <message>
+            <source>The profile is still being saved. Lose what is not saved yet?</source>
+            <translation>配置仍在保存。要放弃尚未保存的内容吗？</translation>
+        </message>
+        <message>
             <source>The shared memory was removed or damaged from outside: reset the alarm and publish the job again.</source>
             <translation>共享内存被外部删除或损坏：复位报警并重新发布作业。</translation>
         </message>
@@ -3766,6 +3802,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Undo all</source>
             <translation>全部撤销</translation>
+        </message>
+        <message>
+            <source>Undo all: nothing was changed</source>
+            <translation>全部撤销：没有任何更改</translation>
         </message>
         <message>
             <source>Unit</source>

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
@@ -50,10 +51,7 @@ void ActionButton::set_glyph(Glyph glyph, const Tokens& tokens, bool on_fill) {
 const QString& ActionButton::refresh(const Bench& bench) {
     const auto lock = bench.replay.is_open() ? replay::lock() : lock_of_(bench);
     const QString reason = lock ? words(*lock) : QString{};
-    setEnabled(!lock);
-    const QString& tip = lock ? reason : hint_;
-    if (toolTip() != tip) setToolTip(tip);
-    if (accessibleDescription() != tip) setAccessibleDescription(tip);
+    lock_with(*this, reason, hint_);
     reason_ = reason;
     return reason_;
 }

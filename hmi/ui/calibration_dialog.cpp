@@ -14,6 +14,7 @@
 
 #include "hmi/session/error_phrase.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/profile_text.hpp"
 
@@ -123,6 +124,7 @@ QWidget* CalibrationDialog::make_step(std::size_t index) {
         step.diameter = add_field(*grid, tr("Diameter of the pin"), id + "diameter");
         step.counted = add_field(*grid, tr("Where %1 is shown to stand").arg(head), id + "counted");
         const auto lock = [this, axis](const Bench& now) -> std::optional<session::Phrase> {
+            if (const auto busy = desk_.lock()) return busy;
             if (!on_file_) return session::phrase("Here: no profile is open");
             return session::place_lock(now.machine.sight(), opened_.path(), *on_file_, axis);
         };
@@ -171,7 +173,10 @@ QWidget* CalibrationDialog::make_overview() {
 QLayout* CalibrationDialog::make_buttons() {
     back_ = plain_button("calibrate_back", tr("Back"));
     next_ = plain_button("calibrate_next", tr("Next"));
-    const auto lock = [this](const Bench& now) { return session::write_lock(outcome_, now.machine.sight()); };
+    const auto lock = [this](const Bench& now) {
+        const auto busy = desk_.lock();
+        return busy ? busy : session::write_lock(outcome_, now.machine.sight());
+    };
     write_ = new ActionButton{lock, tr("Write"), [this] { write(); }};
     write_->setObjectName("calibrate_write");
     auto* shut = plain_button("calibrate_close", tr("Close"));
@@ -188,27 +193,37 @@ QLayout* CalibrationDialog::make_buttons() {
 }
 
 void CalibrationDialog::open_for(const std::string& path) {
-    if (!isVisible()) {
-        auto opened = profile::ProfileDraft::open(path);
-        const auto on_file = opened ? opened->profile() : Result<Profile>{opened.error()};
+    if (desk_.is_busy()) return;
+    if (isVisible()) return come_to_front();
+    desk_.open(path, [this](const Result<void>& opened) {
+        const auto on_file = opened ? desk_.draft().profile() : Result<Profile>{opened.error()};
         if (!on_file) {
             return bench_.log.add(Severity::warning,
                                   session::joined(session::phrase("Calibrate"),
                                                   session::error_phrase(on_file.error().message)));
         }
-        opened_ = std::move(*opened);
         on_file_ = *on_file;
-        bench_.machine.offer_profile(*on_file);
-        for (Step& step : steps_) {
-            for (QLineEdit* field : {step.diameter, step.counted, step.around, step.up, step.wear}) {
-                if (field != nullptr) field->clear();
-            }
+        begin_with_what_was_read();
+    });
+}
+
+void CalibrationDialog::begin_with_what_was_read() {
+    opened_ = desk_.draft();
+    bench_.machine.offer_profile(*on_file_);
+    for (Step& step : steps_) {
+        for (QLineEdit* field : {step.diameter, step.counted, step.around, step.up, step.wear}) {
+            if (field != nullptr) field->clear();
         }
-        file_->setText(QFileInfo{QString::fromStdString(path)}.fileName());
-        file_->setToolTip(QString::fromStdString(path));
-        reckon();
-        show_step(0);
     }
+    const QString path = QString::fromStdString(opened_.path());
+    file_->setText(QFileInfo{path}.fileName());
+    file_->setToolTip(path);
+    reckon();
+    show_step(0);
+    come_to_front();
+}
+
+void CalibrationDialog::come_to_front() {
     show();
     raise();
     activateWindow();
@@ -264,23 +279,29 @@ void CalibrationDialog::show_step(int index) {
 }
 
 void CalibrationDialog::write() {
-    profile::ProfileDraft& draft = outcome_.draft;
-    const auto saved = draft.save();
+    desk_.show(outcome_.draft);
+    desk_.save([this](const Result<void>& saved) { tell_written(saved); });
+    refresh();
+}
+
+void CalibrationDialog::tell_written(const Result<void>& saved) {
     if (!saved) {
         return bench_.log.add(Severity::warning,
                               session::phrase("Profile not saved: %1", saved.error().message));
     }
-    bench_.log.add(Severity::info,
-                   session::phrase("Calibration written: %1; the old profile is %2", draft.path(),
-                                   profile::ProfileDraft::backup_path(draft.path())));
+    const std::string& path = desk_.draft().path();
+    bench_.log.add(Severity::info, session::phrase("Calibration written: %1; the old profile is %2", path,
+                                                   profile::ProfileDraft::backup_path(path)));
     close();
     written_();
 }
 
 void CalibrationDialog::refresh() {
+    pages_->setEnabled(!desk_.is_busy());  // what is typed while it is written would be lost
     const int index = pages_->currentIndex();
     const bool is_last = index + 1 == pages_->count();
-    back_->setEnabled(index > 0);
+    const auto busy = desk_.lock();
+    lock_with(*back_, busy ? words(*busy) : index == 0 ? tr("Back: this is the first step") : QString{});
     next_->setVisible(!is_last);
     write_->setVisible(is_last);
     const QString locked = write_->refresh(bench_);

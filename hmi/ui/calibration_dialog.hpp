@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hmi/session/calibration_form.hpp"
+#include "hmi/session/profile_desk.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/bench.hpp"
 
@@ -30,8 +31,13 @@ public:
     /// `written` is called once the profile's file is another.
     CalibrationDialog(Bench& bench, std::function<void()> written, QWidget* parent = nullptr);
 
-    /// Begins anew with the profile in this file; a message when it cannot be read.
+    /// Begins anew with the profile in this file once that is read; a message when it cannot be.
     void open_for(const std::string& path);
+    /// Its file is being read or written.
+    std::optional<session::Phrase> file_lock() const { return desk_.lock(); }
+    bool is_saving() const noexcept { return desk_.is_saving(); }
+    /// At screen rate, open or not.
+    void poll() { desk_.poll(); }
     void refresh();
 
 private:
@@ -53,10 +59,14 @@ private:
     void reckon();
     void show_step(int index);
     void show_changes();
+    void begin_with_what_was_read();
+    void come_to_front();
     void write();
+    void tell_written(const Result<void>& saved);
 
     Bench& bench_;
     std::function<void()> written_;
+    session::ProfileDesk desk_;
     profile::ProfileDraft opened_;
     std::optional<Profile> on_file_;
     std::array<Step, kSteps> steps_{};

@@ -6,8 +6,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMenu>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -15,22 +13,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "hmi/session/error_phrase.hpp"
 #include "hmi/ui/calibration_dialog.hpp"
 #include "hmi/ui/checked_width.hpp"
-#include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
-#include "hmi/ui/profile_menus.hpp"
+#include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/profile_row.hpp"
-#include "hmi/ui/settings.hpp"
+#include "hmi/ui/words.hpp"
 #include "shared/profile_text.hpp"
 
 namespace psicarve::ui {
 namespace {
-
-using session::Severity;
 
 constexpr int kFindWidth = 150;
 
@@ -91,12 +85,13 @@ QWidget* ProfilePage::make_head() {
     leave_room_for_bold(*compare_);
     calibrate_ = new ActionButton{
         [this](const Bench&) -> std::optional<session::Phrase> {
-            if (draft_.path().empty())
+            if (const auto busy = busy_lock()) return busy;
+            if (draft().path().empty())
                 return session::phrase(
                     "Calibrate: open the machine's profile first, or save this one as a file");
-            if (draft_.changed_count() > 0)
+            if (draft().changed_count() > 0)
                 return session::phrase("Calibrate: save the profile first, or undo what was changed");
-            if (draft_.problem_count() > 0)
+            if (draft().problem_count() > 0)
                 return session::phrase("Calibrate: a value of the profile is wrong");
             return std::nullopt;
         },
@@ -126,7 +121,7 @@ QWidget* ProfilePage::make_foot() {
     save_ = push_button("profile_save", tr("Save"));
     make_menus();
     connect(undo_, &QPushButton::clicked, this, [this] {
-        draft_.undo_all();
+        desk_.undo_all();
         show_state();
     });
     connect(save_as_, &QPushButton::clicked, this, [this] { ask_save_as(); });
@@ -141,32 +136,6 @@ QWidget* ProfilePage::make_foot() {
     row->add_end();
     for (QPushButton* button : {open_, undo_, restore_, save_as_, save_}) row->addWidget(button);
     return foot;
-}
-
-void ProfilePage::make_menus() {
-    auto* profiles = new QMenu{this};
-    profiles->setObjectName("profile_open_menu");
-    profiles->setToolTipsVisible(true);
-    open_->setMenu(profiles);
-    connect(profiles, &QMenu::aboutToShow, this, [this, profiles] {
-        fill_profile_menu(
-            *profiles, WindowSettings{}.recent_profiles(), bench_.presence, [this] { ask_open(); },
-            [this](const QString& path) {
-                if (may_lose_changes()) open(path);
-            },
-            [this] {
-                if (may_lose_changes()) show_draft({});
-            });
-    });
-    auto* backups = new QMenu{this};
-    backups->setObjectName("profile_backups_menu");
-    restore_->setMenu(backups);
-    connect(backups, &QMenu::aboutToShow, this, [this, backups] {
-        fill_backup_menu(*backups, draft_.path(), bench_.presence, [this](const std::string& backup) {
-            if (const auto taken = draft_.take_backup(backup); !taken) report(taken);
-            show_state();
-        });
-    });
 }
 
 // In the order of the keys; tables of the port apart.
@@ -206,7 +175,7 @@ bool ProfilePage::belongs(std::size_t key) const {
     const QString wanted = find_->text().trimmed();
     const bool searches = !wanted.isEmpty();
     if (searches && !QString::fromStdString(path).contains(wanted, Qt::CaseInsensitive)) return false;
-    if (compare_->isChecked()) return draft_.differs_from_built_in(key);
+    if (compare_->isChecked()) return draft().differs_from_built_in(key);
     if (searches) return true;
     const int row = list_->currentRow();
     return row >= 0 && groups_[static_cast<std::size_t>(row)].table == table_of_key(path);
@@ -243,7 +212,7 @@ void ProfilePage::show_rows() {
 }
 
 void ProfilePage::type(std::size_t key, const QString& text) {
-    draft_.type(key, text.toStdString());
+    desk_.type(key, text.toStdString());
     show_state();
 }
 
@@ -255,141 +224,71 @@ void ProfilePage::explain(std::size_t key) {
 
 // What may be saved while the machine moves would not be what it moves by.
 QString ProfilePage::lock() const {
+    if (const auto busy = busy_lock()) return words(*busy);
     const auto& sight = bench_.machine.sight();
     if (sight.is_heard() && !is_at_rest(sight.state())) return tr("Save: the machine moves");
-    const std::size_t problems = draft_.problem_count();
+    const std::size_t problems = draft().problem_count();
     if (problems == 1) return tr("Save: one value is wrong");
     if (problems > 1) return tr("Save: %1 values are wrong").arg(problems);
     return {};
 }
 
-bool ProfilePage::has_backup() const {
-    return bench_.presence.seen(profile::ProfileDraft::backup_path(draft_.path())).state ==
-           session::FilePresence::State::there;
-}
-
-/// By somebody else: disks may sleep.
-void ProfilePage::look_for_files() {
-    std::vector<std::string> files;
-    for (const QString& path : WindowSettings{}.recent_profiles()) files.push_back(path.toStdString());
-    if (!draft_.path().empty()) {
-        for (std::string& backup : profile::ProfileDraft::backups_of(draft_.path()))
-            files.push_back(std::move(backup));
-    }
-    bench_.presence.look(std::move(files));
-}
-
 void ProfilePage::refresh() {
-    const QString reason = lock();
-    const bool can_save = reason.isEmpty();
-    const bool has_file = !draft_.path().empty();
-    save_->setEnabled(can_save && has_file && draft_.changed_count() > 0);
-    save_as_->setEnabled(can_save);
-    undo_->setEnabled(draft_.changed_count() > 0);
-    restore_->setEnabled(has_file && has_backup());
-    calibrate_->refresh(bench_);
+    desk_.poll();
+    if (calibration_ != nullptr) calibration_->poll();
     if (calibration_ != nullptr && calibration_->isVisible()) calibration_->refresh();
+    show_locks();
+}
+
+void ProfilePage::show_locks() {
+    const QString reason = lock();
+    const auto under_way = busy_lock();
+    const QString busy = under_way ? words(*under_way) : QString{};
+    const bool has_file = !draft().path().empty();
+    const bool is_changed = draft().changed_count() > 0;
+    if (area_->isEnabled() == desk_.takes_values()) area_->setEnabled(!desk_.takes_values());
+    lock_with(*open_, busy);
+    lock_with(*save_as_, reason);
+    lock_with(*save_, !reason.isEmpty() ? reason
+                      : !has_file       ? tr("Save: the built-in profile has no file; save it as one")
+                      : !is_changed     ? tr("Save: nothing was changed")
+                                        : QString{});
+    lock_with(*undo_, !busy.isEmpty() ? busy : !is_changed ? tr("Undo all: nothing was changed") : QString{});
+    lock_with(*restore_, !busy.isEmpty() ? busy
+                         : !has_file     ? tr("Restore backup: the built-in profile has no file")
+                         : !has_backup() ? tr("Restore backup: this file has none yet")
+                                         : QString{});
+    calibrate_->refresh(bench_);
     const QString text = !reason.isEmpty() ? reason
                          : !has_file
                              ? tr("The built-in profile has no file: save it as one.")
                              : tr("The old file is kept as a backup. A core takes a profile when it starts.");
     if (reason_->text() != text) reason_->setText(text);
-    for (QPushButton* button : {save_, save_as_}) {
-        button->setToolTip(reason);
-        button->setAccessibleDescription(reason);
-    }
 }
 
 QString ProfilePage::unsaved_text() const {
-    const std::size_t count = draft_.changed_count();
+    const std::size_t count = draft().changed_count();
     if (count == 0) return {};
     return count == 1 ? tr("1 change not saved") : tr("%1 changes not saved").arg(count);
 }
 
 void ProfilePage::show_state() {
-    for (ProfileRow* row : rows_) row->show_state(draft_);
-    const QString path = QString::fromStdString(draft_.path());
+    for (ProfileRow* row : rows_) row->show_state(draft());
+    const QString path = QString::fromStdString(draft().path());
     file_->setText(path.isEmpty() ? tr("built-in profile") : QFileInfo{path}.fileName());
     file_->setToolTip(path);
     changes_->setText(unsaved_text());
     for (std::size_t i = 0; i < groups_.size(); ++i) {
         int problems = 0;
         for (std::size_t key = 0; key < profile_keys().size(); ++key) {
-            if (table_of_key(profile_keys()[key].path) == groups_[i].table && !draft_.problem(key).empty())
+            if (table_of_key(profile_keys()[key].path) == groups_[i].table && !draft().problem(key).empty())
                 ++problems;
         }
         QListWidgetItem* item = list_->item(static_cast<int>(i));
         item->setText(problems > 0 ? tr("%1 (%2)").arg(groups_[i].title).arg(problems) : groups_[i].title);
         if (tokens_ != nullptr) item->setForeground(problems > 0 ? tokens_->alarm : tokens_->text);
     }
-    refresh();
-}
-
-bool ProfilePage::open(const QString& path) {
-    auto opened = profile::ProfileDraft::open(path.toStdString());
-    if (!opened) {
-        bench_.log.add(Severity::warning, session::error_phrase(opened.error().message));
-        return false;
-    }
-    WindowSettings{}.add_recent_profile(path);
-    show_draft(std::move(*opened));
-    return true;
-}
-
-void ProfilePage::show_draft(profile::ProfileDraft draft) {
-    draft_ = std::move(draft);
-    look_for_files();
-    show_rows();
-}
-
-bool ProfilePage::report(const Result<void>& saved) {
-    if (saved) {
-        bench_.log.add(Severity::info, session::phrase("Profile saved: %1", draft_.path()));
-    } else {
-        bench_.log.add(Severity::warning, session::phrase("Profile not saved: %1", saved.error().message));
-    }
-    look_for_files();
-    show_state();
-    return saved.has_value();
-}
-
-bool ProfilePage::save() {
-    return report(draft_.save());
-}
-bool ProfilePage::save_as(const QString& path) {
-    const bool is_saved = report(draft_.save_as(path.toStdString()));
-    if (is_saved) WindowSettings{}.add_recent_profile(path);
-    return is_saved;
-}
-
-void ProfilePage::calibrate() {
-    if (!calibrate_->refresh(bench_).isEmpty())
-        return bench_.log.add(Severity::warning, session::phrase("%1", calibrate_->reason().toStdString()));
-    if (calibration_ == nullptr) {
-        calibration_ =
-            new CalibrationDialog{bench_, [this] { open(QString::fromStdString(draft_.path())); }, window()};
-    }
-    calibration_->open_for(draft_.path());
-}
-
-bool ProfilePage::may_lose_changes() {
-    if (draft_.changed_count() == 0) return true;
-    QMessageBox box{QMessageBox::Question, tr("Profile"), tr("%1. Lose them?").arg(unsaved_text()),
-                    QMessageBox::Discard | QMessageBox::Cancel, window()};
-    box.setDefaultButton(QMessageBox::Cancel);
-    return run_dialog(box) == QMessageBox::Discard;
-}
-
-void ProfilePage::ask_open() {
-    if (!may_lose_changes()) return;
-    const QString path = ask_for_file(this, tr("Open a machine profile"), {}, tr("Profiles (*.toml)"));
-    if (!path.isEmpty()) open(path);
-}
-
-void ProfilePage::ask_save_as() {
-    const QString path = ask_where_to_save(this, tr("Save the profile as"),
-                                           QString::fromStdString(draft_.path()), tr("Profiles (*.toml)"));
-    if (!path.isEmpty()) save_as(path);
+    show_locks();
 }
 
 }  // namespace psicarve::ui

@@ -5,10 +5,11 @@
 #include <QWidget>
 
 #include <cstddef>
-#include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "hmi/profile/profile_draft.hpp"
+#include "hmi/session/profile_desk.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
@@ -36,17 +37,17 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
-    /// False, with a message, when it cannot be opened.
-    bool open(const QString& path);
+    // What comes of these three is a message; until then the page says what is under way.
+    void open(const QString& path);
     /// Without a dialog.
-    bool save_as(const QString& path);
-    bool save();
+    void save_as(const QString& path);
+    void save();
     /// Asks for what is measured at the heads; a message says what is in the way.
     void calibrate();
-    /// Asks, when something was typed that is not saved.
+    /// Asks, when something was typed that is not saved, or not yet.
     bool may_lose_changes();
-    const profile::ProfileDraft& draft() const noexcept { return draft_; }
-    std::size_t problem_count() const { return draft_.problem_count(); }
+    const profile::ProfileDraft& draft() const noexcept { return desk_.draft(); }
+    std::size_t problem_count() const { return draft().problem_count(); }
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -63,15 +64,20 @@ private:
     QWidget* make_head();
     QWidget* make_foot();
     void make_menus();
-    void show_draft(profile::ProfileDraft draft);
+    std::optional<session::Phrase> busy_lock() const;
+    bool is_saving() const;
+    void open_again();
+    void show_opened(const Result<void>& opened);
+    void show_other();
     void ask_open();
     void ask_save_as();
     void show_rows();
     bool belongs(std::size_t key) const;
     void type(std::size_t key, const QString& text);
     void show_state();
+    void show_locks();
     void explain(std::size_t key);
-    bool report(const Result<void>& saved);
+    void report(const Result<void>& saved);
     QString lock() const;
     bool has_backup() const;
     void look_for_files();
@@ -79,7 +85,7 @@ private:
 
     Bench& bench_;
     const Tokens* tokens_ = nullptr;
-    profile::ProfileDraft draft_;
+    session::ProfileDesk desk_;
     std::vector<Group> groups_;
     std::vector<ProfileRow*> rows_;  ///< those that are shown
     QLabel* file_;

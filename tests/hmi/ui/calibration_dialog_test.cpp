@@ -31,7 +31,10 @@ protected:
         ASSERT_NO_FATAL_FAILURE(write_profile());
         open_window();
         window_->show_profile(QString::fromStdString(file("machine.toml")));
+        ASSERT_TRUE(comes_true([&] { return button("profile_calibrate").isEnabled(); }));
         window_->findChild<QAction*>("calibrate_action")->trigger();
+        EXPECT_FALSE(part<QDialog>("calibration_dialog").isVisible()) << "its file is read by somebody else";
+        EXPECT_EQ(button("profile_save_as").toolTip(), "The profile is being opened");
         ASSERT_TRUE(comes_true([&] { return part<QDialog>("calibration_dialog").isVisible(); }));
     }
     QString text(const char* name) { return part<QLabel>(name).text(); }
@@ -100,7 +103,12 @@ TEST_F(Calibration, AsksStepByStepAndWritesTheProfileWithABackup) {
             << name;
     }
     ASSERT_TRUE(click("calibrate_write"));
-    EXPECT_FALSE(part<QDialog>("calibration_dialog").isVisible());
+    EXPECT_TRUE(part<QDialog>("calibration_dialog").isVisible()) << "it is written by somebody else";
+    EXPECT_EQ(text("calibration_reason"), "The profile is being saved");
+    for (const char* name : {"calibrate_back", "calibrate_write", "calibrate_0_here"})
+        EXPECT_EQ(button(name).toolTip(), "The profile is being saved") << name;
+    EXPECT_FALSE(part<QLineEdit>("calibrate_0_counted").isEnabled());
+    ASSERT_TRUE(comes_true([&] { return !part<QDialog>("calibration_dialog").isVisible(); }));
     EXPECT_DOUBLE_EQ(on_file().r1.tip_offset_mm, 0.2);
     EXPECT_DOUBLE_EQ(on_file().head_r2_height_error_mm, 0.2);
     EXPECT_DOUBLE_EQ(on_file().r2.tool_wear_mm, 0.04);
@@ -108,11 +116,32 @@ TEST_F(Calibration, AsksStepByStepAndWritesTheProfileWithABackup) {
     ASSERT_TRUE(backup);
     EXPECT_EQ(profile_hash(*backup), profile_hash(Profile{}));
     EXPECT_TRUE(all_messages().contains("Calibration written: ")) << all_messages().toStdString();
+    ASSERT_TRUE(comes_true([&] { return button("profile_calibrate").isEnabled(); }));
     window_->findChild<QAction*>("calibrate_action")->trigger();
+    ASSERT_TRUE(comes_true([&] { return part<QDialog>("calibration_dialog").isVisible(); }));
     EXPECT_EQ(part<QLineEdit>("calibrate_4_wear").text(), "") << "it begins anew";
     ASSERT_TRUE(comes_true([&] {
         return button("calibrate_0_here").toolTip().contains("another profile than");
     })) << "the core still counts by the old one";
+}
+
+TEST_F(Calibration, LeavesWhatIsTypedIntoThePageMeanwhile) {
+    open_with_profile();
+    auto& line = *part<QWidget>("row_core_radius_mm").findChild<QLineEdit*>();
+    line.setText("1.7");
+    Q_EMIT line.textEdited("1.7");
+    type("calibrate_3_wear", "0.04");
+    for (int i = 0; i < 5; ++i) ASSERT_TRUE(click("calibrate_next"));
+    ASSERT_TRUE(click("calibrate_write"));
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("Calibration written: "); }));
+    EXPECT_TRUE(comes_true([&] { return button("profile_open").isEnabled(); }));
+    EXPECT_EQ(part<QWidget>("row_core_radius_mm").findChild<QLineEdit*>()->text(), "1.7");
+    EXPECT_DOUBLE_EQ(on_file().r1.tool_wear_mm, 0.04);
+    ASSERT_TRUE(click("profile_save"));
+    EXPECT_TRUE(comes_true([&] { return all_messages().contains("Profile saved: "); }))
+        << all_messages().toStdString();
+    EXPECT_DOUBLE_EQ(on_file().r1.tool_wear_mm, 0.04);
+    EXPECT_DOUBLE_EQ(on_file().core_radius_mm, 1.7);
 }
 
 TEST_F(Calibration, WritesNothingThatCannotBeAndNothingAtAllWhenItIsClosed) {

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/profile_desk.hpp"
+
+#include <utility>
+
+#include "shared/profile_text.hpp"
+
+namespace psicarve::session {
+
+using profile::ProfileDraft;
+
+namespace {
+
+Result<void> opened_in_place(ProfileDraft& draft, const std::string& path) {
+    auto opened = ProfileDraft::open(path);
+    if (!opened) return opened.error();
+    draft = std::move(*opened);
+    return {};
+}
+
+}  // namespace
+
+std::optional<Phrase> ProfileDesk::lock() const {
+    if (!is_busy()) return std::nullopt;
+    switch (under_way_.front()) {
+        case Work::opening:
+            return phrase("The profile is being opened");
+        case Work::saving:
+            return phrase("The profile is being saved");
+        case Work::taking_backup:
+            break;
+    }
+    return phrase("The backup is being read");
+}
+
+void ProfileDesk::type(std::size_t key, std::string_view text) {
+    if (!takes_values()) draft_.type(key, text);
+}
+
+void ProfileDesk::undo_all() {
+    if (!is_busy()) draft_.undo_all();
+}
+
+void ProfileDesk::show(ProfileDraft draft) {
+    if (!is_busy()) draft_ = std::move(draft);
+}
+
+void ProfileDesk::open(const std::string& path, Told told) {
+    begin(
+        Work::opening, draft_, [path](ProfileDraft& draft) { return opened_in_place(draft, path); },
+        std::move(told));
+}
+
+void ProfileDesk::open_again(Told told) {
+    ProfileDraft unchanged = draft_;
+    unchanged.undo_all();
+    begin(
+        Work::opening, std::move(unchanged),
+        [path = draft_.path()](ProfileDraft& draft) { return opened_in_place(draft, path); },
+        std::move(told));
+}
+
+void ProfileDesk::save(Told told) {
+    if (is_busy()) return;
+    begin(
+        Work::saving, draft_, [](ProfileDraft& draft) { return draft.save(); }, std::move(told));
+}
+
+void ProfileDesk::save_as(const std::string& path, Told told) {
+    if (is_busy()) return;
+    begin(
+        Work::saving, draft_, [path](ProfileDraft& draft) { return draft.save_as(path); }, std::move(told));
+}
+
+void ProfileDesk::take_backup(const std::string& backup, Told told) {
+    if (is_busy()) return;
+    begin(
+        Work::taking_backup, draft_, [backup](ProfileDraft& draft) { return draft.take_backup(backup); },
+        std::move(told));
+}
+
+void ProfileDesk::begin(Work work, ProfileDraft asked, Step step, Told told) {
+    under_way_.push_back(work);
+    lane_.post([this, asked = std::move(asked), step = std::move(step),
+                told = std::move(told)]() -> WorkLane::Finish {
+        ProfileDraft draft = asked;
+        const auto done = step(draft);
+        const auto made = done ? Result<ProfileDraft>{std::move(draft)} : Result<ProfileDraft>{done.error()};
+        return [this, asked, made, told] { finish(asked, made, told); };
+    });
+}
+
+/// Where a value is not what it was when this was asked for, somebody has typed it since.
+void ProfileDesk::finish(const ProfileDraft& asked, const Result<ProfileDraft>& made, const Told& told) {
+    under_way_.pop_front();
+    if (made) {
+        const ProfileDraft present = std::exchange(draft_, *made);
+        for (std::size_t key = 0; key < profile_keys().size(); ++key) {
+            if (present.typed(key) != asked.typed(key)) draft_.type(key, present.typed(key));
+        }
+    }
+    told(made ? Result<void>{} : Result<void>{made.error()});
+}
+
+}  // namespace psicarve::session

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What page Profile does with files, none of it in the thread that draws.
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include <utility>
+
+#include "hmi/session/error_phrase.hpp"
+#include "hmi/ui/calibration_dialog.hpp"
+#include "hmi/ui/dialogs.hpp"
+#include "hmi/ui/profile_menus.hpp"
+#include "hmi/ui/profile_page.hpp"
+#include "hmi/ui/settings.hpp"
+
+namespace psicarve::ui {
+
+using session::Severity;
+
+void ProfilePage::make_menus() {
+    auto* profiles = new QMenu{this};
+    profiles->setObjectName("profile_open_menu");
+    profiles->setToolTipsVisible(true);
+    open_->setMenu(profiles);
+    connect(profiles, &QMenu::aboutToShow, this, [this, profiles] {
+        fill_profile_menu(
+            *profiles, WindowSettings{}.recent_profiles(), bench_.presence, [this] { ask_open(); },
+            [this](const QString& path) {
+                if (may_lose_changes()) open(path);
+            },
+            [this] {
+                if (!may_lose_changes()) return;
+                desk_.show({});
+                show_other();
+            });
+    });
+    auto* backups = new QMenu{this};
+    backups->setObjectName("profile_backups_menu");
+    restore_->setMenu(backups);
+    connect(backups, &QMenu::aboutToShow, this, [this, backups] {
+        fill_backup_menu(*backups, draft().path(), bench_.presence, [this](const std::string& backup) {
+            desk_.take_backup(backup, [this](const Result<void>& taken) {
+                if (!taken) report(taken);
+                show_state();
+            });
+            show_state();
+        });
+    });
+}
+
+bool ProfilePage::has_backup() const {
+    return bench_.presence.seen(profile::ProfileDraft::backup_path(draft().path())).state ==
+           session::FilePresence::State::there;
+}
+
+/// By somebody else: disks may sleep.
+void ProfilePage::look_for_files() {
+    std::vector<std::string> files;
+    for (const QString& path : WindowSettings{}.recent_profiles()) files.push_back(path.toStdString());
+    if (!draft().path().empty()) {
+        for (std::string& backup : profile::ProfileDraft::backups_of(draft().path()))
+            files.push_back(std::move(backup));
+    }
+    bench_.presence.look(std::move(files));
+}
+
+/// What keeps the page from anything that would get in the way of it.
+std::optional<session::Phrase> ProfilePage::busy_lock() const {
+    if (const auto busy = desk_.lock()) return busy;
+    return calibration_ != nullptr ? calibration_->file_lock() : std::nullopt;
+}
+
+void ProfilePage::open(const QString& path) {
+    desk_.open(path.toStdString(), [this, path](const Result<void>& opened) {
+        if (opened) WindowSettings{}.add_recent_profile(path);
+        show_opened(opened);
+    });
+    show_state();
+}
+
+/// By the calibration.
+void ProfilePage::open_again() {
+    desk_.open_again([this](const Result<void>& opened) { show_opened(opened); });
+    show_state();
+}
+
+void ProfilePage::show_opened(const Result<void>& opened) {
+    if (opened) return show_other();
+    bench_.log.add(Severity::warning, session::error_phrase(opened.error().message));
+    show_state();
+}
+
+void ProfilePage::show_other() {
+    look_for_files();
+    show_rows();
+}
+
+void ProfilePage::report(const Result<void>& saved) {
+    if (saved) {
+        bench_.log.add(Severity::info, session::phrase("Profile saved: %1", draft().path()));
+    } else {
+        bench_.log.add(Severity::warning, session::phrase("Profile not saved: %1", saved.error().message));
+    }
+    look_for_files();
+    show_state();
+}
+
+void ProfilePage::save() {
+    desk_.save([this](const Result<void>& saved) { report(saved); });
+    show_state();
+}
+
+void ProfilePage::save_as(const QString& path) {
+    desk_.save_as(path.toStdString(), [this, path](const Result<void>& saved) {
+        if (saved) WindowSettings{}.add_recent_profile(path);
+        report(saved);
+    });
+    show_state();
+}
+
+void ProfilePage::calibrate() {
+    if (!calibrate_->refresh(bench_).isEmpty())
+        return bench_.log.add(Severity::warning, session::phrase("%1", calibrate_->reason().toStdString()));
+    if (calibration_ == nullptr) {
+        calibration_ = new CalibrationDialog{bench_, [this] { open_again(); }, window()};
+    }
+    calibration_->open_for(draft().path());
+    show_state();
+}
+
+bool ProfilePage::is_saving() const {
+    return desk_.is_saving() || (calibration_ != nullptr && calibration_->is_saving());
+}
+
+bool ProfilePage::may_lose_changes() {
+    if (draft().changed_count() == 0 && !is_saving()) return true;
+    // Of a disk that does not answer nobody knows when.
+    const QString question = is_saving() ? tr("The profile is still being saved. Lose what is not saved yet?")
+                                         : tr("%1. Lose them?").arg(unsaved_text());
+    QMessageBox box{QMessageBox::Question, tr("Profile"), question,
+                    QMessageBox::Discard | QMessageBox::Cancel, window()};
+    box.setDefaultButton(QMessageBox::Cancel);
+    return run_dialog(box) == QMessageBox::Discard;
+}
+
+void ProfilePage::ask_open() {
+    if (!may_lose_changes()) return;
+    const QString path = ask_for_file(this, tr("Open a machine profile"), {}, tr("Profiles (*.toml)"));
+    if (!path.isEmpty()) open(path);
+}
+
+void ProfilePage::ask_save_as() {
+    const QString path = ask_where_to_save(this, tr("Save the profile as"),
+                                           QString::fromStdString(draft().path()), tr("Profiles (*.toml)"));
+    if (!path.isEmpty()) save_as(path);
+}
+
+}  // namespace psicarve::ui

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Page Profile waits for no file: it says what is under way, and locks what would get in the way of it.
+#include <gtest/gtest.h>
+
+#include <QMessageBox>
+#include <QTimer>
+
+#include <fstream>
+
+#include "tests/hmi/ui/pages_rig.hpp"
+#include "tests/shared/temporary_folder.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+constexpr int kGroupOfR1 = 2;
+constexpr const char* kSpeed = "axis.r1.speed_mm_s";
+
+class ProfileFiles : public test::PagesRig {
+protected:
+    ProfileFiles() { std::ofstream(path_) << "[axis.r1]\nspeed_mm_s = 8 # worn\n"; }
+    void open_page() {
+        open_window();
+        show_page("profile_page");
+        choose_group(kGroupOfR1);
+    }
+    void open_file() {
+        ASSERT_NO_FATAL_FAILURE(open_page());
+        ASSERT_TRUE(opens(path_));
+    }
+    /// Nothing of it is delivered before the window's next look.
+    void expect_locked(const char* why) {
+        EXPECT_EQ(text_of("profile_reason").toStdString(), why);
+        for (const char* name : {"profile_open", "profile_undo", "profile_restore", "profile_save_as",
+                                 "profile_save", "profile_calibrate"}) {
+            EXPECT_FALSE(button(name).isEnabled()) << name;
+            EXPECT_EQ(button(name).toolTip().toStdString(), why) << name;
+            EXPECT_EQ(button(name).accessibleDescription().toStdString(), why) << name;
+        }
+    }
+
+    const psicarve::test::TemporaryFolder folder_;
+    const std::string path_ = folder_.path("machine.toml");
+};
+
+TEST_F(ProfileFiles, AreOpenedBySomebodyElse) {
+    ASSERT_NO_FATAL_FAILURE(open_page());
+    profile().open(QString::fromStdString(path_));
+    EXPECT_EQ(profile().draft().path(), "");
+    expect_locked("The profile is being opened");
+    EXPECT_FALSE(field(kSpeed).isEnabled()) << "what is typed now would be lost";
+    ASSERT_TRUE(comes_true([&] { return profile().draft().path() == path_; }));
+    EXPECT_EQ(field(kSpeed).text(), "8.0");
+    EXPECT_TRUE(field(kSpeed).isEnabled());
+    EXPECT_TRUE(button("profile_calibrate").isEnabled());
+}
+
+TEST_F(ProfileFiles, AreSavedBySomebodyElseWhileOneTypesOn) {
+    ASSERT_NO_FATAL_FAILURE(open_file());
+    edit(kSpeed, "9");
+    profile().save();
+    EXPECT_EQ(profile().draft().changed_count(), 1U) << "it is not known to be saved";
+    expect_locked("The profile is being saved");
+    EXPECT_TRUE(field(kSpeed).isEnabled());
+    edit(kSpeed, "10");
+    edit("axis.r1.backlash_mm", "0.02");
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("Profile saved"); }));
+    EXPECT_EQ(load_profile(path_)->r1.speed_mm_s, 9.0);
+    EXPECT_EQ(load_profile(path_)->r1.backlash_mm, 0.0);
+    EXPECT_EQ(field(kSpeed).text(), "10") << "what was typed since is not lost";
+    EXPECT_EQ(profile().draft().changed_count(), 2U);
+    ASSERT_TRUE(click("profile_save"));
+    ASSERT_TRUE(comes_true([&] { return profile().draft().changed_count() == 0; }))
+        << all_messages().toStdString();
+    EXPECT_EQ(load_profile(path_)->r1.speed_mm_s, 10.0);
+}
+
+TEST_F(ProfileFiles, GetAnotherNameFromSomebodyElse) {
+    ASSERT_NO_FATAL_FAILURE(open_file());
+    profile().save_as(QString::fromStdString(folder_.path("other.toml")));
+    EXPECT_EQ(profile().draft().path(), path_);
+    expect_locked("The profile is being saved");
+    ASSERT_TRUE(comes_true([&] { return profile().draft().path() == folder_.path("other.toml"); }));
+    EXPECT_TRUE(entries_of("profile_open_menu").contains("other.toml"));
+}
+
+TEST_F(ProfileFiles, ThatCannotBeSavedLeaveWhatWasTyped) {
+    ASSERT_NO_FATAL_FAILURE(open_file());
+    edit(kSpeed, "9");
+    std::ofstream(path_) << "name = \"another\"\n";
+    ASSERT_TRUE(click("profile_save"));
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("Profile not saved"); }));
+    EXPECT_EQ(field(kSpeed).text(), "9");
+    EXPECT_EQ(profile().draft().changed_count(), 1U);
+    EXPECT_TRUE(comes_true([&] { return button("profile_save").isEnabled(); }));
+}
+
+TEST_F(ProfileFiles, ThatAreBeingSavedAreAskedAboutWhenTheWindowCloses) {
+    ASSERT_NO_FATAL_FAILURE(open_page());
+    profile().save_as(QString::fromStdString(path_));
+    ASSERT_EQ(profile().draft().changed_count(), 0U);
+    QString question;
+    QTimer::singleShot(0, window_.get(), [&] {
+        auto* const box = window_->findChild<QMessageBox*>();
+        ASSERT_NE(box, nullptr);
+        question = box->text();
+        box->button(QMessageBox::Cancel)->click();
+    });
+    EXPECT_FALSE(window_->close());
+    EXPECT_EQ(question, "The profile is still being saved. Lose what is not saved yet?");
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("Profile saved"); }));
+    EXPECT_TRUE(window_->close());
+}
+
+TEST_F(ProfileFiles, BackupsAreReadBySomebodyElse) {
+    ASSERT_NO_FATAL_FAILURE(open_file());
+    edit(kSpeed, "9");
+    ASSERT_TRUE(click("profile_save"));
+    ASSERT_TRUE(comes_true([&] { return button("profile_restore").isEnabled(); }));
+    ASSERT_TRUE(choose("profile_backups_menu", entries_of("profile_backups_menu").value(0)));
+    EXPECT_EQ(field(kSpeed).text(), "9");
+    expect_locked("The backup is being read");
+    EXPECT_FALSE(field(kSpeed).isEnabled());
+    ASSERT_TRUE(comes_true([&] { return field(kSpeed).text() == "8.0"; }));
+    EXPECT_EQ(profile().draft().changed_count(), 1U) << "nothing is saved yet";
+    EXPECT_TRUE(field(kSpeed).isEnabled());
+}
+
+}  // namespace
+}  // namespace psicarve::ui

@@ -1081,6 +1081,10 @@
             <translation>Закончить</translation>
         </message>
         <message>
+            <source>End now: nothing is being measured</source>
+            <translation>Закончить: измерение не идёт</translation>
+        </message>
+        <message>
             <source>End psicarve-rtcore, process %1</source>
             <translation>Завершите psicarve-rtcore, процесс %1</translation>
         </message>
@@ -1215,6 +1219,10 @@ F12  этот список</translation>
         <message>
             <source>Follow the machine</source>
             <translation>Следить за станком</translation>
+        </message>
+        <message>
+            <source>Follow the machine: it does not carve this job</source>
+            <translation>Следить за станком: он режет не это задание</translation>
         </message>
         <message>
             <source>Forgets the zero of %1</source>
@@ -2197,6 +2205,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Открыть задание</translation>
         </message>
         <message>
+            <source>Open its job: this snapshot has none</source>
+            <translation>Открыть задание: в этом снимке его нет</translation>
+        </message>
+        <message>
             <source>Open model, job or recording</source>
             <translation>Открыть модель, задание или запись</translation>
         </message>
@@ -2803,6 +2815,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Save</source>
             <translation>Сохранить</translation>
+        </message>
+        <message>
+            <source>Save CSV: nothing was measured yet</source>
+            <translation>Сохранить CSV: ещё ничего не измерено</translation>
         </message>
         <message>
             <source>Save CSV…</source>

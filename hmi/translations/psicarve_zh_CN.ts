@@ -1080,6 +1080,10 @@
             <translation>立即结束</translation>
         </message>
         <message>
+            <source>End now: nothing is being measured</source>
+            <translation>立即结束：没有在测量</translation>
+        </message>
+        <message>
             <source>End psicarve-rtcore, process %1</source>
             <translation>结束 psicarve-rtcore，进程 %1</translation>
         </message>
@@ -1214,6 +1218,10 @@ F12  本列表</translation>
         <message>
             <source>Follow the machine</source>
             <translation>跟随机床</translation>
+        </message>
+        <message>
+            <source>Follow the machine: it does not carve this job</source>
+            <translation>跟随机床：机床没有在加工此作业</translation>
         </message>
         <message>
             <source>Forgets the zero of %1</source>
@@ -2196,6 +2204,10 @@ N、Shift+N  下一条、上一条记录
             <translation>打开其作业</translation>
         </message>
         <message>
+            <source>Open its job: this snapshot has none</source>
+            <translation>打开其作业：此快照中没有作业</translation>
+        </message>
+        <message>
             <source>Open model, job or recording</source>
             <translation>打开模型、作业或记录</translation>
         </message>
@@ -2798,6 +2810,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Save</source>
             <translation>保存</translation>
+        </message>
+        <message>
+            <source>Save CSV: nothing was measured yet</source>
+            <translation>保存 CSV：还没有测量结果</translation>
         </message>
         <message>
             <source>Save CSV…</source>

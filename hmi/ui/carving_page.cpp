@@ -21,6 +21,7 @@
 #include "hmi/ui/colour_bar.hpp"
 #include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/view_buttons.hpp"
 #include "hmi/ui/words.hpp"
 
@@ -154,10 +155,10 @@ void CarvingPage::refresh() {
     axes_->refresh();
     // A recording's pulses are judged by `psicarve verify`; here it is the piece alone.
     QAbstractButton* const deviation = colourings_->button(static_cast<int>(session::Colouring::deviation));
-    deviation->setEnabled(!bench_.replay.is_open());
-    deviation->setToolTip(bench_.replay.is_open()
-                              ? tr("Deviation: not of a recording; psicarve verify tells it")
-                              : tr("Carved against wanted: blue too deep, brown material left"));
+    lock_with(
+        *deviation,
+        bench_.replay.is_open() ? tr("Deviation: not of a recording; psicarve verify tells it") : QString{},
+        tr("Carved against wanted: blue too deep, brown material left"));
     if (bench_.replay.is_open() && colouring_ == session::Colouring::deviation)
         colourings_->button(static_cast<int>(session::Colouring::done))->click();
     if (!isVisible() || tokens_ == nullptr) return;

@@ -15,6 +15,7 @@
 #include "hmi/session/start_intent.hpp"
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/job_facts_view.hpp"
+#include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/motion_buttons.hpp"
 #include "hmi/ui/report_dialog.hpp"
 #include "hmi/ui/tick_box.hpp"
@@ -101,10 +102,6 @@ void JobPanel::make_buttons() {
     dry_run_ = new TickBox{tr("Dry run")};
     dry_run_->setObjectName("dry_run");
     dry_run_->setFocusPolicy(Qt::TabFocus);
-    dry_run_->setToolTip(
-        tr("Start, One layer and From layer carve nothing: table and Y go as they would, heads outside the "
-           "blank, spindle off"));
-    dry_run_->setAccessibleDescription(dry_run_->toolTip());
     connect(dry_run_, &QCheckBox::toggled, this, [this](bool is_dry) {
         bench_.wanted_run = is_dry ? session::RunKind::dry : session::RunKind::carve;
         refresh_buttons();
@@ -229,7 +226,9 @@ void JobPanel::refresh() {
     if (tokens_ == nullptr) return;
     refresh_facts();
     refresh_checks();
-    dry_run_->setEnabled(!bench_.replay.is_open());  // there is nothing to be started
+    lock_with(*dry_run_, bench_.replay.is_open() ? words(*replay::lock()) : QString{},
+              tr("Start, One layer and From layer carve nothing: table and Y go as they would, heads outside "
+                 "the blank, spindle off"));
     refresh_buttons();
     refresh_override();
 }
@@ -350,7 +349,7 @@ void JobPanel::refresh_buttons() {
     show_what_starts(*start_, bench_);
     for (ActionButton* button : {start_, hold_, resume_, stop_, one_layer_, from_layer_, report_})
         button->refresh(bench_);
-    layer_->setEnabled(from_layer_->isEnabled());
+    lock_with(*layer_, from_layer_->reason());
     const auto resumable = bench_.machine.sight().resumable_layer;
     from_layer_->set_hint(
         resumable ? tr("Leaves out the layers before it; %1 was the last that was finished").arg(*resumable)
@@ -380,9 +379,7 @@ void JobPanel::refresh_layer() {
 }
 
 void JobPanel::refresh_override() {
-    const bool may = full_->refresh(bench_).isEmpty();
-    override_->setEnabled(may);
-    override_->setToolTip(full_->reason());
+    lock_with(*override_, full_->refresh(bench_));
     const auto& status = bench_.shown().status;
     if (!status || status->override_percent == 0) return;
     const int percent = static_cast<int>(status->override_percent);

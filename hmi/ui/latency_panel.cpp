@@ -18,6 +18,7 @@
 #include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/histogram_view.hpp"
+#include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/units.hpp"
 
@@ -98,7 +99,6 @@ QLayout* LatencyPanel::make_wish() {
     begin_->setObjectName("latency_begin");
     begin_->set_hint(tr("Runs the core's own tick loop with nothing in the tick; touches no machine"));
     end_ = small_button("latency_end", tr("End now"));
-    end_->setToolTip(tr("What was measured so far is the result"));
     connect(end_, &QPushButton::clicked, this, [this] { desk_.end(); });
     save_ = small_button("latency_save", tr("Save CSV…"));
     connect(save_, &QPushButton::clicked, this, [this] {
@@ -157,8 +157,9 @@ void LatencyPanel::refresh() {
     const bool is_measuring = desk_.is_measuring();
     if (was_measuring && !is_measuring && desk_.last()) show_result();
     const QString locked = begin_->refresh(bench_);
-    end_->setEnabled(is_measuring);
-    save_->setEnabled(desk_.last().has_value());
+    lock_with(*end_, is_measuring ? QString{} : tr("End now: nothing is being measured"),
+              tr("What was measured so far is the result"));
+    lock_with(*save_, desk_.last() ? QString{} : tr("Save CSV: nothing was measured yet"));
     for (QWidget* part :
          {static_cast<QWidget*>(seconds_), static_cast<QWidget*>(period_), static_cast<QWidget*>(cpu_)})
         part->setEnabled(!is_measuring);

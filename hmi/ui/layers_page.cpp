@@ -15,6 +15,7 @@
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/polar_view.hpp"
 #include "hmi/ui/radius_plot.hpp"
 #include "hmi/ui/tick_box.hpp"
@@ -128,7 +129,6 @@ QWidget* LayersPage::make_facts() {
     follow_ = new TickBox{tr("Follow the machine")};
     follow_->setObjectName("follow_machine");
     follow_->setChecked(true);
-    follow_->setToolTip(tr("Layer and point are those of the machine, until others are chosen"));
     connect(follow_, &QCheckBox::toggled, this, [this](bool follows) { cursor_.follow(follows); });
     auto* whole = new QWidget;
     whole->setFixedWidth(kFactsWidth);
@@ -308,7 +308,8 @@ void LayersPage::show_point(std::uint32_t point) {
 void LayersPage::follow_machine() {
     const session::MachineSight& sight = bench_.shown();
     const bool is_at_job = bench_.is_shown_at_job();
-    follow_->setEnabled(is_at_job);
+    lock_with(*follow_, is_at_job ? QString{} : tr("Follow the machine: it does not carve this job"),
+              tr("Layer and point are those of the machine, until others are chosen"));
     std::optional<session::TablePlace> machine;
     if (is_at_job) machine = {sight.status->layer, sight.status->point};
     cursor_.note_machine(machine);

@@ -96,8 +96,6 @@ QWidget* ModelPage::make_view() {
     report_button_->setObjectName("model_report_open");
     report_button_->setProperty("small", true);
     report_button_->setFocusPolicy(Qt::TabFocus);
-    report_button_->setToolTip(
-        tr("What the mesh is made of, what is wrong with it and what no tool reaches"));
     connect(report_button_, &QPushButton::clicked, this, [this] { open_report(); });
     shown->addWidget(report_button_);
     column->addLayout(shown);
@@ -106,8 +104,6 @@ QWidget* ModelPage::make_view() {
     show_hidden_->setObjectName("view_undercut");
     show_hidden_->setProperty("small", true);
     show_hidden_->setFocusPolicy(Qt::TabFocus);
-    show_hidden_->setToolTip(tr("From where most of the undercut is seen"));
-    show_hidden_->setEnabled(false);
     connect(show_hidden_, &QPushButton::clicked, this, [this] {
         if (shown_sight_ && shown_sight_->hidden_view) view_->look_as(*shown_sight_->hidden_view);
     });
@@ -261,7 +257,6 @@ void ModelPage::show_model() {
     view_->set_blank({});
     view_->set_legend({});
     legend_.clear();
-    show_hidden_->setEnabled(false);
     view_->replace_scene(bench_.desk.scene());
     shown_sight_.reset();
 }
@@ -329,7 +324,6 @@ void ModelPage::show_sight() {
     if (!seen || seen == shown_sight_ || piece_->is_chosen()) return;
     shown_sight_ = seen;
     view_->replace_scene(seen->painted);
-    show_hidden_->setEnabled(seen->hidden_view.has_value());
     shown_blank_.reset();
 }
 

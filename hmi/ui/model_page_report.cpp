@@ -6,6 +6,7 @@
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/job_facts.hpp"
 #include "hmi/session/mesh_text.hpp"
+#include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/model_form.hpp"
 #include "hmi/ui/model_page.hpp"
@@ -26,7 +27,6 @@ void ModelPage::refresh_piece() {
     piece_->refresh(
         choice, session::PieceWish{desk.job(), is_of_job ? desk.job_mesh() : desk.mesh(), profile, options()},
         report_ != nullptr);
-    if (piece_->is_chosen()) show_hidden_->setEnabled(false);
 }
 
 void ModelPage::open_report() {
@@ -39,7 +39,6 @@ void ModelPage::open_report() {
 /// As it becomes known. Without a mesh there is nothing to be told.
 void ModelPage::refresh_report() {
     const auto mesh = bench_.desk.mesh();
-    report_button_->setEnabled(mesh != nullptr);
     if (report_ == nullptr) return;
     if (!mesh) {
         report_->close();
@@ -83,21 +82,22 @@ void ModelPage::show_legend() {
     view_->set_legend(text);
 }
 
-/// What is locked says why: beside Publish in words, else in the tooltip.
+/// What is locked says why: beside Publish in words, too.
 void ModelPage::show_reasons() {
     const bool is_told = bench_.desk.sight().state == session::DeskState::published;
     const QString reason = is_told ? QString{} : publish_->reason();
     if (publish_reason_->text() != reason) publish_reason_->setText(reason);
     if (publish_reason_->isHidden() != reason.isEmpty()) publish_reason_->setVisible(!reason.isEmpty());
     const bool has_mesh = bench_.desk.mesh() != nullptr;
-    report_button_->setToolTip(
-        has_mesh ? tr("What the mesh is made of, what is wrong with it and what no tool reaches")
-                 : tr("Report: open a model first"));
-    show_hidden_->setToolTip(!has_mesh                   ? tr("Undercut: open a model first")
-                             : piece_->is_chosen()       ? tr("Undercut: choose Model first")
-                             : !shown_sight_             ? tr("Undercut: it is being looked for")
-                             : show_hidden_->isEnabled() ? tr("From where most of the undercut is seen")
-                                                         : tr("Undercut: there is none"));
+    lock_with(*report_button_, has_mesh ? QString{} : tr("Report: open a model first"),
+              tr("What the mesh is made of, what is wrong with it and what no tool reaches"));
+    lock_with(*show_hidden_,
+              !has_mesh                    ? tr("Undercut: open a model first")
+              : piece_->is_chosen()        ? tr("Undercut: choose Model first")
+              : !shown_sight_              ? tr("Undercut: it is being looked for")
+              : !shown_sight_->hidden_view ? tr("Undercut: there is none")
+                                           : QString{},
+              tr("From where most of the undercut is seen"));
 }
 
 /// In the view's place, while there is nothing to be seen.

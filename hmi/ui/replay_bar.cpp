@@ -11,6 +11,7 @@
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/timeline_view.hpp"
 #include "hmi/ui/words.hpp"
 
@@ -188,9 +189,10 @@ void ReplayBar::refresh() {
     of_->setText(tr("of %1").arg(text_of(clock.end_ns())));
     const bool is_trace = bench_.replay.facts().knows_every_pulse;
     job_->setText(is_trace ? tr("Add its job\u2026") : tr("Open its job"));
-    job_->setToolTip(is_trace ? tr("The job or snapshot that this trace belongs to")
-                              : tr("Leaves replay and opens the job in this snapshot"));
-    job_->setEnabled(is_trace || bench_.replay.facts().job != nullptr);
+    const bool has_job = bench_.replay.facts().job != nullptr;
+    lock_with(*job_, is_trace || has_job ? QString{} : tr("Open its job: this snapshot has none"),
+              is_trace ? tr("The job or snapshot that this trace belongs to")
+                       : tr("Leaves replay and opens the job in this snapshot"));
     refresh_verify();
     refresh_words();
     timeline_->refresh();
@@ -212,9 +214,8 @@ void ReplayBar::refresh_verify() {
     const bool is_judging = bench_.judge.is_judging();
     verify_->setVisible(facts.knows_every_pulse);
     verify_->setText(is_judging ? tr("Cancel verification") : tr("Verify"));
-    verify_->setEnabled(is_judging || facts.job != nullptr);
-    const QString why = facts.job ? tr("Holds every pulse against the job") : tr("Verify: add its job first");
-    if (verify_->toolTip() != why) verify_->setToolTip(why);
+    lock_with(*verify_, is_judging || facts.job ? QString{} : tr("Verify: add its job first"),
+              tr("Holds every pulse against the job"));
     verify_->setAccessibleName(verify_->text());
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
 #include "hmi/ui/words.hpp"
 
@@ -46,6 +47,9 @@ ComputerTable::ComputerTable(QWidget* parent) : QTableWidget(0, kComputerColumns
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setShowGrid(false);
     setWordWrap(true);
+    // The bar at the side takes its width from the last column once there are more rows than fit.
+    connect(
+        horizontalHeader(), &QHeaderView::sectionResized, this, [this] { fit_rows(); }, Qt::QueuedConnection);
 }
 
 void ComputerTable::set_theme(const Tokens& tokens) {
@@ -72,7 +76,14 @@ void ComputerTable::fill() {
             if (column == kName) cell->setIcon(glyph_icon(glyph_of(row.verdict), colour, colour));
             setItem(line, column, cell);
         }
-        if (!texts[kRemedy].isEmpty()) resizeRowToContents(line);
+    }
+    fit_rows();
+}
+
+void ComputerTable::fit_rows() {
+    for (int line = 0; line < rowCount(); ++line) {
+        const int needed = sizeHintForRow(line);
+        setRowHeight(line, needed > kRowHeight ? needed + kSmallGap : kRowHeight);
     }
 }
 

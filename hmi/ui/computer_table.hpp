@@ -23,6 +23,7 @@ public:
 
 private:
     void fill();
+    void fit_rows();
 
     const Tokens* tokens_ = nullptr;
     std::vector<session::ComputerRow> shown_;

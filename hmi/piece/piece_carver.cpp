@@ -69,6 +69,20 @@ StockMap round_blank(const verify::JobGeometry& geometry, const Profile& profile
     return StockMap(radius_mm, bottom_mm, height_mm / rows, static_cast<std::size_t>(rows), columns);
 }
 
+ToolSweep sweep_of(const verify::JobGeometry& geometry, const Profile& profile, StockMap& stock) {
+    return ToolSweep(tool::tool_of(profile.tool, 1.0), stock, kHalfPulse * geometry.rad_per_pulse(),
+                     kPointReach_pulses / geometry.y_pulses_per_mm());
+}
+
+/// Neither reaches columns of the other within a sweep, so that they need not take turns.
+bool are_opposite(const verify::JobGeometry& geometry) {
+    const double between_rad =
+        static_cast<double>(geometry.head(0).facing_pulses - geometry.head(1).facing_pulses) *
+        geometry.rad_per_pulse();
+    const double off_rad = std::abs(std::remainder(between_rad - kPi, 2.0 * kPi));
+    return off_rad + ToolSweep::kMostTurn_rad + 2.0 * kWidest_rad < kPi;
+}
+
 }  // namespace
 
 StockMap blank_of(const verify::JobGeometry& geometry, const Profile& profile, std::size_t columns) {
@@ -81,8 +95,8 @@ PieceCarver::PieceCarver(const verify::JobGeometry& geometry, const Profile& pro
                          Ridges* ridges)
     : geometry_(geometry),
       ridges_(ridges),
-      cut_(tool::tool_of(profile.tool, 1.0), stock, kHalfPulse * geometry.rad_per_pulse(),
-           kPointReach_pulses / geometry.y_pulses_per_mm()) {}
+      sweeps_{sweep_of(geometry, profile, stock), sweep_of(geometry, profile, stock)},
+      reach_different_columns_(are_opposite(geometry)) {}
 
 void PieceCarver::settle(const verify::Positions& positions, bool spindle_on) {
     if (!spindle_on) return flush();
@@ -95,17 +109,27 @@ void PieceCarver::settle(const verify::Positions& positions, bool spindle_on) {
     deepest_ = positions;
 }
 
+void PieceCarver::finish() {
+    flush();
+    cut_places();
+}
+
+void PieceCarver::cut_places() {
+    for (ToolSweep& sweep : sweeps_) sweep.flush();
+}
+
 void PieceCarver::settle_ridges(const verify::Positions& positions) {
     if (ridges_ == nullptr) return;
-    with_each_head(positions, [this](double direction_rad, double height_mm, double tip_mm) {
+    with_each_head(positions, [this](std::size_t, double direction_rad, double height_mm, double tip_mm) {
         ridges_->cut(direction_rad, height_mm, tip_mm);
     });
 }
 
 void PieceCarver::flush() {
     if (!deepest_) return;
-    with_each_head(*deepest_, [this](double direction_rad, double height_mm, double tip_mm) {
-        cut_.at(direction_rad, height_mm, tip_mm);
+    with_each_head(*deepest_, [this](std::size_t h, double direction_rad, double height_mm, double tip_mm) {
+        sweeps_[h].at(direction_rad, height_mm, tip_mm);
+        if (!reach_different_columns_) sweeps_[h].flush();
     });
     settle_ridges(*deepest_);
     deepest_.reset();
@@ -119,7 +143,7 @@ void PieceCarver::with_each_head(const verify::Positions& positions, const Cut& 
             static_cast<double>(geometry_.direction(h, positions[kPsi])) * geometry_.rad_per_pulse();
         const double height_mm =
             static_cast<double>(positions[kY] + head.height_offset_pulses) / geometry_.y_pulses_per_mm();
-        cut(direction_rad, height_mm, std::max(0.0, head.real_mm(positions[h])));
+        cut(h, direction_rad, height_mm, std::max(0.0, head.real_mm(positions[h])));
     }
 }
 

@@ -7,7 +7,7 @@
 
 #include "hmi/piece/ridges.hpp"
 #include "hmi/piece/stock_map.hpp"
-#include "hmi/piece/tool_cut.hpp"
+#include "hmi/piece/tool_sweep.hpp"
 #include "hmi/verify/job_geometry.hpp"
 #include "shared/profile.hpp"
 
@@ -30,17 +30,19 @@ public:
     void settle(const verify::Positions& positions, bool spindle_on);
     /// Only of the model's ridges, for steps between those that are settled.
     void settle_ridges(const verify::Positions& positions);
-    void finish() { flush(); }
-    std::uint64_t contacts() const noexcept { return cut_.contacts(); }
+    /// Before anyone looks at the stock.
+    void finish();
 
 private:
     void flush();
+    void cut_places();
     template <typename Cut>
     void with_each_head(const verify::Positions& positions, const Cut& cut) const;
 
     verify::JobGeometry geometry_;
     Ridges* ridges_;
-    ToolCut cut_;
+    std::array<ToolSweep, verify::kHeadCount> sweeps_;
+    bool reach_different_columns_;
     std::optional<verify::Positions> deepest_;  ///< at one place of psi and Y
 };
 

@@ -7,12 +7,27 @@
 #include "shared/units.hpp"
 
 namespace psicarve::piece {
-namespace {
 
-// Further to the side no tool's front is seen from the axis.
-constexpr double kWidest_rad = 1.5;
+// The nearest of the tool's front is tip or further out, so no ray beyond asin(R / tip) meets it.
+ReachedColumns::ReachedColumns(const tool::Tool& tool, std::size_t column_count, double direction_rad,
+                               double tip_mm) noexcept {
+    const double half_rad =
+        tool.radius < tip_mm * std::sin(kWidest_rad) ? std::asin(tool.radius / tip_mm) : kWidest_rad;
+    const auto columns = static_cast<double>(column_count);
+    const double at = direction_rad / (2.0 * kPi) * columns;
+    const double reach = half_rad / (2.0 * kPi) * columns;
+    const double from = std::ceil(at - reach);
+    first = static_cast<std::int64_t>(from);
+    count = static_cast<std::size_t>(std::max(0.0, std::floor(at + reach) - from + 1.0));
+}
 
-}  // namespace
+ReachedRows::ReachedRows(const tool::Tool& tool, const StockMap& stock, double height_mm) noexcept {
+    const double lowest = std::ceil((height_mm - tool.radius - stock.bottom_mm()) / stock.row_mm() - 0.5);
+    const double highest = std::floor((height_mm + tool.radius - stock.bottom_mm()) / stock.row_mm() - 0.5);
+    if (highest < 0.0 || lowest > highest) return;
+    begin = static_cast<std::size_t>(std::max(0.0, lowest));
+    end = std::min(stock.row_count(), static_cast<std::size_t>(highest) + 1);
+}
 
 ToolCut::ToolCut(const tool::Tool& tool, StockMap& stock, double point_reach_rad, double point_reach_mm)
     : tool_(tool),
@@ -26,20 +41,13 @@ ToolCut::ToolCut(const tool::Tool& tool, StockMap& stock, double point_reach_rad
     }
 }
 
-// The nearest of the tool's front is tip or further out, so no ray beyond asin(R / tip) meets it.
 void ToolCut::aim(double direction_rad, double tip_mm) {
-    const double half_rad =
-        tool_.radius < tip_mm * std::sin(kWidest_rad) ? std::asin(tool_.radius / tip_mm) : kWidest_rad;
-    const auto columns = static_cast<double>(stock_.column_count());
-    const double at = direction_rad / (2.0 * kPi) * columns;
-    const double reach = half_rad / (2.0 * kPi) * columns;
-    const double first = std::ceil(at - reach);
-    const auto count = static_cast<std::size_t>(std::max(0.0, std::floor(at + reach) - first + 1.0));
-    const double wrapped = first - std::floor(first / columns) * columns;
-    first_ = static_cast<std::size_t>(wrapped) % stock_.column_count();
+    const ReachedColumns columns(tool_, stock_.column_count(), direction_rad, tip_mm);
+    const auto around = static_cast<std::int64_t>(stock_.column_count());
+    first_ = static_cast<std::size_t>((columns.first % around + around) % around);
+    rays_.resize(columns.count);
     const auto cosine = static_cast<float>(std::cos(direction_rad));
     const auto sine = static_cast<float>(std::sin(direction_rad));
-    rays_.resize(count);
     std::size_t column = first_;
     for (Ray& ray : rays_) {
         const float across = sine_[column] * cosine - cosine_[column] * sine;
@@ -77,14 +85,10 @@ double ToolCut::bite_mm(double direction_rad, double height_mm, double tip_mm) {
 }
 
 void ToolCut::visit_rows(double direction_rad, double height_mm, double tip_mm) {
-    const double lowest = std::ceil((height_mm - tool_.radius - stock_.bottom_mm()) / stock_.row_mm() - 0.5);
-    const double highest =
-        std::floor((height_mm + tool_.radius - stock_.bottom_mm()) / stock_.row_mm() - 0.5);
-    if (highest < 0.0 || lowest > highest) return;
+    const ReachedRows rows(tool_, stock_, height_mm);
+    if (rows.begin >= rows.end) return;
     aim(direction_rad, tip_mm);
-    const auto first = static_cast<std::size_t>(std::max(0.0, lowest));
-    const std::size_t end = std::min(stock_.row_count(), static_cast<std::size_t>(highest) + 1);
-    for (std::size_t row = first; row < end; ++row) {
+    for (std::size_t row = rows.begin; row < rows.end; ++row) {
         const double up = stock_.height_mm(row) - height_mm;
         const auto height2 = static_cast<float>(up * up);
         const float across2 = static_cast<float>(tool_.radius * tool_.radius) - height2;

@@ -11,6 +11,23 @@
 
 namespace psicarve::piece {
 
+/// Further to the side no tool's front is seen from the axis.
+inline constexpr double kWidest_rad = 1.5;
+
+/// Cells of a stock map that a tool may reach: columns that its front is seen in from the axis, the first of
+/// them unwrapped, and rows within its radius.
+struct ReachedColumns {
+    ReachedColumns(const tool::Tool& tool, std::size_t column_count, double direction_rad,
+                   double tip_mm) noexcept;
+    std::int64_t first;
+    std::size_t count;
+};
+struct ReachedRows {
+    ReachedRows(const tool::Tool& tool, const StockMap& stock, double height_mm) noexcept;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
 /// Takes out of a stock map what a tool whose axis lies on a radius reaches from one place. On the ray in the
 /// direction D from the tool's axis, dy above it, material ends where the ray enters the tool:
 ///

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How many contacts a second a tool carves: cells of the piece whose place lies within the tool's disc, seen
 // along its axis. What it looks at is the square round that, which is told as well. Beside it the same
-// contacts by the plainest loop, each cell's ray met with the tool by bisection over tool::rise; and the peak
-// of memory.
+// contacts several places at a time, and by the plainest loop, each cell's ray met with the tool by bisection
+// over tool::rise; and the peak of memory.
 //
 //     bench_tool_cut
 #include <sys/resource.h>
@@ -13,6 +13,7 @@
 #include <cstdio>
 
 #include "hmi/piece/tool_cut.hpp"
+#include "hmi/piece/tool_sweep.hpp"
 #include "shared/units.hpp"
 #include "tests/bench/slice/measure.hpp"
 
@@ -66,6 +67,7 @@ std::uint64_t contacts_of(const tool::Tool& tool, const piece::StockMap& stock, 
 struct Rates {
     double contacts;  ///< a second
     double cells;     ///< a second, that were looked at
+    double swept;     ///< contacts a second, several places at a time
 };
 
 Rates cut_rates(const tool::Tool& tool) {
@@ -83,7 +85,14 @@ Rates cut_rates(const tool::Tool& tool) {
     const double begin_s = bench::cpu_s();
     visit_stands([&cut](const Stand& at) { cut.at(at.direction_rad, at.height_mm, at.tip_mm); });
     const double took_s = bench::cpu_s() - begin_s;
-    return {static_cast<double>(contacts) / took_s, static_cast<double>(cut.contacts()) / took_s};
+    piece::StockMap swept_stock = blank();
+    piece::ToolSweep sweep(tool, swept_stock);
+    const double sweep_begin_s = bench::cpu_s();
+    visit_stands([&sweep](const Stand& at) { sweep.at(at.direction_rad, at.height_mm, at.tip_mm); });
+    sweep.flush();
+    const double swept_s = bench::cpu_s() - sweep_begin_s;
+    return {static_cast<double>(contacts) / took_s, static_cast<double>(cut.contacts()) / took_s,
+            static_cast<double>(contacts) / swept_s};
 }
 
 double plain_rate(const tool::Tool& tool) {
@@ -120,8 +129,10 @@ void measure(const char* name, const tool::Tool& tool) {
     const Rates ours = cut_rates(tool);
     const double plain = plain_rate(tool);
     std::printf(
-        "%-12s %.0f million contacts a second (%.0f million cells looked at), %.0f times the plain loop\n",
-        name, ours.contacts * 1e-6, ours.cells * 1e-6, ours.contacts / plain);
+        "%-12s %.0f million contacts a second (%.0f million cells looked at), %.0f times the plain loop; "
+        "swept "
+        "%.0f million\n",
+        name, ours.contacts * 1e-6, ours.cells * 1e-6, ours.contacts / plain, ours.swept * 1e-6);
 }
 
 }  // namespace

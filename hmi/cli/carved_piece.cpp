@@ -86,15 +86,16 @@ Result<std::unique_ptr<CarvedPiece>> CarvedPiece::make(const PreparedJob& job,
                      "psicarve verify JOB TRACE --model MODEL"};
     }
     made->carver_.emplace(*geometry, job.profile, made->stock_, made->ridges_ ? &*made->ridges_ : nullptr);
+    made->thread_.emplace(*made->carver_);
     return made;
 }
 
 verify::Verifier::Follower CarvedPiece::follower() {
-    return [this](const auto& positions, bool spindle_on) { carver_->settle(positions, spindle_on); };
+    return [this](const auto& positions, bool spindle_on) { thread_->settle(positions, spindle_on); };
 }
 
 Result<void> CarvedPiece::finish() {
-    carver_->finish();
+    thread_->finish();
     if (ridges_) deviation_ = piece::deviation_of(stock_, wanted_mm_, rows_, &*ridges_, {}).value();
     if (!files_.mesh.empty()) {
         if (const auto done = piece::write_piece(files_.mesh, stock_); !done) return done.error();

@@ -9,6 +9,7 @@
 #include "hmi/cli/command_set.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/run_report.hpp"
+#include "hmi/piece/carving_thread.hpp"
 #include "hmi/piece/piece_carver.hpp"
 #include "hmi/piece/piece_deviation.hpp"
 #include "hmi/piece/placed_model.hpp"
@@ -28,7 +29,7 @@ void add_piece_options(Syntax& syntax, PieceFiles& files);
 /// Before the work: wrong names, folders that cannot be written.
 Result<void> check_piece_files(const PieceFiles& files);
 
-/// The piece, carved in simulation with the tool's shape while the pins are judged.
+/// The piece, carved in simulation with the tool's shape while the pins are judged, by a thread of its own.
 class CarvedPiece {
 public:
     /// Nothing when no file is asked for. With a model the piece is compared with it. The job's blob outlives
@@ -59,6 +60,7 @@ private:
     std::vector<float> wanted_mm_;  ///< of the model
     std::optional<piece::Ridges> ridges_;
     std::optional<piece::PieceCarver> carver_;
+    std::optional<piece::CarvingThread> thread_;
     std::optional<piece::PieceDeviation> deviation_;
 };
 

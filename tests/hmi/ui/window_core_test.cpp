@@ -115,6 +115,8 @@ TEST_F(WindowOnCore, CarvesLayerAfterLayer) {
 TEST_F(WindowOnCore, KeepsALogSavesABundleAndReportsTheRun) {
     start_core();
     open_window();
+    // What the core accepts before it was heard first is no news.
+    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
     EXPECT_FALSE(button("report_button").isEnabled());
     Snapshot snapshot;
     snapshot.job_blob = job_blob_from_table(two_process::lobed_job(3, 40));

@@ -80,7 +80,7 @@ bool are_opposite(const verify::JobGeometry& geometry) {
         static_cast<double>(geometry.head(0).facing_pulses - geometry.head(1).facing_pulses) *
         geometry.rad_per_pulse();
     const double off_rad = std::abs(std::remainder(between_rad - kPi, 2.0 * kPi));
-    return off_rad + ToolSweep::kMostTurn_rad + 2.0 * kWidest_rad < kPi;
+    return off_rad + 2.0 * ToolSweep::kMostTurn_rad + 2.0 * kWidest_rad < kPi;
 }
 
 }  // namespace

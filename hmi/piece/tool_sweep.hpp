@@ -34,8 +34,8 @@ public:
     /// Cuts what is left to be cut; before anyone looks at the stock.
     void flush();
 
-    /// From first to last of the places that are cut together.
-    static constexpr double kMostTurn_rad = 0.1;
+    /// From the first of the places that are cut together to any other, to either side.
+    static constexpr double kMostTurn_rad = 0.05;
 
 private:
     static constexpr std::size_t kPlaces = 16;

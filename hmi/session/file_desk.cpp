@@ -49,6 +49,11 @@ Result<void> tables_to(const std::string& path, const JobView& job) {
 
 }  // namespace
 
+FileDesk::~FileDesk() {
+    lane_.finish();
+    lane_.deliver();
+}
+
 WorkLane::Finish FileDesk::told(const Result<void>& done, const std::string& path) {
     return [this, path, why = done ? std::string{} : done.error().message] {
         if (why.empty()) {

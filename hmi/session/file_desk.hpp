@@ -18,6 +18,11 @@ public:
     FileDesk(std::string segment_name, std::string group, MessageLog& log)
         : segment_name_(std::move(segment_name)), group_(std::move(group)), log_(log) {}
 
+    /// What is to be kept is kept, however long it takes.
+    ~FileDesk();
+    FileDesk(const FileDesk&) = delete;
+    FileDesk& operator=(const FileDesk&) = delete;
+
     /// Job, status and flight recorder of the segment, with a core or without.
     void save_snapshot(const std::string& path);
     void save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);

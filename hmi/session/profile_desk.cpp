@@ -22,7 +22,7 @@ Result<void> opened_in_place(ProfileDraft& draft, const std::string& path) {
 
 std::optional<Phrase> ProfileDesk::lock() const {
     if (!is_busy()) return std::nullopt;
-    switch (under_way_.front()) {
+    switch (*under_way_) {
         case Work::opening:
             return phrase("The profile is being opened");
         case Work::saving:
@@ -61,26 +61,24 @@ void ProfileDesk::open_again(Told told) {
 }
 
 void ProfileDesk::save(Told told) {
-    if (is_busy()) return;
     begin(
         Work::saving, draft_, [](ProfileDraft& draft) { return draft.save(); }, std::move(told));
 }
 
 void ProfileDesk::save_as(const std::string& path, Told told) {
-    if (is_busy()) return;
     begin(
         Work::saving, draft_, [path](ProfileDraft& draft) { return draft.save_as(path); }, std::move(told));
 }
 
 void ProfileDesk::take_backup(const std::string& backup, Told told) {
-    if (is_busy()) return;
     begin(
         Work::taking_backup, draft_, [backup](ProfileDraft& draft) { return draft.take_backup(backup); },
         std::move(told));
 }
 
 void ProfileDesk::begin(Work work, ProfileDraft asked, Step step, Told told) {
-    under_way_.push_back(work);
+    if (is_busy()) return;
+    under_way_ = work;
     lane_.post([this, asked = std::move(asked), step = std::move(step),
                 told = std::move(told)]() -> WorkLane::Finish {
         ProfileDraft draft = asked;
@@ -92,7 +90,7 @@ void ProfileDesk::begin(Work work, ProfileDraft asked, Step step, Told told) {
 
 /// Where a value is not what it was when this was asked for, somebody has typed it since.
 void ProfileDesk::finish(const ProfileDraft& asked, const Result<ProfileDraft>& made, const Told& told) {
-    under_way_.pop_front();
+    under_way_.reset();
     if (made) {
         const ProfileDraft present = std::exchange(draft_, *made);
         for (std::size_t key = 0; key < profile_keys().size(); ++key) {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <optional>
 #include <string>
@@ -15,15 +14,16 @@
 
 namespace psicarve::session {
 
-/// The machine profile that somebody edits, whose files are read and written on a thread of its own. What is
-/// asked for is done in order; `told` is called by the poll() that finds it done. One thread, the owner's.
+/// The machine profile that somebody edits, whose files are read and written on a thread of its own, one
+/// after the other: who asks for anything looks at lock() first. `told` is called by the poll() that finds it
+/// done. One thread, the owner's.
 class ProfileDesk {
 public:
     using Told = std::function<void(const Result<void>&)>;
 
     const profile::ProfileDraft& draft() const noexcept { return draft_; }
-    bool is_busy() const noexcept { return !under_way_.empty(); }
-    bool is_saving() const noexcept { return is_busy() && under_way_.front() == Work::saving; }
+    bool is_busy() const noexcept { return under_way_.has_value(); }
+    bool is_saving() const noexcept { return under_way_ == Work::saving; }
     /// Other values are on their way: what would be typed now has no place.
     bool takes_values() const noexcept { return is_busy() && !is_saving(); }
     /// What is under way, and in the way of anything else.
@@ -31,15 +31,15 @@ public:
 
     /// Nothing while takes_values(). What is typed while it is being saved is a change since.
     void type(std::size_t key, std::string_view text);
-    /// These two: nothing while is_busy().
+
+    // All below: nothing while is_busy().
     void undo_all();
     void show(profile::ProfileDraft draft);
-
     /// In its place, when it can be opened.
     void open(const std::string& path, Told told);
     /// What somebody else has made of its file; what is typed and not saved stays so.
     void open_again(Told told);
-    /// These three as those of ProfileDraft; nothing while is_busy().
+    /// These three as those of ProfileDraft.
     void save(Told told);
     void save_as(const std::string& path, Told told);
     void take_backup(const std::string& backup, Told told);
@@ -56,7 +56,7 @@ private:
                 const Told& told);
 
     profile::ProfileDraft draft_;
-    std::deque<Work> under_way_;
+    std::optional<Work> under_way_;
     WorkLane lane_;  // last: its thread uses the others
 };
 

@@ -37,6 +37,11 @@ void WorkLane::drop_waiting() {
     tasks_.clear();
 }
 
+void WorkLane::finish() {
+    std::unique_lock lock{mutex_};
+    wake_.wait(lock, [this] { return tasks_.empty() && !is_working_; });
+}
+
 bool WorkLane::is_idle() const {
     const std::lock_guard lock{mutex_};
     return tasks_.empty() && !is_working_ && finished_.empty();
@@ -69,6 +74,7 @@ void WorkLane::work(Haste haste) {
         lock.lock();
         is_working_ = false;
         finished_.push_back(std::move(finish));
+        wake_.notify_all();
     }
 }
 

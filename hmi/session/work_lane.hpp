@@ -29,6 +29,8 @@ public:
 
     void post(Task task);
     void drop_waiting();
+    /// Waits until all is worked off.
+    void finish();
     /// Tasks that wait, run, or are not delivered.
     bool is_idle() const;
     void deliver();

@@ -48,10 +48,10 @@ QPushButton* plain_button(const char* name, const QString& text) {
 
 }  // namespace
 
-CalibrationDialog::CalibrationDialog(Bench& bench, std::function<void()> written, QWidget* parent)
+CalibrationDialog::CalibrationDialog(Bench& bench, Page page, QWidget* parent)
     : QDialog(parent),
       bench_(bench),
-      written_(std::move(written)),
+      page_(std::move(page)),
       title_(role_label("title")),
       file_(role_label("label")),
       pages_(new QStackedWidget),
@@ -174,22 +174,28 @@ QLayout* CalibrationDialog::make_buttons() {
     back_ = plain_button("calibrate_back", tr("Back"));
     next_ = plain_button("calibrate_next", tr("Next"));
     const auto lock = [this](const Bench& now) {
-        const auto busy = desk_.lock();
-        return busy ? busy : session::write_lock(outcome_, now.machine.sight());
+        const auto reason = busy();
+        return reason ? reason : session::write_lock(outcome_, now.machine.sight());
     };
     write_ = new ActionButton{lock, tr("Write"), [this] { write(); }};
     write_->setObjectName("calibrate_write");
-    auto* shut = plain_button("calibrate_close", tr("Close"));
+    shut_ = plain_button("calibrate_close", tr("Close"));
     connect(back_, &QPushButton::clicked, this, [this] { show_step(pages_->currentIndex() - 1); });
     connect(next_, &QPushButton::clicked, this, [this] { show_step(pages_->currentIndex() + 1); });
-    connect(shut, &QPushButton::clicked, this, [this] { close(); });
+    connect(shut_, &QPushButton::clicked, this, [this] { close(); });
     auto* row = new QHBoxLayout;
-    row->addWidget(shut);
+    row->addWidget(shut_);
     row->addStretch();
     for (QPushButton* button : {back_, next_, static_cast<QPushButton*>(write_)}) row->addWidget(button);
-    for (QPushButton* button : {shut, back_, next_, static_cast<QPushButton*>(write_)})
+    for (QPushButton* button : {shut_, back_, next_, static_cast<QPushButton*>(write_)})
         button->setMinimumWidth(kCalibrationDialogButtonWidth);
     return row;
+}
+
+/// Two who write one file would each lose what the other has written.
+std::optional<session::Phrase> CalibrationDialog::busy() const {
+    const auto own = desk_.lock();
+    return own ? own : page_.lock();
 }
 
 void CalibrationDialog::open_for(const std::string& path) {
@@ -279,6 +285,7 @@ void CalibrationDialog::show_step(int index) {
 }
 
 void CalibrationDialog::write() {
+    if (busy()) return refresh();
     desk_.show(outcome_.draft);
     desk_.save([this](const Result<void>& saved) { tell_written(saved); });
     refresh();
@@ -286,14 +293,14 @@ void CalibrationDialog::write() {
 
 void CalibrationDialog::tell_written(const Result<void>& saved) {
     if (!saved) {
-        return bench_.log.add(Severity::warning,
-                              session::phrase("Profile not saved: %1", saved.error().message));
+        bench_.log.add(Severity::warning, session::phrase("Profile not saved: %1", saved.error().message));
+        return come_to_front();  // what was measured is not lost with a dialog that was shut meanwhile
     }
-    const std::string& path = desk_.draft().path();
+    const std::string path = desk_.draft().path();
     bench_.log.add(Severity::info, session::phrase("Calibration written: %1; the old profile is %2", path,
                                                    profile::ProfileDraft::backup_path(path)));
     close();
-    written_();
+    page_.written();
 }
 
 void CalibrationDialog::refresh() {
@@ -301,6 +308,7 @@ void CalibrationDialog::refresh() {
     const int index = pages_->currentIndex();
     const bool is_last = index + 1 == pages_->count();
     const auto busy = desk_.lock();
+    lock_with(*shut_, busy ? words(*busy) : QString{});
     lock_with(*back_, busy ? words(*busy) : index == 0 ? tr("Back: this is the first step") : QString{});
     next_->setVisible(!is_last);
     write_->setVisible(is_last);

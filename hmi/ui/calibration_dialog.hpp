@@ -28,8 +28,12 @@ namespace psicarve::ui {
 class CalibrationDialog : public QDialog {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CalibrationDialog)
 public:
-    /// `written` is called once the profile's file is another.
-    CalibrationDialog(Bench& bench, std::function<void()> written, QWidget* parent = nullptr);
+    /// Whoever else edits the profile.
+    struct Page {
+        std::function<std::optional<session::Phrase>()> lock;  ///< what it does with the file just now
+        std::function<void()> written;                         ///< called once the file is another
+    };
+    CalibrationDialog(Bench& bench, Page page, QWidget* parent = nullptr);
 
     /// Begins anew with the profile in this file once that is read; a message when it cannot be.
     void open_for(const std::string& path);
@@ -63,9 +67,10 @@ private:
     void come_to_front();
     void write();
     void tell_written(const Result<void>& saved);
+    std::optional<session::Phrase> busy() const;
 
     Bench& bench_;
-    std::function<void()> written_;
+    Page page_;
     session::ProfileDesk desk_;
     profile::ProfileDraft opened_;
     std::optional<Profile> on_file_;
@@ -79,6 +84,7 @@ private:
     QLabel* reason_;
     QPushButton* back_;
     QPushButton* next_;
+    QPushButton* shut_;
     ActionButton* write_;
 };
 

@@ -80,6 +80,8 @@ private:
     void report(const Result<void>& saved);
     QString lock() const;
     bool has_backup() const;
+    bool is_kept(const QString& reason);
+    QString busy_text() const;
     void look_for_files();
     QString unsaved_text() const;
 

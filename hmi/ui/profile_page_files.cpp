@@ -12,6 +12,7 @@
 #include "hmi/ui/profile_menus.hpp"
 #include "hmi/ui/profile_page.hpp"
 #include "hmi/ui/settings.hpp"
+#include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
 
@@ -29,7 +30,7 @@ void ProfilePage::make_menus() {
                 if (may_lose_changes()) open(path);
             },
             [this] {
-                if (!may_lose_changes()) return;
+                if (!may_lose_changes() || is_kept(busy_text())) return;
                 desk_.show({});
                 show_other();
             });
@@ -39,6 +40,7 @@ void ProfilePage::make_menus() {
     restore_->setMenu(backups);
     connect(backups, &QMenu::aboutToShow, this, [this, backups] {
         fill_backup_menu(*backups, draft().path(), bench_.presence, [this](const std::string& backup) {
+            if (is_kept(busy_text())) return;
             desk_.take_backup(backup, [this](const Result<void>& taken) {
                 if (!taken) report(taken);
                 show_state();
@@ -70,7 +72,19 @@ std::optional<session::Phrase> ProfilePage::busy_lock() const {
     return calibration_ != nullptr ? calibration_->file_lock() : std::nullopt;
 }
 
+QString ProfilePage::busy_text() const {
+    const auto busy = busy_lock();
+    return busy ? words(*busy) : QString{};
+}
+
+/// Whether something is in the way, which is said: it may have begun while a dialog was open.
+bool ProfilePage::is_kept(const QString& reason) {
+    if (!reason.isEmpty()) bench_.log.add(Severity::warning, session::phrase("%1", reason.toStdString()));
+    return !reason.isEmpty();
+}
+
 void ProfilePage::open(const QString& path) {
+    if (is_kept(busy_text())) return;
     desk_.open(path.toStdString(), [this, path](const Result<void>& opened) {
         if (opened) WindowSettings{}.add_recent_profile(path);
         show_opened(opened);
@@ -78,7 +92,7 @@ void ProfilePage::open(const QString& path) {
     show_state();
 }
 
-/// By the calibration.
+/// By the calibration, which keeps this page's files alone while it has its own.
 void ProfilePage::open_again() {
     desk_.open_again([this](const Result<void>& opened) { show_opened(opened); });
     show_state();
@@ -106,11 +120,13 @@ void ProfilePage::report(const Result<void>& saved) {
 }
 
 void ProfilePage::save() {
+    if (is_kept(lock())) return;
     desk_.save([this](const Result<void>& saved) { report(saved); });
     show_state();
 }
 
 void ProfilePage::save_as(const QString& path) {
+    if (is_kept(lock())) return;
     desk_.save_as(path.toStdString(), [this, path](const Result<void>& saved) {
         if (saved) WindowSettings{}.add_recent_profile(path);
         report(saved);
@@ -122,7 +138,8 @@ void ProfilePage::calibrate() {
     if (!calibrate_->refresh(bench_).isEmpty())
         return bench_.log.add(Severity::warning, session::phrase("%1", calibrate_->reason().toStdString()));
     if (calibration_ == nullptr) {
-        calibration_ = new CalibrationDialog{bench_, [this] { open_again(); }, window()};
+        calibration_ = new CalibrationDialog{
+            bench_, {.lock = [this] { return desk_.lock(); }, .written = [this] { open_again(); }}, window()};
     }
     calibration_->open_for(draft().path());
     show_state();

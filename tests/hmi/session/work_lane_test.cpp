@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <atomic>
+#include <chrono>
 #include <future>
 #include <thread>
 #include <vector>
@@ -55,6 +56,21 @@ TEST(WorkLane, DropsWhatWaitsAndEndsWhatRuns) {
         may_end.set_value();
     }
     EXPECT_EQ(done.load(), 1);
+}
+
+TEST(WorkLane, IsWaitedForUntilAllIsDone) {
+    std::atomic<int> done{0};
+    WorkLane sut;
+    sut.finish();
+    for (int i = 0; i < 20; ++i) {
+        sut.post([&]() -> WorkLane::Finish {
+            std::this_thread::sleep_for(std::chrono::milliseconds{2});
+            ++done;
+            return {};
+        });
+    }
+    sut.finish();
+    EXPECT_EQ(done.load(), 20);
 }
 
 TEST(WorkLane, GivesWayToOthersWithLongWork) {

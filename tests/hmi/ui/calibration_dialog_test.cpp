@@ -144,6 +144,31 @@ TEST_F(Calibration, LeavesWhatIsTypedIntoThePageMeanwhile) {
     EXPECT_DOUBLE_EQ(on_file().core_radius_mm, 1.7);
 }
 
+// Two who write one file at a time would each lose what the other has written.
+TEST_F(Calibration, DoesNotWriteWhileThePageSaves) {
+    open_with_profile();
+    auto& line = *part<QWidget>("row_core_radius_mm").findChild<QLineEdit*>();
+    line.setText("1.7");
+    Q_EMIT line.textEdited("1.7");
+    type("calibrate_3_wear", "0.04");
+    for (int i = 0; i < 5; ++i) ASSERT_TRUE(click("calibrate_next"));
+    ASSERT_TRUE(comes_true([&] { return button("calibrate_write").isEnabled(); }));
+    button("profile_save").click();
+    button("calibrate_write").click();
+    EXPECT_EQ(text("calibration_reason"), "The profile is being saved");
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("Profile saved"); }));
+    EXPECT_FALSE(all_messages().contains("Calibration written")) << all_messages().toStdString();
+    EXPECT_EQ(on_file().core_radius_mm, 1.7);
+    EXPECT_EQ(on_file().r1.tool_wear_mm, 0.0);
+    // What it has read is old by now, which is refused and said; what was typed stays.
+    ASSERT_TRUE(comes_true([&] { return button("calibrate_write").isEnabled(); }));
+    ASSERT_TRUE(click("calibrate_write"));
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("Profile not saved"); }));
+    EXPECT_EQ(on_file().core_radius_mm, 1.7);
+    EXPECT_TRUE(part<QDialog>("calibration_dialog").isVisible());
+    EXPECT_EQ(part<QLineEdit>("calibrate_3_wear").text(), "0.04");
+}
+
 TEST_F(Calibration, WritesNothingThatCannotBeAndNothingAtAllWhenItIsClosed) {
     open_with_profile();
     for (int i = 0; i < 5; ++i) ASSERT_TRUE(click("calibrate_next"));

@@ -125,15 +125,18 @@ TEST_F(EveryButton, SaveAsAsksForANameAndSavesUnderIt) {
     const QString path = QString::fromStdString(file("mine.toml"));
     ASSERT_TRUE(comes_true([&] { return button("profile_save_as").isEnabled(); }));
     bool is_asked = false;
-    QTimer::singleShot(0, window_.get(), [&] {
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, window_.get(), [&] {
         auto* const dialog = open_dialog();
-        if (dialog == nullptr) return;
+        if (dialog == nullptr || is_asked) return;
         is_asked = true;
         if (auto* const name = dialog->findChild<QLineEdit*>("fileNameEdit")) name->setText(path);
         dialog->accept();
         if (dialog->isVisible()) dialog->reject();  // it would be waited for
     });
+    look.start(0);
     button("profile_save_as").click();
+    look.stop();
     EXPECT_TRUE(is_asked);
     ASSERT_TRUE(comes_true([&] { return profile().draft().path() == path.toStdString(); }))
         << all_messages().toStdString();

@@ -2,6 +2,7 @@
 // Page Profile waits for no file: it says what is under way, and locks what would get in the way of it.
 #include <gtest/gtest.h>
 
+#include <QFile>
 #include <QMessageBox>
 #include <QTimer>
 
@@ -100,16 +101,41 @@ TEST_F(ProfileFiles, ThatAreBeingSavedAreAskedAboutWhenTheWindowCloses) {
     profile().save_as(QString::fromStdString(path_));
     ASSERT_EQ(profile().draft().changed_count(), 0U);
     QString question;
-    QTimer::singleShot(0, window_.get(), [&] {
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, window_.get(), [&] {
         auto* const box = window_->findChild<QMessageBox*>();
-        ASSERT_NE(box, nullptr);
+        if (box == nullptr || !box->isVisible()) return;
         question = box->text();
         box->button(QMessageBox::Cancel)->click();
     });
+    look.start(0);
     EXPECT_FALSE(window_->close());
+    look.stop();
     EXPECT_EQ(question, "The profile is still being saved. Lose what is not saved yet?");
     ASSERT_TRUE(comes_true([&] { return all_messages().contains("Profile saved"); }));
     EXPECT_TRUE(window_->close());
+}
+
+// A dialog that asks for a name or another file does not keep anyone from the page.
+TEST_F(ProfileFiles, AreReadAndWrittenOneAfterTheOther) {
+    ASSERT_NO_FATAL_FAILURE(open_file());
+    std::ofstream(folder_.path("other.toml")) << "[axis.r1]\nspeed_mm_s = 5\n";
+    edit(kSpeed, "9");
+    profile().save();
+    profile().open(QString::fromStdString(folder_.path("other.toml")));
+    profile().save_as(QString::fromStdString(folder_.path("third.toml")));
+    EXPECT_EQ(all_messages().count("The profile is being saved"), 2) << all_messages().toStdString();
+    ASSERT_TRUE(comes_true([&] { return profile().draft().changed_count() == 0; }));
+    EXPECT_EQ(profile().draft().path(), path_) << "and nothing waits";
+    EXPECT_EQ(load_profile(path_)->r1.speed_mm_s, 9.0);
+    EXPECT_EQ(load_profile(folder_.path("other.toml"))->r1.speed_mm_s, 5.0);
+    EXPECT_FALSE(QFile::exists(QString::fromStdString(folder_.path("third.toml"))));
+    profile().open(QString::fromStdString(folder_.path("other.toml")));
+    profile().open(QString::fromStdString(path_));
+    ASSERT_TRUE(comes_true([&] { return profile().draft().path() == folder_.path("other.toml"); }));
+    EXPECT_EQ(field(kSpeed).text(), "5.0");
+    EXPECT_EQ(profile().draft().changed_count(), 0U) << "nothing of one file comes into the other";
+    EXPECT_TRUE(all_messages().contains("The profile is being opened"));
 }
 
 TEST_F(ProfileFiles, BackupsAreReadBySomebodyElse) {

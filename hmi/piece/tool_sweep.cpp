@@ -167,6 +167,7 @@ void ToolSweep::look_from(const Shape& shape, std::size_t place) {
     const auto around = static_cast<std::int32_t>(stock_.column_count());
     const auto first = static_cast<std::int32_t>(wrapped(from.columns.first, stock_.column_count()));
     const auto count = static_cast<std::int32_t>(from.columns.count);
+    float unseen = kInfinite;  // no constant: clang-tidy takes infinity for one that a float cannot hold
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
         const std::size_t begin = block_in_row(b) * kColumns;
         const float* cosines = cosine_.data() + begin;
@@ -182,10 +183,10 @@ void ToolSweep::look_from(const Shape& shape, std::size_t place) {
             const float sine2 = across * across;
             const Seen seen = shape.seen(tip, ahead, sine2);
             const bool is_seen = column < around && on < count && seen.spread > 0.0F;
-            terms.ahead[i] = is_seen ? seen.ahead : kInfinite;
-            terms.aside[i] = is_seen ? seen.aside : kInfinite;
-            terms.spread[i] = is_seen ? seen.spread : kInfinite;
-            terms.sine2[i] = is_seen ? sine2 : kInfinite;
+            terms.ahead[i] = is_seen ? seen.ahead : unseen;
+            terms.aside[i] = is_seen ? seen.aside : unseen;
+            terms.spread[i] = is_seen ? seen.spread : unseen;
+            terms.sine2[i] = is_seen ? sine2 : unseen;
             most_spread[i] = is_seen ? seen.spread : 0.0F;
             most_sine2[i] = is_seen ? sine2 : 0.0F;
         }

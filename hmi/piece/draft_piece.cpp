@@ -74,8 +74,8 @@ Result<DraftPiece> draft_piece(const PlacedModel& model, const Profile& profile,
     const tool::Tool tool = tool::tool_of(profile.tool, 1.0);
     const tool::SampledRadii surface{stock.row_count(), stock.column_count(), stock.row_mm(), *wanted_mm};
     draft.allowance_mm = tool::sample_allowance(surface, tool, kAllowanceShare);
-    const auto tips_mm = tool::dilated(surface, tool, tool::draft_stride(surface, tool), draft.allowance_mm,
-                                       options.part(kSampleShare, kDilationShare));
+    const auto tips_mm =
+        tool::dilated(surface, tool, draft.allowance_mm, options.part(kSampleShare, kDilationShare));
     if (!tips_mm) return tips_mm.error();
     const double begun = kSampleShare + kDilationShare;
     const auto cutting = options.part(begun, kCutShare).progress;

@@ -4,76 +4,28 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
-#ifdef __SSE__
-#include <xmmintrin.h>
-#endif
-
+#include "hmi/tool/dilation_lanes.hpp"
 #include "hmi/tool/surface_tiles.hpp"
 #include "hmi/tool/tool.hpp"
 #include "shared/units.hpp"
 
-/// The inner loops of dilated(), several places at a time.
+/// The inner loops of dilated(): which tiles of samples are out of reach of a block of places, and what is
+/// left, sample by sample.
 namespace psicarve::tool::dilation {
 
-// So many places are done at once: neighbours in a row, and rows.
+// So many places are a block: neighbours in a row, and rows.
 inline constexpr std::size_t kLanes = 8;
-inline constexpr std::size_t kQuad = 4;
-inline constexpr std::size_t kGroupRows = 4;
-inline constexpr std::size_t kFineSide = 4;
-inline constexpr std::size_t kCoarseSide = 16;
-inline constexpr std::size_t kRemembered = 4;
+inline constexpr std::size_t kBlockRows = 4;
 // What single precision may take from a squared length.
 inline constexpr float kRimSlack = 1.0F + 1e-6F;
 inline constexpr float kPruneSlack = 1.0F + 1e-4F;
 
 using Lanes = std::array<float, kLanes>;
-
-/// As many places as the processor's simplest vectors hold.
-using Quad = float __attribute__((vector_size(16)));
-
-inline float root(float value) noexcept {
-    return std::sqrt(value);
-}
-inline Quad root(const Quad& value) noexcept {
-#ifdef __SSE__
-    return _mm_sqrt_ps(value);
-#else
-    return Quad{std::sqrt(value[0]), std::sqrt(value[1]), std::sqrt(value[2]), std::sqrt(value[3])};
-#endif
-}
-inline float larger(float a, float b) noexcept {
-    return a > b ? a : b;
-}
-inline Quad larger(const Quad& a, const Quad& b) noexcept {
-    return a > b ? a : b;
-}
-inline float smaller(float a, float b) noexcept {
-    return a < b ? a : b;
-}
-inline Quad smaller(const Quad& a, const Quad& b) noexcept {
-    return a < b ? a : b;
-}
-inline Quad quad_at(const float* from) noexcept {
-    Quad quad;
-    std::memcpy(&quad, from, sizeof quad);
-    return quad;
-}
-
-/// A tool above one place, or above several that are near each other; with quads, above four.
-template <typename Value>
-struct View {
-    Value cosine{};
-    Value sine{};
-    float z = 0.0F;
-    float aside = 0.0F;  ///< sine of the angle to the outermost of the places
-    float above = 0.0F;  ///< to the highest of them
-    Value least_tip{};
-    float spread = 0.0F;  ///< of the ball's centres about the middle one
-    Value centre{};       ///< its radius; of a ball
-};
+using Columns = std::array<std::int32_t, kLanes>;
 
 struct DilationTool {
     Shape shape;
@@ -81,116 +33,232 @@ struct DilationTool {
     float slope;
 };
 
-/// Above 0: nothing of the tile raises a tip of the view. A tip is raised by what stands within the tool's
-/// radius of its axis and further out than the tool's surface there: of a ball by what is inside of it, or
-/// further out than its centre.
-template <Shape kShape, typename Value>
-inline Value excess_of(const DilationTool& tool, const View<Value>& view, const SurfaceTiles& tiles,
-                       std::size_t i) {
-    const Value none{};
-    const Value out = tiles.x[i] * view.cosine + tiles.y[i] * view.sine;
-    const Value across = tiles.y[i] * view.cosine - tiles.x[i] * view.sine;
-    const Value across_size = larger(across, -across);
-    const float up = tiles.z[i] - view.z;
-    const float reach = tiles.reach[i];
-    if (reach < 0.0F) return none + 1.0F;
-    const Value turn = (larger(out, -out) + across_size) * view.aside;
-    const Value s = root(across * across + up * up) - reach - turn - view.above;
-    const Value outermost = larger(out, none) + reach + across_size * view.aside;
-    const Value beside = s - tool.radius;
-    if constexpr (kShape != Shape::ball)
-        return larger(beside, view.least_tip - outermost + tool.slope * larger(none, s));
-    const Value behind = view.least_tip + tool.radius - outermost;
-    const Value in = view.centre - out;
-    const Value normal_out = tiles.normal_x[i] * view.cosine + tiles.normal_y[i] * view.sine;
-    const Value normal_across = tiles.normal_y[i] * view.cosine - tiles.normal_x[i] * view.sine;
-    const Value along = in * normal_out - across * normal_across - up * tiles.normal_z[i];
-    const Value way2 = in * in + across * across + up * up;
-    const Value aside = root(larger(none, way2 - along * along));
-    const Value off = larger(none, larger(along, -along) - tiles.bulge[i]);
-    const Value apart = larger(none, aside - reach);
-    const float most = tool.radius + view.spread;
-    return smaller(off * off + apart * apart - most * most * kPruneSlack, larger(beside, behind));
+/// Several places seen as one, for bounds that hold for each of them.
+struct BlockView {
+    float cosine = 0.0F;  ///< of the middle direction
+    float sine = 0.0F;
+    float aside = 0.0F;  ///< sine of the angle from there to the outermost
+    float z = 0.0F;      ///< of the middle height
+    float above = 0.0F;  ///< from there to the highest
+    float least_tip = 0.0F;
+    // Of a ball: a disc, so thick to either side, that holds all centres.
+    std::array<float, 3> middle{};
+    std::array<float, 3> normal{};
+    float reach = 0.0F;
+    float bulge = 0.0F;
+};
+
+/// Above 0: no tip of the block is raised by anything of the tile, for each of four tiles from `first` on.
+///
+/// A sample raises a tip if it stands within the tool's radius of its axis and further out than the tool's
+/// surface there. `outermost` is as far out as any sample may stand in any place's direction, and `s` as near
+/// to its axis: in a direction d beside the middle one, |across| gets less by no more than
+/// |across| (1 - cos d) + |out| sin d, and 1 - cos d <= sin d up to a right angle.
+///
+/// A ball is raised by what is within its radius of its centre, or, further out than that, of its axis. Of
+/// the way between a place of the disc and one of the tile the part along a normal is that between the
+/// middles less what each of both may be off in that direction: the one whose normal it is by its bulge, the
+/// other by its bulge times the cosine and its reach times the sine of the angle between the normals. The
+/// part across is that between the middles less both reaches.
+template <Shape kShape>
+inline Quad block_excess(const DilationTool& tool, const BlockView& view, const SurfaceTiles& tiles,
+                         std::size_t first) {
+    const Quad none{};
+    const Quad x = quad_at(&tiles.x[first]);
+    const Quad y = quad_at(&tiles.y[first]);
+    const Quad z = quad_at(&tiles.z[first]);
+    const Quad reach = quad_at(&tiles.reach[first]);
+    const Quad most_radius = quad_at(&tiles.most_radius[first]);
+    const auto beside_or_behind = [&] {
+        const Quad out = x * view.cosine + y * view.sine;
+        const Quad across = y * view.cosine - x * view.sine;
+        const Quad up = z - view.z;
+        const Quad across_size = size_of(across);
+        const Quad turn = (size_of(out) + across_size) * view.aside;
+        const Quad s = root(across * across + up * up) - reach - turn - view.above;
+        const Quad outermost = smaller(most_radius, larger(out, none) + reach + across_size * view.aside);
+        const Quad behind = kShape == Shape::ball ? view.least_tip + tool.radius - outermost
+                                                  : view.least_tip - outermost + tool.slope * larger(none, s);
+        return larger(s - tool.radius, behind);
+    };
+    if constexpr (kShape != Shape::ball) return beside_or_behind();
+    const Quad normal_x = quad_at(&tiles.normal_x[first]);
+    const Quad normal_y = quad_at(&tiles.normal_y[first]);
+    const Quad normal_z = quad_at(&tiles.normal_z[first]);
+    const Quad bulge = quad_at(&tiles.bulge[first]);
+    const Quad way_x = x - view.middle[0];
+    const Quad way_y = y - view.middle[1];
+    const Quad way_z = z - view.middle[2];
+    const Quad way2 = way_x * way_x + way_y * way_y + way_z * way_z;
+    const Quad cosine =
+        size_of(normal_x * view.normal[0] + normal_y * view.normal[1] + normal_z * view.normal[2]);
+    const Quad sine = root(larger(none, 1.0F - cosine * cosine)) + 1e-3F;
+    const auto apart2 = [&](const Quad& along, const Quad& off) {
+        const Quad across2 = larger(none, way2 - along * along);
+        const Quad straight = larger(none, size_of(along) - off);
+        const Quad aside = larger(none, root(across2) - reach - view.reach);
+        return straight * straight + aside * aside;
+    };
+    const Quad from_disc = apart2(way_x * view.normal[0] + way_y * view.normal[1] + way_z * view.normal[2],
+                                  view.bulge + bulge * cosine + reach * sine);
+    const Quad from_tile = apart2(way_x * normal_x + way_y * normal_y + way_z * normal_z,
+                                  bulge + view.bulge * cosine + view.reach * sine);
+    const Quad apart = larger(from_disc, from_tile) - tool.radius * tool.radius * kPruneSlack;
+    if (negative_bits(view.least_tip + tool.radius - most_radius) == 0) return apart;
+    return smaller(apart, beside_or_behind());
 }
 
-/// The turn's cosines and squared sines by column, twice over and a little more; every `step`th stands beside
-/// the next, so that places so far apart are read in lanes.
+/// A row of places of a block.
+struct PlaceRow {
+    const float* cosine;  ///< by lane
+    const float* sine;
+    float z;
+    const Lanes& tips;
+    const Lanes& centre_x;  ///< of a ball
+    const Lanes& centre_y;
+};
+
+/// By bits, of which four tips of the row a tile may raise any; see block_excess(), with one place instead of
+/// a disc.
+template <Shape kShape>
+inline unsigned near_quads(const DilationTool& tool, const PlaceRow& row, const SurfaceTiles& tiles,
+                           std::size_t i) {
+    const Quad none{};
+    const float up = tiles.z[i] - row.z;
+    unsigned near = 0;
+    for (std::size_t lane = 0; lane < kLanes; lane += kQuad) {
+        const Quad tip = quad_at(row.tips.data() + lane);
+        const auto beside_or_behind = [&] {
+            const Quad cosine = quad_at(row.cosine + lane);
+            const Quad sine = quad_at(row.sine + lane);
+            const Quad out = tiles.x[i] * cosine + tiles.y[i] * sine;
+            const Quad across = tiles.y[i] * cosine - tiles.x[i] * sine;
+            const Quad s = larger(none, root(across * across + up * up) - tiles.reach[i]);
+            const Quad outermost = smaller(all_of(tiles.most_radius[i]), larger(out, none) + tiles.reach[i]);
+            const Quad behind = kShape == Shape::ball ? tip + tool.radius : tip + tool.slope * s;
+            return larger(s - tool.radius, behind - outermost);
+        };
+        if constexpr (kShape != Shape::ball) {
+            near |= negative_bits(beside_or_behind()) != 0 ? 1U << lane / kQuad : 0U;
+            continue;
+        }
+        const Quad way_x = tiles.x[i] - quad_at(row.centre_x.data() + lane);
+        const Quad way_y = tiles.y[i] - quad_at(row.centre_y.data() + lane);
+        const Quad along = way_x * tiles.normal_x[i] + way_y * tiles.normal_y[i] + up * tiles.normal_z[i];
+        const Quad way2 = way_x * way_x + way_y * way_y + up * up;
+        const Quad straight = larger(none, size_of(along) - tiles.bulge[i]);
+        const Quad aside = larger(none, root(larger(none, way2 - along * along)) - tiles.reach[i]);
+        Quad excess = straight * straight + aside * aside - tool.radius * tool.radius * kPruneSlack;
+        if (negative_bits(tip + tool.radius - tiles.most_radius[i]) != 0)
+            excess = smaller(excess, beside_or_behind());
+        near |= negative_bits(excess) != 0 ? 1U << lane / kQuad : 0U;
+    }
+    return near;
+}
+
+/// The turn's cosines, sines and squared sines by column, twice over and a little more.
 class TurnTable {
 public:
-    TurnTable(std::size_t column_count, std::size_t step)
-        : step_(step), row_((2 * column_count + step * kLanes) / step + 1) {
-        for (std::size_t i = 0; i < step * row_; ++i) {
-            const std::size_t column = i % row_ * step + i / row_;
+    explicit TurnTable(std::size_t column_count) {
+        for (std::size_t i = 0; i < 2 * column_count + kLanes; ++i) {
             const double angle_rad =
-                2.0 * kPi * static_cast<double>(column) / static_cast<double>(column_count);
+                2.0 * kPi * static_cast<double>(i % column_count) / static_cast<double>(column_count);
             cosine_.push_back(static_cast<float>(std::cos(angle_rad)));
             sine_.push_back(static_cast<float>(std::sin(angle_rad)));
             sine2_.push_back(static_cast<float>(std::sin(angle_rad) * std::sin(angle_rad)));
         }
     }
-    const float* cosine(std::size_t column) const noexcept { return cosine_.data() + place(column); }
-    const float* sine(std::size_t column) const noexcept { return sine_.data() + place(column); }
-    const float* sine2(std::size_t column) const noexcept { return sine2_.data() + place(column); }
+    const float* cosine(std::size_t column) const noexcept { return cosine_.data() + column; }
+    const float* sine(std::size_t column) const noexcept { return sine_.data() + column; }
+    const float* sine2(std::size_t column) const noexcept { return sine2_.data() + column; }
 
 private:
-    std::size_t place(std::size_t column) const noexcept { return column % step_ * row_ + column / step_; }
-
-    std::size_t step_;
-    std::size_t row_;
     std::vector<float> cosine_;
     std::vector<float> sine_;
     std::vector<float> sine2_;
 };
 
-/// The samples of one row that stand together, seen by a row of places.
+/// The samples of one row that stand together, seen by four places.
 struct Run {
     const float* radius = nullptr;
     std::size_t count = 0;
-    std::size_t turn =
-        0;  ///< of the first sample against the first place, in the table; falls from one to next
+    /// Of the first sample against the first place, in the table; falls from one to the next.
+    std::size_t turn = 0;
     float up2 = 0.0F;
+    std::int32_t row = 0;
+    std::int32_t column = 0;  ///< of the first one
 };
 
-/// Whether the samples may raise a tip.
+/// Four tips, and the sample that each is held by.
+struct HeldQuad {
+    Quad tips{};
+    QuadMask row{};
+    QuadMask column{};
+
+    void take(const Quad& tip, const QuadMask& tip_row, const QuadMask& tip_column) noexcept {
+        const QuadMask is_higher = tip > tips;
+        tips = larger(tips, tip);
+        row = is_higher ? tip_row : row;
+        column = is_higher ? tip_column : column;
+    }
+};
+
+struct TipRow {
+    Lanes tips{};
+    Columns contact_row{};
+    Columns contact_column{};
+
+    HeldQuad held(std::size_t lane) const noexcept {
+        return {quad_at(tips.data() + lane), mask_at(contact_row.data() + lane),
+                mask_at(contact_column.data() + lane)};
+    }
+    void set(std::size_t lane, const HeldQuad& held) noexcept {
+        std::memcpy(tips.data() + lane, &held.tips, sizeof held.tips);
+        std::memcpy(contact_row.data() + lane, &held.row, sizeof held.row);
+        std::memcpy(contact_column.data() + lane, &held.column, sizeof held.column);
+    }
+};
+
+/// Where four tips would stand by one sample; 0 where it is not below the tool.
 template <Shape kShape>
-inline bool may_raise(const DilationTool& tool, const Run& run, const TurnTable& table, const Lanes& tips) {
+inline Quad tips_by(const DilationTool& tool, const Quad& out, const Quad& s2) {
+    const Quad none{};
+    const float radius2 = tool.radius * tool.radius;
+    Quad tip = out;
+    if constexpr (kShape == Shape::ball) tip += root(larger(none, radius2 - s2)) - tool.radius;
+    if constexpr (kShape == Shape::vee) tip -= tool.slope * root(s2);
+    return s2 <= none + radius2 * kRimSlack ? tip : none;
+}
+
+/// Whether the samples may raise any of four tips.
+template <Shape kShape>
+inline bool may_raise(const DilationTool& tool, const Run& run, const TurnTable& table, const Quad& tips) {
     const float rim2 = tool.radius * tool.radius * kRimSlack;
     const float slope2 = tool.slope * tool.slope;
     const Quad none{};
-    Quad lowest{};
-    for (std::size_t lane = 0; lane < kLanes; lane += kQuad) {
-        const Quad tip = quad_at(tips.data() + lane);
-        for (std::size_t k = 0; k < run.count; ++k) {
-            const float radius = run.radius[k];
-            const Quad out = radius * quad_at(table.cosine(run.turn - k) + lane);
-            const Quad s2 = radius * radius * quad_at(table.sine2(run.turn - k) + lane) + run.up2;
-            if constexpr (kShape == Shape::ball) {
-                const Quad in = larger(none, tip + tool.radius - out);
-                lowest = smaller(lowest, s2 + in * in - rim2);
-            } else {
-                const Quad behind = tip - out;
-                lowest = smaller(lowest, larger(s2 - rim2, slope2 * s2 + behind * larger(behind, -behind)));
-            }
+    Quad lowest = all_of(1.0F);
+    for (std::size_t k = 0; k < run.count; ++k) {
+        const float radius = run.radius[k];
+        const Quad out = radius * quad_at(table.cosine(run.turn - k));
+        const Quad s2 = radius * radius * quad_at(table.sine2(run.turn - k)) + run.up2;
+        if constexpr (kShape == Shape::ball) {
+            const Quad in = larger(none, tips + tool.radius - out);
+            lowest = smaller(lowest, s2 + in * in - rim2);
+        } else {
+            const Quad behind = tips - out;
+            lowest = smaller(lowest, larger(s2 - rim2, slope2 * s2 + behind * size_of(behind)));
         }
     }
-    return lowest[0] < 0.0F || lowest[1] < 0.0F || lowest[2] < 0.0F || lowest[3] < 0.0F;
+    return negative_bits(lowest) != 0;
 }
 
 template <Shape kShape>
-inline void raise(const DilationTool& tool, const Run& run, const TurnTable& table, Lanes& tips) {
-    const float radius2 = tool.radius * tool.radius;
-    const Quad none{};
-    for (std::size_t lane = 0; lane < kLanes; lane += kQuad) {
-        Quad most = quad_at(tips.data() + lane);
-        for (std::size_t k = 0; k < run.count; ++k) {
-            const float radius = run.radius[k];
-            const Quad s2 = radius * radius * quad_at(table.sine2(run.turn - k) + lane) + run.up2;
-            Quad tip = radius * quad_at(table.cosine(run.turn - k) + lane);
-            if constexpr (kShape == Shape::ball) tip += root(larger(none, radius2 - s2)) - tool.radius;
-            if constexpr (kShape == Shape::vee) tip -= tool.slope * root(s2);
-            most = larger(most, s2 <= none + radius2 * kRimSlack ? tip : none);
-        }
-        std::memcpy(tips.data() + lane, &most, sizeof most);
+inline void raise(const DilationTool& tool, const Run& run, const TurnTable& table, HeldQuad& held) {
+    for (std::size_t k = 0; k < run.count; ++k) {
+        const float radius = run.radius[k];
+        const Quad tip = tips_by<kShape>(tool, radius * quad_at(table.cosine(run.turn - k)),
+                                         radius * radius * quad_at(table.sine2(run.turn - k)) + run.up2);
+        held.take(tip, run.row - QuadMask{}, run.column + static_cast<std::int32_t>(k) - QuadMask{});
     }
 }
 

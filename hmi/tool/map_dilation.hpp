@@ -19,12 +19,6 @@ struct SampledRadii {
     std::span<const float> radius;  ///< 0: no surface
 };
 
-/// Every how many rows and columns a place is searched; {1, 1}: all of them.
-struct Stride {
-    std::size_t rows = 1;
-    std::size_t columns = 1;
-};
-
 /// The tip's radius in each sample's direction and height,
 ///
 ///     allowance + max of r cos(D) - h(s),   s = hypot(r sin(D), y - y0) <= R,   |D| < 90 degrees
@@ -34,11 +28,8 @@ struct Stride {
 /// stands as far out as any could by those beside it, or further; of a vee all are searched. In single
 /// precision: to about 1e-6 of the radii, and where a tool's rim touches to the square root of that. Requires
 /// a tool that has a size, at least one row and 4 columns. ErrorCode::cancelled, out_of_room.
-Result<std::vector<float>> dilated(const SampledRadii& surface, const Tool& tool, Stride stride,
-                                   double allowance, const slice::SliceOptions& options);
-
-/// So far apart that a round tool's end is hardly bent between: an eighth of its radius. Requires a sample.
-Stride draft_stride(const SampledRadii& surface, const Tool& tool);
+Result<std::vector<float>> dilated(const SampledRadii& surface, const Tool& tool, double allowance,
+                                   const slice::SliceOptions& options);
 
 /// An allowance for what a smooth surface does between its samples under a ball or a flat tool: by how they
 /// are bent, and how a ball sinks in between. Where a surface steps from one sample to the next no allowance

@@ -17,6 +17,8 @@ using Place = std::array<double, 3>;
 
 // Of the lengths: what single precision may take from a bound.
 constexpr double kBoundSlack_ratio = 1e-5;
+// So far up that its square is still a number.
+constexpr float kOutOfReach = 1e18F;
 
 Place operator-(const Place& a, const Place& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -47,12 +49,21 @@ void set_tile(SurfaceTiles& tiles, std::size_t tile, const std::vector<Place>& p
         for (std::size_t k = 0; k < 3; ++k) middle[k] += place[k] / static_cast<double>(places.size());
     }
     const Place normal = normal_of(places, middle);
-    double bulge = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+    for (const Place& place : places) {
+        const double along = inner(place - middle, normal);
+        low = std::min(low, along);
+        high = std::max(high, along);
+    }
+    const double bulge = 0.5 * (high - low);
+    for (std::size_t k = 0; k < 3; ++k) middle[k] += 0.5 * (low + high) * normal[k];
     double reach2 = 0.0;
+    double most_radius2 = 0.0;
     for (const Place& place : places) {
         const Place way = place - middle;
-        bulge = std::max(bulge, std::abs(inner(way, normal)));
         reach2 = std::max(reach2, inner(way, way));
+        most_radius2 = std::max(most_radius2, place[0] * place[0] + place[1] * place[1]);
     }
     const double slack = kBoundSlack_ratio * std::sqrt(inner(middle, middle) + reach2);
     tiles.x[tile] = static_cast<float>(middle[0]);
@@ -63,6 +74,7 @@ void set_tile(SurfaceTiles& tiles, std::size_t tile, const std::vector<Place>& p
     tiles.normal_z[tile] = static_cast<float>(normal[2]);
     tiles.bulge[tile] = static_cast<float>(bulge + slack);
     tiles.reach[tile] = static_cast<float>(std::sqrt(reach2) + slack);
+    tiles.most_radius[tile] = static_cast<float>(std::sqrt(most_radius2) + slack);
 }
 
 }  // namespace
@@ -72,9 +84,10 @@ SurfaceTiles::SurfaceTiles(const SampledRadii& surface, std::size_t tile_side, u
       row_count((surface.row_count + side - 1) / side),
       column_count((surface.column_count + side - 1) / side),
       least_radius(row_count, 0.0F) {
-    const std::size_t count = row_count * column_count;
-    for (auto* values : {&x, &y, &z, &normal_x, &normal_y, &normal_z, &bulge}) values->assign(count, 0.0F);
-    reach.assign(count, -1.0F);
+    const std::size_t count = row_count * column_count + kReadPast;
+    for (auto* values : {&x, &y, &normal_x, &normal_y, &normal_z, &bulge, &reach, &most_radius})
+        values->assign(count, 0.0F);
+    z.assign(count, kOutOfReach);
     std::vector<std::thread> threads;
     const std::size_t part = (row_count + thread_count - 1) / thread_count;
     std::size_t begun = std::min(part, row_count);

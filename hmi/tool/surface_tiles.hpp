@@ -10,7 +10,10 @@ struct SampledRadii;
 
 /// Squares of so many samples a side, fewer at the upper edge and before the seam, row after row. All samples
 /// of a tile lie within `reach` of its place, and within `bulge` of the plane through that with its normal.
+/// One without a surface is out of any tool's reach. Four may be read from each on.
 struct SurfaceTiles {
+    static constexpr std::size_t kReadPast = 3;
+
     SurfaceTiles(const SampledRadii& surface, std::size_t side, unsigned thread_count);
 
     std::size_t side;
@@ -19,7 +22,8 @@ struct SurfaceTiles {
     std::vector<float> x, y, z;
     std::vector<float> normal_x, normal_y, normal_z;
     std::vector<float> bulge;
-    std::vector<float> reach;         ///< negative: there is no surface
+    std::vector<float> reach;
+    std::vector<float> most_radius;   ///< of any sample of the tile
     std::vector<float> least_radius;  ///< of any sample, by row of tiles; 0 where there is none
 
 private:

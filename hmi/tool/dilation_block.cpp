@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/tool/dilation_block.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "shared/units.hpp"
+
+namespace psicarve::tool::dilation {
+namespace {
+
+constexpr std::size_t kFineSide = 4;
+constexpr std::size_t kCoarseSide = 16;
+constexpr std::size_t kTilesPerSide = kCoarseSide / kFineSide;
+// Of the lengths: what single precision may take from a bound.
+constexpr float kDiscSlack_ratio = 2e-6F;
+
+using Spot = std::array<float, 3>;
+
+Spot difference(const Spot& a, const Spot& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+}  // namespace
+
+DilationScene::DilationScene(const SampledRadii& sampled, const Tool& moved, unsigned thread_count)
+    : surface(sampled),
+      tool{moved.shape, static_cast<float>(moved.radius), static_cast<float>(flank_slope(moved))},
+      fine(sampled, kFineSide, thread_count),
+      coarse(sampled, kCoarseSide, thread_count),
+      table(sampled.column_count) {
+    for (const float least : coarse.least_radius) {
+        const double reach_rad = least > moved.radius ? std::asin(moved.radius / double{least}) : 0.5 * kPi;
+        reach_columns.push_back(reach_rad / (2.0 * kPi) * static_cast<double>(sampled.column_count) + 1.0);
+    }
+}
+
+DilationBlock::DilationBlock(const DilationScene& scene, std::size_t first_row) : scene_(scene) {
+    for (std::size_t i = 0; i < kBlockRows; ++i)
+        rows_[i] = std::min(scene.surface.row_count - 1, first_row + i);
+}
+
+void DilationBlock::fill_rows(std::vector<float>& tips) {
+    if (scene_.tool.shape == Shape::ball) return fill_rows_of<Shape::ball>(tips);
+    if (scene_.tool.shape == Shape::vee) return fill_rows_of<Shape::vee>(tips);
+    fill_rows_of<Shape::flat>(tips);
+}
+
+float DilationBlock::height(std::size_t row) const noexcept {
+    return static_cast<float>(scene_.surface.row_pitch) * static_cast<float>(rows_[row]);
+}
+
+PlaceRow DilationBlock::places(std::size_t row) const noexcept {
+    return {scene_.table.cosine(first_column_),
+            scene_.table.sine(first_column_),
+            height(row),
+            tips_[row].tips,
+            centre_x_[row],
+            centre_y_[row]};
+}
+
+template <Shape kShape>
+void DilationBlock::fill_rows_of(std::vector<float>& tips) {
+    const std::size_t columns = scene_.surface.column_count;
+    for (std::size_t column = 0; column < columns; column += kLanes) {
+        begin<kShape>(column);
+        set_view();
+        if constexpr (kShape == Shape::ball) set_disc();
+        seek_coarse<kShape>();
+        for (std::size_t row = 0; row < kBlockRows; ++row)
+            std::memcpy(tips.data() + rows_[row] * columns + column, tips_[row].tips.data(),
+                        std::min(kLanes, columns - column) * sizeof(float));
+    }
+}
+
+/// At its own place a tool stands on the sample, at least. Mostly the sample that held the tip in the same
+/// lane of the block before has one beside it, as far on as the block, that holds this one, or nearly:
+/// with good tips to begin with nearly all else is left out. Lanes past the seam go on at the turn's begin.
+template <Shape kShape>
+void DilationBlock::begin(std::size_t first_column) {
+    first_column_ = first_column;
+    const SampledRadii& surface = scene_.surface;
+    for (std::size_t row = 0; row < kBlockRows; ++row) {
+        TipRow& at = tips_[row];
+        if (first_column > 0) {
+            at.tips.fill(0.0F);
+            try_contacts<kShape>(row, 0, static_cast<std::int32_t>(kLanes));
+        }
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const std::size_t own = (first_column + lane) % surface.column_count;
+            const float radius = surface.radius[rows_[row] * surface.column_count + own];
+            if (first_column > 0 && !(radius > at.tips[lane])) continue;
+            at.tips[lane] = std::max(0.0F, radius);
+            at.contact_row[lane] = static_cast<std::int32_t>(rows_[row]);
+            at.contact_column[lane] = static_cast<std::int32_t>(own);
+        }
+        for (const std::int32_t way : {-3, 3, -1, 1}) try_contacts<kShape>(row, 0, way);
+        for (const std::int32_t way : {-1, 1}) try_contacts<kShape>(row, way, 0);
+        set_centres(row);
+    }
+}
+
+/// Tries the samples that stand so far from the contacts.
+template <Shape kShape>
+void DilationBlock::try_contacts(std::size_t row, std::int32_t rows_on, std::int32_t columns_on) {
+    const SampledRadii& surface = scene_.surface;
+    const auto columns = static_cast<std::int32_t>(surface.column_count);
+    const auto last_row = static_cast<std::int32_t>(surface.row_count) - 1;
+    TipRow& at = tips_[row];
+    Lanes out;
+    Lanes s2;
+    Columns contact_row;
+    Columns contact_column;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const std::int32_t from = std::clamp(at.contact_row[lane] + rows_on, 0, last_row);
+        std::int32_t column = at.contact_column[lane] + columns_on;
+        while (column >= columns) column -= columns;
+        while (column < 0) column += columns;
+        contact_row[lane] = from;
+        contact_column[lane] = column;
+        const float radius = surface.radius[static_cast<std::size_t>(from) * surface.column_count +
+                                            static_cast<std::size_t>(column)];
+        const std::size_t turn =
+            surface.column_count + first_column_ + lane - static_cast<std::size_t>(column);
+        const float up = static_cast<float>(surface.row_pitch) *
+                         (static_cast<float>(from) - static_cast<float>(rows_[row]));
+        out[lane] = radius * *scene_.table.cosine(turn);
+        s2[lane] = radius * radius * *scene_.table.sine2(turn) + up * up;
+    }
+    for (std::size_t lane = 0; lane < kLanes; lane += kQuad) {
+        const Quad tip = tips_by<kShape>(scene_.tool, quad_at(out.data() + lane), quad_at(s2.data() + lane));
+        HeldQuad held = at.held(lane);
+        held.take(tip, mask_at(contact_row.data() + lane), mask_at(contact_column.data() + lane));
+        at.set(lane, held);
+    }
+}
+
+void DilationBlock::set_centres(std::size_t row) {
+    const float* cosine = scene_.table.cosine(first_column_);
+    const float* sine = scene_.table.sine(first_column_);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const float centre = tips_[row].tips[lane] + scene_.tool.radius;
+        centre_x_[row][lane] = centre * cosine[lane];
+        centre_y_[row][lane] = centre * sine[lane];
+    }
+}
+
+void DilationBlock::set_view() {
+    const auto columns = static_cast<double>(scene_.surface.column_count);
+    const double half_rad = kPi * static_cast<double>(kLanes - 1) / columns;
+    const double middle_rad = 2.0 * kPi * static_cast<double>(first_column_) / columns + half_rad;
+    view_.cosine = static_cast<float>(std::cos(middle_rad));
+    view_.sine = static_cast<float>(std::sin(middle_rad));
+    view_.aside = static_cast<float>(half_rad < 0.5 * kPi ? std::sin(half_rad) : 1.0) + 1e-6F;
+    view_.above = 0.5F * (height(kBlockRows - 1) - height(0));
+    view_.z = height(0) + view_.above;
+    view_.least_tip = tips_[0].tips[0];
+    for (const TipRow& row : tips_) {
+        for (const float tip : row.tips) view_.least_tip = std::min(view_.least_tip, tip);
+    }
+}
+
+/// Through the middle of the centres and across both diagonals of their corners, else outwards.
+void DilationBlock::set_disc() {
+    const auto centre = [this](std::size_t row, std::size_t lane) {
+        return Spot{centre_x_[row][lane], centre_y_[row][lane], height(row)};
+    };
+    const Spot one = difference(centre(kBlockRows - 1, kLanes - 1), centre(0, 0));
+    const Spot other = difference(centre(kBlockRows - 1, 0), centre(0, kLanes - 1));
+    Spot normal{one[1] * other[2] - one[2] * other[1], one[2] * other[0] - one[0] * other[2],
+                one[0] * other[1] - one[1] * other[0]};
+    float length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    if (!(length > 1e-12F)) {
+        normal = {view_.cosine, view_.sine, 0.0F};
+        length = 1.0F;
+    }
+    Spot middle{0.0F, 0.0F, view_.z};
+    for (std::size_t row = 0; row < kBlockRows; ++row) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            middle[0] += centre_x_[row][lane] / static_cast<float>(kLanes * kBlockRows);
+            middle[1] += centre_y_[row][lane] / static_cast<float>(kLanes * kBlockRows);
+        }
+    }
+    for (float& part : normal) part /= length;
+    Quad low{};
+    Quad high{};
+    Quad reach2{};
+    for (std::size_t row = 0; row < kBlockRows; ++row) {
+        const float up = height(row) - middle[2];
+        for (std::size_t lane = 0; lane < kLanes; lane += kQuad) {
+            const Quad x = quad_at(centre_x_[row].data() + lane) - middle[0];
+            const Quad y = quad_at(centre_y_[row].data() + lane) - middle[1];
+            const Quad along = x * normal[0] + y * normal[1] + up * normal[2];
+            low = smaller(low, along);
+            high = larger(high, along);
+            reach2 = larger(reach2, x * x + y * y + up * up);
+        }
+    }
+    const float most = std::max({high[0], high[1], high[2], high[3]});
+    const float least = std::min({low[0], low[1], low[2], low[3]});
+    const float slack = kDiscSlack_ratio * (std::abs(middle[0]) + std::abs(middle[1]) + std::abs(middle[2]));
+    view_.middle = middle;
+    view_.normal = normal;
+    for (std::size_t k = 0; k < 3; ++k) view_.middle[k] += 0.5F * (least + most) * normal[k];
+    view_.bulge = 0.5F * (most - least) + slack;
+    view_.reach = std::sqrt(std::max({reach2[0], reach2[1], reach2[2], reach2[3]})) + slack;
+}
+
+/// All tiles that are not out of reach: coarse ones first.
+template <Shape kShape>
+void DilationBlock::seek_coarse() {
+    const double tile = scene_.surface.row_pitch * static_cast<double>(kCoarseSide);
+    const double low = double{view_.z} - double{view_.above} - double{scene_.tool.radius};
+    const double high = double{view_.z} + double{view_.above} + double{scene_.tool.radius};
+    const auto first_row = static_cast<std::size_t>(std::max(0.0, std::floor(low / tile)));
+    const auto past_row = static_cast<std::size_t>(std::max(0.0, std::floor(high / tile)) + 1.0);
+    coarse_.clear();
+    for (std::size_t row = first_row; row < std::min(scene_.coarse.row_count, past_row); ++row)
+        seek_coarse_row<kShape>(row);
+    std::sort(coarse_.begin(), coarse_.end(),
+              [](const Seat& a, const Seat& b) { return a.excess < b.excess; });
+    for (const Seat seat : coarse_) seek_fine<kShape>(seat);
+}
+
+/// Its columns that stand within the tool's radius of the places' axes, round the seam.
+template <Shape kShape>
+void DilationBlock::seek_coarse_row(std::size_t row) {
+    if (!(scene_.coarse.least_radius[row] > 0.0F)) return;
+    const double reach = scene_.reach_columns[row];
+    const auto columns = static_cast<double>(scene_.surface.column_count);
+    const auto side = static_cast<double>(kCoarseSide);
+    const double from = static_cast<double>(first_column_) - reach;
+    const double to = static_cast<double>(first_column_ + kLanes) + reach;
+    const auto count = static_cast<std::int64_t>(scene_.coarse.column_count);
+    // The last tile before the seam may be narrower than others: one more where that is crossed.
+    auto first = static_cast<std::int64_t>(std::floor(from / side)) - (from < 0.0 ? 1 : 0);
+    auto last = static_cast<std::int64_t>(std::floor(to / side)) + (to >= columns ? 1 : 0);
+    if (last - first + 1 >= count) {
+        first = 0;
+        last = count - 1;
+    }
+    for (std::int64_t begin = first; begin <= last;) {
+        const auto wrapped = static_cast<std::size_t>((begin % count + count) % count);
+        const auto run =
+            std::min(static_cast<std::size_t>(last - begin + 1), scene_.coarse.column_count - wrapped);
+        for (std::size_t k = 0; k < run; k += kQuad) {
+            const Quad excess = block_excess<kShape>(scene_.tool, view_, scene_.coarse,
+                                                     row * scene_.coarse.column_count + wrapped + k);
+            const unsigned bits = negative_bits(excess);
+            for (std::size_t i = 0; bits != 0 && i < std::min(kQuad, run - k); ++i) {
+                if ((bits >> i & 1U) != 0) coarse_.push_back({row, wrapped + k + i, excess[i]});
+            }
+        }
+        begin += static_cast<std::int64_t>(run);
+    }
+}
+
+template <Shape kShape>
+void DilationBlock::seek_fine(Seat coarse) {
+    static_assert(kTilesPerSide == kQuad);
+    const SurfaceTiles& fine = scene_.fine;
+    const std::size_t row_end = std::min(fine.row_count, (coarse.row + 1) * kTilesPerSide);
+    const std::size_t first = coarse.column * kTilesPerSide;
+    const std::size_t count = std::min(kTilesPerSide, fine.column_count - first);
+    for (std::size_t row = coarse.row * kTilesPerSide; row < row_end; ++row) {
+        const unsigned bits =
+            negative_bits(block_excess<kShape>(scene_.tool, view_, fine, row * fine.column_count + first));
+        for (std::size_t k = 0; bits != 0 && k < count; ++k) {
+            if ((bits >> k & 1U) != 0) touch<kShape>(row, first + k);
+        }
+    }
+}
+
+template <Shape kShape>
+void DilationBlock::touch(std::size_t tile_row, std::size_t tile_column) {
+    const std::size_t tile = tile_row * scene_.fine.column_count + tile_column;
+    for (std::size_t row = 0; row < kBlockRows; ++row) {
+        const unsigned near = near_quads<kShape>(scene_.tool, places(row), scene_.fine, tile);
+        bool has_raised = false;
+        for (std::size_t lane = 0; near >> lane / kQuad != 0; lane += kQuad) {
+            if ((near >> lane / kQuad & 1U) != 0)
+                has_raised = try_tile<kShape>(row, lane, tile_row, tile_column) || has_raised;
+        }
+        if (kShape == Shape::ball && has_raised) set_centres(row);
+    }
+}
+
+/// Whether it raised any of the four tips from `lane` on.
+template <Shape kShape>
+bool DilationBlock::try_tile(std::size_t row, std::size_t lane, std::size_t tile_row,
+                             std::size_t tile_column) {
+    const SampledRadii& surface = scene_.surface;
+    const std::size_t columns = surface.column_count;
+    const std::size_t first_row = tile_row * kFineSide;
+    const std::size_t row_end = std::min(surface.row_count, first_row + kFineSide);
+    const std::size_t first_column = tile_column * kFineSide;
+    Run run;
+    run.count = std::min(kFineSide, columns - first_column);
+    run.turn = columns + first_column_ + lane - first_column;
+    run.column = static_cast<std::int32_t>(first_column);
+    HeldQuad held = tips_[row].held(lane);
+    bool has_raised = false;
+    for (std::size_t from = first_row; from < row_end; ++from) {
+        const float up = static_cast<float>(surface.row_pitch) *
+                         (static_cast<float>(from) - static_cast<float>(rows_[row]));
+        run.radius = surface.radius.data() + from * columns + first_column;
+        run.row = static_cast<std::int32_t>(from);
+        run.up2 = up * up;
+        if (!may_raise<kShape>(scene_.tool, run, scene_.table, held.tips)) continue;
+        raise<kShape>(scene_.tool, run, scene_.table, held);
+        has_raised = true;
+    }
+    if (has_raised) tips_[row].set(lane, held);
+    return has_raised;
+}
+
+}  // namespace psicarve::tool::dilation

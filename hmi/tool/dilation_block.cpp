@@ -75,8 +75,9 @@ void DilationBlock::fill_rows_of(std::vector<float>& tips) {
 }
 
 /// At its own place a tool stands on the sample, at least. Mostly the sample that held the tip in the same
-/// lane of the block before has one beside it, as far on as the block, that holds this one, or nearly:
-/// with good tips to begin with nearly all else is left out. Lanes past the seam go on at the turn's begin.
+/// lane of the block before has one as far on as the block that holds this one, or one a few columns or a
+/// row beside it does: with good tips to begin with nearly all else is left out. Lanes past the seam go on at
+/// the turn's begin.
 template <Shape kShape>
 void DilationBlock::begin(std::size_t first_column) {
     first_column_ = first_column;
@@ -95,7 +96,7 @@ void DilationBlock::begin(std::size_t first_column) {
             at.contact_row[lane] = static_cast<std::int32_t>(rows_[row]);
             at.contact_column[lane] = static_cast<std::int32_t>(own);
         }
-        for (const std::int32_t way : {-3, 3, -1, 1}) try_contacts<kShape>(row, 0, way);
+        for (const std::int32_t way : {-5, 5, -2, 2, -1, 1}) try_contacts<kShape>(row, 0, way);
         for (const std::int32_t way : {-1, 1}) try_contacts<kShape>(row, way, 0);
         set_centres(row);
     }

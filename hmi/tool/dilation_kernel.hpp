@@ -41,7 +41,8 @@ struct BlockView {
     float z = 0.0F;      ///< of the middle height
     float above = 0.0F;  ///< from there to the highest
     float least_tip = 0.0F;
-    // Of a ball: a disc, so thick to either side, that holds all centres.
+    // Of a ball: a disc that holds all centres, which stand within `reach` of the middle along the disc and
+    // within `bulge` to either side of it.
     std::array<float, 3> middle{};
     std::array<float, 3> normal{};
     float reach = 0.0F;

@@ -85,7 +85,7 @@ AlarmText estop_text(const MachineSight& machine) {
     AlarmText text{
         phrase("Emergency stop"),
         has_moved ? phrase("Drives and spindle are off; the position is not certain any more.")
-                  : phrase("Drives and spindle are off. No axis moved: home only if one was turned by hand."),
+                  : phrase("The spindle is off. No axis moved, and drives without an enable line stay on."),
         {}};
     if (machine.is_active(Signal::estop)) text.steps.push_back(phrase("Release the emergency stop switch"));
     add_way_back(machine, text);

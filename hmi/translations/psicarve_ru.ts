@@ -972,10 +972,6 @@
             <translation>Чертежи (%1)</translation>
         </message>
         <message>
-            <source>Drives and spindle are off. No axis moved: home only if one was turned by hand.</source>
-            <translation>Приводы и шпиндель выключены. Ни одна ось не двигалась: нули нужны, только если ось повернули рукой.</translation>
-        </message>
-        <message>
             <source>Drives and spindle are off; the position is not certain any more.</source>
             <translation>Приводы и шпиндель выключены; положение больше не достоверно.</translation>
         </message>
@@ -3595,6 +3591,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The shared memory was removed or damaged from outside: reset the alarm and publish the job again.</source>
             <translation>Общая память удалена или повреждена извне: сбросьте аварию и передайте задание снова.</translation>
+        </message>
+        <message>
+            <source>The spindle is off. No axis moved, and drives without an enable line stay on.</source>
+            <translation>Шпиндель выключен. Ни одна ось не двигалась, а приводы без линии включения остаются под током.</translation>
         </message>
         <message>
             <source>The table has lost steps</source>

@@ -972,10 +972,6 @@
             <translation>图形 (%1)</translation>
         </message>
         <message>
-            <source>Drives and spindle are off. No axis moved: home only if one was turned by hand.</source>
-            <translation>驱动和主轴已关闭。没有轴移动：只有被手动转动过才需回零。</translation>
-        </message>
-        <message>
             <source>Drives and spindle are off; the position is not certain any more.</source>
             <translation>驱动和主轴已关闭；位置不再可靠。</translation>
         </message>
@@ -3590,6 +3586,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The shared memory was removed or damaged from outside: reset the alarm and publish the job again.</source>
             <translation>共享内存被外部删除或损坏：复位报警并重新发布作业。</translation>
+        </message>
+        <message>
+            <source>The spindle is off. No axis moved, and drives without an enable line stay on.</source>
+            <translation>主轴已关闭。没有轴移动，没有使能线的驱动保持通电。</translation>
         </message>
         <message>
             <source>The table has lost steps</source>

@@ -42,9 +42,10 @@ struct CycleConfig {
     std::int64_t step_low_ticks = 1;
     std::int64_t dir_setup_ticks = 1;
     std::int64_t dir_hold_ticks = 1;
-    std::int64_t filter_ticks = 0;  ///< a limit counts when its level stood for so long
-    SignalWord input_mask = 0;      ///< inputs that are wired
-    bool has_charge_pump = false;   ///< an output that toggles with every tick
+    std::int64_t filter_ticks = 0;   ///< a limit counts when its level stood for so long
+    SignalWord input_mask = 0;       ///< inputs that are wired
+    bool has_charge_pump = false;    ///< an output that toggles with every tick
+    std::uint8_t switched_axes = 0;  ///< whose drives the safe state switches off: enable is wired
     bool has_index = false;
     std::int64_t pulses_per_rev = 6400;
     std::int64_t index_position_pulses = 0;

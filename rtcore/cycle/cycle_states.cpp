@@ -14,6 +14,9 @@ void Cycle::enter(MachineState state) noexcept {
     if (state_ == MachineState::testing) pulses_.force(0);
     state_ = state;
     if (state == MachineState::off || state == MachineState::alarm) pulses_.make_safe();
+    // An axis that was homed alone holds its position while the others are homed.
+    const std::uint32_t held_axes = std::uint32_t{homed_mask_} & config_.switched_axes;
+    if (state == MachineState::off && held_axes != 0) pulses_.set_enables(held_axes, tick_);
     if (state == MachineState::ready) pulses_.set_enables(kAllAxesMask, tick_);
     report(record_of(RecordKind::state_change, static_cast<std::uint16_t>(state)));
     next_publish_tick_ = tick_;
@@ -61,10 +64,10 @@ void Cycle::program_done() noexcept {
 
 void Cycle::came_to_rest() noexcept {
     if (pending_fail_ != AlarmCause::none) {
-        // It slowed down as its motors can: each stands where it was counted to.
-        const std::uint8_t homed_mask = homed_mask_;
+        // It slowed down as its motors can: each stands where it was counted to, until its drive is off.
+        const std::uint32_t known_axes = homed_mask_ & ~std::uint32_t{config_.switched_axes};
         raise_alarm(pending_fail_, kNoAxis);
-        homed_mask_ = homed_mask;
+        homed_mask_ = static_cast<std::uint8_t>(known_axes);
         return;
     }
     if (state_ == MachineState::moving) {
@@ -161,7 +164,9 @@ void Cycle::fail_controlled(AlarmCause cause) noexcept {
 void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expected_pulses,
                         std::int64_t seen_pulses) noexcept {
     if (state_ == MachineState::alarm) return;
-    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~moving_axes());
+    // A rotor without current may be turned by hand or by weight, and nothing counts that.
+    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~std::uint32_t{moving_axes()} &
+                                            ~std::uint32_t{config_.switched_axes});
     if (axis < kAxisCount && (cause == AlarmCause::steps_lost || cause == AlarmCause::home_failed)) {
         homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~(1U << axis));
     }

@@ -118,6 +118,10 @@ cycle::CycleConfig cycle_config_from_profile(const Profile& profile) {
     for (std::size_t signal = kOutputSignalCount; signal < kSignalCount; ++signal) {
         if (profile.port.pins[signal] != 0) config.input_mask |= SignalWord{1} << signal;
     }
+    for (const Axis axis : kAllAxes) {
+        if (profile.port.pins[index_of(enable_of(axis))] != 0)
+            config.switched_axes = static_cast<std::uint8_t>(config.switched_axes | 1U << index_of(axis));
+    }
     config.has_charge_pump = profile.port.charge_pump_pin != 0;
     config.has_index = profile.psi.home == HomeSensor::index;
     config.pulses_per_rev = profile.psi.pulses_per_rev;

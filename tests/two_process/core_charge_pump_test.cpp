@@ -89,6 +89,7 @@ TEST_F(CoreChargePump, RestsWhenTheCoreHangsOrEnds) {
 
 // The pump toggles on the spindle's register: each of its writes puts the spindle's bit out as well.
 TEST_F(CoreChargePump, ACoreThatComesBackAtRestTurnsNoSpindleOnAgain) {
+    take_enable_lines_away();  // it goes on without being homed again
     start_port_core();
     home();
     ASSERT_EQ(publish(coarse_job(2)), "");

@@ -209,6 +209,7 @@ TEST_F(CoreGuard, AfterACrashNothingMovesBeforeItIsHomedAndTheJobGoesOn) {
 }
 
 TEST_F(CoreGuard, WithoutItsGuardACoreStopsInOrderAndMovesNoMore) {
+    take_enable_lines_away();
     carve_for_long();
     kill(guard_pid(), SIGKILL);
     core_->wait_for_exit();
@@ -248,6 +249,7 @@ TEST_F(CoreGuard, WithoutItsGuardNoAxisBacksOffEither) {
 }
 
 TEST_F(CoreGuard, AStoppedGuardIsNoGuard) {
+    take_enable_lines_away();
     carve_for_long();
     kill(guard_pid(), SIGSTOP);
     ASSERT_TRUE(reaches(MachineState::alarm));

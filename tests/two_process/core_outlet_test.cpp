@@ -201,6 +201,7 @@ TEST_F(CoreOutlet, OnTheVirtualClockTwoOrdersEndACoreWhoseTraceNobodyReads) {
 }
 
 TEST_F(CoreOutlet, ASupervisorThatStandsStillIsAControlledStop) {
+    take_enable_lines_away();
     start_core_that_can_be_held("PSICARVE_HELD_SUPERVISOR");
     home();
     ASSERT_EQ(publish(coarse_job(40)), "");

@@ -50,6 +50,12 @@ protected:
         write_profile();
         port_.stand(profile_);
     }
+    /// No alarm switches these drives off: what it did to the positions can be seen.
+    void take_enable_lines_away() {
+        for (const Axis axis : kAllAxes) profile_.port.pins[index_of(enable_of(axis))] = 0;
+        write_profile();
+        port_.stand(profile_);
+    }
     /// Layers a pulse apart.
     JobTable coarse_job(std::uint32_t layers) const {
         JobTable table = lobed_job(layers, 9, profile_);

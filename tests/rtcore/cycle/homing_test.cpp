@@ -64,6 +64,8 @@ TEST(Homing, AxisByAxisTheMachineIsReadyWithTheLast) {
     ASSERT_EQ(sut.ask(RequestKind::home, 0, 0b0001), Refusal::none);
     ASSERT_TRUE(sut.run_until(MachineState::off));
     EXPECT_EQ(sut.cycle->sample().homed_mask, 0b0001);
+    EXPECT_EQ(sut.cycle->pulses().levels() & kEnableMask, bit_of(Signal::r1_enable))
+        << "it holds its position";
     EXPECT_EQ(sut.machine->report().axes[1].pulses_ignored + sut.cycle->sample().emitted_pulses[1], 0U);
     ASSERT_EQ(sut.ask(RequestKind::home, 0, 0b0110), Refusal::none) << "with the other head first";
     ASSERT_TRUE(sut.run_until(MachineState::off));

@@ -127,6 +127,12 @@ Profile quick_profile() {
     return profile;
 }
 
+Profile always_on_profile() {
+    Profile profile = quick_profile();
+    for (const Axis axis : kAllAxes) profile.port.pins[index_of(enable_of(axis))] = 0;
+    return profile;
+}
+
 JobTable random_job(std::uint32_t layers, std::uint32_t points, std::uint64_t seed, Joining joining) {
     std::mt19937_64 random(seed);
     JobTable table;

@@ -104,6 +104,8 @@ private:
 
 /// A default profile with quick spindle and short travels, so that tests are short too.
 Profile quick_profile();
+/// The same without enable lines: nothing switches its drives off.
+Profile always_on_profile();
 /// Layers with smooth, rough or random radii; valid for quick_profile().
 JobTable random_job(std::uint32_t layers, std::uint32_t points, std::uint64_t seed,
                     Joining joining = Joining::continuous);

@@ -62,8 +62,8 @@ TEST(EmergencyStop, LetsNoPulseOutFromTheNextTickOnAndSwitchesEverythingOff) {
     }
 }
 
-TEST(EmergencyStop, UnhomesTheAxesThatMovedAndNoOther) {
-    MachineRig sut(quick_profile());
+TEST(EmergencyStop, UnhomesOfDrivesThatStayOnTheAxesThatMovedAndNoOther) {
+    MachineRig sut(always_on_profile());
     JobTable job = random_job(1, 60, 5);
     std::fill(job.r_right_pulses.begin(), job.r_right_pulses.end(), 3600);
     ASSERT_TRUE(sut.prepare(job));
@@ -79,8 +79,8 @@ TEST(EmergencyStop, UnhomesTheAxesThatMovedAndNoOther) {
     EXPECT_EQ(sut.cycle->state(), MachineState::off);
 }
 
-TEST(EmergencyStop, AtRestKeepsThePosition) {
-    MachineRig sut(quick_profile());
+TEST(EmergencyStop, AtRestKeepsThePositionOfDrivesThatStayOn) {
+    MachineRig sut(always_on_profile());
     ASSERT_TRUE(sut.home());
     sut.run(1000);
     sut.emergency_stop();
@@ -88,6 +88,28 @@ TEST(EmergencyStop, AtRestKeepsThePosition) {
     EXPECT_EQ(sut.cycle->state(), MachineState::alarm);
     EXPECT_EQ(sut.ask(RequestKind::reset_alarm), Refusal::none);
     EXPECT_EQ(sut.cycle->state(), MachineState::ready);
+}
+
+// A rotor without current may be turned by hand or by weight.
+TEST(EmergencyStop, AtRestUnhomesWhateverItSwitchesOff) {
+    for (const Axis kept : kAllAxes) {
+        Profile profile = quick_profile();
+        profile.port.pins[index_of(enable_of(kept))] = 0;
+        MachineRig sut(profile);
+        ASSERT_TRUE(sut.home());
+        sut.run(20'000);
+        sut.emergency_stop();
+        sut.tick();
+        EXPECT_EQ(sut.cycle->sample().homed_mask, 1U << index_of(kept));
+        EXPECT_EQ(sut.cycle->pulses().levels() & kEnableMask, 0U);
+        ASSERT_EQ(sut.ask(RequestKind::reset_alarm), Refusal::none);
+        EXPECT_EQ(sut.cycle->state(), MachineState::off);
+        sut.run(100);
+        EXPECT_EQ(sut.cycle->pulses().levels() & kEnableMask, 0U) << "the next command does that";
+        EXPECT_EQ(sut.ask(RequestKind::start), Refusal::not_homed);
+        EXPECT_TRUE(sut.home());
+        EXPECT_EQ(sut.cycle->pulses().levels() & kEnableMask, kEnableMask);
+    }
 }
 
 TEST(Stop, AnywhereInAJobRetractsAndEndsReady) {

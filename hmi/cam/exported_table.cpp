@@ -10,16 +10,20 @@
 #include <utility>
 #include <vector>
 
+#include "shared/decimals.hpp"
+
 namespace psicarve::cam {
 namespace {
 
 constexpr std::size_t kRun = kExportNames.size();
 constexpr std::size_t kPsi = 3;
+constexpr double kSameLength_mm = 1e-6;
 constexpr double kFarthestPsi_pulses = 9007199254740992.0;  // 2^53: whole numbers so far are exact
 
 /// The runs of layers that rows name, one after the other.
 class PassRuns {
 public:
+    explicit PassRuns(double most_mm) : most_mm_(most_mm) {}
     /// What the row says is wrong, or nothing. `begins_layer`: the row is the first of its layer.
     std::string add(std::span<const double> row, std::uint32_t layer, bool begins_layer) {
         const std::span<const double> said = row.subspan(kRun);
@@ -33,8 +37,12 @@ public:
             return "more than " + std::to_string(kMaxJobPasses) + " runs, which no job has";
         const bool is_next = passes_.empty() || (follows(0) && (said[1] == said_[1] || follows(1)));
         if (!is_next) return "runs and passes do not count on by one";
-        for (const double length_mm : said.subspan(2)) {
-            if (!(length_mm >= 0.0 && length_mm <= kMostPassRadius_mm)) return "a pass has no such length";
+        for (std::size_t column = 2; column < said.size(); ++column) {
+            const std::string place = "column " + std::string(kPassNames[column]) + ": ";
+            if (!(said[column] >= 0.0)) return place + "a pass has no such length";
+            if (said[column] > most_mm_ + kSameLength_mm)
+                return place + mm_text(said[column]) + ", but the heads clear no more than " +
+                       mm_text(most_mm_);
         }
         if (passes_.empty()) first_pass_ = said[1];
         said_.assign(said.begin(), said.end());
@@ -56,6 +64,7 @@ public:
     }
 
 private:
+    double most_mm_;
     std::vector<double> said_;
     double first_pass_ = 0.0;
     std::vector<JobPass> passes_;
@@ -157,11 +166,11 @@ std::string wrong_place(std::span<const double> row, double layer_before, const 
     return {};
 }
 
-Result<void> read_rows(NumberLines& lines, bool has_passes, JobTable& table, Places& places,
-                       const std::string& path) {
+Result<void> read_rows(NumberLines& lines, bool has_passes, double most_pass_mm, JobTable& table,
+                       Places& places, const std::string& path) {
     const std::size_t width = kRun + (has_passes ? kPassNames.size() : 0);
     const std::size_t counts = has_passes ? kRun + 2 : kRun;
-    PassRuns runs;
+    PassRuns runs(most_pass_mm);
     std::vector<double> row;
     double layer_before = 0.0;
     while (true) {
@@ -201,10 +210,11 @@ Result<void> read_rows(NumberLines& lines, bool has_passes, JobTable& table, Pla
 }  // namespace
 
 Result<JobTable> exported_table(NumberLines& lines, bool has_passes, const WishedJoining& wished,
-                                const std::string& path) {
+                                double most_pass_mm, const std::string& path) {
     JobTable table;
     Places places(table);
-    if (const auto read = read_rows(lines, has_passes, table, places, path); !read) return read.error();
+    if (const auto read = read_rows(lines, has_passes, most_pass_mm, table, places, path); !read)
+        return read.error();
     if (places.count() == 0 || places.count() != std::size_t{table.layer_count} * table.point_count)
         return bad_input(path + ": the table's last layer is not whole, or there is none");
     if (table.point_count < 2) return bad_input(path + ": a layer of one point goes nowhere; it needs two");

@@ -27,9 +27,10 @@ struct WishedJoining {
 
 /// Rows of a point, as they were exported; layers may begin at any layer of a longer job. Counts, heights,
 /// radii, joining and passes, nothing else. The heights of points tell a spiral, psi the other joinings;
-/// where a table of one layer could be of several, the usual one decides if it is among them. Errors:
-/// bad_input; bad_usage for a joining that was asked for and is not the table's.
+/// where a table of one layer could be of several, the usual one decides if it is among them. No length of a
+/// pass is more than `most_pass_mm`: what its heads can clear. Errors: bad_input, with line and column where
+/// it is one; bad_usage for a joining that was asked for and is not the table's.
 Result<JobTable> exported_table(NumberLines& lines, bool has_passes, const WishedJoining& wished,
-                                const std::string& path);
+                                double most_pass_mm, const std::string& path);
 
 }  // namespace psicarve::cam

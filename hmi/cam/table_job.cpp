@@ -16,6 +16,7 @@
 
 #include "hmi/cam/blank_check.hpp"
 #include "hmi/cam/exported_table.hpp"
+#include "hmi/cam/job_plan.hpp"
 #include "hmi/cam/number_lines.hpp"
 #include "hmi/cam/radius_tables.hpp"
 #include "hmi/cam/rough_job.hpp"
@@ -203,7 +204,8 @@ void note_radii(const Profile& profile, const JobTable& table, SliceReport& repo
 Result<BuiltJob> exported(NumberLines& lines, bool has_passes, const Profile& profile,
                           std::optional<Joining> joining, const std::string& path) {
     BuiltJob built;
-    auto table = exported_table(lines, has_passes, {joining, profile.job.joining}, path);
+    auto table = exported_table(lines, has_passes, {joining, profile.job.joining},
+                                reachable_radius(profile, 1.0), path);
     if (!table) return table.error();
     built.table = std::move(*table);
     built.table.feed_mm_s = profile.job.feed_mm_s;

@@ -76,8 +76,12 @@ Result<GreyImage> read_bmp(Bytes bytes, const std::string& file) {
     const auto columns = static_cast<std::uint64_t>(width);
     if (auto fits = check_image_size(columns, height, file); !fits) return fits.error();
     const std::uint64_t row_bytes = (columns * bits + 31) / 32 * 4;
-    if (pixels_at < kFileHeaderBytes + kLeastInfoBytes || pixels_at > bytes.size() ||
-        bytes.size() - pixels_at < row_bytes * height)
+    const std::uint64_t head_bytes = kFileHeaderBytes + info_bytes;
+    if (pixels_at < head_bytes && head_bytes <= bytes.size()) {
+        return bad_input(file + ": a damaged BMP picture: its pixels are said to begin at byte " +
+                         std::to_string(pixels_at) + ", inside its head of " + std::to_string(head_bytes));
+    }
+    if (pixels_at < head_bytes || pixels_at > bytes.size() || bytes.size() - pixels_at < row_bytes * height)
         return cut;
 
     std::array<std::uint16_t, 256> palette{};
@@ -86,10 +90,9 @@ Result<GreyImage> read_bmp(Bytes bytes, const std::string& file) {
         const std::uint32_t used = word(bytes, 46, 4);
         const std::size_t count =
             used == 0 ? std::size_t{1} << bits : std::min<std::size_t>(used, 1U << bits);
-        const std::uint64_t at = kFileHeaderBytes + info_bytes;
-        if (at > bytes.size() || bytes.size() - at < 4 * count) return cut;
+        if (bytes.size() - head_bytes < 4 * count) return cut;
         for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t entry = static_cast<std::size_t>(at) + 4 * i;
+            const std::size_t entry = static_cast<std::size_t>(head_bytes) + 4 * i;
             const std::uint32_t b = bytes[entry], g = bytes[entry + 1], r = bytes[entry + 2];
             palette[i] = grey8(r, g, b);
             was_colour = was_colour || r != g || g != b;

@@ -189,6 +189,8 @@ private:
     Result<void> insert(const DxfElement& element, const Affine& placement, std::string_view layer,
                         int depth) {
         const auto block = blocks_.find(element.text(2));
+        // Of a block that is not there nobody misses anything on a layer that is off.
+        if (block == blocks_.end() && hidden_layers_.contains(layer)) return {};
         if (block == blocks_.end() || depth >= kDeepestInsert) {
             warnings_.insert("line " + std::to_string(element.line) +
                              ": INSERT of a block that is not there" +

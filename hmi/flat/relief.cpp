@@ -21,7 +21,12 @@ namespace {
 constexpr std::size_t kMostSamples = 2'000'000;
 constexpr double kLeastRadius_mm = 0.05;
 constexpr double kSeamToTell_mm = 0.05;
-constexpr double kSeamToTellRatio = 4.0;
+// 8 bits over a large depth are coarse: a few greys are no step.
+constexpr double kSeamToTellOfDepth = 0.02;
+constexpr double kSeamToTellRatio = 1.5;
+constexpr double kUsualShare = 0.95;
+constexpr double kHighRowsShare = 0.25;
+constexpr double kWallOfDepth = 0.25;
 constexpr std::size_t kBlendShareOfWidth = 20;
 constexpr double kKernelSigmas = 3.0;
 constexpr std::ptrdiff_t kWidestKernel = 1000;
@@ -143,22 +148,74 @@ void blend_seam(DepthMap& map) {
     }
 }
 
-void tell_of_seam(DepthMap& map) {
-    if (map.width < 3) return;
-    double seam = 0.0;
-    double most = 0.0;
-    double elsewhere = 0.0;
+/// The step that all but a twentieth of a picture's neighbours in rows keep below.
+double usual_step_mm(const DepthMap& map) {
+    std::vector<float> steps_mm;
+    steps_mm.reserve(map.depth_mm.size());
     for (std::size_t y = 0; y < map.height; ++y) {
-        const double step = std::abs(map.at(0, y) - map.at(map.width - 1, y));
-        seam += step;
-        most = std::max(most, step);
-        for (std::size_t x = 1; x < map.width; ++x) elsewhere += std::abs(map.at(x, y) - map.at(x - 1, y));
+        for (std::size_t x = 1; x < map.width; ++x)
+            steps_mm.push_back(std::abs(map.at(x, y) - map.at(x - 1, y)));
     }
-    seam /= static_cast<double>(map.height);
-    elsewhere /= static_cast<double>(map.height) * static_cast<double>(map.width - 1);
-    if (seam < kSeamToTell_mm || seam < kSeamToTellRatio * elsewhere) return;
+    if (steps_mm.empty()) return 0.0;
+    const auto at = static_cast<std::ptrdiff_t>(kUsualShare * static_cast<double>(steps_mm.size() - 1));
+    std::nth_element(steps_mm.begin(), steps_mm.begin() + at, steps_mm.end());
+    return static_cast<double>(steps_mm[static_cast<std::size_t>(at)]);
+}
+
+/// Where two columns stand beside each other that did not in the picture.
+class EdgeSteps {
+public:
+    explicit EdgeSteps(double range_mm, double usual_mm)
+        : range_mm_(range_mm),
+          least_to_tell_mm_(
+              std::max({kSeamToTell_mm, kSeamToTellOfDepth * range_mm, kSeamToTellRatio * usual_mm})) {}
+    void add(double one_mm, double other_mm) {
+        const double step_mm = one_mm - other_mm;
+        most_mm_ = std::max(most_mm_, std::abs(step_mm));
+        sum_mm_ += step_mm;
+        high_ += std::abs(step_mm) > least_to_tell_mm_ ? 1.0 : 0.0;
+        rows_ += 1.0;
+    }
+    double most_mm() const noexcept { return most_mm_; }
+    /// Higher than the picture's own in many rows, or one wall from top to bottom, whatever walls it has
+    /// besides.
+    bool is_to_tell() const noexcept {
+        const double wall_mm = std::abs(sum_mm_) / rows_;
+        return high_ > kHighRowsShare * rows_ || wall_mm > std::max(kSeamToTell_mm, kWallOfDepth * range_mm_);
+    }
+
+private:
+    double range_mm_;
+    double least_to_tell_mm_;
+    double most_mm_ = 0.0;
+    double sum_mm_ = 0.0;
+    double high_ = 0.0;
+    double rows_ = 0.0;
+};
+
+void tell_of_seam(DepthMap& map, double range_mm) {
+    if (map.width < 3) return;
+    EdgeSteps seam(range_mm, usual_step_mm(map));
+    const auto depth = [&map](std::size_t x, std::size_t y) { return static_cast<double>(map.at(x, y)); };
+    for (std::size_t y = 0; y < map.height; ++y) seam.add(depth(0, y), depth(map.width - 1, y));
+    if (!seam.is_to_tell()) return;
     map.warnings.push_back("the picture's left and right edges do not meet: a step of up to " +
-                           decimals(most, 2) + " mm at direction 0; --seam blend makes it smooth");
+                           decimals(seam.most_mm(), 2) + " mm at direction 0; --seam blend makes it smooth");
+}
+
+/// Of a picture that goes not all round.
+void tell_of_edges(DepthMap& map, double range_mm) {
+    const double usual_mm = usual_step_mm(map);
+    EdgeSteps left(range_mm, usual_mm), right(range_mm, usual_mm);
+    for (std::size_t y = 0; y < map.height; ++y) {
+        left.add(static_cast<double>(map.at(0, y)), map.rest_depth_mm);
+        right.add(static_cast<double>(map.at(map.width - 1, y)), map.rest_depth_mm);
+    }
+    if (!left.is_to_tell() && !right.is_to_tell()) return;
+    map.warnings.push_back("the picture ends before the full turn in steps to the white rest: of up to " +
+                           decimals(left.most_mm(), 2) + " mm at its left edge and " +
+                           decimals(right.most_mm(), 2) +
+                           " mm at its right one; white edges or --full-turn leave none");
 }
 
 }  // namespace
@@ -177,7 +234,9 @@ Result<DepthMap> depths_of(const GreyImage& image, const FlatOptions& options, c
     map.rest_depth_mm = white_mm;
     if (options.smooth_mm > 0.0) smooth(map, options.smooth_mm);
     if (map.share_of_turn == 1.0 && options.blends_seam) blend_seam(map);
-    if (map.share_of_turn == 1.0 && !options.blends_seam) tell_of_seam(map);
+    const double range_mm = std::abs(black_mm - white_mm);
+    if (map.share_of_turn == 1.0 && !options.blends_seam) tell_of_seam(map, range_mm);
+    if (map.share_of_turn < 1.0) tell_of_edges(map, range_mm);
     const double deepest_mm = std::max(white_mm, black_mm);
     if (map.radius_mm - deepest_mm < kLeastRadius_mm) {
         return bad_input(file + ": " + decimals(deepest_mm, 2) +

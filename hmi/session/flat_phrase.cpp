@@ -20,6 +20,15 @@ void add_pictures(std::vector<Sentence>& all) {
         phrase("a BMP picture of OS/2's kind, which is not read"),
         phrase("a BMP picture of a kind that is not read (%1 bits, compression %2); save it as PNG"),
         phrase("a TIFF picture of signed or floating numbers; save it with 8 or 16 bits"),
+        phrase("a TIFF picture of %1 bits a sample: 8 or 16 are read"),
+        phrase("a TIFF picture whose samples are of different sizes; save it as PNG"),
+        phrase("a TIFF picture that is packed in a way that is not read (compression %1); save it as PNG"),
+        phrase(
+            "a TIFF picture of a kind that is not read (%1 samples of %2 bits, photometric %3); save it as "
+            "PNG"),
+        phrase("a damaged TIFF picture: its directory cannot be read"),
+        phrase("a damaged TIFF picture: its pixels cannot be unpacked"),
+        phrase("a damaged BMP picture: its pixels are said to begin at byte %1, inside its head of %2"),
         phrase("a damaged %1 picture: the file ends too early"),
         phrase("a damaged %1 picture: %2"),
         phrase("a damaged %1 picture"),
@@ -121,7 +130,8 @@ std::vector<Sentence> flat_line_refusals() {
         phrase("%1 numbers, not %2"),
         phrase("another run than that of the layer's first point"),
         phrase("runs and passes do not count on by one"),
-        phrase("a pass has no such length"),
+        phrase("column %1: a pass has no such length"),
+        phrase("column %1: %2 mm, but the heads clear no more than %3 mm"),
         phrase("more than %1 runs, which no job has"),
         phrase("layers do not count on by one"),
         phrase("a number that no machine has"),
@@ -148,14 +158,21 @@ std::vector<Sentence> flat_warnings() {
          phrase("Of <style> only rules for element names, .class and #id are followed, not %1.")},
         {"the picture is in colour; its brightness is taken",
          phrase("The picture is in colour; its brightness is taken.")},
-        {"of the picture's 16 bits 8 are taken, as it holds more than grey",
-         phrase("Of the picture's 16 bits 8 are taken, as it holds more than grey.")},
+        {"of the picture's 16 bits 8 are taken, as its samples lie in planes",
+         phrase("Of the picture's 16 bits 8 are taken, as its samples lie in planes.")},
+        {"the picture does not say what its fourth sample is: taken as alpha",
+         phrase("The picture does not say what its fourth sample is: it is taken as transparency (alpha).")},
         {"the picture's %1 x %2 pixels are averaged to %3 x %4",
          phrase("The picture's %1 x %2 pixels are averaged to %3 x %4.")},
         {"the picture's left and right edges do not meet: a step of up to %1 mm at direction 0; --seam blend "
          "makes it smooth",
          phrase("The picture's left and right edges do not meet: a step of up to %1 mm at direction 0. Seam: "
                 "blended makes it smooth.")},
+        {"the picture ends before the full turn in steps to the white rest: of up to %1 mm at its left edge "
+         "and %2 mm at its right one; white edges or --full-turn leave none",
+         phrase(
+             "The picture ends before the full turn in steps to the white rest: of up to %1 mm at its left "
+             "edge and %2 mm at its right one. White edges, or all round, leave none.")},
         {"the table is taken as it stands: R2's angle and height errors stay in it",
          phrase("The table is taken as it stands: R2's angle and height errors stay in it.")},
         {"%1 of %2 strokes are narrower than the tool cuts, %3 mm: they become as wide as that",

@@ -2153,8 +2153,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Скорость инструмента более быстрой головки по поверхности за последнюю секунду</translation>
         </message>
         <message>
-            <source>Of the picture's 16 bits 8 are taken, as it holds more than grey.</source>
-            <translation>Из 16 бит изображения взято 8: в нём есть не только серый цвет.</translation>
+            <source>Of the picture's 16 bits 8 are taken, as its samples lie in planes.</source>
+            <translation>Из 16 бит изображения взято 8: его отсчёты записаны отдельными плоскостями.</translation>
         </message>
         <message>
             <source>Of the tool where it is widest.</source>
@@ -3561,6 +3561,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Старый файл остаётся резервной копией. Затем запустите ядро с новым и нарежьте модели заново: задание делается для одной калибровки.</translation>
         </message>
         <message>
+            <source>The picture does not say what its fourth sample is: it is taken as transparency (alpha).</source>
+            <translation>В изображении не сказано, что такое его четвёртый отсчёт: он взят как прозрачность (альфа).</translation>
+        </message>
+        <message>
+            <source>The picture ends before the full turn in steps to the white rest: of up to %1 mm at its left edge and %2 mm at its right one. White edges, or all round, leave none.</source>
+            <translation>Изображение занимает не весь оборот и кончается уступами к белому остатку: до %1 mm у левого края и до %2 mm у правого. С белыми краями или по кругу их не будет.</translation>
+        </message>
+        <message>
             <source>The picture is in colour; its brightness is taken.</source>
             <translation>Изображение цветное; взята его яркость.</translation>
         </message>
@@ -4127,8 +4135,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>SPLINE, узлы и точки которого не подходят друг другу, пропущен.</translation>
         </message>
         <message>
+            <source>a TIFF picture of %1 bits a sample: 8 or 16 are read</source>
+            <translation>изображение TIFF с %1 битами на отсчёт: читаются 8 или 16</translation>
+        </message>
+        <message>
+            <source>a TIFF picture of a kind that is not read (%1 samples of %2 bits, photometric %3); save it as PNG</source>
+            <translation>изображение TIFF такого вида не читается (отсчётов %1 по %2 бит, photometric %3); сохраните его как PNG</translation>
+        </message>
+        <message>
             <source>a TIFF picture of signed or floating numbers; save it with 8 or 16 bits</source>
             <translation>изображение TIFF со знаковыми или дробными числами; сохраните его с 8 или 16 битами</translation>
+        </message>
+        <message>
+            <source>a TIFF picture that is packed in a way that is not read (compression %1); save it as PNG</source>
+            <translation>изображение TIFF, сжатое способом, который не читается (сжатие %1); сохраните его как PNG</translation>
+        </message>
+        <message>
+            <source>a TIFF picture whose samples are of different sizes; save it as PNG</source>
+            <translation>изображение TIFF с отсчётами разного размера; сохраните его как PNG</translation>
         </message>
         <message>
             <source>a binary DXF drawing; save it as text (ASCII DXF)</source>
@@ -4149,6 +4173,18 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>a damaged %1 picture: the file ends too early</source>
             <translation>повреждённое изображение %1: файл обрывается</translation>
+        </message>
+        <message>
+            <source>a damaged BMP picture: its pixels are said to begin at byte %1, inside its head of %2</source>
+            <translation>повреждённое изображение BMP: его точки будто бы начинаются с байта %1, внутри заголовка из %2</translation>
+        </message>
+        <message>
+            <source>a damaged TIFF picture: its directory cannot be read</source>
+            <translation>повреждённое изображение TIFF: его каталог не читается</translation>
+        </message>
+        <message>
+            <source>a damaged TIFF picture: its pixels cannot be unpacked</source>
+            <translation>повреждённое изображение TIFF: его точки не распаковываются</translation>
         </message>
         <message>
             <source>a drawing without a width goes not all round</source>
@@ -4185,10 +4221,6 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>a page that was taken away stops the tick until it is back; a real machine is refused</source>
             <translation>вытесненная страница останавливает такт до возврата; настоящий станок не запускается</translation>
-        </message>
-        <message>
-            <source>a pass has no such length</source>
-            <translation>у прохода не бывает такого размера</translation>
         </message>
         <message>
             <source>a picture %1 mm high would be %2 mm wide, and once round are only %3 mm: choose at most %4 mm of height, a larger diameter, or all round, which changes its shape</source>
@@ -4477,6 +4509,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>closed, all facets turned alike</source>
             <translation>замкнута, все грани повёрнуты одинаково</translation>
+        </message>
+        <message>
+            <source>column %1: %2 mm, but the heads clear no more than %3 mm</source>
+            <translation>столбец %1: %2 mm, а головки обходят не более %3 mm</translation>
+        </message>
+        <message>
+            <source>column %1: a pass has no such length</source>
+            <translation>столбец %1: у прохода не бывает такого размера</translation>
         </message>
         <message>
             <source>computer</source>

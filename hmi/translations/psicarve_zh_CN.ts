@@ -2152,8 +2152,8 @@ N、Shift+N  下一条、上一条记录
             <translation>较快刀头的刀具相对工件表面的速度，最近一秒</translation>
         </message>
         <message>
-            <source>Of the picture's 16 bits 8 are taken, as it holds more than grey.</source>
-            <translation>图片不只含灰度，16 位中只取 8 位。</translation>
+            <source>Of the picture's 16 bits 8 are taken, as its samples lie in planes.</source>
+            <translation>图片的各通道分平面存放，16 位中只取 8 位。</translation>
         </message>
         <message>
             <source>Of the tool where it is widest.</source>
@@ -3556,6 +3556,14 @@ N、Shift+N  下一条、上一条记录
             <translation>旧文件保留为备份。之后用新文件启动内核，并重新切片：作业只对应一次校准。</translation>
         </message>
         <message>
+            <source>The picture does not say what its fourth sample is: it is taken as transparency (alpha).</source>
+            <translation>图片未说明第四通道是什么：按透明度（alpha）处理。</translation>
+        </message>
+        <message>
+            <source>The picture ends before the full turn in steps to the white rest: of up to %1 mm at its left edge and %2 mm at its right one. White edges, or all round, leave none.</source>
+            <translation>图片不足整周，边缘与其余的白色部分之间有台阶：左边缘最大 %1 mm，右边缘最大 %2 mm。边缘为白色或选择整周即可消除。</translation>
+        </message>
+        <message>
             <source>The picture is in colour; its brightness is taken.</source>
             <translation>图片是彩色的；取其亮度。</translation>
         </message>
@@ -4120,8 +4128,24 @@ N、Shift+N  下一条、上一条记录
             <translation>SPLINE 的节点与控制点不匹配，已略去。</translation>
         </message>
         <message>
+            <source>a TIFF picture of %1 bits a sample: 8 or 16 are read</source>
+            <translation>TIFF 图片每通道 %1 位：只读取 8 或 16 位</translation>
+        </message>
+        <message>
+            <source>a TIFF picture of a kind that is not read (%1 samples of %2 bits, photometric %3); save it as PNG</source>
+            <translation>无法读取此类 TIFF 图片（%1 个通道，每个 %2 位，photometric %3）；请存为 PNG</translation>
+        </message>
+        <message>
             <source>a TIFF picture of signed or floating numbers; save it with 8 or 16 bits</source>
             <translation>TIFF 图片为有符号数或浮点数；请以 8 或 16 位保存</translation>
+        </message>
+        <message>
+            <source>a TIFF picture that is packed in a way that is not read (compression %1); save it as PNG</source>
+            <translation>TIFF 图片的压缩方式无法读取（压缩 %1）；请存为 PNG</translation>
+        </message>
+        <message>
+            <source>a TIFF picture whose samples are of different sizes; save it as PNG</source>
+            <translation>TIFF 图片各通道位数不同；请存为 PNG</translation>
         </message>
         <message>
             <source>a binary DXF drawing; save it as text (ASCII DXF)</source>
@@ -4142,6 +4166,18 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>a damaged %1 picture: the file ends too early</source>
             <translation>%1 图片已损坏：文件过早结束</translation>
+        </message>
+        <message>
+            <source>a damaged BMP picture: its pixels are said to begin at byte %1, inside its head of %2</source>
+            <translation>BMP 图片已损坏：其像素据称从第 %1 字节开始，位于 %2 字节的文件头之内</translation>
+        </message>
+        <message>
+            <source>a damaged TIFF picture: its directory cannot be read</source>
+            <translation>TIFF 图片已损坏：其目录无法读取</translation>
+        </message>
+        <message>
+            <source>a damaged TIFF picture: its pixels cannot be unpacked</source>
+            <translation>TIFF 图片已损坏：其像素无法解包</translation>
         </message>
         <message>
             <source>a drawing without a width goes not all round</source>
@@ -4178,10 +4214,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>a page that was taken away stops the tick until it is back; a real machine is refused</source>
             <translation>被换出的内存页会使节拍停住直到取回；拒绝驱动真实机床</translation>
-        </message>
-        <message>
-            <source>a pass has no such length</source>
-            <translation>一道加工不可能有这样的尺寸</translation>
         </message>
         <message>
             <source>a picture %1 mm high would be %2 mm wide, and once round are only %3 mm: choose at most %4 mm of height, a larger diameter, or all round, which changes its shape</source>
@@ -4470,6 +4502,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>closed, all facets turned alike</source>
             <translation>封闭，所有面朝向一致</translation>
+        </message>
+        <message>
+            <source>column %1: %2 mm, but the heads clear no more than %3 mm</source>
+            <translation>列 %1：%2 mm，但刀头最多只能避开 %3 mm</translation>
+        </message>
+        <message>
+            <source>column %1: a pass has no such length</source>
+            <translation>列 %1：一道加工不可能有这样的尺寸</translation>
         </message>
         <message>
             <source>computer</source>

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hmi/cam/table_job.hpp"
@@ -282,6 +283,30 @@ TEST_F(ExportedTable, OfSeveralPassesThatDoesNotSayWhereEachBeginsIsRefused) {
                           "columns run to clear_mm"));
 }
 
+TEST_F(ExportedTable, OfMaterialWhereTheHeadsCannotGoIsRefusedWithLineAndColumn) {
+    const std::string head =
+        "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses,run,pass,allowance_mm,depth_mm,clear_"
+        "mm\n";
+    const auto rows = [&head](const std::string& lengths) {
+        return head + "# of a larger machine\n0,0,400,0,4000,4000,1,1," + lengths +
+               "\n0,1,400,3200,4000,4000,1,1," + lengths + "\n";
+    };
+    Profile profile;
+    profile.r2.travel_mm[1] = 55.0;
+    profile.r2.tip_offset_mm = 0.25;  // so far can the tips of both heads go
+    for (const auto& [lengths, column] : {std::pair{"0,0,55.3", "clear_mm"},
+                                          {"0,0,999999", "clear_mm"},
+                                          {"0,60,55", "depth_mm"},
+                                          {"56,0,9", "allowance_mm"}}) {
+        const auto job = read(rows(lengths), profile);
+        ASSERT_FALSE(job) << lengths;
+        EXPECT_THAT(job.error().message, HasSubstr(std::string("line 3: column ") + column + ": "));
+        EXPECT_THAT(job.error().message, EndsWith("mm, but the heads clear no more than 55.25 mm"));
+    }
+    EXPECT_TRUE(read(rows("0,0,55.25"), profile));
+    EXPECT_FALSE(read(rows("0,0,nan"), profile));
+}
+
 TEST_F(ExportedTable, WhosePassesMakeNoSenseIsOneClearLine) {
     const std::string head =
         "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses,run,pass,allowance_mm,depth_mm,clear_"
@@ -293,7 +318,7 @@ TEST_F(ExportedTable, WhosePassesMakeNoSenseIsOneClearLine) {
     EXPECT_THAT(refusal(head + "0,0,400,0,4000,4000,1,1,0.3,5,9\n0,1,400,3200,4000,4000,2,2,0.3,5,9\n"),
                 EndsWith("line 3: another run than that of the layer's first point"));
     EXPECT_THAT(refusal(head + "0,0,400,0,4000,4000,1,1,-0.3,5,9\n"),
-                EndsWith("line 2: a pass has no such length"));
+                EndsWith("line 2: column allowance_mm: a pass has no such length"));
     EXPECT_THAT(refusal(head + "0,0,400,0,4000,4000,1.5,1,0.3,5,9\n"), HasSubstr("whole numbers"));
     const std::string plain = "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses\n";
     EXPECT_THAT(refusal(plain + "0,0,400,0,900,900\n0,1,400,3200,900,900\n1,0,400,3200,900,900\n"

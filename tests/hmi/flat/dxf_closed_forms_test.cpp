@@ -169,6 +169,21 @@ TEST_F(DxfClosedForm, BlocksInBlocksAreScaledTurnedAndMirroredTogether) {
     expect_centroid(rows, {-10.0 - 15.0, 1.0 + 20.0});
 }
 
+TEST_F(DxfClosedForm, ABlockThatIsNotThereIsMissedOnlyWhereItWouldBeSeen) {
+    const std::string before =
+        " 0 SECTION 2 TABLES 0 TABLE 2 LAYER 0 LAYER 2 off 70 0 62 -7 0 ENDTAB 0 ENDSEC 0 SECTION 2 BLOCKS 0 "
+        "BLOCK 2 B 10 0 20 0 0 INSERT 8 0 2 NONE 10 0 20 0 0 ENDBLK 8 0 0 ENDSEC";
+    const std::string square = std::string(kSquare) + " ";
+    EXPECT_TRUE(dxf(square + "0 INSERT 8 OFF 2 NONE 10 0 20 0", before).warnings.empty());
+    // In a block, what has no layer of its own stands on the block's.
+    EXPECT_TRUE(dxf(square + "0 INSERT 8 off 2 B 10 0 20 0", before).warnings.empty());
+    for (const char* seen : {"0 INSERT 8 on 2 NONE 10 0 20 0", "0 INSERT 8 on 2 B 10 0 20 0"}) {
+        const auto warnings = dxf(square + seen, before).warnings;
+        ASSERT_EQ(warnings.size(), 1U) << seen;
+        EXPECT_NE(warnings[0].find("INSERT of a block that is not there is left out"), std::string::npos);
+    }
+}
+
 TEST_F(DxfClosedForm, LayersThatAreOffHideWhatStandsOnThemInBlocksAsWell) {
     const std::string tables =
         " 0 SECTION 2 TABLES 0 TABLE 2 LAYER 0 LAYER 2 off 70 0 62 -3 0 LAYER 2 on 70 0 62 3 0 LAYER 2 cold "

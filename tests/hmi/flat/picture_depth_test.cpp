@@ -197,6 +197,24 @@ TEST_F(PictureDepth, ABmpsColoursAreWhereItsMasksSay) {
                 HasSubstr("a BMP picture of a kind that is not read"));
 }
 
+TEST_F(PictureDepth, ABmpWhosePixelsBeginInItsHeadSaysSo) {
+    const std::string good = bmp(24, 3, 1, "", greys({250, 128, 0}, false) + std::string(3, '\0'));
+    const auto beginning_at = [&good](std::uint32_t at) {
+        std::string bytes = good;
+        for (std::size_t i = 0; i < 4; ++i) bytes[10 + i] = static_cast<char>(at >> (8U * i));
+        return bytes;
+    };
+    for (const std::uint32_t at : {0U, 14U, 53U}) {
+        EXPECT_THAT(refusal(file("in.bmp", beginning_at(at))),
+                    EndsWith("a damaged BMP picture: its pixels are said to begin at byte " +
+                             std::to_string(at) + ", inside its head of 54"));
+    }
+    for (const std::uint32_t at : {55U, 1000U}) {
+        EXPECT_THAT(refusal(file("out.bmp", beginning_at(at))),
+                    EndsWith("a damaged BMP picture: the file ends too early"));
+    }
+}
+
 TEST_F(PictureDepth, OfAGreyJpegIsThatOfItsFlatPlaces) {
     Samples samples{32, 8, {}};
     constexpr std::array kGreys{0, 60, 190, 255};

@@ -4,8 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -133,6 +136,79 @@ TEST_F(Relief, ASeamIsToldOfOrBlended) {
         waves.push_back(static_cast<std::uint16_t>(30000 + 20000 * std::sin(0.0628318 * i)));
     options.blends_seam = false;
     EXPECT_TRUE(depths(ring(waves), options).warnings.empty());
+}
+
+TEST_F(Relief, OfASmallPictureTheSeamIsToldAsWell) {
+    FlatOptions options;
+    options.depth_mm = 2.0;
+    for (const std::array<std::uint16_t, 4>& row :
+         {std::array<std::uint16_t, 4>{0, 0, 65535, 65535}, {0, 65535, 0, 65535}, {65535, 0, 0, 0}}) {
+        GreyImage image{4, 4, {}, "test", {}};
+        for (int y = 0; y < 4; ++y) image.values.insert(image.values.end(), row.begin(), row.end());
+        const DepthMap map = depths(image, options);
+        ASSERT_EQ(map.warnings.size(), 1U);
+        EXPECT_THAT(map.warnings[0], HasSubstr("do not meet: a step of up to 2.00 mm at direction 0"));
+    }
+}
+
+TEST_F(Relief, ASeamThatStepsInAThirdOfItsHeightIsToldOf) {
+    GreyImage image{90, 30, {}, "test", {}};
+    for (std::size_t y = 0; y < 30; ++y) {
+        for (std::size_t x = 0; x < 90; ++x) {
+            // Ripples of 0.4 mm that close, and in ten rows the last third of the picture is lower.
+            const double grey = 40'000.0 + 6554.0 * std::sin(2.0 * kPi * static_cast<double>(x) / 10.0);
+            const bool is_low = y >= 20 && x >= 60;
+            image.values.push_back(static_cast<std::uint16_t>(grey - (is_low ? 16'384.0 : 0.0)));
+        }
+    }
+    FlatOptions options;
+    options.depth_mm = 2.0;
+    const DepthMap map = depths(image, options);
+    ASSERT_EQ(map.warnings.size(), 1U);
+    EXPECT_THAT(map.warnings[0], HasSubstr("do not meet"));
+}
+
+TEST_F(Relief, ASeamThatIsLikeTheRestOfThePictureIsNotToldOf) {
+    FlatOptions options;
+    options.depth_mm = 10.0;
+    std::mt19937 random(5);
+    GreyImage noise{60, 60, {}, "test", {}};
+    for (int i = 0; i < 3600; ++i) noise.values.push_back(static_cast<std::uint16_t>(random() >> 16U));
+    EXPECT_TRUE(depths(noise, options).warnings.empty());
+    // As steep at the seam as anywhere.
+    std::vector<std::uint16_t> waves;
+    for (int i = 0; i < 100; ++i)
+        waves.push_back(static_cast<std::uint16_t>(32767 + 32767 * std::sin(0.02 * kPi * i)));
+    EXPECT_TRUE(depths(ring(waves), options).warnings.empty());
+    // Two greys of 256, which 10 mm of depth make 0.08 mm.
+    std::vector<std::uint16_t> coarse(100, 40 * 257);
+    for (std::size_t i = 50; i < 100; ++i) coarse[i] = 42 * 257;
+    EXPECT_TRUE(depths(ring(coarse), options).warnings.empty());
+}
+
+TEST_F(Relief, EdgesThatAreNotWhiteAreToldOfWhereARestIsLeft) {
+    FlatOptions options;
+    options.depth_mm = 2.0;
+    options.height_mm = 10.0;
+    const auto patch = [&](std::uint16_t left, std::uint16_t right) {
+        GreyImage image{6, 6, {}, "test", {}};
+        for (int y = 0; y < 6; ++y) {
+            for (const std::uint16_t value : {left, left, std::uint16_t{30'000}, right, right, right})
+                image.values.push_back(value);
+        }
+        return depths(image, options).warnings;
+    };
+    EXPECT_THAT(
+        patch(0, 32768),
+        testing::ElementsAre("the picture ends before the full turn in steps to the white rest: of up "
+                             "to 2.00 mm at its left edge and 1.00 mm at its right one; white edges or "
+                             "--full-turn leave none"));
+    EXPECT_THAT(patch(65535, 32768), testing::ElementsAre(HasSubstr("0.00 mm at its left edge and 1.00")));
+    EXPECT_THAT(patch(65535, 65535), testing::IsEmpty());
+    options.blends_seam = true;  // which blends nothing there
+    EXPECT_THAT(patch(65535, 0), testing::ElementsAre(HasSubstr("2.00 mm at its right one")));
+    options.is_full_turn = true;
+    EXPECT_THAT(patch(0, 32768), testing::IsEmpty());
 }
 
 TEST_F(Relief, SmoothingIsAGaussianThatGoesRoundTheSeam) {

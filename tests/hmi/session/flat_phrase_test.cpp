@@ -38,8 +38,9 @@ protected:
         EXPECT_STRNE(shown.english, "%1") << message;
         EXPECT_EQ(in_english(shown).find("--"), std::string::npos) << message;
     }
-    void expect_warnings(const std::string& name, const std::string& content, std::size_t count) const {
-        const auto mesh = flat::load_model(written(name, content), {});
+    void expect_warnings(const std::string& name, const std::string& content, std::size_t count,
+                         const flat::FlatOptions& options = {}) const {
+        const auto mesh = flat::load_model(written(name, content), options);
         ASSERT_TRUE(mesh) << mesh.error().message;
         EXPECT_EQ(mesh->warnings.size(), count) << name << ": " << ::testing::PrintToString(mesh->warnings);
         for (const std::string& warning : mesh->warnings) {
@@ -96,6 +97,18 @@ TEST_F(FlatPhrase, KnowsWhyAPictureIsRefused) {
     expect_refusal("cut.jpg", "\xff\xd8\xff and no more");
     expect_refusal("cut.bmp", "BM and no more");
     expect_refusal("cut.tif", std::string{"II*\0 and no more", 16});
+    // A directory of a width, a height and a depth that is not read; and one of nothing.
+    const auto tiff = [](char bits) {
+        return std::string("II*\0\x08\0\0\0\x04\0", 10) + std::string("\0\1\3\0\1\0\0\0\1\0\0\0", 12) +
+               std::string("\1\1\3\0\1\0\0\0\1\0\0\0", 12) + std::string("\2\1\3\0\1\0\0\0", 8) + bits +
+               std::string(3, '\0') + std::string("\6\1\3\0\1\0\0\0\1\0\0\0\0\0\0\0", 16);
+    };
+    expect_refusal("wide.tif", tiff(32));
+    expect_refusal("none.tif", tiff(8));
+    expect_refusal("entries.tif", std::string("II*\0\x08\0\0\0\0\0\0\0\0\0", 14));
+    expect_refusal("head.bmp",
+                   std::string("BM\0\0\0\0\0\0\0\0\x01\0\0\0\x28\0\0\0\1\0\0\0\1\0\0\0\1\0\x18\0", 30) +
+                       std::string(28, '\0'));
     expect_refusal("cut.pgm", "P2 4 1 9\n1 2\n");
     expect_refusal("size.pgm", "P2 x\n");
     expect_refusal("white.pgm", "P2 1 1 99999\n1\n");
@@ -191,6 +204,7 @@ TEST_F(FlatPhrase, KnowsWhyATableIsRefused) {
     expect_table_refusal(passes + "0,1,400,3200,4000,4000,2,2,0,0,9\n");
     expect_table_refusal(passes + "1,0,400,3200,4000,4000,3,2,0,0,9\n");
     expect_table_refusal(passes + "1,0,400,3200,4000,4000,2,2,-1,0,9\n");
+    expect_table_refusal(passes + "1,0,400,3200,4000,4000,2,2,0,0,900\n");
     expect_table_refusal(exported + "0,0,1.5,0,4000,4000\n");
     expect_table_refusal(exported + "0,1,400,0,4000,4000\n");
     expect_table_refusal(exported + "0,0,400,0,4000,4000\n0,1,400,100,4000,4000\n0,2,400,3200,4000,4000\n");
@@ -230,6 +244,9 @@ TEST_F(FlatPhrase, KnowsWhatIsWarnedOf) {
                     "<svg width='9mm' height='9mm'><style>g rect {fill:none}</style>" + square + "</svg>", 1);
     expect_warnings("colour.ppm", "P3 2 1 9\n9 0 0 9 0 0\n", 1);
     expect_warnings("seam.pgm", pgm("0 1 2 3 4 5 6 7 8 9", 10), 1);
+    flat::FlatOptions patch;
+    patch.height_mm = 5.0;
+    expect_warnings("edges.pgm", pgm("0 1 2 3 4 5 6 7 8 9", 10), 1, patch);
 }
 
 TEST_F(FlatPhrase, NamesTheLineOfADrawing) {

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tiffio.h>
+
+#include <cstdint>
+#include <string>
+
+#include "hmi/flat/grey_image.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::flat {
+
+/// What is done with the first sample behind grey or red, green and blue.
+enum class TiffAlpha : std::uint8_t { none, associated, unassociated };
+
+/// How a TIFF's directory says that its pixels are stored.
+struct TiffShape {
+    std::uint16_t bits = 1;
+    std::uint16_t samples = 1;
+    std::uint16_t kind = PHOTOMETRIC_MINISBLACK;
+    std::uint16_t number = SAMPLEFORMAT_UINT;
+    TiffAlpha alpha = TiffAlpha::none;
+    bool is_together = true;  ///< a pixel's samples stand beside each other
+    bool guesses_alpha = false;
+
+    bool is_grey() const noexcept { return kind == PHOTOMETRIC_MINISBLACK || kind == PHOTOMETRIC_MINISWHITE; }
+    unsigned colours() const noexcept { return is_grey() ? 1 : 3; }
+    /// Whether samples are taken as they stand; else libtiff makes eight bits of red, green and blue of them.
+    bool is_as_it_stands() const noexcept;
+};
+
+TiffShape tiff_shape(TIFF* tiff);
+
+/// Refuses, by what it is, a picture that is sound and cannot be read here.
+Result<void> check_tiff_kind(TIFF* tiff, const TiffShape& shape, const std::string& file);
+
+/// Into `image.values`, whose width and height are set, as they are stored: not yet upright. False: damaged.
+bool read_tiff_pixels(TIFF* tiff, const TiffShape& shape, GreyImage& image);
+
+/// 1 where the file does not say, or nothing that there is.
+std::uint16_t tiff_orientation(TIFF* tiff);
+
+}  // namespace psicarve::flat

@@ -135,6 +135,18 @@ bool is_in_group(gid_t group) {
            std::find(groups.begin(), groups.end(), group) != groups.end();
 }
 
+bool will_be_in_group(const UserAccount& account, gid_t group) {
+    if (is_already(account)) return is_in_group(group);
+    std::vector<gid_t> groups(1);
+    int count = 1;
+    while (::getgrouplist(account.name.c_str(), account.group, groups.data(), &count) < 0) {
+        // Where it does not say how many there are, twice as many.
+        count = std::max(count, 2 * static_cast<int>(groups.size()));
+        groups.resize(static_cast<std::size_t>(count));
+    }
+    return std::find(groups.begin(), groups.begin() + count, group) != groups.begin() + count;
+}
+
 std::vector<std::string> drop_privileges(const StillNeeded& needed) {
     const Capabilities before = permitted();
     if (before == 0) return {};

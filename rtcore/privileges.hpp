@@ -30,6 +30,8 @@ Result<void> become_user(const UserAccount& account);
 void raise_privileges() noexcept;
 /// Of this process, by its own group or one that it was put into.
 bool is_in_group(gid_t group);
+/// Whether this process will be of that group once it is that user's.
+bool will_be_in_group(const UserAccount& account, gid_t group);
 
 /// What goes on without privileges, by limits instead, once they are dropped.
 struct StillNeeded {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "hmi/cli/carved_piece.hpp"
@@ -11,6 +13,7 @@
 #include "hmi/cli/run_report.hpp"
 #include "hmi/cli/run_watch.hpp"
 #include "hmi/cli/simulated_run.hpp"
+#include "hmi/cli/sliced_model.hpp"
 #include "hmi/machine/job_run.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/machine/recorded_pins.hpp"
@@ -33,6 +36,7 @@ struct CarveOptions {
     bool real_time = false;
     ModelOptions model;
     PieceFiles files;
+    bool no_deviation = false;
 };
 
 /// The segment, if a core serves it. A segment that is not ours to use is an error, none at all is not.
@@ -69,9 +73,22 @@ Result<int> carve_unseen(machine::MachineLink& link, const PreparedJob& job, con
     return print_run(report, common.json);
 }
 
+/// The piece to carve beside the run, compared with the model wherever there is one. An ideal point leaves
+/// the table's own surface: of its piece is told when it is asked for.
+Result<std::unique_ptr<CarvedPiece>> piece_beside(const PreparedJob& job, const CarveOptions& options) {
+    auto model = job.mesh;
+    if (job.profile.tool.shape == ToolShape::point && !options.files.any()) model.reset();
+    if (!options.files.model.empty()) {
+        auto read = model_of_job(options.files.model, job);
+        if (!read) return read.error();
+        model = std::move(*read);
+    }
+    return CarvedPiece::make(job, std::move(model), options.files);
+}
+
 Result<int> carve_on_running_core(machine::MachineLink& link, const PreparedJob& job,
                                   const CarveOptions& options, const CommonOptions& common) {
-    const auto piece = CarvedPiece::make(job, job.mesh, options.files);
+    const auto piece = piece_beside(job, options);
     if (!piece) return piece.error();
     auto pins = machine::RecordedPins::start(link, job.view, job.profile, options.trace, follower_of(*piece));
     if (!pins) {
@@ -92,6 +109,12 @@ Result<int> carve(const CommonOptions& common, const CarveOptions& options) {
         if (const auto writable = check_output_folder(path); !writable) return writable.error();
     }
     if (const auto writable = check_piece_files(options.files); !writable) return writable.error();
+    std::error_code unknown;
+    if (!options.files.model.empty() && std::filesystem::exists(options.path, unknown) &&
+        !is_snapshot_file(options.path)) {
+        return Error{ErrorCode::bad_usage, "--model " + options.files.model + " is for a job file, and " +
+                                               options.path + " is none: a model is compared with itself"};
+    }
     auto running = running_core(common);
     if (!running) return running.error();
     if (*running) {
@@ -99,7 +122,7 @@ Result<int> carve(const CommonOptions& common, const CarveOptions& options) {
         if (!fits) return fits.error();
     }
     ModelOptions model = options.model;
-    model.keeps_mesh = options.files.any();
+    model.keeps_mesh = !options.no_deviation;
     const auto job = prepare_job(options.path, model, common);
     if (!job) return job.error();
     if (*running) return carve_on_running_core(**running, *job, options, common);
@@ -117,7 +140,7 @@ Result<int> carve(const CommonOptions& common, const CarveOptions& options) {
     const auto run_it = [&job](machine::VerifiedCore& core, const machine::StatusWatch& watch) {
         return machine::run_job(core.link(), job->blob, watch);
     };
-    const auto piece = CarvedPiece::make(*job, job->mesh, options.files);
+    const auto piece = piece_beside(*job, options);
     if (!piece) return piece.error();
     return simulated_run(std::move(launch), *job, {run_it, options.picture, common.json, &*piece});
 }
@@ -135,6 +158,11 @@ void add_carve(CommandSet& commands) {
         .option("--trace", options->trace, "OUT.vcd", "Record every pin: .vcd, or compact binary")
         .flag("--real-time", options->real_time, "A core of our own runs by the wall clock");
     add_piece_options(syntax, options->files);
+    syntax
+        .flag("--no-deviation", options->no_deviation,
+              "Leave out how far the piece that a tool with a size leaves is from the model, for speed")
+        .excludes("--no-deviation", "--deviation")
+        .excludes("--no-deviation", "--model");
 
     add_model_options(syntax, options->model);
 }

@@ -29,6 +29,10 @@ bool is_of_table(const JobView& job) {
 
 void add_piece_options(Syntax& syntax, PieceFiles& files) {
     syntax
+        .option(
+            "--model", files.model, "MODEL",
+            "The file that the job was sliced from: tell how far the piece that the profile's tool leaves is "
+            "from it")
         .option("--piece", files.mesh, "FILE",
                 "Write what the profile's tool leaves of its blank as a mesh: .stl or .ply")
         .option(
@@ -82,8 +86,8 @@ Result<std::unique_ptr<CarvedPiece>> CarvedPiece::make(const PreparedJob& job,
                                                    " is a table of radii, which has none"};
         }
         return Error{ErrorCode::bad_usage,
-                     "--deviation compares with the model, which a job does not hold: carve the model, or "
-                     "psicarve verify JOB TRACE --model MODEL"};
+                     "--deviation compares with the model, which a job does not hold: --model MODEL says "
+                     "what it was sliced from"};
     }
     made->carver_.emplace(*geometry, job.profile, made->stock_, made->ridges_ ? &*made->ridges_ : nullptr);
     made->thread_.emplace(*made->carver_);
@@ -112,7 +116,11 @@ void add_piece(RunReport& report, const std::unique_ptr<CarvedPiece>& piece) {
     if (!piece) return;
     if (!report.verification) {
         const PieceFiles& files = piece->files();
-        return miss(report, (files.mesh.empty() ? files.picture : files.mesh) + ": the piece is not known");
+        if (!files.any()) return;
+        const std::string& first = !files.mesh.empty()      ? files.mesh
+                                   : !files.picture.empty() ? files.picture
+                                                            : files.model;
+        return miss(report, first + ": the piece is not known");
     }
     const auto done = piece->finish();
     if (!done && !report.failure) report.failure = done.error();

@@ -21,9 +21,10 @@ namespace psicarve::cli {
 
 /// What is asked for of the piece that the tools leave. Empty: no such file.
 struct PieceFiles {
+    std::string model;    ///< that a job was sliced from, to compare with
     std::string mesh;     ///< .stl or .ply
     std::string picture;  ///< of its deviation from the model, .png
-    bool any() const noexcept { return !mesh.empty() || !picture.empty(); }
+    bool any() const noexcept { return !model.empty() || !mesh.empty() || !picture.empty(); }
 };
 void add_piece_options(Syntax& syntax, PieceFiles& files);
 /// Before the work: wrong names, folders that cannot be written.
@@ -32,8 +33,8 @@ Result<void> check_piece_files(const PieceFiles& files);
 /// The piece, carved in simulation with the tool's shape while the pins are judged, by a thread of its own.
 class CarvedPiece {
 public:
-    /// Nothing when no file is asked for. With a model the piece is compared with it. The job's blob outlives
-    /// this.
+    /// Nothing when no file is asked for and there is no model. With a model the piece is compared with it.
+    /// The job's blob outlives this.
     static Result<std::unique_ptr<CarvedPiece>> make(const PreparedJob& job,
                                                      std::shared_ptr<const model::Mesh> model,
                                                      const PieceFiles& files);

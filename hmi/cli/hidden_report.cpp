@@ -16,13 +16,26 @@ using Spans = std::vector<report::Span>;
 
 constexpr std::size_t kMostInALine = 2;
 
-/// The largest shares, "40-70 deg (12 %), 200-210 deg (5 %), ...".
-std::string worst_text(const Spans& spans, const char* pattern, const char* unit) {
+std::string degrees_text(const report::Span& span) {
+    std::array<char, 96> text{};
+    const bool passes_zero = span.to > kDegPerRev;
+    std::snprintf(text.data(), text.size(), "%.0f-%.0f deg%s (%.1f %%)", span.from,
+                  passes_zero ? span.to - kDegPerRev : span.to, passes_zero ? ", through 0" : "",
+                  100.0 * span.share);
+    return text.data();
+}
+
+std::string heights_of_span(const report::Span& span) {
+    std::array<char, 96> text{};
+    std::snprintf(text.data(), text.size(), "%.1f-%.1f mm (%.1f %%)", span.from, span.to, 100.0 * span.share);
+    return text.data();
+}
+
+/// The largest shares, "40-70 deg (12 %), 350-10 deg, through 0 (5 %), ...".
+std::string worst_text(const Spans& spans, std::string (*span_text)(const report::Span&)) {
     std::string text;
     for (const report::Span& span : report::worst_of(spans, kMostInALine)) {
-        std::array<char, 96> one{};
-        std::snprintf(one.data(), one.size(), pattern, span.from, span.to, unit, 100.0 * span.share);
-        text += (text.empty() ? "" : ", ") + std::string(one.data());
+        text += (text.empty() ? "" : ", ") + span_text(span);
     }
     return text + (spans.size() > kMostInALine ? ", ..." : "");
 }
@@ -34,23 +47,20 @@ Json spans_json(const Spans& spans, const char* from, const char* to) {
     return all;
 }
 
-constexpr const char* kDegrees = "%.0f-%.0f %s (%.1f %%)";
-constexpr const char* kHeights = "%.1f-%.1f %s (%.1f %%)";
-
 }  // namespace
 
 std::vector<std::string> hidden_lines(const report::HiddenPlaces& places) {
     std::vector<std::string> lines;
     if (!places.hidden_deg.empty())
-        lines.push_back("           most in " + worst_text(places.hidden_deg, kDegrees, "deg"));
+        lines.push_back("           most in " + worst_text(places.hidden_deg, degrees_text));
     if (!places.hidden_mm.empty())
-        lines.push_back("           and at " + worst_text(places.hidden_mm, kHeights, "mm"));
+        lines.push_back("           and at " + worst_text(places.hidden_mm, heights_of_span));
     return lines;
 }
 
 std::vector<std::string> open_lines(const report::HiddenPlaces& places) {
     if (places.open_deg.empty()) return {};
-    return {"           most in " + worst_text(places.open_deg, kDegrees, "deg")};
+    return {"           most in " + worst_text(places.open_deg, degrees_text)};
 }
 
 std::string hidden_json(const report::HiddenPlaces& places) {

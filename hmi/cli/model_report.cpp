@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -20,6 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kModelReportColumns = 720;
+constexpr double kMm3PerCm3 = 1000.0;
 
 template <typename... Values>
 std::string line_of(const char* pattern, Values... values) {
@@ -59,9 +61,21 @@ std::string flaws_text(const model::MeshFacts& facts, const model::MeshParts& pa
     return text.empty() ? "closed, all facets turned alike" : text;
 }
 
+/// Of an open surface nobody knows what is inside.
+std::optional<double> volume_mm3(const model::MeshFacts& facts, double scale) {
+    if (!facts.closed || !facts.same_orientation) return std::nullopt;
+    return std::abs(facts.signed_volume) * scale * scale * scale;
+}
+
+std::string volume_text(const model::MeshFacts& facts, double scale) {
+    const auto mm3 = volume_mm3(facts, scale);
+    if (!mm3) return facts.closed ? "none: facets are turned both ways" : "none: the mesh is open";
+    return *mm3 < kMm3PerCm3 ? line_of("%.4g mm3", *mm3) : line_of("%.2f cm3", *mm3 / kMm3PerCm3);
+}
+
 Json mesh_json(const model::Mesh& mesh, const model::MeshParts& parts, double scale) {
     const model::MeshFacts& facts = mesh.facts;
-    const bool has_volume = facts.closed && facts.same_orientation;
+    const auto volume = volume_mm3(facts, scale);
     return {{"format", mesh.format},
             {"triangles", mesh.triangles.size()},
             {"components", parts.components},
@@ -72,8 +86,7 @@ Json mesh_json(const model::Mesh& mesh, const model::MeshParts& parts, double sc
             {"degenerate", facts.degenerate_count},
             {"duplicates", facts.duplicate_count},
             {"dropped", facts.dropped_count},
-            {"volume_mm3",
-             has_volume ? Json(std::abs(facts.signed_volume) * scale * scale * scale) : Json(nullptr)},
+            {"volume_mm3", volume ? Json(*volume) : Json(nullptr)},
             {"size", {facts.max[0] - facts.min[0], facts.max[1] - facts.min[1], facts.max[2] - facts.min[2]}},
             {"probable_unit", report::probable_unit(facts)}};
 }
@@ -150,6 +163,7 @@ std::vector<std::string> ModelReport::lines() const {
                         counted(mesh.triangles.size(), " facet", " facets") + ", " +
                         counted(findings_->parts.components, " body", " bodies"));
         lines.push_back("surface    " + flaws_text(mesh.facts, findings_->parts));
+        lines.push_back("volume     " + volume_text(mesh.facts, slicer.value("scale", 1.0)));
         lines.push_back(std::string("unit       probably ") + report::probable_unit(mesh.facts));
     }
     if (const auto box = slicer.find("bounding_box_mm"); box != slicer.end() && box->size() == 3) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/cam/table_job.hpp"
 #include "hmi/verify/verifier.hpp"
 
 #include <cmath>
@@ -12,8 +11,7 @@
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
-#include "hmi/flat/load_model.hpp"
-#include "hmi/model/turned_mesh.hpp"
+#include "hmi/cli/sliced_model.hpp"
 #include "hmi/verify/picture.hpp"
 #include "shared/snapshot_file.hpp"
 
@@ -32,37 +30,9 @@ struct VerifyOptions {
     std::string job;
     std::string trace;
     std::string picture;
-    std::string model;
     PieceFiles files;
     verify::LayerRange layers;
 };
-
-model::MeshTurn turn_of(const nlohmann::json& report) {
-    model::MeshTurn turn;
-    const auto said = report.find("turn");
-    if (!report.is_object() || said == report.end() || !said->is_object()) return turn;
-    const auto rotate = said->find("rotate_deg");
-    for (std::size_t axis = 0; rotate != said->end() && rotate->is_array() && axis < 3; ++axis) {
-        if (axis < rotate->size() && (*rotate)[axis].is_number())
-            turn.rotate_deg[axis] = (*rotate)[axis].get<double>();
-    }
-    const auto mirror = said->find("mirror");
-    if (mirror != said->end() && mirror->is_string())
-        turn.mirror = *mirror == "x" ? 0U : *mirror == "y" ? 1U : 2U;
-    return turn;
-}
-
-/// The file that the job was sliced from, read as it was then.
-Result<std::shared_ptr<const model::Mesh>> model_of(const std::string& path, const PreparedJob& job) {
-    if (path.empty()) return std::shared_ptr<const model::Mesh>{};
-    if (cam::is_table_file(path))
-        return Error{ErrorCode::bad_usage, "--model " + path + ": a table has no model to compare with"};
-    const auto report = nlohmann::json::parse(job.view.report_json(), nullptr, false);
-    const bool has_body = report.is_object() && report.contains("body");
-    auto mesh = flat::load_model(path, flat::flat_options_from_json(has_body ? report["body"].dump() : ""));
-    if (!mesh) return mesh.error();
-    return std::make_shared<const model::Mesh>(model::turned(std::move(mesh).value(), turn_of(report)));
-}
 
 std::string json_of(const verify::VerifyReport& report, const std::unique_ptr<CarvedPiece>& piece) {
     auto object = nlohmann::ordered_json::parse(verify::report_json(report));
@@ -99,7 +69,7 @@ Result<int> verify_files(const CommonOptions& common, const VerifyOptions& optio
     }
     auto verifier = verify::Verifier::make(job->view, job->profile, options.layers);
     if (!verifier) return bad_input(options.job + ": " + verifier.error().message);
-    auto model = model_of(options.model, *job);
+    auto model = model_of_job(options.files.model, *job);
     if (!model) return model.error();
     const auto piece = CarvedPiece::make(*job, std::move(model).value(), options.files);
     if (!piece) return piece.error();
@@ -127,11 +97,6 @@ void add_verify(CommandSet& commands) {
     syntax.argument("JOB", options->job, "The job or snapshot file")
         .argument("TRACE", options->trace, "The pin trace: VCD or compact binary")
         .picture_option(options->picture)
-        .option(
-            "--model", options->model, "MODEL",
-            "The file that the job was sliced from: tell how far the piece that the profile's tool leaves is "
-            "from it");
-    syntax
         .option("--from-layer", options->layers.first, 0, kMaxJobCount - 1,
                 "Carving was to begin with layer N, as with psicarve start")
         .option("--layers", options->layers.count, 0, kMaxJobCount, "And to end after N layers");

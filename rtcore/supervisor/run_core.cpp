@@ -138,22 +138,26 @@ int run_loop(CoreParts& parts, Supervisor& supervisor, std::optional<Replay>& re
                                 : run_on_real_clock(parts, supervisor, directors, end, *treatment);
 }
 
-/// For the user that is asked for.
+Result<void> check_group_of_user(const rtcore::UserAccount& account, const CoreOptions& options) {
+    if (options.group.empty()) return {};
+    const auto group = group_id(options.group);
+    if (!group) return group.error();
+    if (rtcore::will_be_in_group(account, *group)) return {};
+    return Error{ErrorCode::bad_usage, "--group " + options.group +
+                                           ": its members do not trust a segment of " + options.user +
+                                           ", who is none: adduser " + options.user + " " + options.group};
+}
+
+/// For the user that is asked for. Refused before anything is that user's.
 Result<void> leave_root(const CoreOptions& options) {
     if (options.user.empty()) return {};
     const auto account = rtcore::account_of(options.user);
     if (!account) return account.error();
+    if (auto fits = check_group_of_user(*account, options); !fits) return fits.error();
     // What a core of root's has left when it ended is taken over, as every core takes it over.
     if (auto handed = Segment::hand_over(options.segment_name, account->user, account->group); !handed)
         return handed.error();
-    if (auto changed = rtcore::become_user(*account); !changed) return changed.error();
-    if (options.group.empty()) return {};
-    const auto group = group_id(options.group);
-    if (!group) return group.error();
-    if (rtcore::is_in_group(*group)) return {};
-    return Error{ErrorCode::bad_usage, "--group " + options.group +
-                                           ": its members do not trust a segment of " + options.user +
-                                           ", who is none: adduser " + options.user + " " + options.group};
+    return rtcore::become_user(*account);
 }
 
 /// Before any thread starts and any output is opened; port, segment and memory are there.

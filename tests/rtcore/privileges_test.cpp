@@ -62,7 +62,9 @@ TEST(BecomeUser, LeavesNothingInEffectBeforeItIsRaised) {
     const pid_t child = ::fork();
     if (child == 0) {
         const auto account = account_of(kOrdinaryUser);
-        if (!account || !become_user(*account)) ::_exit(1);
+        if (!account || !will_be_in_group(*account, account->group) || will_be_in_group(*account, 0))
+            ::_exit(8);
+        if (!become_user(*account)) ::_exit(1);
         if (::prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) != 0) ::_exit(2);
         if (::open(roots.c_str(), O_RDONLY) >= 0) ::_exit(3);
         if (is_in_group(0) || !is_in_group(account->group)) ::_exit(4);

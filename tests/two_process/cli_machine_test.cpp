@@ -74,6 +74,15 @@ TEST_F(Machine, ARunningCoresPinsAreDrawnTracedAndJudged) {
     }
 }
 
+TEST_F(Machine, ThePieceOfARunningCoreIsComparedWithTheModel) {
+    start_core();
+    const std::vector<std::string> carve{"carve", box_stl("box.stl"), "--layers", "4",     "--points",
+                                         "9",     "--tool",           "ball:2",   "--json"};
+    const auto report = run(carve).json();
+    ASSERT_TRUE(report.contains("deviation")) << report;
+    EXPECT_GT(report["deviation"]["places"].get<int>(), 100);
+}
+
 constexpr int kMostTries = 8;
 
 bool is_tick_gap(const nlohmann::json& report) {
@@ -142,7 +151,9 @@ TEST_F(Machine, PinsThatAnotherHasRecordedAreRefusedBeforeAnythingMovesOrIsOverw
         << outcome.error;
     EXPECT_EQ(text_of(file("old.vcd")), "precious");
     EXPECT_EQ(state(), MachineState::off);
-    const Outcome unseen = run({"carve", job("3", "9"), "--json"});
+    // A piece that nobody asked for is no reason to refuse.
+    const Outcome unseen =
+        run({"carve", box_stl("box.stl"), "--layers", "3", "--points", "9", "--tool", "ball:2", "--json"});
     EXPECT_EQ(unseen.exit_code, 0) << unseen.error;
     EXPECT_TRUE(unseen.json()["verified"] == nullptr || unseen.json()["verified"] == true);
 }

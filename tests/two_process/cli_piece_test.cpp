@@ -82,6 +82,61 @@ TEST_F(Piece, IsComparedByVerifyWithTheModelAlone) {
     EXPECT_NE(table.error.find("a table has no model to compare with"), std::string::npos) << table.error;
 }
 
+TEST_F(Piece, IsToldOfByCarveWithoutBeingAskedFor) {
+    const std::string model = box_stl("box.stl");
+    const auto files = files_in_folder();
+    const Json report = carve(model, {}).json();
+    ASSERT_TRUE(report.contains("deviation")) << report;
+    const Json deviation = report["deviation"];
+    EXPECT_GT(deviation["places"].get<int>(), 1000) << deviation;
+    EXPECT_EQ(deviation["histogram"].size(), 11U);
+    const std::vector<std::string> in_text{"carve", model,      "--segment", segment_, "--layers",
+                                           "6",     "--points", "41",        "--tool", "flat:2"};
+    const std::string told = psicarve(in_text).out;
+    EXPECT_NE(told.find("\ndeviation  "), std::string::npos) << told;
+    EXPECT_EQ(files_in_folder(), files) << "no file was asked for";
+    EXPECT_EQ(deviation, carve(model, {"--deviation", file("a.png")}).json()["deviation"]);
+    auto without = in_text;
+    without.emplace_back("--no-deviation");
+    EXPECT_EQ(psicarve(without).out.find("deviation  "), std::string::npos);
+    EXPECT_FALSE(carve(model, {"--no-deviation"}).json().contains("deviation"));
+    EXPECT_EQ(carve(model, {"--no-deviation", "--deviation", file("a.png")}).exit_code, 2);
+    // A piece without a comparison, and a point's, which is the table's own surface.
+    const Json piece = carve(model, {"--no-deviation", "--piece", file("piece.stl")}).json();
+    EXPECT_EQ(piece["piece"], file("piece.stl"));
+    EXPECT_FALSE(piece.contains("deviation"));
+    const std::vector<std::string> by_a_point{"carve", model,      "--segment", segment_, "--layers",
+                                              "6",     "--points", "41",        "--json"};
+    EXPECT_FALSE(psicarve(by_a_point).json().contains("deviation"));
+    auto asked = by_a_point;
+    asked.insert(asked.end(), {"--deviation", file("point.png")});
+    EXPECT_TRUE(psicarve(asked).json()["deviation"].is_object());
+}
+
+TEST_F(Piece, OfAJobIsComparedWithTheModelThatCarveIsGiven) {
+    const std::string model = box_stl("box.stl");
+    ASSERT_EQ(psicarve({"slice", model, "-o", file("box.job"), "--layers", "6", "--points", "41", "--tool",
+                        "ball:2"})
+                  .exit_code,
+              0);
+    const auto carve_job = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"carve", file("box.job"), "--segment", segment_, "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return psicarve(arguments);
+    };
+    EXPECT_FALSE(carve_job({}).json().contains("deviation"));
+    const Outcome carved = carve_job({"--model", model, "--deviation", file("a.png")});
+    ASSERT_EQ(carved.exit_code, 0) << carved.error << carved.out;
+    EXPECT_EQ(carved.json()["deviation"], carve(model, {}).json()["deviation"]);
+    EXPECT_EQ(text_of(file("a.png")).substr(1, 3), "PNG");
+    EXPECT_EQ(carve_job({"--model", model}).json()["deviation"], carved.json()["deviation"]);
+    EXPECT_EQ(carve_job({"--model", box_stl("other.stl", 7.0)}).exit_code, 3);
+    const Outcome twice = carve(model, {"--model", model});
+    EXPECT_EQ(twice.exit_code, 2);
+    EXPECT_NE(twice.error.find("is for a job file"), std::string::npos) << twice.error;
+    EXPECT_NE(carve(file("none.stl"), {"--model", model}).exit_code, 2);
+}
+
 TEST_F(Piece, OfEngravedLinesIsComparedWithTheGrooves) {
     write("lens.svg", kDrawing);
     const std::vector<std::string> options{"--engrave", "0.4", "--tool",   "ball:2", "--diameter", "24",
@@ -123,7 +178,7 @@ TEST_F(Piece, NeedsTheModelThatWasSliced) {
     const Outcome of_job =
         psicarve({"carve", file("box.job"), "--segment", segment_, "--deviation", file("a.png")});
     EXPECT_EQ(of_job.exit_code, 2);
-    EXPECT_NE(of_job.error.find("verify JOB TRACE --model MODEL"), std::string::npos) << of_job.error;
+    EXPECT_NE(of_job.error.find("--model MODEL says"), std::string::npos) << of_job.error;
     ASSERT_EQ(psicarve({"replay", file("box.job"), "--trace", file("pins.trace")}).exit_code, 0);
     const Outcome other = psicarve({"verify", file("box.job"), file("pins.trace"), "--model",
                                     box_stl("other.stl", 7.0), "--deviation", file("a.png")});

@@ -236,13 +236,23 @@ TEST_F(CoreUser, TakesOverWhatACoreOfRootsLeft) {
 }
 
 TEST_F(CoreUser, HasToBeOfTheSegmentsGroup) {
-    CoreProcess refused{
-        {"--segment", segment_name_, "--clock", "virtual", "--user", kUser, "--group", "daemon"},
-        file("core.err")};
-    EXPECT_EQ(refused.wait_for_exit(), 2);
-    EXPECT_NE(text_of(file("core.err")).find("adduser nobody daemon"), std::string::npos)
-        << text_of(file("core.err"));
+    const auto expect_refusal = [this] {
+        CoreProcess refused{
+            {"--segment", segment_name_, "--clock", "virtual", "--user", kUser, "--group", "daemon"},
+            file("refused.err")};
+        EXPECT_EQ(refused.wait_for_exit(), 2);
+        EXPECT_NE(text_of(file("refused.err")).find("adduser nobody daemon"), std::string::npos)
+            << text_of(file("refused.err"));
+    };
+    expect_refusal();
     EXPECT_FALSE(std::filesystem::exists("/dev/shm" + segment_name_));
+    // What a core of root's left is not the user's then.
+    start_core({"--profile", file("machine.toml")});
+    core_->send_signal(SIGKILL);
+    core_->wait_for_exit();
+    expect_refusal();
+    EXPECT_EQ(facts_of("/dev/shm" + segment_name_).st_uid, 0U);
+    EXPECT_EQ(facts_of("/dev/shm" + segment_name_).st_gid, 0U);
 }
 
 // The kernel forgets whose end is to end a process when that process changes its user.

@@ -5,7 +5,7 @@
 usage: bench_carved_piece.py BUILD [--pairs N] [--model FILE] [--tool TOOL] [--layers N] [--points N]
 
 BUILD is a build folder with psicarve and psicarve-rtcore (preset release). Carved are the job alone and with --piece,
-and the model, which is sliced first, alone and with --deviation; the order turns from pair to pair, so that what else the
+and the model, which is sliced first, with --no-deviation and with --deviation; the order turns from pair to pair, so that what else the
 computer does meets all alike. Told are medians over the pairs, and the median of each pair's ratio to the run without:
 
   program    from psicarve's begin to its end by the wall clock, the simulated run, its verification and files included
@@ -68,7 +68,8 @@ def main():
         end.callback(lambda: pathlib.Path("/dev/shm", segment).unlink(missing_ok=True))
         job = f"{folder}/bench.job"
         run([psicarve, "slice", arguments.model, "-o", job, "--json", *how])
-        kinds = {"job": [job], "job --piece": [job, "--piece", f"{folder}/piece.ply"], "model": [arguments.model, *how],
+        kinds = {"job": [job], "job --piece": [job, "--piece", f"{folder}/piece.ply"],
+                 "model": [arguments.model, *how, "--no-deviation"],
                  "model --deviation": [arguments.model, *how, "--deviation", f"{folder}/piece.png"]}
         found = {name: [] for name in kinds}
         for pair in range(arguments.pairs):

@@ -57,6 +57,10 @@ TEST_F(InspectCommand, NamesHolesAndWhereTheyAre) {
     const Outcome whole = psicarve({"inspect", box_stl("box.stl"), "--layers", "6", "--points", "17"});
     ASSERT_EQ(whole.exit_code, 0) << whole.error;
     EXPECT_NE(whole.out.find("surface    closed"), std::string::npos) << whole.out;
+    EXPECT_NE(whole.out.find("\nvolume     1.68 cm3\n"), std::string::npos) << whole.out;
+    const Outcome small =
+        psicarve({"inspect", box_stl("box.stl"), "--layers", "6", "--points", "17", "--scale", "0.5"});
+    EXPECT_NE(small.out.find("\nvolume     210 mm3\n"), std::string::npos) << small.out;
     // A facet is missing on one side.
     write("open.obj",
           "v -5 -5 0\nv 5 -5 0\nv 5 5 0\nv -5 5 0\nv -5 -5 9\nv 5 -5 9\nv 5 5 9\nv -5 5 9\n"
@@ -64,6 +68,14 @@ TEST_F(InspectCommand, NamesHolesAndWhereTheyAre) {
     const Outcome open = psicarve({"inspect", file("open.obj"), "--layers", "6", "--points", "17"});
     ASSERT_EQ(open.exit_code, 0) << open.error;
     EXPECT_NE(open.out.find("1 hole (3 open edges)"), std::string::npos) << open.out;
+    EXPECT_NE(open.out.find("\nvolume     none: the mesh is open\n"), std::string::npos) << open.out;
+    // Closed, with one facet flipped.
+    write("flipped.obj",
+          "v -5 -5 0\nv 5 -5 0\nv 5 5 0\nv -5 5 0\nv -5 -5 9\nv 5 -5 9\nv 5 5 9\nv -5 5 9\n"
+          "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5\nf 8 5 4\n");
+    const Outcome flipped = psicarve({"inspect", file("flipped.obj"), "--layers", "6", "--points", "17"});
+    EXPECT_NE(flipped.out.find("\nvolume     none: facets are turned both ways\n"), std::string::npos)
+        << flipped.out;
     EXPECT_NE(open.out.find("samples, between "), std::string::npos) << open.out;
 }
 
@@ -98,7 +110,7 @@ TEST_F(InspectCommand, TellsWhereTheModelIsHiddenAndOpenAndWhatTheToolLeaves) {
     EXPECT_LT(unreached["share"].get<double>(), 0.9);
     EXPECT_EQ(unreached["largest_mm"], told.json()["expected"]["leftover"]["max_mm"]);
     const Outcome text = psicarve(arguments);
-    EXPECT_NE(text.out.find("most in 350-370 deg ("), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("most in 350-10 deg, through 0 ("), std::string::npos) << text.out;
     EXPECT_NE(text.out.find("and at 4.0-7.0 mm ("), std::string::npos) << text.out;
     EXPECT_NE(text.out.find("most in 40-140 deg ("), std::string::npos) << text.out;
     EXPECT_NE(text.out.find("more than 0.1 mm on "), std::string::npos) << text.out;

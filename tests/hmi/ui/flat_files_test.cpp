@@ -15,9 +15,18 @@
 #include <QTabWidget>
 #include <QUrl>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "hmi/ui/file_filters.hpp"
+#include "hmi/ui/mesh_view.hpp"
+#include "shared/units.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
 
@@ -43,6 +52,18 @@ protected:
     bool shows(const QString& size) {
         return comes_true([&] { return facts() == size; });
     }
+    /// What stands in space, as it is drawn.
+    std::shared_ptr<const session::MeshScene> shown() {
+        const auto& bodies = part<MeshView>("model_view").picture().bodies;
+        return bodies.empty() ? nullptr : bodies.front().scene;
+    }
+    /// The same once the form's last word is in it.
+    std::shared_ptr<const session::MeshScene> settled() {
+        EXPECT_TRUE(comes_true([&] {
+            return !window_->bench().desk.sight().is_busy() && shown() == window_->bench().desk.scene();
+        }));
+        return shown();
+    }
     void slice_coarsely() {
         part<QSpinBox>("layers").setValue(20);
         part<QSpinBox>("points").setValue(20);
@@ -56,6 +77,27 @@ protected:
         static_cast<QObject&>(*window_).event(&event);
     }
 };
+
+/// A vertex of an upright body about its own axis.
+struct Spot {
+    double radius_mm;
+    double direction_rad;  ///< from 0 on
+    double height_mm;      ///< from the body's middle
+};
+
+/// Of the body's side; the middles of its lids stand on the axis.
+std::vector<Spot> spots_of(const session::MeshScene& scene) {
+    std::vector<Spot> spots;
+    for (const auto& vertex : scene.vertices) {
+        const double x = double{vertex[0]} + scene.middle[0];
+        const double y = double{vertex[1]} + scene.middle[1];
+        const double direction = std::atan2(y, x);
+        if (std::hypot(x, y) > 1.0)
+            spots.push_back(
+                {std::hypot(x, y), direction < 0.0 ? direction + 2.0 * kPi : direction, vertex[2]});
+    }
+    return spots;
+}
 
 TEST_F(FlatFiles, OpenADrawingThatIsDroppedAndMakeItHigher) {
     open_window();
@@ -174,6 +216,90 @@ TEST_F(FlatFiles, WrapAPictureRoundACylinder) {
     // Dark is at the lower half of the picture, which now is the higher surface.
     EXPECT_NEAR(static_cast<double>(job->view.r_left_pulses(1)[5]) / 400.0, 10.0, 0.01);
     EXPECT_NEAR(static_cast<double>(job->view.r_left_pulses(18)[5]) / 400.0, 6.0, 0.01);
+}
+
+/// Of a picture whose upper half is bright in its first three quarters, and the lower in its first; round a
+/// cylinder, from direction 0 on. Nothing beside the edges of these fields.
+std::optional<bool> is_bright(const Spot& spot, double height_mm) {
+    constexpr double kBeside = 0.05;
+    const double column = spot.direction_rad / (2.0 * kPi);
+    const double row = 0.5 - spot.height_mm / height_mm;
+    const double edge = row < 0.5 ? 0.75 : 0.25;
+    if (std::min({std::abs(column - edge), std::abs(row - 0.5), column, 1.0 - column}) < kBeside)
+        return std::nullopt;
+    return column < edge;
+}
+
+TEST_F(FlatFiles, ShowAPictureOnItsCylinderBeforeAnythingIsSliced) {
+    std::string rows = "P2 40 40 9\n";
+    for (int i = 0; i < 40 * 40; ++i) rows += i % 40 < (i < 800 ? 30 : 10) ? "9 " : "0 ";
+    open_window();
+    window_->open(written("fields.pgm", rows));
+    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    set("relief_diameter", 20.0);
+    set("relief_black", 3.0);
+    const auto expect_depths = [](const session::MeshScene& scene, double bright_mm, double dark_mm) {
+        std::array<int, 2> looked_at{};
+        for (const Spot& spot : spots_of(scene)) {
+            const auto bright = is_bright(spot, scene.size[2]);
+            if (!bright) continue;
+            ++looked_at[*bright ? 1 : 0];
+            ASSERT_NEAR(spot.radius_mm, *bright ? bright_mm : dark_mm, 0.01)
+                << spot.direction_rad << ' ' << spot.height_mm;
+        }
+        EXPECT_GT(std::min(looked_at[0], looked_at[1]), 1000);
+    };
+    const auto before = settled();
+    ASSERT_TRUE(before);
+    expect_depths(*before, 10.0, 7.0);
+    take_picture("picture_unsliced");
+    part<QCheckBox>("relief_invert").setChecked(true);
+    const auto inverted = settled();
+    ASSERT_TRUE(inverted);
+    EXPECT_NE(inverted, before);
+    expect_depths(*inverted, 7.0, 10.0);
+    EXPECT_FALSE(window_->bench().desk.job()) << "nothing was sliced";
+}
+
+/// From the wave that is drawn below, on the surface that is unrolled from direction 0 on.
+double from_wave_mm(double along_mm, double up_mm) {
+    double nearest = 1e9;
+    for (int i = 0; i <= 200; ++i) {
+        const double t = i / 200.0;
+        const double rise = 20.0 * t * (1.0 - t);
+        nearest = std::min({nearest, std::hypot(along_mm - 20.0 * t, up_mm - rise),
+                            std::hypot(along_mm - 20.0 - 20.0 * t, up_mm + rise)});
+    }
+    return nearest;
+}
+
+TEST_F(FlatFiles, ShowAGrooveWhereItIsCutBeforeAnythingIsSliced) {
+    open_window();
+    part<QComboBox>("tool").setCurrentIndex(2);
+    set("tool_diameter", 3.0);
+    window_->open(written("waves.svg",
+                          "<svg width='60mm' height='20mm' viewBox='0 0 60 20'>"
+                          "<path d='M5 10 Q 15 0 25 10 T 45 10' fill='none' stroke='black'/></svg>"));
+    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    ASSERT_TRUE(comes_true([&] { return part<QCheckBox>("engrave").isChecked(); }));
+    set("engrave_diameter", 30.0);
+    set("engrave_depth", 0.6);
+    const auto scene = settled();
+    ASSERT_TRUE(scene);
+    int deep = 0;
+    for (const Spot& spot : spots_of(*scene)) {
+        const double along_mm = spot.direction_rad * 15.0;
+        // The wave begins at direction 0, and its groove before it.
+        const double off_mm = std::min(from_wave_mm(along_mm, spot.height_mm),
+                                       from_wave_mm(along_mm - 2.0 * kPi * 15.0, spot.height_mm));
+        const double ball_mm = off_mm < 1.5 ? 1.5 - std::sqrt(1.5 * 1.5 - off_mm * off_mm) : 1.5;
+        ASSERT_NEAR(spot.radius_mm, 15.0 - std::max(0.0, 0.6 - ball_mm), 0.02)
+            << spot.direction_rad << ' ' << spot.height_mm;
+        deep += off_mm < 0.1 ? 1 : 0;
+    }
+    EXPECT_GT(deep, 100);
+    take_picture("groove_unsliced");
+    EXPECT_FALSE(window_->bench().desk.job()) << "nothing was sliced";
 }
 
 TEST_F(FlatFiles, ShowNoBodyThatWasNotAskedFor) {

@@ -65,13 +65,13 @@ WorkLane::Finish FileDesk::told(const Result<void>& done, const std::string& pat
 }
 
 void FileDesk::save_snapshot(const std::string& path) {
-    lane_.post([this, path, segment = segment_name_, group = group_] {
+    post(path, [this, path, segment = segment_name_, group = group_] {
         return told(snapshot_of_segment(path, segment, group), path);
     });
 }
 
 void FileDesk::save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job) {
-    lane_.post([this, path, job = std::move(job)] {
+    post(path, [this, path, job = std::move(job)] {
         Snapshot file;  // a job file is a snapshot without a status
         file.job_blob = job->blob;
         return told(psicarve::save_snapshot(file, path), path);
@@ -79,17 +79,17 @@ void FileDesk::save_job(const std::string& path, std::shared_ptr<const cam::Prep
 }
 
 void FileDesk::save_tables(const std::string& path, std::shared_ptr<const cam::PreparedJob> job) {
-    lane_.post([this, path, job = std::move(job)] { return told(tables_to(path, job->view), path); });
+    post(path, [this, path, job = std::move(job)] { return told(tables_to(path, job->view), path); });
 }
 
 void FileDesk::save_text(const std::string& path, std::string text) {
-    lane_.post([this, path, text = std::move(text)] {
+    post(path, [this, path, text = std::move(text)] {
         return told(write_file_atomically(path, std::as_bytes(std::span{text})), path);
     });
 }
 
 void FileDesk::save_picture(const std::string& path, std::shared_ptr<const Judgement> judgement) {
-    lane_.post([this, path, judgement = std::move(judgement)] {
+    post(path, [this, path, judgement = std::move(judgement)] {
         const auto caption = verify::caption_of(judgement->job->view, judgement->report);
         return told(verify::write_picture(path, judgement->verifier->surface(), caption), path);
     });

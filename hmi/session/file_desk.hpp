@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "hmi/cam/prepared_job.hpp"
 #include "hmi/session/message_log.hpp"
+#include "hmi/session/save_ledger.hpp"
 #include "hmi/session/trace_judge.hpp"
 #include "hmi/session/work_lane.hpp"
 
@@ -15,8 +17,11 @@ namespace psicarve::session {
 /// the owner's.
 class FileDesk {
 public:
-    FileDesk(std::string segment_name, std::string group, MessageLog& log)
-        : segment_name_(std::move(segment_name)), group_(std::move(group)), log_(log) {}
+    FileDesk(std::string segment_name, std::string group, MessageLog& log, SaveLedger saves = {})
+        : segment_name_(std::move(segment_name)),
+          group_(std::move(group)),
+          log_(log),
+          saves_(std::move(saves)) {}
 
     /// What is to be kept is kept, however long it takes.
     ~FileDesk();
@@ -36,11 +41,15 @@ public:
     void poll() { lane_.deliver(); }
 
 private:
+    void post(const std::string& path, WorkLane::Task save) {
+        lane_.post(saves_.noted(path, std::move(save)));
+    }
     WorkLane::Finish told(const Result<void>& done, const std::string& path);
 
     std::string segment_name_;
     std::string group_;
     MessageLog& log_;
+    SaveLedger saves_;
     WorkLane lane_;  // last: its thread uses the others
 };
 

@@ -13,6 +13,18 @@ FilePresence::Seen look_at(const std::string& path) {
     return {FilePresence::State::there, written};
 }
 
+/// The folder, the one that it is in, and so on.
+std::vector<std::string> folders_above(const std::string& folder) {
+    std::vector<std::string> folders;
+    std::filesystem::path here = folder;
+    while (!here.empty()) {
+        folders.push_back(here.string());
+        if (here == here.parent_path()) break;
+        here = here.parent_path();
+    }
+    return folders;
+}
+
 }  // namespace
 
 void FilePresence::look(std::vector<std::string> paths) {
@@ -23,6 +35,17 @@ void FilePresence::look(std::vector<std::string> paths) {
             for (const auto& [path, seen] : found) seen_[path] = seen;
         };
     });
+}
+
+void FilePresence::look_above(const std::string& folder) {
+    look(folders_above(folder));
+}
+
+std::string FilePresence::nearest_folder(const std::string& folder) const {
+    for (std::string& here : folders_above(folder)) {
+        if (seen(here).state == State::there) return std::move(here);
+    }
+    return {};
 }
 
 FilePresence::Seen FilePresence::seen(const std::string& path) const {

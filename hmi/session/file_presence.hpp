@@ -23,6 +23,10 @@ public:
 
     /// Has these looked at, anew where they were before; what was seen then holds meanwhile.
     void look(std::vector<std::string> paths);
+    /// Has a folder and all above it looked at.
+    void look_above(const std::string& folder);
+    /// The folder, or the nearest above it that is known to be there; empty: of none that is known.
+    std::string nearest_folder(const std::string& folder) const;
     /// At screen rate.
     void poll() { lane_.deliver(); }
     Seen seen(const std::string& path) const;

@@ -76,13 +76,16 @@ Result<void> LogFile::add(const std::string& lines) {
     return {};
 }
 
-LogKeeper::LogKeeper(const std::string& folder) : folder_(folder), file_(folder + "/psicarve-hmi.log") {
+LogKeeper::LogKeeper(const std::string& folder, SaveLedger saves)
+    : folder_(folder), file_(folder + "/psicarve-hmi.log"), saves_(std::move(saves)) {
     if (!folder_.empty()) lane_.emplace();
 }
 
 LogKeeper::~LogKeeper() {
     lane_.reset();
-    if (!folder_.empty()) (void)flush();
+    if (folder_.empty()) return;
+    const SaveLedger::Entry save = saves_.begin(file_.path());
+    (void)flush();
 }
 
 Result<void> LogKeeper::flush() {
@@ -105,14 +108,14 @@ void LogKeeper::poll(MessageLog& log) {
         const std::lock_guard<std::mutex> lock(mutex_);
         for (auto i = all.size() - fresh; i < all.size(); ++i) pending_ += log_line(all[i]);
     }
-    lane_->post([this, &log]() -> WorkLane::Finish {
+    lane_->post(saves_.noted(file_.path(), [this, &log]() -> WorkLane::Finish {
         const auto written = flush();
         if (written) return {};
         return [this, &log, why = written.error().message] {
             if (!std::exchange(has_complained_, true))
                 log.add(Severity::warning, phrase("The log is not kept: %1", why));
         };
-    });
+    }));
 }
 
 }  // namespace psicarve::session

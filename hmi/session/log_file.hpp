@@ -8,6 +8,7 @@
 #include <string>
 
 #include "hmi/session/message_log.hpp"
+#include "hmi/session/save_ledger.hpp"
 #include "hmi/session/work_lane.hpp"
 #include "shared/result.hpp"
 
@@ -43,7 +44,7 @@ private:
 class LogKeeper {
 public:
     /// An empty folder keeps nothing.
-    explicit LogKeeper(const std::string& folder);
+    explicit LogKeeper(const std::string& folder, SaveLedger saves = {});
     /// Writes what is left.
     ~LogKeeper();
     /// Says once when the file cannot be written.
@@ -56,6 +57,7 @@ private:
 
     std::string folder_;
     LogFile file_;
+    SaveLedger saves_;
     std::mutex mutex_;
     std::string pending_;  ///< guarded by mutex_
     std::uint64_t seen_ = 0;

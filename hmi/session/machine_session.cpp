@@ -29,6 +29,12 @@ MachineSession::MachineSession(SessionOptions options, MessageLog& log)
     offer_profile(Profile{});
 }
 
+void MachineSession::set_profile(const Profile& profile) {
+    options_.profile = profile;
+    offer_profile(profile);
+    core_profile_hash_ = 0;  // it may be the built-in one, which is known
+}
+
 void MachineSession::offer_profile(const Profile& profile) {
     const std::uint64_t hash = profile_hash(profile);
     const auto is_it = [hash](const KnownProfile& known) { return known.hash == hash; };

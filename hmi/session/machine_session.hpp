@@ -44,6 +44,8 @@ public:
     void poll();
     const MachineSight& sight() const noexcept { return sight_; }
     const SessionOptions& options() const noexcept { return options_; }
+    /// Chosen by the user, as in the options.
+    void set_profile(const Profile& profile);
     /// A profile that may be the machine's: a job's.
     void offer_profile(const Profile& profile);
     /// The profile of the job that the core has accepted; null: there is none, or it is not known. The core

@@ -24,13 +24,16 @@ struct PinRecorder::Taken {
     RingReader<FlightRecord, kFlightRecords> records;  ///< of the recording
 };
 
-PinRecorder::PinRecorder(std::string segment_name, std::string group, MessageLog& log)
-    : segment_name_(std::move(segment_name)), group_(std::move(group)), log_(log) {}
+PinRecorder::PinRecorder(std::string segment_name, std::string group, MessageLog& log, SaveLedger saves)
+    : segment_name_(std::move(segment_name)), group_(std::move(group)), log_(log), saves_(std::move(saves)) {}
 
 PinRecorder::~PinRecorder() {
-    // The task that runs is waited for; one that is recording is ended here, so that its file is whole.
+    // One that is recording is ended here, so that its file is whole, and one that is ending has its time.
+    if (state_ == State::ending) lane_.finish();
     lane_.drop_waiting();
-    if (taken_ && taken_->pins && state_ == State::recording) (void)taken_->pins->finish();
+    if (!taken_ || !taken_->pins || state_ != State::recording) return;
+    const SaveLedger::Entry save = saves_.begin(path_);
+    (void)taken_->pins->finish();
 }
 
 void PinRecorder::begin(const std::string& path, const JobPointer& job) {
@@ -72,7 +75,8 @@ void PinRecorder::end() {
     if (state_ == State::starting) ends_once_begun_ = true;
     if (state_ != State::recording) return;
     state_ = State::ending;
-    lane_.post([this, taken = taken_]() -> WorkLane::Finish {
+    // The file's end is written by threads of the recording's own, which are waited for here.
+    lane_.post([this, taken = taken_, save = saves_.begin(path_)]() -> WorkLane::Finish {
         const auto report = taken->pins->finish();
         const auto no_file = taken->pins->trace_failure();
         taken->pins.reset();

@@ -10,6 +10,7 @@
 #include "hmi/machine/job_run.hpp"
 #include "hmi/session/machine_sight.hpp"
 #include "hmi/session/message_log.hpp"
+#include "hmi/session/save_ledger.hpp"
 #include "hmi/session/work_lane.hpp"
 #include "hmi/verify/verify_report.hpp"
 
@@ -22,7 +23,7 @@ public:
     using JobPointer = std::shared_ptr<const cam::PreparedJob>;
     enum class State : std::uint8_t { idle, starting, recording, ending };
 
-    PinRecorder(std::string segment_name, std::string group, MessageLog& log);
+    PinRecorder(std::string segment_name, std::string group, MessageLog& log, SaveLedger saves = {});
     /// Keeps what was recorded; waits for it.
     ~PinRecorder();
 
@@ -48,6 +49,7 @@ private:
     std::string segment_name_;
     std::string group_;
     MessageLog& log_;
+    SaveLedger saves_;
     State state_ = State::idle;
     bool ends_once_begun_ = false;
     std::string path_;

@@ -47,7 +47,7 @@ void ProfileDesk::show(ProfileDraft draft) {
 
 void ProfileDesk::open(const std::string& path, Told told) {
     begin(
-        Work::opening, draft_, [path](ProfileDraft& draft) { return opened_in_place(draft, path); },
+        Work::opening, path, draft_, [path](ProfileDraft& draft) { return opened_in_place(draft, path); },
         std::move(told));
 }
 
@@ -55,37 +55,40 @@ void ProfileDesk::open_again(Told told) {
     ProfileDraft unchanged = draft_;
     unchanged.undo_all();
     begin(
-        Work::opening, std::move(unchanged),
+        Work::opening, draft_.path(), std::move(unchanged),
         [path = draft_.path()](ProfileDraft& draft) { return opened_in_place(draft, path); },
         std::move(told));
 }
 
 void ProfileDesk::save(Told told) {
     begin(
-        Work::saving, draft_, [](ProfileDraft& draft) { return draft.save(); }, std::move(told));
+        Work::saving, draft_.path(), draft_, [](ProfileDraft& draft) { return draft.save(); },
+        std::move(told));
 }
 
 void ProfileDesk::save_as(const std::string& path, Told told) {
     begin(
-        Work::saving, draft_, [path](ProfileDraft& draft) { return draft.save_as(path); }, std::move(told));
+        Work::saving, path, draft_, [path](ProfileDraft& draft) { return draft.save_as(path); },
+        std::move(told));
 }
 
 void ProfileDesk::take_backup(const std::string& backup, Told told) {
     begin(
-        Work::taking_backup, draft_, [backup](ProfileDraft& draft) { return draft.take_backup(backup); },
-        std::move(told));
+        Work::taking_backup, backup, draft_,
+        [backup](ProfileDraft& draft) { return draft.take_backup(backup); }, std::move(told));
 }
 
-void ProfileDesk::begin(Work work, ProfileDraft asked, Step step, Told told) {
+void ProfileDesk::begin(Work work, const std::string& path, ProfileDraft asked, Step step, Told told) {
     if (is_busy()) return;
     under_way_ = work;
-    lane_.post([this, asked = std::move(asked), step = std::move(step),
-                told = std::move(told)]() -> WorkLane::Finish {
+    WorkLane::Task task = [this, asked = std::move(asked), step = std::move(step),
+                           told = std::move(told)]() -> WorkLane::Finish {
         ProfileDraft draft = asked;
         const auto done = step(draft);
         const auto made = done ? Result<ProfileDraft>{std::move(draft)} : Result<ProfileDraft>{done.error()};
         return [this, asked, made, told] { finish(asked, made, told); };
-    });
+    };
+    lane_.post(work == Work::saving ? saves_.noted(path, std::move(task)) : std::move(task));
 }
 
 /// Where a value is not what it was when this was asked for, somebody has typed it since.

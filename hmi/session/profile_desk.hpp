@@ -7,9 +7,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "hmi/profile/profile_draft.hpp"
 #include "hmi/session/phrase.hpp"
+#include "hmi/session/save_ledger.hpp"
 #include "hmi/session/work_lane.hpp"
 
 namespace psicarve::session {
@@ -20,6 +22,8 @@ namespace psicarve::session {
 class ProfileDesk {
 public:
     using Told = std::function<void(const Result<void>&)>;
+
+    explicit ProfileDesk(SaveLedger saves = {}) : saves_(std::move(saves)) {}
 
     const profile::ProfileDraft& draft() const noexcept { return draft_; }
     bool is_busy() const noexcept { return under_way_.has_value(); }
@@ -51,12 +55,13 @@ private:
     enum class Work : std::uint8_t { opening, saving, taking_backup };
     using Step = std::function<Result<void>(profile::ProfileDraft&)>;
 
-    void begin(Work work, profile::ProfileDraft asked, Step step, Told told);
+    void begin(Work work, const std::string& path, profile::ProfileDraft asked, Step step, Told told);
     void finish(const profile::ProfileDraft& asked, const Result<profile::ProfileDraft>& made,
                 const Told& told);
 
     profile::ProfileDraft draft_;
     std::optional<Work> under_way_;
+    SaveLedger saves_;
     WorkLane lane_;  // last: its thread uses the others
 };
 

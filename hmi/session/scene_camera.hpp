@@ -19,12 +19,16 @@ struct SceneView {
     double pan_x = 0.0;          ///< of the picture's height
     double pan_y = 0.0;
     slice::Up up = slice::Up::z;
+
+    bool operator==(const SceneView&) const = default;
 };
 
 /// Where a body of the scene stands: shifted, then turned about the vertical axis. Placed coordinates.
 struct ScenePlace {
     std::array<double, 3> shift{};
     double turn_rad = 0.0;
+
+    bool operator==(const ScenePlace&) const = default;
 };
 
 /// How a view turns a point of the scene into the picture: x to the right, y down [px]; z towards the viewer.

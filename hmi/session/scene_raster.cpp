@@ -75,14 +75,17 @@ std::uint32_t shaded(std::uint32_t rgb, const Vec& normal) noexcept {
     return argb;
 }
 
+const std::vector<Facet>& facets_of(const MeshScene& scene, bool is_coarse) noexcept {
+    return is_coarse && !scene.coarse_facets.empty() ? scene.coarse_facets : scene.facets;
+}
+
 void draw_body(Raster& raster, const SceneBody& body, const SceneMatrix& matrix, bool is_coarse) {
     const MeshScene& scene = *body.scene;
     std::vector<Vec> points;
     points.reserve(scene.vertices.size());
     for (const auto& vertex : scene.vertices) points.push_back(matrix.project(vertex));
     const bool has_colours = scene.vertex_rgb.size() == scene.vertices.size();
-    const bool takes_coarse = is_coarse && !scene.coarse_facets.empty();
-    for (const Facet& facet : takes_coarse ? scene.coarse_facets : scene.facets) {
+    for (const Facet& facet : facets_of(scene, is_coarse)) {
         const Vec& a = points[facet[0]];
         const Vec& b = points[facet[1]];
         const Vec& c = points[facet[2]];
@@ -92,6 +95,22 @@ void draw_body(Raster& raster, const SceneBody& body, const SceneMatrix& matrix,
 }
 
 }  // namespace
+
+std::size_t facet_count(const SpacePicture& picture) noexcept {
+    std::size_t count = 0;
+    for (const SceneBody& body : picture.bodies) {
+        if (body.scene) count += facets_of(*body.scene, picture.is_coarse).size();
+    }
+    return count;
+}
+
+bool has_same_view(const SpacePicture& a, const SpacePicture& b) noexcept {
+    return a.size == b.size && a.view == b.view;
+}
+
+bool has_same_bodies(const SpacePicture& a, const SpacePicture& b) noexcept {
+    return has_same_view(a, b) && a.is_coarse == b.is_coarse && a.bodies == b.bodies;
+}
 
 verify::PixelImage draw_bodies(const SpacePicture& picture, std::size_t width_px, std::size_t height_px) {
     Raster raster{width_px, height_px};

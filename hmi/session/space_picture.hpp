@@ -18,6 +18,8 @@ struct SceneBody {
     std::shared_ptr<const MeshScene> scene;
     ScenePlace place;
     std::uint32_t rgb = 0xC2C8CE;  ///< where the scene has no colours of its own
+
+    bool operator==(const SceneBody&) const = default;  // the same scene, not one like it
 };
 
 /// A straight line between two places of the scene (placed coordinates).
@@ -34,7 +36,16 @@ struct SpacePicture {
     std::vector<SceneBody> bodies;
     std::vector<SceneLine> lines;
     bool is_coarse = false;  ///< with the coarse facets: it has to be quick
+    /// Its scenes never change once they are shown: another thread may draw them.
+    bool is_lasting = false;
 };
+
+/// That its bodies are drawn with.
+std::size_t facet_count(const SpacePicture& picture) noexcept;
+/// Seen from the same side, and with as much room.
+bool has_same_view(const SpacePicture& a, const SpacePicture& b) noexcept;
+/// Drawn, they are the same but for their lines; of scenes that last.
+bool has_same_bodies(const SpacePicture& a, const SpacePicture& b) noexcept;
 
 // Light as both ways of drawing have it: from the upper left, in front; x right, y down, z towards the
 // viewer.

@@ -2101,6 +2101,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Нули не найдены, задание есть</translation>
         </message>
         <message>
+            <source>Not opened, as the machine's profile was not: %1</source>
+            <translation>Не открыто, так как не открыт профиль станка: %1</translation>
+        </message>
+        <message>
             <source>Not saved: %1</source>
             <translation>Не сохранено: %1</translation>
         </message>
@@ -2227,6 +2231,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Open: a job is being made; cancel it first</source>
             <translation>Открыть: задание составляется; сначала отмените</translation>
+        </message>
+        <message>
+            <source>Open: the machine's profile is still being read</source>
+            <translation>Открыть: профиль станка ещё читается</translation>
         </message>
         <message>
             <source>OpenGL took the window down the last time: drawing without it</source>

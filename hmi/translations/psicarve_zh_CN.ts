@@ -2100,6 +2100,10 @@ N、Shift+N  下一条、上一条记录
             <translation>未回零，作业已发布</translation>
         </message>
         <message>
+            <source>Not opened, as the machine's profile was not: %1</source>
+            <translation>未打开，因为机床配置未能打开：%1</translation>
+        </message>
+        <message>
             <source>Not saved: %1</source>
             <translation>未保存：%1</translation>
         </message>
@@ -2226,6 +2230,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Open: a job is being made; cancel it first</source>
             <translation>打开：正在生成作业；请先取消</translation>
+        </message>
+        <message>
+            <source>Open: the machine's profile is still being read</source>
+            <translation>打开：机床配置仍在读取</translation>
         </message>
         <message>
             <source>OpenGL took the window down the last time: drawing without it</source>

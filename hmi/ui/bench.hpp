@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
+#include <utility>
 
 #include "hmi/replay/replay_desk.hpp"
 #include "hmi/session/estimate_desk.hpp"
@@ -14,25 +16,33 @@
 #include "hmi/session/message_log.hpp"
 #include "hmi/session/pin_recorder.hpp"
 #include "hmi/session/run_watch.hpp"
+#include "hmi/session/save_ledger.hpp"
 #include "hmi/session/trace_judge.hpp"
+#include "hmi/ui/settings_store.hpp"
 
 namespace psicarve::ui {
 
 /// What every part of the window works with.
 struct Bench {
-    explicit Bench(const session::SessionOptions& options)
-        : machine(options, log),
+    /// Null: the user's own settings.
+    explicit Bench(const session::SessionOptions& options,
+                   std::unique_ptr<SettingsStore> kept_settings = nullptr)
+        : settings(kept_settings ? std::move(kept_settings) : std::make_unique<SettingsStore>()),
+          saves(settings->saves()),
+          machine(options, log),
           desk(options.segment_name, options.group, log),
-          keeper(session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME"))),
+          keeper(session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME")), saves),
           replay(log),
-          pins(options.segment_name, options.group, log),
+          pins(options.segment_name, options.group, log, saves),
           judge(log),
-          files(options.segment_name, options.group, log) {
+          files(options.segment_name, options.group, log, saves) {
         desk.set_recordings(replay::is_recording, [this](const std::string& path) { open_replay(path); });
         desk.set_opened([this] { replay.leave(); });
         desk.set_profile([this] { return machine_profile(); });
     }
 
+    std::unique_ptr<SettingsStore> settings;
+    session::SaveLedger saves;  ///< of everything that is written here
     session::MessageLog log;
     session::MachineSession machine;
     session::JobDesk desk;
@@ -93,6 +103,7 @@ struct Bench {
         files.poll();
         presence.poll();
         keeper.poll(log);
+        settings->poll();
         estimate.poll(job_to_estimate(), session::EstimateDesk::Clock::now());
         replay.poll(replay::ReplayDesk::Clock::now());
         machine.watch_only(replay.is_open());

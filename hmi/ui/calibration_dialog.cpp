@@ -52,6 +52,7 @@ CalibrationDialog::CalibrationDialog(Bench& bench, Page page, QWidget* parent)
     : QDialog(parent),
       bench_(bench),
       page_(std::move(page)),
+      desk_(bench.saves),
       title_(role_label("title")),
       file_(role_label("label")),
       pages_(new QStackedWidget),

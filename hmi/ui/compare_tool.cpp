@@ -19,7 +19,8 @@ constexpr std::chrono::milliseconds kLook{50};
 
 }  // namespace
 
-CompareTool::CompareTool(session::MessageLog& log, QString folder, QMenu& menu, QWidget* window)
+CompareTool::CompareTool(session::MessageLog& log, std::function<QString()> folder, QMenu& menu,
+                         QWidget* window)
     : QObject(window),
       window_(window),
       folder_(std::move(folder)),
@@ -34,10 +35,11 @@ CompareTool::CompareTool(session::MessageLog& log, QString folder, QMenu& menu, 
 /// Jobs are snapshots, too.
 void CompareTool::choose() {
     const QString filter = tr("Snapshots and jobs (*.snap *.job *.psi);;All files (*)");
-    const QString a = ask_for_file(window_, tr("First snapshot or job"), folder_, filter);
+    const QString a = ask_for_file(window_, tr("First snapshot or job"),
+                                   last_folder_.isEmpty() ? folder_() : last_folder_, filter);
     if (a.isEmpty()) return;
-    folder_ = QFileInfo{a}.absolutePath();
-    const QString b = ask_for_file(window_, tr("Second snapshot or job"), folder_, filter);
+    last_folder_ = QFileInfo{a}.absolutePath();
+    const QString b = ask_for_file(window_, tr("Second snapshot or job"), last_folder_, filter);
     if (!b.isEmpty()) compare(a.toStdString(), b.toStdString());
 }
 

@@ -5,6 +5,8 @@
 #include <QObject>
 #include <QTimer>
 
+#include <functional>
+
 #include "hmi/session/snapshot_compare.hpp"
 
 class QAction;
@@ -17,8 +19,8 @@ namespace psicarve::ui {
 class CompareTool : public QObject {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CompareTool)
 public:
-    /// Files are first looked for in `folder`. The window owns it.
-    CompareTool(session::MessageLog& log, QString folder, QMenu& menu, QWidget* window);
+    /// Files are first looked for in what `folder` says then. The window owns it.
+    CompareTool(session::MessageLog& log, std::function<QString()> folder, QMenu& menu, QWidget* window);
 
     void compare(const std::string& path_a, const std::string& path_b);
 
@@ -27,7 +29,8 @@ private:
     void look();
 
     QWidget* window_;
-    QString folder_;
+    std::function<QString()> folder_;
+    QString last_folder_;  ///< empty: none was chosen yet
     QAction* action_;
     QTimer timer_;
     session::SnapshotCompare compare_;

@@ -18,6 +18,9 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <chrono>
+#include <functional>
+#include <memory>
 #include <utility>
 
 #include "hmi/session/action_lock.hpp"
@@ -49,6 +52,8 @@ namespace {
 using S = MachineState;
 
 constexpr QSize kLeastSize{640, 360};
+/// So long the first frame waits for the settings; what comes later is taken then.
+constexpr std::chrono::milliseconds kSettingsLimit{250};
 
 /// In a small window pages may be larger than their room; their names stay where they are.
 QScrollArea* scrolled(QWidget* page) {
@@ -62,10 +67,36 @@ QScrollArea* scrolled(QWidget* page) {
     return room;
 }
 
+/// Of a window's; such an event does not come to changeEvent().
+class PaletteEar : public QObject {
+public:
+    PaletteEar(QWidget* window, std::function<void()> changed)
+        : QObject(window), changed_(std::move(changed)) {
+        window->installEventFilter(this);
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        // Looked at when all colours are there.
+        if (event->type() == QEvent::ApplicationPaletteChange)
+            QTimer::singleShot(0, this, [this] { changed_(); });
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    std::function<void()> changed_;
+};
+
 }  // namespace
 
-MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing)
-    : bench_(options), drawing_(drawing), menu_(new QMenu{this}) {
+MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing,
+                       std::unique_ptr<SettingsStore> settings)
+    : bench_(options, std::move(settings)),
+      drawing_(drawing),
+      settings_(*bench_.settings),
+      menu_(new QMenu{this}) {
+    bench_.settings->await_read(kSettingsLimit);
+    bench_.settings->set_on_read([this] { take_settings(); });
     setWindowTitle("Psicarve");
     setAcceptDrops(true);
     make_menu();
@@ -95,7 +126,7 @@ MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing)
     setCentralWidget(whole);
     setMinimumSize(kLeastSize);
     take_place();
-    set_theme(settings_.theme());
+    show_theme();
     tabs_->tabBar()->setFocus();  // not on anything that moves the machine
     ask_ = [this] { return ask_what_to_do(); };
     make_panels_menu();
@@ -103,6 +134,9 @@ MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing)
                                             [this] { stop(); });
     connect(&timer_, &QTimer::timeout, this, [this] { refresh(); });
     timer_.start(kLookPause);
+    new PaletteEar{this, [this] {  // the window owns it
+                       if (theme_of(settings_.theme()) != theme_) show_theme();
+                   }};
     keep_place();
 }
 
@@ -187,7 +221,12 @@ void MainWindow::count_in_tabs() {
 
 void MainWindow::set_theme(ThemeChoice choice) {
     settings_.set_theme(choice);
-    const Tokens& tokens = tokens_of(theme_of(choice));
+    show_theme();
+}
+
+void MainWindow::show_theme() {
+    theme_ = theme_of(settings_.theme());
+    const Tokens& tokens = tokens_of(theme_);
     setStyleSheet(style_sheet(tokens, room_in(size()) == Room::wide));
     sides_->buttons().set_theme(tokens);
     strip_->set_theme(tokens);
@@ -209,6 +248,7 @@ void MainWindow::set_theme(ThemeChoice choice) {
 
 void MainWindow::refresh() {
     bench_.poll();
+    arrival_.poll();
     refresh_replay();
     strip_->refresh();
     position_->refresh();
@@ -236,12 +276,12 @@ void MainWindow::open(const QString& path) {
         return bench_.desk.refuse(path.toStdString(),
                                   session::phrase("Open: a job is being made; cancel it first"));
     }
+    if (arrival_.is_awaited()) {
+        return bench_.desk.refuse(path.toStdString(),
+                                  session::phrase("Open: the machine's profile is still being read"));
+    }
     settings_.add_recent_file(path);
     bench_.desk.open(path.toStdString());
-}
-
-void MainWindow::show_profile(const QString& path) {
-    profile_->open(path);
 }
 
 void MainWindow::emergency_stop() {
@@ -280,7 +320,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
     show_menu_bar(room == Room::wide);
     if (sides_->arrange(room)) {
         jog_->let_go();
-        setStyleSheet(style_sheet(tokens_of(theme_of(settings_.theme())), room == Room::wide));
+        setStyleSheet(style_sheet(tokens_of(theme_), room == Room::wide));
     }
     QMainWindow::resizeEvent(event);
 }

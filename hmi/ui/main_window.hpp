@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "hmi/session/profile_arrival.hpp"
 #include "hmi/session/status_line.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/settings.hpp"
@@ -52,13 +53,16 @@ public:
     /// Between two looks at the machine.
     static constexpr std::chrono::milliseconds kLookPause{33};
 
-    explicit MainWindow(const session::SessionOptions& options, Drawing drawing = Drawing::painter);
+    /// Null settings: the user's own.
+    explicit MainWindow(const session::SessionOptions& options, Drawing drawing = Drawing::painter,
+                        std::unique_ptr<SettingsStore> settings = nullptr);
     ~MainWindow() override;
 
     Bench& bench() noexcept { return bench_; }
     void open(const QString& path);
-    /// On page Profile.
-    void show_profile(const QString& path);
+    /// What the command line names, either may be empty: the machine's profile, then what is to be opened. At
+    /// once, and with neither on the page that was open the last time.
+    void begin_with(const QString& profile, const QString& path);
     /// One look at the machine, and everything redrawn that has changed. The timer calls it.
     void refresh();
     void set_theme(ThemeChoice choice);
@@ -95,9 +99,11 @@ private:
     void make_panels_menu();
     void float_panel(std::size_t panel, bool floats);
     void keep_panel_places();
+    void show_kept_panels();
     void take_place();
     void keep_place();
     void write_place();
+    void show_kept_place();
     void close_once_held();
     void refresh_tools();
     void choose_trace_to_verify();
@@ -109,6 +115,10 @@ private:
     void show_menu_bar(bool is_shown);
     void go_to_next_pane();
     void make_theme_menu();
+    void show_theme();
+    void take_settings();
+    void take_profile(const Result<Profile>& read, const QString& profile, const QString& path);
+    QString last_folder();
     void make_language_menu();
     void make_replay_keys();
     void choose_job_of_trace();
@@ -133,6 +143,9 @@ private:
     Bench bench_;
     Drawing drawing_;
     WindowSettings settings_;
+    Theme theme_ = Theme::light;  ///< that is shown
+    bool wants_last_page_ = false;
+    session::ProfileArrival arrival_;
     QMenu* menu_;
     QMenu* file_menu_ = nullptr;
     QMenu* machine_menu_ = nullptr;

@@ -173,6 +173,8 @@ void MainWindow::make_theme_menu() {
         action->setChecked(choice == settings_.theme());
         group->addAction(action);
         connect(action, &QAction::triggered, this, [this, wanted = choice] { set_theme(wanted); });
+        connect(themes, &QMenu::aboutToShow, action,
+                [this, action, own = choice] { action->setChecked(own == settings_.theme()); });
     }
 }
 
@@ -185,6 +187,8 @@ void MainWindow::make_language_menu() {
         action->setCheckable(true);
         action->setChecked(choice == settings_.language());
         group->addAction(action);
+        connect(languages, &QMenu::aboutToShow, action,
+                [this, action, choice] { action->setChecked(choice == settings_.language()); });
         connect(action, &QAction::triggered, this, [this, choice] {
             settings_.set_language(choice);
             bench_.log.add(session::Severity::info,
@@ -197,11 +201,12 @@ void MainWindow::make_language_menu() {
 
 void MainWindow::choose_file() {
     const QString path =
-        ask_for_file(this, tr("Open model, job or recording"), settings_.last_folder(), filters_of_files());
+        ask_for_file(this, tr("Open model, job or recording"), last_folder(), filters_of_files());
     if (!path.isEmpty()) open(path);
 }
 
 void MainWindow::look_for_recent() {
+    bench_.presence.look_above(settings_.last_folder().toStdString());
     std::vector<std::string> files;
     for (const QString& path : settings_.recent_files()) files.push_back(path.toStdString());
     bench_.presence.look(std::move(files));

@@ -28,7 +28,14 @@ void MainWindow::take_place() {
     if (!has_place && first.is_maximised) setWindowState(Qt::WindowMaximized);
 }
 
+/// By settings that came after the first frame.
+void MainWindow::show_kept_place() {
+    restoreGeometry(settings_.geometry());
+    if (wants_last_page_ && tabs_->currentIndex() == 0) go_to_last_page();
+}
+
 void MainWindow::go_to_last_page() {
+    wants_last_page_ = !bench_.settings->is_read();
     const QString page = settings_.page();
     const auto found = std::find_if(kPageNames.begin(), kPageNames.end(),
                                     [&page](const char* name) { return page == QLatin1StringView{name}; });
@@ -48,11 +55,11 @@ void MainWindow::keep_place() {
 }
 
 void MainWindow::write_place() {
+    if (!bench_.settings->is_read()) return;  // nobody has chosen this place
     settings_.set_geometry(saveGeometry());
     const auto page = static_cast<std::size_t>(tabs_->currentIndex());
     if (page < kPageNames.size()) settings_.set_page(kPageNames[page]);
     keep_panel_places();
-    settings_.write();
 }
 
 void MainWindow::leave() {
@@ -60,6 +67,10 @@ void MainWindow::leave() {
     bench_.desk.cancel();
     write_place();
     place_keeper_.reset();
+    // Nobody looks any more: what is to be kept is handed on now.
+    bench_.pins.end();
+    bench_.keeper.poll(bench_.log);
+    bench_.settings->poll();
     timer_.stop();
 }
 

@@ -41,7 +41,7 @@ void MainWindow::make_replay_keys() {
 }
 
 void MainWindow::choose_job_of_trace() {
-    const QString path = ask_for_file(this, tr("Job or snapshot of this trace"), settings_.last_folder(),
+    const QString path = ask_for_file(this, tr("Job or snapshot of this trace"), last_folder(),
                                       tr("Jobs and snapshots (*.job *.psi *.snap);;All files (*)"));
     if (!path.isEmpty()) bench_.replay.add_job(path.toStdString());
 }

@@ -22,7 +22,7 @@ namespace psicarve::ui {
 
 void MainWindow::save_as(const QString& title, const QString& name, const QString& filter,
                          const std::function<void(const std::string&)>& save) {
-    const QString path = ask_where_to_save(this, title, settings_.last_folder() + "/" + name, filter);
+    const QString path = ask_where_to_save(this, title, last_folder() + "/" + name, filter);
     if (!path.isEmpty()) save(path.toStdString());
 }
 
@@ -64,7 +64,7 @@ void MainWindow::make_tools_menu() {
         if (bench_.judge.is_judging()) return bench_.judge.cancel();
         choose_trace_to_verify();
     });
-    new CompareTool{bench_.log, settings_.last_folder(), *tools_menu_, this};  // the window owns it
+    new CompareTool{bench_.log, [this] { return last_folder(); }, *tools_menu_, this};  // the window owns it
     QAction* calibrate = tools_menu_->addAction(tr("Calibrate the heads…"));
     calibrate->setObjectName("calibrate_action");
     connect(calibrate, &QAction::triggered, this, [this] {
@@ -81,8 +81,8 @@ void MainWindow::make_tools_menu() {
 
 /// Against the job that is open here.
 void MainWindow::choose_trace_to_verify() {
-    const QString path = ask_for_file(this, tr("Trace to verify"), settings_.last_folder(),
-                                      tr("Traces (*.trace *.vcd);;All files (*)"));
+    const QString path =
+        ask_for_file(this, tr("Trace to verify"), last_folder(), tr("Traces (*.trace *.vcd);;All files (*)"));
     if (!path.isEmpty()) bench_.judge.judge(path.toStdString(), bench_.shown_job());
 }
 
@@ -128,6 +128,12 @@ void MainWindow::make_panels_menu() {
         for (QAction* action : float_actions_) action->setChecked(false);
         for (const char* key : kPanelKeys) settings_.set_panel_geometry(key, {});
     });
+}
+
+/// By settings that came after the first frame.
+void MainWindow::show_kept_panels() {
+    for (std::size_t i = 0; i < SidePanels::kCount; ++i)
+        float_actions_[i]->setChecked(settings_.is_floating(kPanelKeys[i]));
 }
 
 void MainWindow::float_panel(std::size_t panel, bool floats) {

@@ -70,6 +70,9 @@ public:
     void set_up(slice::Up up);
     /// The file's axes in the lower right corner.
     void show_file_axes(bool is_shown) noexcept { has_file_axes_ = is_shown; }
+    /// Its scenes never change once they are shown: what takes long to draw is drawn by another thread, and
+    /// seen with fewer facets until then.
+    void set_lasting(bool is_lasting) noexcept { picture_.is_lasting = is_lasting; }
     /// Something goes on changing: speed is worth more than detail.
     void set_moving(bool is_moving);
     void look_from(Side side);

@@ -120,10 +120,11 @@ void MessagesPage::choose_bundle() {
 }
 
 void MessagesPage::save_log(const QString& path) {
-    lane_.post([this, path = path.toStdString(), text = session::log_text(bench_.log.messages())] {
-        const auto saved = write_file_atomically(path, std::as_bytes(std::span{text}));
-        return told(saved, session::phrase("Log saved: %1", path));
-    });
+    const auto save = [this, file = path.toStdString(), text = session::log_text(bench_.log.messages())] {
+        const auto saved = write_file_atomically(file, std::as_bytes(std::span{text}));
+        return told(saved, session::phrase("Log saved: %1", file));
+    };
+    lane_.post(bench_.saves.noted(path.toStdString(), save));
 }
 
 void MessagesPage::save_bundle(const QString& folder) {
@@ -138,11 +139,12 @@ void MessagesPage::save_bundle(const QString& folder) {
     bundle.segment_name = bench_.machine.options().segment_name;
     bundle.group = bench_.machine.options().group;
     const std::string stamp = QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss").toStdString();
-    lane_.post([this, bundle, stamp, folder = folder.toStdString()] {
-        const auto made = session::write_support_bundle(bundle, folder, stamp);
+    const auto save = [this, bundle, stamp, place = folder.toStdString()] {
+        const auto made = session::write_support_bundle(bundle, place, stamp);
         return told(made ? Result<void>{} : Result<void>{made.error()},
                     session::phrase("Support bundle: %1", made ? *made : std::string{}));
-    });
+    };
+    lane_.post(bench_.saves.noted(folder.toStdString(), save));
 }
 
 session::WorkLane::Finish MessagesPage::told(const Result<void>& done, const session::Phrase& success) {

@@ -88,6 +88,7 @@ QWidget* ModelPage::make_view() {
     column->setContentsMargins(0, 0, 0, 0);
     view_->setObjectName("model_view");
     view_->show_file_axes(true);
+    view_->set_lasting(true);
     piece_ = new PiecePanel{*view_, [this] { show_model(); }};
     auto* shown = new FlowLayout;
     piece_->add_buttons(*shown);

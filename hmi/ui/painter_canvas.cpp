@@ -3,11 +3,35 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 
+#include "hmi/session/work_lane.hpp"
 #include "hmi/ui/space_canvas.hpp"
 
 namespace psicarve::ui {
 namespace {
+
+/// More facets than these are drawn by another thread where that is possible.
+constexpr std::size_t kFacetsAtOnce = 30'000;
+
+struct CanvasRoom {
+    std::size_t width_px = 1;
+    std::size_t height_px = 1;
+    double ratio = 1.0;
+
+    bool operator==(const CanvasRoom&) const = default;
+};
+
+/// In any thread.
+QImage drawn_image(const session::SpacePicture& picture, const CanvasRoom& room) {
+    const auto bodies = session::draw_bodies(picture, room.width_px, room.height_px);
+    QImage image = QImage{reinterpret_cast<const uchar*>(bodies.argb.data()), static_cast<int>(bodies.width),
+                          static_cast<int>(bodies.height), QImage::Format_ARGB32_Premultiplied}
+                       .copy();
+    image.setDevicePixelRatio(room.ratio);
+    return image;
+}
 
 class PainterCanvas : public QWidget, public SpaceCanvas {
 public:
@@ -21,7 +45,7 @@ public:
         update();
     }
     void picture_changed() override {
-        image_ = QImage{};
+        is_stale_ = true;
         update();
     }
     void vertices_changed(const session::MeshScene& /*scene*/,
@@ -37,28 +61,63 @@ protected:
     }
 
 private:
-    void draw_image();
+    /// What another thread was asked for last, done or not.
+    struct Wish {
+        session::SpacePicture picture;
+        CanvasRoom room;
+    };
+
+    void renew_image();
+    void wish_for(const CanvasRoom& room);
 
     const session::SpacePicture& picture_;
     QColor background_;
-    QImage image_;  ///< null: to be drawn anew
+    QImage image_;
+    bool is_stale_ = true;
+    std::optional<Wish> wish_;
+    std::uint64_t wishes_ = 0;
+    session::WorkLane lane_;  // last: its thread uses the others
 };
 
-void PainterCanvas::draw_image() {
+void PainterCanvas::renew_image() {
+    is_stale_ = false;
     const double ratio = devicePixelRatioF();
-    const auto drawn =
-        session::draw_bodies(picture_, static_cast<std::size_t>(std::max(1.0, width() * ratio)),
-                             static_cast<std::size_t>(std::max(1.0, height() * ratio)));
-    image_ = QImage{reinterpret_cast<const uchar*>(drawn.argb.data()), static_cast<int>(drawn.width),
-                    static_cast<int>(drawn.height), QImage::Format_ARGB32_Premultiplied}
-                 .copy();
-    image_.setDevicePixelRatio(ratio);
+    const CanvasRoom room{static_cast<std::size_t>(std::max(1.0, width() * ratio)),
+                          static_cast<std::size_t>(std::max(1.0, height() * ratio)), ratio};
+    if (picture_.is_lasting && session::facet_count(picture_) > kFacetsAtOnce) return wish_for(room);
+    ++wishes_;  // what is on its way comes too late
+    wish_.reset();
+    image_ = drawn_image(picture_, room);
+}
+
+/// Until it is there its place is held by the image before where that looks alike, else by a coarse one.
+void PainterCanvas::wish_for(const CanvasRoom& room) {
+    const bool has_room = wish_ && wish_->room == room;
+    if (has_room && session::has_same_bodies(wish_->picture, picture_)) return;
+    const auto box = [](const session::SpacePicture& picture) { return picture.bodies.front().scene->size; };
+    if (!has_room || !session::has_same_view(wish_->picture, picture_) ||
+        box(wish_->picture) != box(picture_)) {
+        session::SpacePicture quick = picture_;
+        quick.is_coarse = true;
+        image_ = drawn_image(quick, room);
+    }
+    wish_ = Wish{picture_, room};
+    lane_.drop_waiting();
+    lane_.post([this, wish = *wish_, number = ++wishes_]() -> session::WorkLane::Finish {
+        const auto show = [this, number, image = drawn_image(wish.picture, wish.room)] {
+            if (number != wishes_) return;
+            image_ = image;
+            update();
+        };
+        QMetaObject::invokeMethod(this, show, Qt::QueuedConnection);
+        return {};
+    });
 }
 
 void PainterCanvas::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter{this};
     painter.fillRect(rect(), background_);
-    if (image_.isNull()) draw_image();
+    if (is_stale_) renew_image();
     painter.drawImage(0, 0, image_);
     painter.setRenderHint(QPainter::Antialiasing);
     const session::SceneCamera camera{picture_.size, picture_.view, static_cast<double>(width()),

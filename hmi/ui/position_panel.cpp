@@ -11,6 +11,7 @@
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/last_known.hpp"
+#include "hmi/ui/settings.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
@@ -70,8 +71,7 @@ PositionPanel::PositionPanel(Bench& bench, QWidget* parent) : Dock(tr("Position"
         [this](const Bench& now) { return session::zero_lock(now.machine.sight(), selected_); }, QString{},
         [this] { change_zero(); }};
     zero_one_->setObjectName("zero_one");
-    for (const Axis axis : kAllAxes)
-        zero_.set(axis, settings_.zero(bench_.machine.options().segment_name, axis));
+    take_zeros();
     auto* buttons = new QHBoxLayout;
     buttons->setContentsMargins(kGap, kGap, kGap, 0);
     buttons->setSpacing(kSmallGap);
@@ -80,6 +80,12 @@ PositionPanel::PositionPanel(Bench& bench, QWidget* parent) : Dock(tr("Position"
     buttons->addWidget(home_, 1);
     body().addLayout(buttons);
     select(Axis::r1);
+}
+
+void PositionPanel::take_zeros() {
+    const WindowSettings settings{*bench_.settings};
+    for (const Axis axis : kAllAxes)
+        zero_.set(axis, settings.zero(bench_.machine.options().segment_name, axis));
 }
 
 QWidget* PositionPanel::make_row(Axis axis) {
@@ -173,7 +179,8 @@ void PositionPanel::refresh_buttons() {
 void PositionPanel::change_zero() {
     zero_.set(selected_,
               is_zero_shown() ? std::nullopt : session::position_of(bench_.machine.sight(), selected_));
-    settings_.set_zero(bench_.machine.options().segment_name, selected_, zero_.of(selected_));
+    WindowSettings{*bench_.settings}.set_zero(bench_.machine.options().segment_name, selected_,
+                                              zero_.of(selected_));
     refresh();
 }
 

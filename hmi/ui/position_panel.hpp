@@ -8,7 +8,6 @@
 #include "hmi/session/axis_actions.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/frames.hpp"
-#include "hmi/ui/settings.hpp"
 #include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/tokens.hpp"
 
@@ -25,6 +24,8 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
+    /// As they are kept; they may have come late.
+    void take_zeros();
     void set_room(Room room);
 
 private:
@@ -54,7 +55,6 @@ private:
     Axis selected_ = Axis::r1;
     bool is_wide_ = false;
     session::WorkZero zero_;
-    WindowSettings settings_;
     ActionButton* home_;
     ActionButton* home_one_;
     ActionButton* zero_one_;

@@ -38,7 +38,7 @@ QPushButton* push_button(const char* name, const QString& text) {
 }  // namespace
 
 ProfilePage::ProfilePage(Bench& bench, QWidget* parent)
-    : QWidget(parent), bench_(bench), list_(new QListWidget), area_(new QScrollArea) {
+    : QWidget(parent), bench_(bench), desk_(bench.saves), list_(new QListWidget), area_(new QScrollArea) {
     setObjectName("profile_page");
     list_->setObjectName("profile_groups");
     list_->setAccessibleName(tr("Parts of the profile"));

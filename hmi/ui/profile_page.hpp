@@ -46,6 +46,8 @@ public:
     void calibrate();
     /// Asks, when something was typed that is not saved, or not yet.
     bool may_lose_changes();
+    /// Which of the files that its menus offer are there.
+    void look_for_files();
     const profile::ProfileDraft& draft() const noexcept { return desk_.draft(); }
     std::size_t problem_count() const { return draft().problem_count(); }
 
@@ -82,7 +84,6 @@ private:
     bool has_backup() const;
     bool is_kept(const QString& reason);
     QString busy_text() const;
-    void look_for_files();
     QString unsaved_text() const;
 
     Bench& bench_;

@@ -25,7 +25,8 @@ void ProfilePage::make_menus() {
     open_->setMenu(profiles);
     connect(profiles, &QMenu::aboutToShow, this, [this, profiles] {
         fill_profile_menu(
-            *profiles, WindowSettings{}.recent_profiles(), bench_.presence, [this] { ask_open(); },
+            *profiles, WindowSettings{*bench_.settings}.recent_profiles(), bench_.presence,
+            [this] { ask_open(); },
             [this](const QString& path) {
                 if (may_lose_changes()) open(path);
             },
@@ -58,7 +59,8 @@ bool ProfilePage::has_backup() const {
 /// By somebody else: disks may sleep.
 void ProfilePage::look_for_files() {
     std::vector<std::string> files;
-    for (const QString& path : WindowSettings{}.recent_profiles()) files.push_back(path.toStdString());
+    for (const QString& path : WindowSettings{*bench_.settings}.recent_profiles())
+        files.push_back(path.toStdString());
     if (!draft().path().empty()) {
         for (std::string& backup : profile::ProfileDraft::backups_of(draft().path()))
             files.push_back(std::move(backup));
@@ -86,7 +88,7 @@ bool ProfilePage::is_kept(const QString& reason) {
 void ProfilePage::open(const QString& path) {
     if (is_kept(busy_text())) return;
     desk_.open(path.toStdString(), [this, path](const Result<void>& opened) {
-        if (opened) WindowSettings{}.add_recent_profile(path);
+        if (opened) WindowSettings{*bench_.settings}.add_recent_profile(path);
         show_opened(opened);
     });
     show_state();
@@ -128,7 +130,7 @@ void ProfilePage::save() {
 void ProfilePage::save_as(const QString& path) {
     if (is_kept(lock())) return;
     desk_.save_as(path.toStdString(), [this, path](const Result<void>& saved) {
-        if (saved) WindowSettings{}.add_recent_profile(path);
+        if (saved) WindowSettings{*bench_.settings}.add_recent_profile(path);
         report(saved);
     });
     show_state();

@@ -8,19 +8,26 @@
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "hmi/session/departure.hpp"
 #include "hmi/ui/gl_probe.hpp"
 #include "hmi/ui/gl_trial.hpp"
 #include "hmi/ui/main_window.hpp"
 #include "hmi/ui/quit_signals.hpp"
+#include "hmi/ui/settings.hpp"
 #include "hmi/ui/window_options.hpp"
 
 namespace psicarve::ui {
 namespace {
 
-constexpr int kExitInput = 3;
+constexpr int kExitNotSaved = 3;
+
+/// So long the program waits for the language that was chosen; after that it is the desktop's.
+constexpr std::chrono::milliseconds kLanguageLimit{250};
 
 /// So long OpenGL has to have drawn the window before it is trusted.
 constexpr std::chrono::seconds kTrial{3};
@@ -46,9 +53,21 @@ void keep_decimal_points() {
     QLocale::setDefault(QLocale::c());
 }
 
-Language language_for(const WindowOptions& options) {
+Language language_for(const WindowOptions& options, SettingsStore& settings) {
     if (const auto wanted = language_of(QString::fromStdString(options.language))) return *wanted;
-    return WindowSettings{}.language().value_or(desktop_language());
+    settings.await_read(kLanguageLimit);
+    return WindowSettings{settings}.language().value_or(desktop_language());
+}
+
+/// Whatever disk hangs; what is being saved has its time.
+void take_away(std::unique_ptr<MainWindow> window, int exit_code) {
+    window->hide();
+    QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+    const session::DepartureWatch watch{window->bench().saves, [exit_code](bool is_lost) {
+                                            std::fflush(stdout);
+                                            std::_Exit(is_lost ? kExitNotSaved : exit_code);
+                                        }};
+    window.reset();
 }
 
 }  // namespace
@@ -59,43 +78,34 @@ int run(int argc, char** argv) {
         std::fputs(options.text.c_str(), *options.exit_code == 0 ? stdout : stderr);
         return *options.exit_code;
     }
-    session::SessionOptions session{options.segment_name, options.group, {}};
-    if (!options.profile_path.empty()) {
-        auto profile = load_profile(options.profile_path);
-        if (!profile) {
-            std::fprintf(stderr, "psicarve-hmi: %s\n", profile.error().message.c_str());
-            return kExitInput;
-        }
-        session.profile = std::move(*profile);
-    }
     QApplication application{argc, argv};
     QApplication::setApplicationName("psicarve-hmi");
     QApplication::setApplicationDisplayName("Psicarve");
     QApplication::setStyle("Fusion");
     keep_decimal_points();
-    use_language(language_for(options));
+    auto settings = std::make_unique<SettingsStore>();
+    use_language(language_for(options, *settings));
     const GlTrial trial{session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME"))};
     const bool has_crashed = options.opengl == OpenGl::automatic && trial.has_crashed_before();
     const Drawing drawing = drawing_for(options.opengl, trial);
-    MainWindow window{session, drawing};
+    auto window = std::make_unique<MainWindow>(
+        session::SessionOptions{options.segment_name, options.group, {}}, drawing, std::move(settings));
     if (has_crashed) {
-        window.bench().log.add(
+        window->bench().log.add(
             session::Severity::warning,
             session::phrase("OpenGL took the window down the last time: drawing without it"),
             session::phrase("psicarve-hmi --opengl tries it again"));
     }
-    if (!options.profile_path.empty()) window.show_profile(QString::fromStdString(options.profile_path));
-    const bool shows_something = !options.path.empty() || !options.profile_path.empty();
-    if (!shows_something) window.go_to_last_page();
     const QuitSignals signals_to_quit{[&window] {
-        window.leave();
+        window->leave();
         QCoreApplication::exit(0);  // quit() would ask
     }};
-    window.show();
-    if (!options.path.empty()) window.open(QString::fromStdString(options.path));
-    if (drawing == Drawing::opengl) QTimer::singleShot(kTrial, &window, [&trial] { trial.end(); });
+    window->show();
+    window->begin_with(QString::fromStdString(options.profile_path), QString::fromStdString(options.path));
+    if (drawing == Drawing::opengl) QTimer::singleShot(kTrial, window.get(), [&trial] { trial.end(); });
     const int exit_code = QApplication::exec();
     if (drawing == Drawing::opengl) trial.end();
+    take_away(std::move(window), exit_code);
     return exit_code;
 }
 

@@ -28,15 +28,12 @@ constexpr const char* kThemeNames[] = {"system", "light", "dark"};
 
 }  // namespace
 
-WindowSettings::WindowSettings()
-    : store_(QSettings::IniFormat, QSettings::UserScope, "psicarve", "psicarve-hmi") {}
-
 QByteArray WindowSettings::geometry() const {
     return store_.value(kGeometry).toByteArray();
 }
 
 void WindowSettings::set_geometry(const QByteArray& geometry) {
-    store_.setValue(kGeometry, geometry);
+    store_.set(kGeometry, geometry);
 }
 
 QString WindowSettings::page() const {
@@ -44,7 +41,7 @@ QString WindowSettings::page() const {
 }
 
 void WindowSettings::set_page(const QString& page) {
-    store_.setValue(kPage, page);
+    store_.set(kPage, page);
 }
 
 bool WindowSettings::is_floating(const QString& panel) const {
@@ -52,7 +49,7 @@ bool WindowSettings::is_floating(const QString& panel) const {
 }
 
 void WindowSettings::set_floating(const QString& panel, bool floats) {
-    store_.setValue("window/floats_" + panel, floats);
+    store_.set("window/floats_" + panel, floats);
 }
 
 QByteArray WindowSettings::panel_geometry(const QString& panel) const {
@@ -60,7 +57,7 @@ QByteArray WindowSettings::panel_geometry(const QString& panel) const {
 }
 
 void WindowSettings::set_panel_geometry(const QString& panel, const QByteArray& geometry) {
-    store_.setValue("window/place_" + panel, geometry);
+    store_.set("window/place_" + panel, geometry);
 }
 
 ThemeChoice WindowSettings::theme() const {
@@ -70,7 +67,7 @@ ThemeChoice WindowSettings::theme() const {
 }
 
 void WindowSettings::set_theme(ThemeChoice choice) {
-    store_.setValue(kTheme, kThemeNames[static_cast<int>(choice)]);
+    store_.set(kTheme, kThemeNames[static_cast<int>(choice)]);
 }
 
 std::optional<Language> WindowSettings::language() const {
@@ -79,9 +76,9 @@ std::optional<Language> WindowSettings::language() const {
 
 void WindowSettings::set_language(std::optional<Language> language) {
     if (language) {
-        store_.setValue(kLanguage, kLanguages[static_cast<std::size_t>(*language)].code);
+        store_.set(kLanguage, kLanguages[static_cast<std::size_t>(*language)].code);
     } else {
-        store_.remove(kLanguage);
+        store_.set(kLanguage, {});
     }
 }
 
@@ -91,11 +88,13 @@ QStringList WindowSettings::recent(const char* list) const {
 
 void WindowSettings::add_recent(const char* list, const QString& path) {
     const QString whole = QFileInfo{path}.absoluteFilePath();
-    QStringList files = store_.value(list).toStringList();
-    files.removeAll(whole);
-    files.prepend(whole);
-    while (files.size() > kMostRecent) files.removeLast();
-    store_.setValue(list, files);
+    store_.change({list, [whole](const QVariant& before) {
+                       QStringList files = before.toStringList();
+                       files.removeAll(whole);
+                       files.prepend(whole);
+                       while (files.size() > kMostRecent) files.removeLast();
+                       return QVariant{files};
+                   }});
 }
 
 QStringList WindowSettings::recent_files() const {
@@ -127,9 +126,9 @@ std::optional<double> WindowSettings::zero(const std::string& segment, Axis axis
 
 void WindowSettings::set_zero(const std::string& segment, Axis axis, std::optional<double> position) {
     if (position) {
-        store_.setValue(zero_key(segment, axis), *position);
+        store_.set(zero_key(segment, axis), *position);
     } else {
-        store_.remove(zero_key(segment, axis));
+        store_.set(zero_key(segment, axis), {});
     }
 }
 

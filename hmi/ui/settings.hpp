@@ -2,13 +2,13 @@
 #pragma once
 
 #include <QByteArray>
-#include <QSettings>
 #include <QStringList>
 
 #include <optional>
 #include <string>
 
 #include "hmi/ui/language.hpp"
+#include "hmi/ui/settings_store.hpp"
 #include "hmi/ui/tokens.hpp"
 #include "shared/signal.hpp"
 
@@ -16,18 +16,17 @@ namespace psicarve::ui {
 
 enum class ThemeChoice : std::uint8_t { system, light, dark };
 
-/// What survives the window: its place, the files opened last, how it looks. Never anything that moves.
+/// What survives the window: its place, the files opened last, how it looks. Never anything that moves. Asks
+/// and changes the store, which is to live longer.
 class WindowSettings {
 public:
-    WindowSettings();
+    explicit WindowSettings(SettingsStore& store) : store_(store) {}
 
     QByteArray geometry() const;
     void set_geometry(const QByteArray& geometry);
     /// Of the window's pages, by its name.
     QString page() const;
     void set_page(const QString& page);
-    /// Now, not when the loop comes to it.
-    void write() { store_.sync(); }
     /// Panels in frames of their own, and where those stand.
     bool is_floating(const QString& panel) const;
     void set_floating(const QString& panel, bool floats);
@@ -52,7 +51,7 @@ private:
     QStringList recent(const char* list) const;
     void add_recent(const char* list, const QString& path);
 
-    QSettings store_;
+    SettingsStore& store_;
 };
 
 /// The desktop's own choice when none was made.

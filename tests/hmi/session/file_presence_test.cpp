@@ -54,5 +54,20 @@ TEST_F(Presence, HoldsUntilTheNextLookIsOver) {
     ASSERT_TRUE(becomes(here_, State::gone));
 }
 
+TEST_F(Presence, FindsTheNearestFolderThatIsThere) {
+    std::filesystem::create_directories(folder_.path("models/owls"));
+    const std::string wanted = folder_.path("models/owls/small");
+    EXPECT_EQ(sut_.nearest_folder(wanted), "") << "whoever asks does not look himself";
+    sut_.look_above(wanted);
+    ASSERT_TRUE(becomes(wanted, State::gone));
+    EXPECT_EQ(sut_.nearest_folder(wanted), folder_.path("models/owls"));
+    std::filesystem::remove(folder_.path("models/owls"));
+    EXPECT_EQ(sut_.nearest_folder(wanted), folder_.path("models/owls")) << "until the next look";
+    sut_.look_above(wanted);
+    ASSERT_TRUE(becomes(folder_.path("models/owls"), State::gone));
+    EXPECT_EQ(sut_.nearest_folder(wanted), folder_.path("models"));
+    EXPECT_EQ(sut_.nearest_folder("relative"), "");
+}
+
 }  // namespace
 }  // namespace psicarve::session

@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QTableWidget>
 
+#include "hmi/ui/profile_page.hpp"
 #include "shared/profile_text.hpp"
 #include "shared/units.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
@@ -30,7 +31,8 @@ protected:
     void open_with_profile() {
         ASSERT_NO_FATAL_FAILURE(write_profile());
         open_window();
-        window_->show_profile(QString::fromStdString(file("machine.toml")));
+        static_cast<ProfilePage&>(part<QWidget>("profile_page"))
+            .open(QString::fromStdString(file("machine.toml")));
         ASSERT_TRUE(comes_true([&] { return button("profile_calibrate").isEnabled(); }));
         window_->findChild<QAction*>("calibrate_action")->trigger();
         EXPECT_FALSE(part<QDialog>("calibration_dialog").isVisible()) << "its file is read by somebody else";

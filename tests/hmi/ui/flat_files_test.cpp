@@ -131,7 +131,7 @@ TEST_F(FlatFiles, OpenADrawingThatIsDroppedAndMakeItHigher) {
     })) << part<QSlider>("layer_slider").toolTip().toStdString();
     EXPECT_TRUE(part<QLabel>("job_bound").text().contains(" %"))
         << part<QLabel>("job_bound").text().toStdString();
-    EXPECT_TRUE(WindowSettings{}.recent_files().contains(QString::fromStdString(example("flower.svg"))));
+    EXPECT_TRUE(test::KeptSettings{}.recent_files().contains(QString::fromStdString(example("flower.svg"))));
     // A mesh is as it is in its file again.
     EXPECT_FALSE(part<QLabel>("layers_none").isVisible());
     window_->open(QString::fromStdString(example("small.stl")));

@@ -204,8 +204,8 @@ TEST_F(Pages, FilesThatWereOpenedAreOfferedWhileTheyAreThere) {
     const psicarve::test::TemporaryFolder folder;
     const QString gone = QString::fromStdString(folder.path("gone.stl"));
     ASSERT_TRUE(QFile::copy(QString::fromStdString(example("small.stl")), gone));
-    WindowSettings{}.add_recent_file(gone);
-    WindowSettings{}.add_recent_file(QString::fromStdString(example("small.stl")));
+    test::KeptSettings{}.add_recent_file(gone);
+    test::KeptSettings{}.add_recent_file(QString::fromStdString(example("small.stl")));
     open_window();
     EXPECT_EQ(entries_of("recent_menu"), (QStringList{"small.stl", "gone.stl"}));
     QFile::remove(gone);

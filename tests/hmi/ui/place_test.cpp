@@ -35,12 +35,13 @@ protected:
 
 TEST_F(WindowsPlace, IsKeptWhileTheWindowIsThereAndTakenByTheNext) {
     open_window();
-    const QByteArray at_first = WindowSettings{}.geometry();
+    const QByteArray at_first = test::KeptSettings{}.geometry();
     window_->resize(1190, 701);
-    ASSERT_TRUE(comes_true([&] { return WindowSettings{}.geometry() != at_first; })) << "nobody closed it";
+    ASSERT_TRUE(comes_true([&] { return test::KeptSettings{}.geometry() != at_first; }))
+        << "nobody closed it";
     tabs().setCurrentIndex(4);
-    ASSERT_TRUE(comes_true([&] { return WindowSettings{}.page() == "realtime"; }));
-    MainWindow next{session::SessionOptions{segment_name_, {}, {}}};
+    ASSERT_TRUE(comes_true([&] { return test::KeptSettings{}.page() == "realtime"; }));
+    MainWindow next{session::SessionOptions{segment_name_, {}, {}}, Drawing::painter, kept_settings()};
     EXPECT_EQ(next.size(), window_->size());
     next.go_to_last_page();
     EXPECT_EQ(next.findChild<QTabWidget*>("tabs")->currentIndex(), 4);
@@ -56,9 +57,9 @@ TEST_F(WindowsPlace, IsWrittenWhenTheProgramIsToEndAndNothingIsAsked) {
     });
     tabs().setCurrentIndex(3);
     window_->leave();
-    EXPECT_EQ(WindowSettings{}.page(), "ports");
     tabs().setCurrentIndex(2);  // it is over: nothing is kept any more, and nothing is missed
     window_.reset();
+    EXPECT_EQ(test::KeptSettings{}.page(), "ports");
     EXPECT_TRUE(reaches(S::carving));
 }
 

@@ -211,7 +211,7 @@ TEST_F(ReplayWindow, OpensTheJobOfASnapshotAndAModelInstead) {
     window_->open(QString::fromStdString(example("small.stl")));
     ASSERT_TRUE(comes_to(session::DeskState::model));
     EXPECT_FALSE(desk().is_open());
-    EXPECT_EQ(WindowSettings{}.recent_files().size(), 2);
+    EXPECT_EQ(test::KeptSettings{}.recent_files().size(), 2);
 }
 
 TEST_F(ReplayWindow, SaysInOneLineWhyAFileIsNone) {

@@ -39,12 +39,18 @@ WindowRig::WindowRig() {
 
 WindowRig::~WindowRig() = default;
 
+std::unique_ptr<SettingsStore> WindowRig::kept_settings() {
+    auto settings = std::make_unique<SettingsStore>();
+    settings->await_read(two_process::kLimit);
+    return settings;
+}
+
 void WindowRig::open_window() {
     window_.reset();
     session::SessionOptions options{segment_name_, {}, {}};
     options.hand_limit = kLongestJogLease;  // however slow a sanitizer on a busy computer
-    WindowSettings{}.set_theme(ThemeChoice::light);
-    window_ = std::make_unique<MainWindow>(options);
+    KeptSettings{}.set_theme(ThemeChoice::light);
+    window_ = std::make_unique<MainWindow>(options, Drawing::painter, kept_settings());
     window_->resize(1280, 720);  // the platform's screen is smaller
     window_->show();
 }

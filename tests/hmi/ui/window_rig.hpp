@@ -8,9 +8,21 @@
 #include <memory>
 
 #include "hmi/ui/main_window.hpp"
+#include "hmi/ui/settings.hpp"
+#include "hmi/ui/settings_store.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::ui::test {
+
+struct KeptStore {
+    KeptStore() { store.await_read(two_process::kLimit); }
+    SettingsStore store;
+};
+/// As the file has them; what is changed is in it when this goes.
+class KeptSettings : private KeptStore, public WindowSettings {
+public:
+    KeptSettings() : WindowSettings(store) {}
+};
 
 /// A window on a segment of its own, without a screen, with settings of its own.
 class WindowRig : public two_process::CoreRig {
@@ -18,7 +30,9 @@ protected:
     WindowRig();
     ~WindowRig() override;
 
+    /// Its settings are read.
     void open_window();
+    static std::unique_ptr<SettingsStore> kept_settings();
     /// The events of a running window, until the condition holds.
     template <typename Condition>
     bool comes_true(Condition condition, two_process::milliseconds limit = two_process::kLimit) {

@@ -172,7 +172,7 @@ TEST_F(Window, RemembersItsThemeAndItsFilesAndDoesNotMoveAnything) {
     ASSERT_TRUE(comes_to(session::DeskState::model));
     window_->close();
     window_.reset();
-    const WindowSettings settings;
+    const test::KeptSettings settings;
     EXPECT_EQ(settings.theme(), ThemeChoice::dark);
     ASSERT_EQ(settings.recent_files().size(), 1);
     EXPECT_TRUE(settings.recent_files().front().endsWith("small.stl"));

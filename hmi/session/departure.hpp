@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "hmi/session/save_ledger.hpp"
+
+namespace psicarve::session {
+
+/// How a program whose window has gone ends though a disk does not answer: what is being saved is waited for
+/// as long as its disk goes on, whatever else is under way is not.
+class Departure {
+public:
+    using Clock = std::chrono::steady_clock;
+    enum class Step : std::uint8_t {
+        wait,
+        tell,     ///< somebody may wonder why the program is still there; once
+        leave,    ///< nothing is being saved: what hangs is not worth waiting for
+        give_up,  ///< what is being saved never will be
+    };
+
+    static constexpr std::chrono::seconds kTell{2};
+    static constexpr std::chrono::seconds kLeave{3};
+    static constexpr std::chrono::seconds kGiveUp{30};
+
+    explicit Departure(Clock::time_point now) : begin_(now), last_change_(now) {}
+    Step look(Clock::time_point now, const std::vector<SaveUnderWay>& saves);
+
+private:
+    Clock::time_point begin_;
+    Clock::time_point last_change_;
+    std::vector<SaveUnderWay> before_;
+    bool has_told_ = false;
+};
+
+/// Four times a second until it is gone: tells on stderr what is waited for, and ends the process where a
+/// Departure says so.
+class DepartureWatch {
+public:
+    /// `leave` ends the process: with the program's own exit code, or, `is_lost`, with that of an error.
+    DepartureWatch(SaveLedger saves, std::function<void(bool is_lost)> leave);
+    ~DepartureWatch();
+    DepartureWatch(const DepartureWatch&) = delete;
+    DepartureWatch& operator=(const DepartureWatch&) = delete;
+
+private:
+    void watch();
+
+    SaveLedger saves_;
+    std::function<void(bool)> leave_;
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    bool ends_ = false;
+    std::thread thread_;
+};
+
+/// "a.job, b.snap"
+std::string paths_of(const std::vector<SaveUnderWay>& saves);
+
+}  // namespace psicarve::session

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "hmi/session/work_lane.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::session {
+
+/// The machine's profile that a window was started with, read on a thread of its own while the window is
+/// there already. One thread, the owner's.
+class ProfileArrival {
+public:
+    using Told = std::function<void(const Result<Profile>&)>;
+
+    /// `told` is called by the poll() that finds it read.
+    void fetch(const std::string& path, Told told);
+    /// Nobody knows the machine until then.
+    bool is_awaited() const noexcept { return is_awaited_; }
+    /// At screen rate.
+    void poll() { lane_.deliver(); }
+
+private:
+    bool is_awaited_ = false;
+    WorkLane lane_;  // last: its thread uses the others
+};
+
+}  // namespace psicarve::session

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window begins with: its settings, and what the command line names.
+#include <QDir>
+
+#include "hmi/session/error_phrase.hpp"
+#include "hmi/ui/main_window.hpp"
+#include "hmi/ui/position_panel.hpp"
+#include "hmi/ui/profile_page.hpp"
+
+namespace psicarve::ui {
+
+/// They came later than the first frame: from a disk that slept, say.
+void MainWindow::take_settings() {
+    show_theme();
+    show_kept_place();
+    show_kept_panels();
+    position_->take_zeros();
+    look_for_recent();
+    profile_->look_for_files();
+}
+
+void MainWindow::begin_with(const QString& profile, const QString& path) {
+    if (profile.isEmpty()) return path.isEmpty() ? go_to_last_page() : open(path);
+    arrival_.fetch(profile.toStdString(),
+                   [this, profile, path](const Result<Profile>& read) { take_profile(read, profile, path); });
+}
+
+/// A table becomes a job by the machine's profile: without the one that was asked for nothing is opened.
+void MainWindow::take_profile(const Result<Profile>& read, const QString& profile, const QString& path) {
+    if (!read) {
+        bench_.desk.refuse(profile.toStdString(), session::error_phrase(read.error().message));
+        if (path.isEmpty()) return;
+        return bench_.log.add(
+            session::Severity::warning,
+            session::phrase("Not opened, as the machine's profile was not: %1", path.toStdString()));
+    }
+    bench_.machine.set_profile(*read);
+    profile_->open(profile);
+    if (!path.isEmpty()) open(path);
+}
+
+/// Of the file that was opened last, or the nearest above it that is there: nobody waits for its disk.
+QString MainWindow::last_folder() {
+    const QString wanted = settings_.last_folder();
+    bench_.presence.look_above(wanted.toStdString());  // for the next time
+    const std::string there = bench_.presence.nearest_folder(wanted.toStdString());
+    return there.empty() ? QDir::homePath() : QString::fromStdString(there);
+}
+
+}  // namespace psicarve::ui

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QVariant>
+#include <QVariantMap>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hmi/session/save_ledger.hpp"
+#include "hmi/session/work_lane.hpp"
+
+namespace psicarve::ui {
+
+/// What a value becomes; invalid: there is none any more.
+struct SettingsChange {
+    QString key;
+    std::function<QVariant(const QVariant& before)> make;
+};
+
+/// Where settings are kept. Both are called by a thread of their own, one at a time; a disk may take its
+/// time.
+struct SettingsFile {
+    std::string path;  ///< as it is told of
+    std::function<QVariantMap()> read;
+    /// In order, on what is kept by then: another window may have written since.
+    std::function<void(const std::vector<SettingsChange>&)> write;
+};
+/// The user's own: psicarve/psicarve-hmi.ini.
+SettingsFile settings_file();
+
+/// The window's settings in memory. Whoever asks never waits for their file: it is read, and written, by a
+/// thread. One thread, the owner's.
+class SettingsStore {
+public:
+    explicit SettingsStore(SettingsFile file = settings_file(), session::SaveLedger saves = {});
+    /// What was changed is written, however long it takes.
+    ~SettingsStore();
+    SettingsStore(const SettingsStore&) = delete;
+    SettingsStore& operator=(const SettingsStore&) = delete;
+
+    /// Until then values are what was changed since, and nothing else.
+    bool is_read() const noexcept { return is_read_; }
+    /// Waits for that, no longer than the limit.
+    bool await_read(std::chrono::milliseconds limit);
+    QVariant value(const QString& key) const { return values_.value(key); }
+    void set(const QString& key, const QVariant& value);
+    /// Holds at once, and on whatever is read later.
+    void change(SettingsChange change);
+    /// At screen rate: hands changes to whoever writes them, and calls `read` once the file was read later
+    /// than somebody waited.
+    void poll();
+    void set_on_read(std::function<void()> read) { on_read_ = std::move(read); }
+    session::SaveLedger saves() const { return saves_; }
+
+private:
+    struct Arrival;
+
+    void write();
+    void take(const QVariantMap& read);
+
+    SettingsFile file_;
+    session::SaveLedger saves_;
+    QVariantMap values_;
+    bool is_read_ = false;
+    std::vector<SettingsChange> before_read_;
+    std::vector<SettingsChange> unwritten_;
+    std::function<void()> on_read_;
+    std::shared_ptr<Arrival> arrival_;
+    session::WorkLane lane_;  // last: its thread uses the others
+};
+
+}  // namespace psicarve::ui

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Settings on a disk that takes its time: nobody waits for it, and nothing is lost by it.
+#include <gtest/gtest.h>
+
+#include <QMenu>
+#include <QTabWidget>
+
+#include <atomic>
+#include <future>
+
+#include "tests/hmi/ui/window_rig.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// A file whose disk sleeps until it is woken.
+class SleepingFile {
+public:
+    explicit SleepingFile(QVariantMap values = {}) : values_(std::move(values)) {}
+    ~SleepingFile() { wake(); }
+    void wake() {
+        if (!is_awake_.exchange(true)) woken_.set_value();
+    }
+    SettingsFile file() {
+        const auto awake = awake_;
+        return {"sleeping.ini",
+                [this, awake] {
+                    awake.wait();
+                    return values_;
+                },
+                [this, awake](const std::vector<SettingsChange>& changes) {
+                    awake.wait();
+                    ++writes_;
+                    for (const SettingsChange& change : changes) {
+                        const QVariant made = change.make(values_.value(change.key));
+                        values_[change.key] = made;
+                        if (!made.isValid()) values_.remove(change.key);
+                    }
+                }};
+    }
+    /// Once the store is gone.
+    const QVariantMap& values() const { return values_; }
+    int writes() const { return writes_; }
+
+private:
+    std::promise<void> woken_;
+    std::shared_future<void> awake_ = woken_.get_future().share();
+    std::atomic<bool> is_awake_{false};
+    QVariantMap values_;
+    std::atomic<int> writes_{0};
+};
+
+TEST(SettingsOnASleepingDisk, AreNotWaitedForAndAllWrittenInTheEnd) {
+    SleepingFile file;
+    {
+        SettingsStore sut{file.file()};
+        EXPECT_FALSE(sut.await_read(milliseconds{1}));
+        for (int i = 0; i < 100; ++i) {
+            sut.set("window/page", i);
+            sut.poll();
+            EXPECT_EQ(sut.value("window/page").toInt(), i) << "holds at once";
+        }
+        EXPECT_LE(sut.saves().under_way().size(), 2U) << "one of all of them would do";
+        file.wake();
+    }
+    EXPECT_EQ(file.values().value("window/page").toInt(), 99);
+    EXPECT_LE(file.writes(), 3);
+}
+
+TEST(SettingsOnASleepingDisk, ThatComeLateKeepWhatWasChangedSince) {
+    SleepingFile file{
+        {{"window/theme", "dark"}, {"window/page", "ports"}, {"files/recent", QStringList{"/old"}}}};
+    {
+        SettingsStore sut{file.file()};
+        bool is_told = false;
+        sut.set_on_read([&] { is_told = true; });
+        sut.set("window/page", "model");
+        WindowSettings{sut}.add_recent_file("/new");
+        sut.poll();
+        EXPECT_FALSE(is_told);
+        file.wake();
+        ASSERT_TRUE(sut.await_read(two_process::kLimit));
+        EXPECT_EQ(sut.value("window/theme").toString(), "dark");
+        EXPECT_EQ(sut.value("window/page").toString(), "model");
+        EXPECT_EQ(WindowSettings{sut}.recent_files(), (QStringList{"/new", "/old"}));
+    }
+    EXPECT_EQ(file.values().value("window/page").toString(), "model");
+    EXPECT_EQ(file.values().value("files/recent").toStringList(), (QStringList{"/new", "/old"}));
+}
+
+class SettingsInTheirFile : public test::WindowRig {};
+
+TEST_F(SettingsInTheirFile, OfTwoWindowsDoNotForgetEachOthersFiles) {
+    const auto one = kept_settings();
+    const auto two = kept_settings();
+    WindowSettings{*one}.add_recent_file("/one");
+    one->poll();
+    ASSERT_TRUE(eventually([&] { return test::KeptSettings{}.recent_files() == QStringList{"/one"}; }));
+    WindowSettings{*two}.add_recent_file("/two");
+    two->poll();
+    EXPECT_TRUE(eventually([&] {
+        return test::KeptSettings{}.recent_files() == (QStringList{"/two", "/one"});
+    }));
+}
+
+class WindowOnASleepingDisk : public test::WindowRig {
+protected:
+    void open_on(SleepingFile& file) {
+        window_ =
+            std::make_unique<MainWindow>(session::SessionOptions{segment_name_, {}, {}}, Drawing::painter,
+                                         std::make_unique<SettingsStore>(file.file()));
+        window_->show();
+        window_->begin_with({}, {});
+    }
+    QTabWidget& tabs() { return part<QTabWidget>("tabs"); }
+};
+
+TEST_F(WindowOnASleepingDisk, IsThereAtOnceAndTakesItsPlaceAndThemeLater) {
+    open_window();
+    window_->resize(1190, 701);
+    const QByteArray place = window_->saveGeometry();
+    SleepingFile file{{{"window/theme", "dark"},
+                       {"window/page", "ports"},
+                       {"window/geometry", place},
+                       {"window/floats_jog", true},
+                       {"files/recent", QStringList{QString::fromStdString(this->file("run.job"))}}}};
+    open_on(file);
+    EXPECT_TRUE(window_->isVisible());
+    EXPECT_EQ(tabs().currentIndex(), 0);
+    for (int look = 0; look < 30; ++look) {
+        QApplication::processEvents();
+        window_->refresh();
+    }
+    file.wake();
+    ASSERT_TRUE(comes_true([&] { return tabs().currentIndex() == 3; }));
+    EXPECT_EQ(window_->styleSheet(), style_sheet(tokens_of(Theme::dark)));
+    EXPECT_EQ(window_->size(), QSize(1190, 701));
+    EXPECT_TRUE(window_->findChild<QMenu*>("panels")->actions()[1]->isChecked());
+    window_.reset();
+    EXPECT_EQ(file.values().value("window/page").toString(), "ports");
+}
+
+TEST_F(WindowOnASleepingDisk, LeavesThePlaceThatNobodyHasSeen) {
+    SleepingFile file{{{"window/geometry", QByteArray{"a place"}}, {"window/page", "ports"}}};
+    open_on(file);
+    window_->set_theme(ThemeChoice::dark);
+    window_->leave();
+    ASSERT_TRUE(eventually([&] { return window_->bench().saves.under_way().size() == 1; }));
+    EXPECT_EQ(window_->bench().saves.under_way()[0].path, "sleeping.ini") << "whoever ends the program knows";
+    file.wake();
+    window_.reset();
+    EXPECT_EQ(file.values().value("window/theme").toString(), "dark");
+    EXPECT_EQ(file.values().value("window/geometry").toByteArray(), "a place");
+    EXPECT_EQ(file.values().value("window/page").toString(), "ports");
+}
+
+}  // namespace
+}  // namespace psicarve::ui

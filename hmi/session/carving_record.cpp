@@ -32,13 +32,12 @@ CarvingRecord::CarvingRecord(std::shared_ptr<const cam::PreparedJob> job, const 
 }
 
 double CarvingRecord::blank_reach_mm() const noexcept {
-    return blank_mm_.empty() ? geometry_.blank_radius_mm() : job_->profile.blank.reach_mm();
+    return geometry_.blank_radius_mm();
 }
 
 float CarvingRecord::shown_mm(std::uint32_t layer, std::uint32_t cell) const noexcept {
     const float radius_mm = surface_.radii_mm(layer)[cell];
-    if (blank_mm_.empty()) return radius_mm;
-    return radius_mm < uncarved_mm() ? std::min(radius_mm, blank_mm_[cell]) : blank_mm_[cell];
+    return blank_mm_.empty() ? radius_mm : std::min(radius_mm, blank_mm_[cell]);
 }
 
 Result<std::unique_ptr<CarvingRecord>> CarvingRecord::make(std::shared_ptr<const cam::PreparedJob> job) {

@@ -122,11 +122,13 @@ Result<std::shared_ptr<const CarvingTimeline>> CarvingTimeline::of_job(const Job
     if (!geometry) return geometry.error();
     const std::shared_ptr<CarvingTimeline> made{new CarvingTimeline};
     CutWriter writer{*made, *geometry};
+    const std::uint32_t first = geometry->first_row_layer();
     for (std::uint32_t layer = 0; layer < geometry->row_count(); ++layer) {
         for (std::uint32_t cell = 0; cell < geometry->direction_count(); ++cell) {
             const auto wanted_mm = geometry->wanted_mm(layer, geometry->direction_of(cell));
             if (wanted_mm)
-                writer.cut(layer + 1, layer * made->directions_ + cell, static_cast<float>(*wanted_mm));
+                writer.cut(std::int64_t{first} + layer + 1, layer * made->directions_ + cell,
+                           static_cast<float>(*wanted_mm));
         }
         if (progress && !progress(static_cast<double>(layer + 1) / geometry->row_count())) return cancelled();
     }

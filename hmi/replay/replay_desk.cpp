@@ -18,6 +18,7 @@ using session::WorkLane;
 
 /// A few milliseconds' worth: a jump over a whole job takes some frames.
 constexpr std::size_t kMostCutsAtOnce = 400'000;
+constexpr double kPointShare = 0.2;  // of the time that a tool's piece takes
 
 }  // namespace
 
@@ -100,6 +101,7 @@ void ReplayDesk::leave() {
     history_.forget();
     carving_.reset();
     timeline_.reset();
+    tool_piece_.reset();
     cuts_ = 0;
     carving_ratio_.store(1.0);
     ++edition_;
@@ -111,16 +113,26 @@ void ReplayDesk::prepare_carving() {
     carving_ratio_.store(0.0);
     carver_.post([this, job = facts_.job, index = recording_->index(), drops = drops_carving_,
                   edition = edition_]() -> WorkLane::Finish {
+        const bool is_of_tool = job->profile.tool.shape != ToolShape::point;
+        const double first_share = is_of_tool ? kPointShare : 1.0;
         const auto show = [this, &drops](double done) {
             if (!drops->load()) carving_ratio_.store(done);
             return !drops->load();
         };
+        const auto show_first = [&](double done) { return show(first_share * done); };
+        const auto show_tool = [&](double done) { return show(first_share + (1.0 - first_share) * done); };
         const auto piece = std::make_shared<Piece>();
+        piece->is_of_tool = is_of_tool;
         auto record = session::CarvingRecord::make(job);
-        auto timeline =
-            index ? CarvingTimeline::of_trace(job, index, show) : CarvingTimeline::of_job(job, show);
+        auto timeline = index ? CarvingTimeline::of_trace(job, index, show_first)
+                              : CarvingTimeline::of_job(job, show_first);
         if (record) piece->record = std::move(record).value();
         if (timeline) piece->timeline = std::move(timeline).value();
+        if (is_of_tool && piece->timeline) {
+            auto tool =
+                index ? ToolTimeline::of_trace(job, index, show_tool) : ToolTimeline::of_job(job, show_tool);
+            if (tool) piece->tool = std::make_unique<ReplayPiece>(std::move(tool).value());
+        }
         return [this, edition, piece] {
             if (edition == edition_) take_piece(*piece);
         };
@@ -129,10 +141,11 @@ void ReplayDesk::prepare_carving() {
 
 void ReplayDesk::take_piece(Piece& piece) {
     carving_ratio_.store(1.0);
-    if (!piece.record || !piece.timeline)
+    if (!piece.record || !piece.timeline || (piece.is_of_tool && !piece.tool))
         return log_.add(Severity::warning, phrase("Replay: the piece cannot be shown"));
     carving_ = std::move(piece.record);
     timeline_ = std::move(piece.timeline);
+    tool_piece_ = std::move(piece.tool);
     cuts_ = 0;
     if (!timeline_->is_whole())
         log_.add(Severity::warning, phrase("Replay: the piece is too large to be shown to its end"));
@@ -188,12 +201,14 @@ void ReplayDesk::take_shown(Shown shown) {
 void ReplayDesk::follow_carving() {
     if (!timeline_ || !has_shown_) return;
     cuts_ = timeline_->apply(*carving_, cuts_, shown_.carving_time, kMostCutsAtOnce);
+    if (tool_piece_) tool_piece_->want(shown_.carving_time);
 }
 
 bool ReplayDesk::is_settled() const noexcept {
     if (!recording_ || !has_shown_ || shown_.time_ns != clock_.now_ns()) return false;
     if (wants_looks_ && !shown_has_looks_) return false;
     if (carving_ratio_.load() < 1.0) return false;
+    if (tool_piece_ && !tool_piece_->shows(shown_.carving_time)) return false;
     return !timeline_ || timeline_->is_applied(cuts_, shown_.carving_time);
 }
 

@@ -12,6 +12,7 @@
 #include "hmi/replay/pin_looks.hpp"
 #include "hmi/replay/recording.hpp"
 #include "hmi/replay/replay_clock.hpp"
+#include "hmi/replay/replay_piece.hpp"
 #include "hmi/session/machine_sight.hpp"
 #include "hmi/session/message_log.hpp"
 #include "hmi/session/refused_file.hpp"
@@ -67,6 +68,8 @@ public:
     const session::LevelHistory& history() const noexcept { return history_; }
     /// The piece at that time; nothing without a job, or until it is worked out.
     session::CarvingRecord* carving() const noexcept { return carving_.get(); }
+    /// What the tool has left of it, where it has a size.
+    piece::PieceFront* tool_piece() const noexcept { return tool_piece_ ? &tool_piece_->front() : nullptr; }
     /// Of working the piece out; 1 when there is nothing to be done.
     double carving_ratio() const noexcept { return carving_ratio_.load(); }
 
@@ -74,6 +77,8 @@ private:
     struct Piece {
         std::unique_ptr<session::CarvingRecord> record;
         std::shared_ptr<const CarvingTimeline> timeline;
+        bool is_of_tool = false;
+        std::unique_ptr<ReplayPiece> tool;
     };
 
     void post_open(const OpenOptions& options, std::int64_t from_ns);
@@ -99,6 +104,7 @@ private:
     session::LevelHistory history_;
     std::unique_ptr<session::CarvingRecord> carving_;
     std::shared_ptr<const CarvingTimeline> timeline_;
+    std::unique_ptr<ReplayPiece> tool_piece_;
     std::size_t cuts_ = 0;  ///< of timeline_ that are in carving_
     std::uint64_t edition_ = 0;
     std::optional<session::RefusedFile> refused_file_;

@@ -16,12 +16,25 @@ constexpr std::uint32_t kNoRow = ~std::uint32_t{0};
 
 }  // namespace
 
+std::vector<VertexRange> ranges_of_rows(const std::vector<std::uint32_t>& rows, std::size_t round) {
+    std::vector<VertexRange> ranges;
+    for (const std::uint32_t row : rows) {
+        const std::size_t first = row * round;
+        if (!ranges.empty() && ranges.back().first + ranges.back().count == first)
+            ranges.back().count += round;
+        else
+            ranges.push_back({first, round});
+    }
+    return ranges;
+}
+
 CarvedScene::CarvedScene(const CarvingRecord& record, const CarvedScenePlan& plan)
     : plan_(plan),
       round_(std::clamp<std::size_t>(record.surface().direction_count(), 3,
                                      std::max<std::size_t>(plan.most_round, 3))),
       up_(std::min<std::size_t>(record.surface().layer_count(), plan.most_up)),
       layer_count_(record.surface().layer_count()),
+      middle_mm_((record.bottom_mm() + record.top_mm()) / 2.0),
       row_of_layer_(layer_count_, kNoRow),
       scene_(std::make_shared<MeshScene>()) {
     const verify::JobGeometry& geometry = record.geometry();
@@ -31,7 +44,7 @@ CarvedScene::CarvedScene(const CarvingRecord& record, const CarvedScenePlan& pla
         directions_.push_back(
             {static_cast<float>(std::cos(angle_rad)), static_cast<float>(std::sin(angle_rad))});
     }
-    const double across_mm = 2.0 * geometry.blank_radius_mm();
+    const double across_mm = 2.0 * record.blank_reach_mm();
     scene_->size = {across_mm, across_mm, record.top_mm() - record.bottom_mm()};
     scene_->vertices.resize(up_ * round_ + 1);
     scene_->vertex_rgb.resize(up_ * round_ + 1, plan_.blank_rgb);
@@ -53,7 +66,7 @@ std::uint32_t CarvedScene::colour_of(const CarvingRecord& record, std::uint32_t 
                                      std::uint32_t cell) const noexcept {
     if (!record.is_carved(layer, cell)) return plan_.blank_rgb;
     if (plan_.colouring == Colouring::radius) {
-        const double radius_mm = record.surface().radii_mm(layer)[cell];
+        const auto radius_mm = static_cast<double>(record.shown_mm(layer, cell));
         return viridis((radius_mm - plan_.least_mm) / (plan_.most_mm - plan_.least_mm));
     }
     if (plan_.colouring == Colouring::deviation) {
@@ -66,14 +79,14 @@ std::uint32_t CarvedScene::colour_of(const CarvingRecord& record, std::uint32_t 
 
 void CarvedScene::fill_row(const CarvingRecord& record, std::size_t row) {
     const std::uint32_t layer = layer_of(row);
-    const auto radii = record.surface().radii_mm(layer);
-    const auto height = static_cast<float>(record.surface().layer_height_mm(layer) -
-                                           (record.bottom_mm() + record.top_mm()) / 2.0);
+    const std::size_t cells = record.surface().direction_count();
+    const auto height = static_cast<float>(record.surface().layer_height_mm(layer) - middle_mm_);
     for (std::size_t column = 0; column < round_; ++column) {
-        const auto cell = static_cast<std::uint32_t>(column * radii.size() / round_);
+        const auto cell = static_cast<std::uint32_t>(column * cells / round_);
         const auto& [cosine, sine] = directions_[column];
         const std::size_t place = row * round_ + column;
-        scene_->vertices[place] = {radii[cell] * cosine, radii[cell] * sine, height};
+        const float radius = record.shown_mm(layer, cell);
+        scene_->vertices[place] = {radius * cosine, radius * sine, height};
         scene_->vertex_rgb[place] = colour_of(record, layer, cell);
     }
 }
@@ -84,16 +97,8 @@ std::vector<VertexRange> CarvedScene::update(CarvingRecord& record) {
         if (row_of_layer_[layer] != kNoRow) rows.push_back(row_of_layer_[layer]);
     }
     std::sort(rows.begin(), rows.end());
-    std::vector<VertexRange> changed;
-    for (const std::uint32_t row : rows) {
-        fill_row(record, row);
-        const std::size_t first = row * round_;
-        if (!changed.empty() && changed.back().first + changed.back().count == first)
-            changed.back().count += round_;
-        else
-            changed.push_back({first, round_});
-    }
-    return changed;
+    for (const std::uint32_t row : rows) fill_row(record, row);
+    return ranges_of_rows(rows, round_);
 }
 
 }  // namespace psicarve::session

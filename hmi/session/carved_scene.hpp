@@ -18,6 +18,9 @@ struct VertexRange {
     bool operator==(const VertexRange&) const = default;
 };
 
+/// Of rows of `round` vertices each, in rising order.
+std::vector<VertexRange> ranges_of_rows(const std::vector<std::uint32_t>& rows, std::size_t round);
+
 /// What the colours of carved cells say.
 enum class Colouring : std::uint8_t { done, radius, deviation };
 
@@ -34,15 +37,29 @@ struct CarvedScenePlan {
     std::int32_t reach_pulses = 8;    ///< the scale's end on either side
 };
 
-/// What stands on the table, as a scene that follows a record: only rows whose layers have changed are made
-/// anew. The scene's middle is the middle of the job on the axis [mm].
-class CarvedScene {
+/// What stands on the table, as a scene that follows the carving: only rows that have changed are made anew.
+class PieceOnTable {
+public:
+    virtual ~PieceOnTable() = default;
+    PieceOnTable() = default;
+    PieceOnTable(const PieceOnTable&) = delete;
+    PieceOnTable& operator=(const PieceOnTable&) = delete;
+
+    virtual std::shared_ptr<const MeshScene> scene() const noexcept = 0;
+    /// Height of the scene's middle, which is on the axis.
+    virtual double middle_mm() const noexcept = 0;
+    /// Requires the record it was made with. What of the vertices is new.
+    virtual std::vector<VertexRange> update(CarvingRecord& record) = 0;
+};
+
+/// Of a point: the record's own layers and directions, and where nothing is carved the blank.
+class CarvedScene : public PieceOnTable {
 public:
     CarvedScene(const CarvingRecord& record, const CarvedScenePlan& plan);
 
-    std::shared_ptr<const MeshScene> scene() const noexcept { return scene_; }
-    /// Requires the record it was made with. What of the vertices is new.
-    std::vector<VertexRange> update(CarvingRecord& record);
+    std::shared_ptr<const MeshScene> scene() const noexcept override { return scene_; }
+    double middle_mm() const noexcept override { return middle_mm_; }
+    std::vector<VertexRange> update(CarvingRecord& record) override;
 
 private:
     std::uint32_t colour_of(const CarvingRecord& record, std::uint32_t layer,
@@ -54,6 +71,7 @@ private:
     std::size_t round_;
     std::size_t up_;
     std::uint32_t layer_count_;
+    double middle_mm_;
     std::vector<std::uint32_t> row_of_layer_;  ///< or kNoRow
     std::vector<std::array<float, 2>> directions_;
     std::shared_ptr<MeshScene> scene_;

@@ -22,7 +22,23 @@ CarvingRecord::CarvingRecord(std::shared_ptr<const cam::PreparedJob> job, const 
     : job_(std::move(job)),
       geometry_(geometry),
       surface_(geometry),
-      has_changed_(surface_.layer_count(), std::uint8_t{0}) {}
+      has_changed_(surface_.layer_count(), std::uint8_t{0}) {
+    const BlankProfile& blank = job_->profile.blank;
+    if (!(blank.radius_mm > 0.0)) return;
+    for (std::uint32_t cell = 0; cell < geometry_.direction_count(); ++cell) {
+        const double direction_rad = rad_from_pulses(geometry_.direction_of(cell), geometry_.rev_pulses());
+        blank_mm_.push_back(static_cast<float>(blank.surface_mm(direction_rad)));
+    }
+}
+
+double CarvingRecord::blank_reach_mm() const noexcept {
+    return geometry_.blank_radius_mm();
+}
+
+float CarvingRecord::shown_mm(std::uint32_t layer, std::uint32_t cell) const noexcept {
+    const float radius_mm = surface_.radii_mm(layer)[cell];
+    return blank_mm_.empty() ? radius_mm : std::min(radius_mm, blank_mm_[cell]);
+}
 
 Result<std::unique_ptr<CarvingRecord>> CarvingRecord::make(std::shared_ptr<const cam::PreparedJob> job) {
     const auto geometry = verify::JobGeometry::make(job->view, job->profile);
@@ -109,7 +125,7 @@ void CarvingRecord::put(std::uint32_t layer, std::uint32_t cell, float radius_mm
     note_change(layer);
 }
 
-MachinePose CarvingRecord::pose(const verify::Positions& positions_pulses) const noexcept {
+MachinePose CarvingRecord::pose(const verify::Positions& positions_pulses, double middle_mm) const noexcept {
     const auto direction_rad = [&](std::size_t head) {
         return rad_from_pulses(geometry_.direction(head, positions_pulses[index_of(Axis::psi)]),
                                geometry_.rev_pulses());
@@ -123,7 +139,7 @@ MachinePose CarvingRecord::pose(const verify::Positions& positions_pulses) const
         pose.heads[h].height_mm =
             mm_from_pulses(positions_pulses[index_of(Axis::y)] + head.height_offset_pulses,
                            geometry_.y_pulses_per_mm()) -
-            (bottom_mm() + top_mm()) / 2.0;
+            middle_mm;
     }
     return pose;
 }

@@ -18,7 +18,7 @@ struct MachinePose {
     struct Head {
         double direction_rad = 0.0;
         double radius_mm = 0.0;  ///< of the tip
-        double height_mm = 0.0;  ///< of the tip, above the middle of the job
+        double height_mm = 0.0;  ///< of the tip, above the middle of the scene
     };
     double part_turn_rad = 0.0;  ///< by which the workpiece is turned from its own directions
     std::array<Head, verify::kHeadCount> heads{};
@@ -59,8 +59,12 @@ public:
     const verify::JobGeometry& geometry() const noexcept { return geometry_; }
     double bottom_mm() const noexcept { return surface_.layer_height_mm(0); }
     double top_mm() const noexcept { return surface_.layer_height_mm(surface_.layer_count() - 1); }
-    /// With the axes at these positions.
-    MachinePose pose(const verify::Positions& positions_pulses) const noexcept;
+    double blank_reach_mm() const noexcept;
+    /// Up to where there is material in a cell, the profile's blank standing where it says.
+    float shown_mm(std::uint32_t layer, std::uint32_t cell) const noexcept;
+    /// With the axes at these positions; heights above `middle_mm`.
+    MachinePose pose(const verify::Positions& positions_pulses, double middle_mm) const noexcept;
+    const Profile& profile() const noexcept { return job_->profile; }
 
 private:
     CarvingRecord(std::shared_ptr<const cam::PreparedJob> job, const verify::JobGeometry& geometry);
@@ -72,6 +76,7 @@ private:
     std::shared_ptr<const cam::PreparedJob> job_;
     verify::JobGeometry geometry_;
     verify::CarvedSurface surface_;
+    std::vector<float> blank_mm_;            ///< its surface by cell; empty: not known
     std::vector<std::uint8_t> has_changed_;  ///< by layer
     std::vector<std::uint32_t> changed_;
     std::uint32_t planned_layers_ = 0;

@@ -81,6 +81,8 @@ public:
     /// What the core has reported of its motion since the last call, oldest first. Those that came faster
     /// than they were read are lost.
     void read_increments(const std::function<void(const IncrementEntry&)>& take);
+    /// How many of them were lost, since the session attached or skipped.
+    std::uint64_t lost_increments() const noexcept { return increments_ ? increments_->lost() : 0; }
     /// Nobody wants those up to now.
     void skip_increments();
     JogHand& jog() noexcept { return jog_; }

@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint32_t kSides = 20;
 constexpr double kTipLength = 0.10;  // of the rod
 constexpr double kTipRadius = 0.35;
+constexpr int kBallRings = 6;
 constexpr int kRimDashes = 36;
 constexpr int kSideDashes = 18;
 constexpr int kRingSides = 48;
@@ -20,6 +21,31 @@ constexpr double kDash = 0.6;            // of a dash and the gap after it
 
 double angle_of(double part) noexcept {
     return 2.0 * kPi * part;
+}
+
+struct HeadRing {
+    double x;
+    double radius;
+};
+
+/// From the tip along the rod: the tool's end, or of a point a needle's, and the rod's two ends.
+std::vector<HeadRing> rings_of(double rod_length, double rod_radius, const tool::Tool& tool) {
+    const double tip_end = kTipLength * rod_length;
+    if (tool.shape == tool::Shape::point) {
+        const double needle = kTipRadius * rod_radius;
+        return {{tip_end * 0.3, needle}, {tip_end, needle}, {tip_end, rod_radius}, {rod_length, rod_radius}};
+    }
+    std::vector<HeadRing> rings;
+    const int steps = tool.shape == tool::Shape::ball ? kBallRings : 1;
+    for (int i = 1; i <= steps; ++i) {
+        const double off = tool.radius * std::sin(0.25 * angle_of(static_cast<double>(i) / steps));
+        rings.push_back({tool::rise(tool, off), off});
+    }
+    const double shank_end = std::max(tip_end, 2.0 * rings.back().x);
+    const double rod = std::max(rod_radius, tool.radius);
+    rings.insert(rings.end(), {{shank_end, tool.radius}, {shank_end, rod}});
+    rings.push_back({std::max(rod_length, shank_end), rod});
+    return rings;
 }
 
 }  // namespace
@@ -45,20 +71,18 @@ std::vector<Facet> lathe_facets(std::size_t round, std::size_t up, std::size_t s
     return facets;
 }
 
-MeshScene head_scene(double rod_length, double rod_radius) {
+MeshScene head_scene(double rod_length, double rod_radius, const tool::Tool& tool) {
     MeshScene scene;
-    scene.size = {rod_length, 2.0 * rod_radius, 2.0 * rod_radius};
+    const std::vector<HeadRing> rings = rings_of(rod_length, rod_radius, tool);
+    const double widest = 2.0 * rings.back().radius;
+    scene.size = {rod_length, widest, widest};
     scene.vertices.push_back({0.0F, 0.0F, 0.0F});
-    // Rings along the rod: the needle's point, its end, the rod's two ends.
-    const double rings[][2] = {{kTipLength * 0.3 * rod_length, kTipRadius * rod_radius},
-                               {kTipLength * rod_length, kTipRadius * rod_radius},
-                               {kTipLength * rod_length, rod_radius},
-                               {rod_length, rod_radius}};
-    for (const auto& [x, radius] : rings) {
+    for (const HeadRing& ring : rings) {
         for (std::uint32_t side = 0; side < kSides; ++side) {
             const double angle_rad = angle_of(static_cast<double>(side) / kSides);
-            scene.vertices.push_back({static_cast<float>(x), static_cast<float>(radius * std::cos(angle_rad)),
-                                      static_cast<float>(radius * std::sin(angle_rad))});
+            scene.vertices.push_back({static_cast<float>(ring.x),
+                                      static_cast<float>(ring.radius * std::cos(angle_rad)),
+                                      static_cast<float>(ring.radius * std::sin(angle_rad))});
         }
     }
     scene.vertices.push_back({static_cast<float>(rod_length), 0.0F, 0.0F});
@@ -66,7 +90,7 @@ MeshScene head_scene(double rod_length, double rod_radius) {
     for (std::uint32_t side = 0; side < kSides; ++side) {
         const std::uint32_t next = (side + 1) % kSides;
         scene.facets.push_back({0, 1 + side, 1 + next});
-        for (std::uint32_t ring = 0; ring < 3; ++ring) {
+        for (std::uint32_t ring = 0; ring + 1 < rings.size(); ++ring) {
             const std::uint32_t here = 1 + ring * kSides;
             scene.facets.push_back({here + side, here + kSides + side, here + next});
             scene.facets.push_back({here + next, here + kSides + side, here + kSides + next});

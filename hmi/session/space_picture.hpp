@@ -9,6 +9,7 @@
 
 #include "hmi/session/mesh_scene.hpp"
 #include "hmi/session/scene_camera.hpp"
+#include "hmi/tool/tool.hpp"
 #include "hmi/verify/piece_view.hpp"
 
 namespace psicarve::session {
@@ -60,8 +61,9 @@ verify::PixelImage draw_bodies(const SpacePicture& picture, std::size_t width_px
 /// the vertex behind the last row's; every `step`-th vertex and row, the last row and the seam always.
 std::vector<Facet> lathe_facets(std::size_t round, std::size_t up, std::size_t step);
 
-/// A head: its tip in the origin, its rod along +x (placed coordinates, so for up z).
-MeshScene head_scene(double rod_length, double rod_radius);
+/// A head: its tip in the origin, its rod along +x (placed coordinates, so for up z), with the tool that it
+/// cuts with, in the scene's units; of a point a needle.
+MeshScene head_scene(double rod_length, double rod_radius, const tool::Tool& tool);
 
 /// A circle as the viewer sees it from any side, as lines.
 std::vector<SceneLine> ring_outline(const SceneCamera& camera, const std::array<double, 3>& centre,

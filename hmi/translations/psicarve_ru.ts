@@ -4499,6 +4499,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>резьба</translation>
         </message>
         <message>
+            <source>catching up</source>
+            <translation>изображение догоняет</translation>
+        </message>
+        <message>
+            <source>catching up: %1 layers</source>
+            <translation>изображение догоняет, слоёв осталось: %1</translation>
+        </message>
+        <message>
             <source>centroid</source>
             <translation>центроид</translation>
         </message>

@@ -4492,6 +4492,14 @@ N、Shift+N  下一条、上一条记录
             <translation>雕刻中</translation>
         </message>
         <message>
+            <source>catching up</source>
+            <translation>画面正在追赶</translation>
+        </message>
+        <message>
+            <source>catching up: %1 layers</source>
+            <translation>画面正在追赶：还有 %1 层</translation>
+        </message>
+        <message>
             <source>centroid</source>
             <translation>形心</translation>
         </message>

@@ -16,6 +16,7 @@
 #include "hmi/session/colour_map.hpp"
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/radius_map.hpp"
+#include "hmi/session/stock_scene.hpp"
 #include "hmi/ui/axis_table.hpp"
 #include "hmi/ui/checked_width.hpp"
 #include "hmi/ui/colour_bar.hpp"
@@ -30,8 +31,7 @@ namespace {
 
 /// Never more often than this, so that the machine's computer has time for the machine.
 constexpr qint64 kLeastPause_ms = 66;
-constexpr std::uint64_t kCellsPerLook = 100'000;  // some milliseconds
-constexpr double kRodLength = 0.35;               // of the blank's diameter
+constexpr double kRodLength = 0.35;  // of the blank's diameter
 constexpr double kRodRadius = 0.04;
 constexpr double kAlarmRing = 0.25;
 
@@ -52,6 +52,7 @@ bool is_moving(MachineState state) {
 CarvingPage::CarvingPage(Bench& bench, Drawing drawing, QWidget* parent)
     : QWidget(parent),
       bench_(bench),
+      watch_(bench.machine, bench.desk),
       view_(new MeshView{drawing}),
       axes_(new AxisTable{bench}),
       colourings_(new QButtonGroup{this}),
@@ -63,6 +64,7 @@ CarvingPage::CarvingPage(Bench& bench, Drawing drawing, QWidget* parent)
     view_->set_empty_text(tr("No job is published."));
     view_->look_from(MeshView::Side::front);
     point_->setObjectName("carving_point");
+    done_->setObjectName("carving_done");
     feed_->setObjectName("carving_feed");
     feed_->setToolTip(tr("Of the faster head's tool over the surface, in the last second"));
     setObjectName("carving_page");
@@ -150,8 +152,9 @@ void CarvingPage::set_theme(const Tokens& tokens) {
 }
 
 void CarvingPage::refresh() {
-    lane_.deliver();
-    keep_record();
+    watch_.refresh();
+    if (blank_edition_ != watch_.edition()) scene_.reset();
+    blank_edition_ = watch_.edition();
     axes_->refresh();
     // A recording's pulses are judged by `psicarve verify`; here it is the piece alone.
     QAbstractButton* const deviation = colourings_->button(static_cast<int>(session::Colouring::deviation));
@@ -166,61 +169,25 @@ void CarvingPage::refresh() {
     say();
 }
 
-/// A fresh blank. Of a large job it takes longer than a window may stand still, and so does the end of the
-/// one before; what is carved meanwhile waits in the core's ring.
-void CarvingPage::make_record() {
-    std::shared_ptr<const session::CarvingRecord> before{std::move(record_)};
-    lane_.drop_waiting();
-    lane_.post([this, before = std::move(before), job = job_,
-                number = ++record_number_]() mutable -> session::WorkLane::Finish {
-        before.reset();
-        if (!job) return {};
-        auto made = session::CarvingRecord::make(job);
-        if (!made) return {};
-        auto record = std::make_shared<std::unique_ptr<session::CarvingRecord>>(std::move(*made));
-        return [this, number, record] {
-            if (number != record_number_) return;
-            record_ = std::move(*record);
-            scene_.reset();
-            rods_ = {};
-        };
-    });
-}
-
-void CarvingPage::keep_record() {
-    const auto job = bench_.desk.core_job();
-    // What a core had carved stands there after it is gone.
-    if (job != job_ && (job || bench_.machine.sight().is_heard())) {
-        job_ = job;
-        job_start_tick_ = 0;
-        make_record();
-    }
-    const auto& status = bench_.machine.sight().status;
-    if (!job_ || !status) return bench_.machine.skip_increments();
-    // A dry run carves nothing: what stands there stays.
-    if (status->is_dry != 0) return bench_.machine.skip_increments();
-    if (status->job_start_tick != job_start_tick_) {
-        if (job_start_tick_ != 0) make_record();
-        job_start_tick_ = status->job_start_tick;
-    }
-    if (!record_) return;
-    // What was carved before this start was another piece.
-    bench_.machine.read_increments([this](const IncrementEntry& entry) {
-        if (entry.tick >= job_start_tick_ && job_start_tick_ != 0) record_->take(entry);
-    });
-    const bool is_complete = status->points_total > 0 && status->points_done == status->points_total;
-    if (status->points_done > 0)
-        record_->take_as_planned(is_complete ? status->layer + 1 : status->layer, kCellsPerLook);
-}
-
 session::CarvingRecord* CarvingPage::shown_record() const noexcept {
-    return bench_.replay.is_open() ? bench_.replay.carving() : record_.get();
+    return bench_.replay.is_open() ? bench_.replay.carving() : watch_.record();
+}
+
+piece::PieceFront* CarvingPage::shown_piece() const noexcept {
+    if (bench_.replay.is_open()) return bench_.replay.tool_piece();
+    return watch_.piece() != nullptr ? &watch_.piece()->front() : nullptr;
+}
+
+/// Grows with whatever of the piece has changed.
+std::uint64_t CarvingPage::shown_edition() const noexcept {
+    const piece::PieceFront* const front = shown_piece();
+    return shown_record()->edition() + (front != nullptr ? front->edition() : 0);
 }
 
 void CarvingPage::draw() {
     session::CarvingRecord* const record = shown_record();
     // A fresh blank is on its way: what stands there stays until then.
-    if (record == nullptr && job_ && !bench_.replay.is_open()) return;
+    if (record == nullptr && watch_.has_job() && !bench_.replay.is_open()) return;
     if (shown_replay_ != bench_.replay.edition() || drawn_record_ != record) scene_.reset();
     shown_replay_ = bench_.replay.edition();
     drawn_record_ = record;
@@ -235,19 +202,19 @@ void CarvingPage::draw() {
         std::copy(std::begin(status->position_pulses), std::end(status->position_pulses), positions.begin());
     note_known_heads();
     auto alarm = session::alarm_heads(bench_.shown());
-    const bool is_same = scene_ && drawn_edition_ == record->edition() && drawn_positions_ == positions &&
-                         drawn_alarm_ == alarm;
+    const bool is_same =
+        scene_ && drawn_edition_ == shown_edition() && drawn_positions_ == positions && drawn_alarm_ == alarm;
     view_->set_moving(bench_.replay.is_open() ? bench_.replay.clock().is_playing()
                                               : is_moving(bench_.machine.sight().state()));
     if (is_same || (drawn_.isValid() && drawn_.elapsed() < kLeastPause_ms)) return;
     drawn_.start();
-    drawn_edition_ = record->edition();
+    drawn_edition_ = shown_edition();
     drawn_positions_ = positions;
     drawn_alarm_ = std::move(alarm);
     if (!scene_ || scene_drawing_ != view_->drawing()) {
         scene_drawing_ = view_->drawing();
         take_range();
-        scene_ = std::make_unique<session::CarvedScene>(*record, plan());
+        make_scene(*record);
         const bool is_recoloured = is_seen_ == record;
         is_seen_ = record;
         if (is_recoloured) view_->replace_scene(scene_->scene());
@@ -256,6 +223,15 @@ void CarvingPage::draw() {
     }
     view_->vertices_changed(scene_->update(*record));
     draw_heads(*record);
+}
+
+void CarvingPage::make_scene(const session::CarvingRecord& record) {
+    if (piece::PieceFront* const front = shown_piece(); front != nullptr) {
+        scene_ = std::make_unique<session::StockScene>(record, *front, plan());
+    } else {
+        scene_ = std::make_unique<session::CarvedScene>(record, plan());
+    }
+    rods_ = {};
 }
 
 /// Whole mm around the job's radii.
@@ -283,7 +259,7 @@ void CarvingPage::note_known_heads() {
 }
 
 void CarvingPage::draw_heads(const session::CarvingRecord& record) {
-    const auto pose = record.pose(drawn_positions_);
+    const auto pose = record.pose(drawn_positions_, scene_->middle_mm());
     const double across_mm = scene_->scene()->size[0];
     const QColor colours[] = {tokens_->r1, tokens_->r2};
     std::vector<MeshView::Head> heads;
@@ -291,8 +267,8 @@ void CarvingPage::draw_heads(const session::CarvingRecord& record) {
         if (!is_head_known_[h]) continue;
         const auto& at = pose.heads[h];
         if (!rods_[h])
-            rods_[h] = std::make_shared<const session::MeshScene>(
-                session::head_scene(across_mm * kRodLength, across_mm * kRodRadius));
+            rods_[h] = std::make_shared<const session::MeshScene>(session::head_scene(
+                across_mm * kRodLength, across_mm * kRodRadius, tool::tool_of(record.profile().tool, 1.0)));
         const double name_mm = at.radius_mm + across_mm * kRodLength * 0.85;
         heads.push_back(
             {{rods_[h], {{at.radius_mm, 0.0, at.height_mm}, at.direction_rad}, colours[h].rgb() & 0xFFFFFFU},
@@ -321,6 +297,15 @@ std::optional<MeshView::Head::Alarm> CarvingPage::alarm_at(std::size_t head,
         is_last ? words(session::state_text(bench_.shown(), 0).second) : QString{}};
 }
 
+QString CarvingPage::behind_text(const session::LivePiece& piece) {
+    constexpr std::uint32_t kFewLayers = 2;
+    constexpr std::size_t kFewIncrements = 2'000;  // two seconds of a machine's work
+    const std::uint32_t layers = piece.layers_to_come();
+    const QString apart = QStringLiteral(" &nbsp; ");
+    if (layers > kFewLayers) return apart + tr("catching up: %1 layers").arg(layers);
+    return piece.waiting() > kFewIncrements ? apart + tr("catching up") : QString{};
+}
+
 void CarvingPage::say() {
     feed_->setText(runs_job(bench_.shown().state()) ? axes_->feed_text() : QString{});
     const auto& status = bench_.shown().status;
@@ -337,13 +322,16 @@ void CarvingPage::say() {
         return;
     }
     const std::uint32_t layers = job->view.layer_count();
-    const std::uint32_t planned = record->planned_layers();
+    const session::LivePiece* const live = bench_.replay.is_open() ? nullptr : watch_.piece();
+    const std::uint32_t planned =
+        std::max(record->planned_layers(), live != nullptr ? live->skipped_layers() : 0U);
     const bool is_planned = bench_.replay.is_open() && !bench_.replay.facts().knows_every_pulse;
     const QString carved = is_planned     ? tr("carved, as planned")
                            : planned == 0 ? tr("carved")
                                           : tr("carved (%1 layers not seen: as planned)").arg(planned);
     done_->setText(colour_square(kDoneColour) + carved + QStringLiteral(" &nbsp; ") +
-                   colour_square(kBlankColour) + tr("blank"));
+                   colour_square(kBlankColour) + tr("blank") +
+                   (live != nullptr ? behind_text(*live) : QString{}));
     point_->setText(tr("Layer %1 / %2, point %3 / %4")
                         .arg(std::min(status->layer + 1, layers))
                         .arg(layers)

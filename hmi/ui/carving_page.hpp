@@ -12,8 +12,7 @@
 #include <vector>
 
 #include "hmi/session/carved_scene.hpp"
-#include "hmi/session/carving_record.hpp"
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/carving_watch.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/tokens.hpp"
@@ -37,7 +36,7 @@ public:
     void set_theme(const Tokens& tokens);
     /// The record is kept whether or not somebody looks at the page.
     void refresh();
-    const session::CarvingRecord* record() const noexcept { return record_.get(); }
+    const session::CarvingWatch& watch() const noexcept { return watch_; }
     MeshView& view() noexcept { return *view_; }
 
 protected:
@@ -49,25 +48,26 @@ private:
     session::CarvedScenePlan plan() const;
     void show_scale();
     void take_range();
-    void make_record();
-    void keep_record();
     /// The machine's, or a recording's.
     session::CarvingRecord* shown_record() const noexcept;
+    piece::PieceFront* shown_piece() const noexcept;
+    std::uint64_t shown_edition() const noexcept;
+    void make_scene(const session::CarvingRecord& record);
     void draw();
     void draw_heads(const session::CarvingRecord& record);
     void note_known_heads();
     std::optional<MeshView::Head::Alarm> alarm_at(std::size_t head, const session::MachinePose& pose) const;
     void say();
+    /// Of a picture that is not as far as the machine.
+    static QString behind_text(const session::LivePiece& piece);
 
     Bench& bench_;
     const Tokens* tokens_ = nullptr;
-    std::shared_ptr<const cam::PreparedJob> job_;
-    std::unique_ptr<session::CarvingRecord> record_;
-    std::unique_ptr<session::CarvedScene> scene_;
+    session::CarvingWatch watch_;
+    std::uint64_t blank_edition_ = 0;  ///< of the watch, that scene_ may be of
+    std::unique_ptr<session::PieceOnTable> scene_;
     std::array<std::shared_ptr<const session::MeshScene>, verify::kHeadCount> rods_;
     Drawing scene_drawing_ = Drawing::painter;  ///< that scene_ was made for
-    std::uint64_t record_number_ = 0;           ///< of the record that is wanted
-    std::uint64_t job_start_tick_ = 0;
     std::uint64_t drawn_edition_ = 0;
     verify::Positions drawn_positions_{};
     std::vector<Axis> drawn_alarm_;
@@ -86,7 +86,6 @@ private:
     QLabel* done_;
     QLabel* feed_;
     QLabel* point_;
-    session::WorkLane lane_;
 };
 
 }  // namespace psicarve::ui

@@ -121,7 +121,7 @@ TEST_F(Carving, TurnsThePartUntilR1StandsLeft) {
     positions[index_of(Axis::r2)] = 400 * 15;
     positions[index_of(Axis::psi)] = 6400 / 4;
     positions[index_of(Axis::y)] = y_pulses;
-    const MachinePose pose = sut_->pose(positions);
+    const MachinePose pose = sut_->pose(positions, 0.5 * (sut_->bottom_mm() + sut_->top_mm()));
     EXPECT_NEAR(pose.heads[0].direction_rad, kPi, 1e-9);
     EXPECT_NEAR(std::cos(pose.heads[1].direction_rad), 1.0, 1e-9);
     EXPECT_NEAR(pose.heads[0].radius_mm, 12.0, 1e-9);

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "hmi/piece/stock_map.hpp"
+#include "hmi/verify/job_geometry.hpp"
+#include "shared/profile.hpp"
+
+namespace psicarve::piece {
+
+/// Cells once round of a piece that a view follows: as many as it draws.
+inline constexpr std::size_t kViewColumns = 480;
+/// A blank for a view that follows the carving: at most `columns` cells once round, fewer where the blank is
+/// so tall that its map would have more than a million cells.
+StockMap view_blank_of(const verify::JobGeometry& geometry, const Profile& profile, std::size_t columns);
+
+/// Of the places that the axes come through, those that tell on a map, for a tool that has a size: each a
+/// quarter of a cell from the one before, or deeper than it by a sixteenth.
+class ToolWay {
+public:
+    using Cut = std::function<void(const verify::Positions&)>;
+
+    ToolWay(const verify::JobGeometry& geometry, const StockMap& stock);
+
+    /// The axes have come here straight from the place before.
+    void go(const verify::Positions& to, const Cut& cut);
+    /// Nobody saw how the axes come to the next place.
+    void lift() noexcept { told_.reset(); }
+    /// As the job says: a layer's points, up to before a step. Lifted before and behind it.
+    void go_layer(std::uint32_t layer, std::uint32_t end_step, const Cut& cut);
+    /// From now on places are half as dense.
+    void coarsen() noexcept { near_ratio_ *= 2.0; }
+
+    /// The way from one place straight to another, without the former: two places to a cell.
+    void between(const verify::Positions& from, const verify::Positions& to, const Cut& cut) const;
+    /// Cells of the map, of direction or height, that this way leads through.
+    double cells_between(const verify::Positions& from, const verify::Positions& to) const noexcept;
+
+private:
+    void take(const verify::Positions& at, const Cut& cut);
+    bool is_outside(const verify::Positions& at) const noexcept;
+
+    verify::JobGeometry geometry_;
+    double blank_radius_mm_;
+    double psi_pulses_;  ///< of a cell
+    double y_pulses_;
+    std::array<double, verify::kHeadCount> deep_pulses_{};
+    double near_ratio_ = 0.25;               ///< of a cell
+    std::optional<verify::Positions> told_;  ///< the place before
+    std::optional<verify::Positions> cut_;   ///< the last that told
+};
+
+}  // namespace psicarve::piece

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/replay/replay_piece.hpp"
+
+#include <utility>
+
+namespace psicarve::replay {
+namespace {
+
+/// A few milliseconds' worth.
+constexpr std::size_t kPlacesAtOnce = 1'000;
+
+}  // namespace
+
+ReplayPiece::ReplayPiece(std::shared_ptr<const ToolTimeline> timeline)
+    : front_(timeline->blank()), piece_(std::move(timeline)) {}
+
+ReplayPiece::~ReplayPiece() {
+    is_dropped_.store(true);
+}
+
+void ReplayPiece::want(std::int64_t time) {
+    lane_.deliver();
+    if (has_wanted_ && wanted_.load() == time) return;
+    has_wanted_ = true;
+    wanted_.store(time);
+    // One that is under way sees the new wish, but may just have come to its end.
+    lane_.drop_waiting();
+    lane_.post([this]() -> session::WorkLane::Finish {
+        follow();
+        return {};
+    });
+}
+
+void ReplayPiece::follow() {
+    while (!is_dropped_.load()) {
+        const bool is_there = piece_.go(wanted_.load(), kPlacesAtOnce);
+        front_.publish(piece_.stock());
+        if (is_there) return;
+    }
+}
+
+}  // namespace psicarve::replay

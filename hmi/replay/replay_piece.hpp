@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+#include "hmi/piece/piece_front.hpp"
+#include "hmi/replay/tool_timeline.hpp"
+#include "hmi/session/work_lane.hpp"
+
+namespace psicarve::replay {
+
+/// What the tool has left at the time that a recording shows, worked out on a thread of its own: the newest
+/// wish counts. The owner waits only when it ends, and then for some milliseconds.
+class ReplayPiece {
+public:
+    explicit ReplayPiece(std::shared_ptr<const ToolTimeline> timeline);
+    ~ReplayPiece();
+    ReplayPiece(const ReplayPiece&) = delete;
+    ReplayPiece& operator=(const ReplayPiece&) = delete;
+
+    void want(std::int64_t time);
+    /// The front is the piece at this time.
+    bool shows(std::int64_t time) const { return has_wanted_ && wanted_.load() == time && lane_.is_idle(); }
+    piece::PieceFront& front() noexcept { return front_; }
+
+private:
+    void follow();
+
+    piece::PieceFront front_;
+    PieceInTime piece_;  ///< the lane's
+    bool has_wanted_ = false;
+    std::atomic<std::int64_t> wanted_{0};
+    std::atomic<bool> is_dropped_{false};
+    session::WorkLane lane_;  // last: it uses the others
+};
+
+}  // namespace psicarve::replay

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "hmi/cam/prepared_job.hpp"
+#include "hmi/piece/piece_carver.hpp"
+#include "hmi/piece/tool_way.hpp"
+#include "hmi/replay/trace_index.hpp"
+
+namespace psicarve::replay {
+
+/// Where a tool that has a size cut, and when, and what stood there at some of these times: the piece at any
+/// time is one of them with the places behind it cut. Made once, on a thread of its own.
+class ToolTimeline {
+public:
+    using JobPointer = std::shared_ptr<const cam::PreparedJob>;
+    /// Of more, every other one is left out, as often as needed: the way between two is cut straight.
+    static constexpr std::size_t kMostPlaces = 1'500'000;
+
+    /// Where the axes were while the spindle was on.
+    static Result<std::shared_ptr<const ToolTimeline>> of_trace(const JobPointer& job,
+                                                                std::shared_ptr<const TraceIndex> index,
+                                                                const Progress& progress,
+                                                                std::size_t most_places = kMostPlaces);
+    /// As planned: the job's layer n, of any pass, is there from time n + 1 on.
+    static Result<std::shared_ptr<const ToolTimeline>> of_job(const JobPointer& job, const Progress& progress,
+                                                              std::size_t most_places = kMostPlaces);
+
+    std::size_t place_count() const noexcept { return places_.size(); }
+    /// Places up to and with this time.
+    std::size_t places_until(std::int64_t time) const noexcept;
+    const piece::StockMap& blank() const noexcept { return kept_.front(); }
+
+private:
+    friend class PieceInTime;
+    struct Place {
+        std::int64_t time;
+        std::int64_t psi_pulses;
+        std::int64_t y_pulses;
+        std::int32_t r1_pulses;
+        std::int32_t r2_pulses;
+    };
+
+    ToolTimeline(JobPointer job, const verify::JobGeometry& geometry, std::size_t most_places);
+    static Result<std::shared_ptr<ToolTimeline>> empty(const JobPointer& job, std::size_t most_places);
+    void add(std::int64_t time, const verify::Positions& at);
+    void lift() noexcept { is_lifted_ = true; }
+    Result<void> keep_pieces(const Progress& progress);
+    verify::Positions positions(std::size_t place) const noexcept;
+
+    JobPointer job_;
+    verify::JobGeometry geometry_;
+    std::size_t most_places_;
+    std::vector<Place> places_;
+    std::vector<std::uint8_t> is_joined_;  ///< by place: straight from the one before
+    bool is_lifted_ = true;
+    std::size_t stride_ = 1;
+    std::size_t left_out_ = 0;           ///< since the last place
+    std::size_t kept_every_ = 1;         ///< places
+    std::vector<piece::StockMap> kept_;  ///< the piece behind 0, kept_every_, 2 * kept_every_ .. places
+    piece::ToolWay way_;
+};
+
+/// A piece that goes along a timeline, either way. What it is at a time depends on that time alone.
+class PieceInTime {
+public:
+    explicit PieceInTime(std::shared_ptr<const ToolTimeline> timeline);
+
+    /// Goes towards a time by so many places at most. Whether it is there.
+    bool go(std::int64_t time, std::size_t most);
+    const piece::StockMap& stock() const noexcept { return stock_; }
+
+private:
+    friend class ToolTimeline;
+    explicit PieceInTime(const ToolTimeline& timeline);
+    void put(std::size_t kept);
+    void cut(std::size_t place);
+    void settle(const verify::Positions& at);
+
+    std::shared_ptr<const ToolTimeline> owner_;
+    const ToolTimeline& timeline_;
+    piece::StockMap stock_;
+    std::optional<piece::PieceCarver> carver_;
+    std::size_t places_ = 0;  ///< that are cut
+};
+
+}  // namespace psicarve::replay

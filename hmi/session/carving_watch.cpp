@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/carving_watch.hpp"
+
+#include <utility>
+
+namespace psicarve::session {
+namespace {
+
+constexpr std::uint64_t kCellsPerLook = 100'000;  // some milliseconds
+
+struct Blank {
+    std::unique_ptr<CarvingRecord> record;
+    std::unique_ptr<LivePiece> piece;
+};
+
+}  // namespace
+
+/// Of a large job a fresh blank takes longer than a window may stand still, and so does the end of the one
+/// before; what is carved meanwhile waits in the core's ring.
+void CarvingWatch::make_blank() {
+    std::shared_ptr<const CarvingRecord> record_before{std::move(record_)};
+    std::shared_ptr<const LivePiece> piece_before{std::move(piece_)};
+    lane_.drop_waiting();
+    lane_.post([this, record_before = std::move(record_before), piece_before = std::move(piece_before),
+                job = job_, number = ++blank_number_]() mutable -> WorkLane::Finish {
+        piece_before.reset();
+        record_before.reset();
+        if (!job) return {};
+        auto made = CarvingRecord::make(job);
+        if (!made) return {};
+        const auto blank = std::make_shared<Blank>();
+        blank->record = std::move(*made);
+        if (job->profile.tool.shape != ToolShape::point)
+            blank->piece = std::make_unique<LivePiece>(job, blank->record->geometry());
+        return [this, number, blank] {
+            if (number != blank_number_) return;
+            record_ = std::move(blank->record);
+            piece_ = std::move(blank->piece);
+            ++edition_;
+        };
+    });
+}
+
+void CarvingWatch::refresh() {
+    lane_.deliver();
+    const auto job = desk_.core_job();
+    // What a core had carved stands there after it is gone.
+    if (job != job_ && (job || machine_.sight().is_heard())) {
+        job_ = job;
+        job_start_tick_ = 0;
+        make_blank();
+    }
+    const auto& status = machine_.sight().status;
+    if (!job_ || !status) return machine_.skip_increments();
+    // A dry run carves nothing: what stands there stays.
+    if (status->is_dry != 0) return machine_.skip_increments();
+    if (status->job_start_tick != job_start_tick_) {
+        if (job_start_tick_ != 0) make_blank();
+        job_start_tick_ = status->job_start_tick;
+    }
+    if (!record_) return;
+    take_increments(*status);
+    const bool is_complete = status->points_total > 0 && status->points_done == status->points_total;
+    if (status->points_done > 0)
+        record_->take_as_planned(is_complete ? status->layer + 1 : status->layer, kCellsPerLook);
+}
+
+void CarvingWatch::take_increments(const CoreStatus& status) {
+    // A head that is jogged stands still; nothing tells it in the increments.
+    const bool runs = runs_job(status.state);
+    const bool was_at_job = runs || ran_job_;
+    ran_job_ = runs;
+    // What was carved before this start was another piece.
+    machine_.read_increments([&](const IncrementEntry& entry) {
+        if (job_start_tick_ == 0 || entry.tick < job_start_tick_) return;
+        record_->take(entry);
+        const bool is_of_job = status.job_end_tick != 0 ? entry.tick <= status.job_end_tick : was_at_job;
+        if (piece_ && is_of_job) piece_->take(entry);
+    });
+    const std::uint64_t lost = machine_.lost_increments();
+    const bool has_lost = std::exchange(lost_, lost) != lost;
+    if (piece_ && job_start_tick_ != 0) piece_->look({status.points_done, has_lost});
+}
+
+}  // namespace psicarve::session

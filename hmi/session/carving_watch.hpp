@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "hmi/session/carving_record.hpp"
+#include "hmi/session/job_desk.hpp"
+#include "hmi/session/live_piece.hpp"
+#include "hmi/session/machine_session.hpp"
+#include "hmi/session/work_lane.hpp"
+
+namespace psicarve::session {
+
+/// Keeps what the machine carves, whether or not somebody looks: of the core's job since its last start. One
+/// thread, the window's, which never waits for it.
+class CarvingWatch {
+public:
+    CarvingWatch(MachineSession& machine, JobDesk& desk) : machine_(machine), desk_(desk) {}
+
+    /// With each look at the machine.
+    void refresh();
+
+    /// Nothing while a fresh blank is made.
+    CarvingRecord* record() const noexcept { return record_.get(); }
+    /// With the record, where the job's tool has a size.
+    LivePiece* piece() const noexcept { return piece_.get(); }
+    bool has_job() const noexcept { return job_ != nullptr; }
+    /// Grows with each fresh blank.
+    std::uint64_t edition() const noexcept { return edition_; }
+
+private:
+    void make_blank();
+    void take_increments(const CoreStatus& status);
+
+    MachineSession& machine_;
+    JobDesk& desk_;
+    std::shared_ptr<const cam::PreparedJob> job_;
+    std::unique_ptr<CarvingRecord> record_;
+    std::unique_ptr<LivePiece> piece_;
+    std::uint64_t blank_number_ = 0;  ///< of the blank that is wanted
+    std::uint64_t edition_ = 0;
+    std::uint64_t job_start_tick_ = 0;
+    std::uint64_t lost_ = 0;  ///< increments, when they were read last
+    bool ran_job_ = false;    ///< when they were read last
+    WorkLane lane_;
+};
+
+}  // namespace psicarve::session

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page Carving with a tool that has a size: what it leaves, not what its tip passes.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QTabWidget>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "hmi/piece/expected_piece.hpp"
+#include "hmi/piece/tool_way.hpp"
+#include "hmi/ui/mesh_view.hpp"
+#include "shared/snapshot_file.hpp"
+#include "shared/units.hpp"
+#include "tests/hmi/ui/window_rig.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using S = MachineState;
+
+constexpr double kGrooves_mm = 2.0;  // from one to the next
+constexpr double kOutside_mm = 12.0;
+constexpr double kGround_mm = 9.0;
+
+class CarvedByTool : public test::WindowRig {
+protected:
+    static Profile profile_with(ToolShape shape) {
+        Profile profile;
+        profile.tool.shape = shape;
+        profile.tool.diameter_mm = 6.0;
+        profile.blank.radius_mm = 13.0;
+        profile.blank.height_mm = 10.0;
+        profile.blank.offset_x_mm = 0.5;
+        return profile;
+    }
+    /// A post with rings cut into it that are narrower than the ball: its tip goes to their ground.
+    static JobTable grooved_job(const Profile& profile) {
+        JobTable table = two_process::lobed_job(60, 61, profile);
+        for (std::uint32_t layer = 0; layer < table.layer_count; ++layer) {
+            const double height_mm = 1.0 + 0.12 * layer;
+            table.layer_height_pulses[layer] = pulses_from_mm(height_mm, profile.y.pulses_per_mm);
+            const bool is_groove = std::fmod(height_mm, kGrooves_mm) < 0.5 * kGrooves_mm;
+            const double radius_mm = is_groove ? kGround_mm : kOutside_mm;
+            for (std::uint32_t point = 0; point < table.point_count; ++point) {
+                const std::size_t at = std::size_t{layer} * table.point_count + point;
+                table.r_left_pulses[at] =
+                    static_cast<std::int32_t>(pulses_from_mm(radius_mm, profile.r1.pulses_per_mm));
+                table.r_right_pulses[at] =
+                    static_cast<std::int32_t>(pulses_from_mm(radius_mm, profile.r2.pulses_per_mm));
+            }
+        }
+        return table;
+    }
+    void carve_with(ToolShape shape) {
+        const Profile profile = profile_with(shape);
+        std::ofstream{file("machine.toml")} << profile_to_toml(profile);
+        window_.reset();
+        start_core({"--profile", file("machine.toml")});
+        open_window();
+        window_->findChild<QTabWidget*>()->setCurrentIndex(2);
+        ASSERT_NO_FATAL_FAILURE(carve_job(grooved_job(profile)));
+        ASSERT_TRUE(comes_true([&] { return is_done() && is_shown(); })) << all_messages().toStdString();
+    }
+    bool is_done() { return sight().state() == S::ready && sight().status->job_end_tick != 0; }
+    bool is_shown() {
+        const auto& bodies = view().picture().bodies;
+        if (bodies.empty()) return false;
+        const auto& rgb = bodies.front().scene->vertex_rgb;
+        return std::count(rgb.begin(), rgb.end(), rgb[rgb.size() / 2]) > std::ssize(rgb) / 3 &&
+               !part<QLabel>("carving_done").text().contains("catching up");
+    }
+    MeshView& view() { return part<MeshView>("carving_view"); }
+    /// Of all that stands between two heights [mm above the table].
+    std::vector<double> radii_between(double low_mm, double high_mm, double middle_mm) {
+        std::vector<double> radii;
+        const auto& vertices = view().picture().bodies.front().scene->vertices;
+        for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+            const double height_mm = static_cast<double>(vertices[i][2]) + middle_mm;
+            if (height_mm < low_mm || height_mm > high_mm) continue;
+            radii.push_back(std::hypot(vertices[i][0], vertices[i][1]));
+        }
+        return radii;
+    }
+};
+
+TEST_F(CarvedByTool, LessIsLeftWhereABallWentThanWhereAPointDid) {
+    // The rib between two grooves: a point leaves it, a ball that is wider than it takes it away.
+    ASSERT_NO_FATAL_FAILURE(carve_with(ToolShape::point));
+    const double first_mm = 1.0;
+    const double last_mm = 1.0 + 0.12 * 59;
+    const auto ribs = radii_between(3.2, 3.8, 0.5 * (first_mm + last_mm));
+    ASSERT_FALSE(ribs.empty());
+    EXPECT_NEAR(*std::max_element(ribs.begin(), ribs.end()), kOutside_mm, 0.1);
+    take_picture("carved_by_point_light");
+    core_.reset();
+    ASSERT_NO_FATAL_FAILURE(carve_with(ToolShape::ball));
+    take_picture("carved_by_ball_light");
+    const auto taken = radii_between(3.2, 3.8, 5.0);
+    ASSERT_FALSE(taken.empty());
+    EXPECT_LT(*std::max_element(taken.begin(), taken.end()), kOutside_mm - 1.0);
+    EXPECT_GT(*std::min_element(taken.begin(), taken.end()), kGround_mm - 0.05);
+    // Above the job the blank stands off the axis, and is the whole blank.
+    const auto above = radii_between(last_mm + 2.5, 10.0, 5.0);
+    if (!above.empty()) {
+        EXPECT_NEAR(*std::max_element(above.begin(), above.end()), 13.5, 0.01);
+        EXPECT_NEAR(*std::min_element(above.begin(), above.end()), 12.5, 0.01);
+    }
+}
+
+TEST_F(CarvedByTool, IsThePieceThatTheJobsToolIsToLeave) {
+    ASSERT_NO_FATAL_FAILURE(carve_with(ToolShape::ball));
+    const auto job = window_->bench().desk.core_job();
+    ASSERT_TRUE(job);
+    const auto geometry = verify::JobGeometry::make(job->view, job->profile).value();
+    const piece::StockMap wanted =
+        piece::expected_piece(geometry, job->profile,
+                              piece::view_blank_of(geometry, job->profile, piece::kViewColumns), nullptr, {})
+            .value();
+    const auto worst_mm = [&] {
+        const auto& vertices = view().picture().bodies.front().scene->vertices;
+        const double middle_mm =
+            wanted.bottom_mm() + 0.5 * wanted.row_mm() * static_cast<double>(wanted.row_count());
+        double worst = 0.0;
+        for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+            const double height_mm = static_cast<double>(vertices[i][2]) + middle_mm;
+            const double row = std::clamp(std::floor((height_mm - wanted.bottom_mm()) / wanted.row_mm()), 0.0,
+                                          static_cast<double>(wanted.row_count() - 1));
+            double turn = std::atan2(vertices[i][1], vertices[i][0]) / (2.0 * kPi);
+            if (turn < 0.0) turn += 1.0;
+            const auto columns = static_cast<double>(wanted.column_count());
+            const auto column =
+                static_cast<std::size_t>(std::llround(turn * columns)) % wanted.column_count();
+            const double radius_mm = std::hypot(vertices[i][0], vertices[i][1]);
+            worst = std::max(worst, std::abs(radius_mm - wanted.row(static_cast<std::size_t>(row))[column]));
+        }
+        return worst;
+    };
+    // Half a cell on a wall as steep as the ball's side.
+    EXPECT_TRUE(comes_true([&] { return worst_mm() < 0.5 * wanted.row_mm(); })) << worst_mm();
+    // A window that comes later shows the same.
+    open_window();
+    window_->findChild<QTabWidget*>()->setCurrentIndex(2);
+    ASSERT_TRUE(comes_true([&] { return sight().is_heard() && is_shown(); }));
+    EXPECT_TRUE(comes_true([&] { return worst_mm() < 0.5 * wanted.row_mm(); })) << worst_mm();
+}
+
+}  // namespace
+}  // namespace psicarve::ui

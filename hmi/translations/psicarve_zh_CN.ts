@@ -1088,6 +1088,10 @@
             <translation>结束 psicarve-rtcore，进程 %1</translation>
         </message>
         <message>
+            <source>Ends the job in order: heads out, spindle off (Shift+Esc)</source>
+            <translation>有序结束作业：刀头退出，主轴关闭（Shift+Esc）</translation>
+        </message>
+        <message>
             <source>English</source>
             <translation>简体中文</translation>
         </message>
@@ -1121,10 +1125,10 @@
         </message>
         <message>
             <source>F1  emergency stop, everywhere
-Esc  stop, everywhere, while the machine is at work
-Esc in Close the window  cancel
+Shift+Esc  stop, everywhere
+Esc  hold; in a dialog or menu: close it
 Ctrl+Enter  start
-Pause  hold, resume
+Pause  hold, resume, everywhere
 Ctrl+Home  home all
 Ctrl+0, Ctrl+−, Ctrl++  feed override
 Ctrl+O  open
@@ -1136,10 +1140,10 @@ F6  next pane
 F10  menu
 F12  this list</source>
             <translation>F1  急停，任何地方有效
-Esc  停止，机床工作时任何地方有效
-“关闭窗口”中的 Esc  取消
+Shift+Esc  停止，任何地方有效
+Esc  暂停；在对话框或菜单中：将其关闭
 Ctrl+Enter  启动
-Pause  暂停、继续
+Pause  暂停、继续，任何地方有效
 Ctrl+Home  全部回零
 Ctrl+0、Ctrl+−、Ctrl++  进给倍率
 Ctrl+O  打开
@@ -1308,6 +1312,10 @@ F12  本列表</translation>
             <translation>移动到…</translation>
         </message>
         <message>
+            <source>Goes on where it stands (Pause)</source>
+            <translation>从停住处继续（Pause）</translation>
+        </message>
+        <message>
             <source>Greatest difference at an index pass that is not the alarm steps lost.</source>
             <translation>经过零位时不触发“丢步”报警的最大偏差。</translation>
         </message>
@@ -1386,6 +1394,10 @@ F12  本列表</translation>
         <message>
             <source>Hold = move, click = one step.</source>
             <translation>按住 = 移动，单击 = 一步。</translation>
+        </message>
+        <message>
+            <source>Hold asked for by Esc: Resume or the Pause key goes on</source>
+            <translation>已按 Esc 请求暂停：按“继续”或 Pause 键继续</translation>
         </message>
         <message>
             <source>Hold asked for: the window closes once the core has taken it</source>
@@ -3026,6 +3038,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Slicing …</source>
             <translation>正在切片 …</translation>
+        </message>
+        <message>
+            <source>Slows down along the path and stands on it (Pause, Esc)</source>
+            <translation>沿路径减速并停在路径上（Pause、Esc）</translation>
         </message>
         <message>
             <source>Smoothed over so far, mm</source>

@@ -66,6 +66,8 @@ public:
     /// In order, at once; the machine has something to stop.
     void stop();
     bool may_stop() const;
+    /// What Esc does now outside dialogs and menus; empty: nothing.
+    std::function<void()> escape_act();
     /// The page that was open the last time.
     void go_to_last_page();
     /// For a program that ends: nothing is asked, the machine's job is left alone, and what a hand holds is

@@ -32,6 +32,8 @@
 #include "hmi/ui/layers_page.hpp"
 #include "hmi/ui/messages_page.hpp"
 #include "hmi/ui/model_page.hpp"
+#include "hmi/ui/option_keeper.hpp"
+#include "hmi/ui/place_keeper.hpp"
 #include "hmi/ui/ports_page.hpp"
 #include "hmi/ui/position_panel.hpp"
 #include "hmi/ui/profile_page.hpp"

@@ -32,6 +32,7 @@ class JogPanel;
 class LayersPage;
 class MessagesPage;
 class ModelPage;
+class OptionKeeper;
 class PlaceKeeper;
 class PortsPage;
 class PositionPanel;
@@ -175,6 +176,7 @@ private:
     std::function<CloseChoice()> ask_;
     std::unique_ptr<StopKeys> stop_keys_;
     std::unique_ptr<PlaceKeeper> place_keeper_;
+    std::unique_ptr<OptionKeeper> option_keeper_;
     bool closes_held_ = false;  ///< the core has taken the hold that was to be closed with
     QTimer timer_;
 };

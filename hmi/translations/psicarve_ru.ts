@@ -2025,6 +2025,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Название станка, для людей.</translation>
         </message>
         <message>
+            <source>Needs restart: the core has %1 until it is started anew</source>
+            <translation>Нужен перезапуск: у ядра %1, пока его не запустят заново</translation>
+        </message>
+        <message>
             <source>Next</source>
             <translation>Далее</translation>
         </message>
@@ -3875,6 +3879,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Value</source>
             <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Values that need a restart (↻): %1.</source>
+            <translation>Значений, которым нужен перезапуск (↻): %1.</translation>
         </message>
         <message>
             <source>Verification</source>

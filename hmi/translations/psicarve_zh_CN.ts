@@ -2024,6 +2024,10 @@ N、Shift+N  下一条、上一条记录
             <translation>机床名称，供人识别。</translation>
         </message>
         <message>
+            <source>Needs restart: the core has %1 until it is started anew</source>
+            <translation>需要重启：内核重新启动前使用 %1</translation>
+        </message>
+        <message>
             <source>Next</source>
             <translation>下一步</translation>
         </message>
@@ -3870,6 +3874,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Value</source>
             <translation>数值</translation>
+        </message>
+        <message>
+            <source>Values that need a restart (↻): %1.</source>
+            <translation>需要重启的值（↻）：%1。</translation>
         </message>
         <message>
             <source>Verification</source>

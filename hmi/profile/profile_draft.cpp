@@ -112,6 +112,10 @@ bool ProfileDraft::differs_from_built_in(std::size_t key) const {
     return entries_[key].toml != profile_keys()[key].built_in;
 }
 
+bool ProfileDraft::differs_from(std::size_t key, std::string_view toml) const {
+    return entries_[key].toml != toml;
+}
+
 std::size_t ProfileDraft::changed_count() const {
     std::size_t count = 0;
     for (std::size_t i = 0; i < entries_.size(); ++i) count += is_changed(i) ? 1 : 0;

@@ -39,6 +39,8 @@ public:
 
     bool is_changed(std::size_t key) const;
     bool differs_from_built_in(std::size_t key) const;
+    /// Of a value as profile_values() has it. What is no value differs.
+    bool differs_from(std::size_t key, std::string_view toml) const;
     /// "what is wrong; remedy", or nothing.
     const std::string& problem(std::size_t key) const { return entries_[key].problem; }
     std::size_t changed_count() const;

@@ -78,6 +78,8 @@ public:
     }
     /// The core may still show the percentage before.
     bool is_override_under_way() const { return wanted_override_percent_ || !orders_.is_idle(); }
+    /// One is on its way to the core, or waits for the one before.
+    bool has_orders() const { return !orders_.is_idle(); }
     /// What the core has reported of its motion since the last call, oldest first. Those that came faster
     /// than they were read are lost.
     void read_increments(const std::function<void(const IncrementEntry&)>& take);

@@ -1085,6 +1085,10 @@
             <translation>Завершите psicarve-rtcore, процесс %1</translation>
         </message>
         <message>
+            <source>Ends the job in order: heads out, spindle off (Shift+Esc)</source>
+            <translation>Завершает задание по порядку: головки наружу, шпиндель выключен (Shift+Esc)</translation>
+        </message>
+        <message>
             <source>English</source>
             <translation>Русский</translation>
         </message>
@@ -1118,10 +1122,10 @@
         </message>
         <message>
             <source>F1  emergency stop, everywhere
-Esc  stop, everywhere, while the machine is at work
-Esc in Close the window  cancel
+Shift+Esc  stop, everywhere
+Esc  hold; in a dialog or menu: close it
 Ctrl+Enter  start
-Pause  hold, resume
+Pause  hold, resume, everywhere
 Ctrl+Home  home all
 Ctrl+0, Ctrl+−, Ctrl++  feed override
 Ctrl+O  open
@@ -1133,10 +1137,10 @@ F6  next pane
 F10  menu
 F12  this list</source>
             <translation>F1  аварийный останов, везде
-Esc  стоп, везде, пока станок работает
-Esc в «Закрыть окно»  отмена
+Shift+Esc  стоп, везде
+Esc  пауза; в диалоге или меню: закрыть
 Ctrl+Enter  пуск
-Pause  пауза, продолжить
+Pause  пауза, продолжить, везде
 Ctrl+Home  поиск нуля всех осей
 Ctrl+0, Ctrl+−, Ctrl++  коррекция подачи
 Ctrl+O  открыть
@@ -1305,6 +1309,10 @@ F12  этот список</translation>
             <translation>Перейти…</translation>
         </message>
         <message>
+            <source>Goes on where it stands (Pause)</source>
+            <translation>Продолжает с места остановки (Pause)</translation>
+        </message>
+        <message>
             <source>Greatest difference at an index pass that is not the alarm steps lost.</source>
             <translation>Наибольшее расхождение на проходе нуля, ещё не вызывающее аварию «потеря шагов».</translation>
         </message>
@@ -1383,6 +1391,10 @@ F12  этот список</translation>
         <message>
             <source>Hold = move, click = one step.</source>
             <translation>Удерживать = двигаться, щелчок = один шаг.</translation>
+        </message>
+        <message>
+            <source>Hold asked for by Esc: Resume or the Pause key goes on</source>
+            <translation>Пауза по Esc: продолжить — кнопкой «Продолжить» или клавишей Pause</translation>
         </message>
         <message>
             <source>Hold asked for: the window closes once the core has taken it</source>
@@ -2007,6 +2019,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Name of the machine, for people.</source>
             <translation>Название станка, для людей.</translation>
+        </message>
+        <message>
+            <source>Needs restart: the core has %1 until it is started anew</source>
+            <translation>Нужен перезапуск: у ядра %1, пока его не запустят заново</translation>
         </message>
         <message>
             <source>Next</source>
@@ -3037,6 +3053,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Нарезается …</translation>
         </message>
         <message>
+            <source>Slows down along the path and stands on it (Pause, Esc)</source>
+            <translation>Замедляется по траектории и останавливается на ней (Pause, Esc)</translation>
+        </message>
+        <message>
             <source>Smoothed over so far, mm</source>
             <translation>Сглаживание на таком расстоянии, mm</translation>
         </message>
@@ -3875,6 +3895,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Value</source>
             <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Values that need a restart (↻): %1.</source>
+            <translation>Значений, которым нужен перезапуск (↻): %1.</translation>
         </message>
         <message>
             <source>Verification</source>

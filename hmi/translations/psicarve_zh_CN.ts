@@ -1084,6 +1084,10 @@
             <translation>结束 psicarve-rtcore，进程 %1</translation>
         </message>
         <message>
+            <source>Ends the job in order: heads out, spindle off (Shift+Esc)</source>
+            <translation>有序结束作业：刀头退出，主轴关闭（Shift+Esc）</translation>
+        </message>
+        <message>
             <source>English</source>
             <translation>简体中文</translation>
         </message>
@@ -1117,10 +1121,10 @@
         </message>
         <message>
             <source>F1  emergency stop, everywhere
-Esc  stop, everywhere, while the machine is at work
-Esc in Close the window  cancel
+Shift+Esc  stop, everywhere
+Esc  hold; in a dialog or menu: close it
 Ctrl+Enter  start
-Pause  hold, resume
+Pause  hold, resume, everywhere
 Ctrl+Home  home all
 Ctrl+0, Ctrl+−, Ctrl++  feed override
 Ctrl+O  open
@@ -1132,10 +1136,10 @@ F6  next pane
 F10  menu
 F12  this list</source>
             <translation>F1  急停，任何地方有效
-Esc  停止，机床工作时任何地方有效
-“关闭窗口”中的 Esc  取消
+Shift+Esc  停止，任何地方有效
+Esc  暂停；在对话框或菜单中：将其关闭
 Ctrl+Enter  启动
-Pause  暂停、继续
+Pause  暂停、继续，任何地方有效
 Ctrl+Home  全部回零
 Ctrl+0、Ctrl+−、Ctrl++  进给倍率
 Ctrl+O  打开
@@ -1304,6 +1308,10 @@ F12  本列表</translation>
             <translation>移动到…</translation>
         </message>
         <message>
+            <source>Goes on where it stands (Pause)</source>
+            <translation>从停住处继续（Pause）</translation>
+        </message>
+        <message>
             <source>Greatest difference at an index pass that is not the alarm steps lost.</source>
             <translation>经过零位时不触发“丢步”报警的最大偏差。</translation>
         </message>
@@ -1382,6 +1390,10 @@ F12  本列表</translation>
         <message>
             <source>Hold = move, click = one step.</source>
             <translation>按住 = 移动，单击 = 一步。</translation>
+        </message>
+        <message>
+            <source>Hold asked for by Esc: Resume or the Pause key goes on</source>
+            <translation>已按 Esc 请求暂停：按“继续”或 Pause 键继续</translation>
         </message>
         <message>
             <source>Hold asked for: the window closes once the core has taken it</source>
@@ -2006,6 +2018,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Name of the machine, for people.</source>
             <translation>机床名称，供人识别。</translation>
+        </message>
+        <message>
+            <source>Needs restart: the core has %1 until it is started anew</source>
+            <translation>需要重启：内核重新启动前使用 %1</translation>
         </message>
         <message>
             <source>Next</source>
@@ -3032,6 +3048,10 @@ N、Shift+N  下一条、上一条记录
             <translation>正在切片 …</translation>
         </message>
         <message>
+            <source>Slows down along the path and stands on it (Pause, Esc)</source>
+            <translation>沿路径减速并停在路径上（Pause、Esc）</translation>
+        </message>
+        <message>
             <source>Smoothed over so far, mm</source>
             <translation>平滑范围，mm</translation>
         </message>
@@ -3870,6 +3890,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Value</source>
             <translation>数值</translation>
+        </message>
+        <message>
+            <source>Values that need a restart (↻): %1.</source>
+            <translation>需要重启的值（↻）：%1。</translation>
         </message>
         <message>
             <source>Verification</source>

@@ -98,8 +98,10 @@ void CarvingPage::add_colourings(QLayout& row) {
         colourings_->addButton(button, i);
         row.addWidget(button);
     }
-    connect(colourings_, &QButtonGroup::idClicked, this,
-            [this](int id) { colour_by(static_cast<session::Colouring>(id)); });
+    colourings_->setObjectName("colouring");
+    connect(colourings_, &QButtonGroup::idToggled, this, [this](int id, bool is_on) {
+        if (is_on) colour_by(static_cast<session::Colouring>(id));
+    });
 }
 
 void CarvingPage::colour_by(session::Colouring colouring) {

@@ -12,9 +12,6 @@ namespace psicarve::ui {
 // being asked. Qt's own exec() does shut it out. One at a time: a second one only brings the first to the
 // front.
 
-/// A property of a dialog in which Esc is its own Cancel, though there is something to stop.
-inline constexpr const char* kKeepsEscape = "keeps_escape";
-
 /// Runs it to its end and returns its result; QDialog::Rejected when another one is open.
 int run_dialog(QDialog& dialog);
 /// The one that is open; null: none.

@@ -50,6 +50,10 @@ JogPanel::JogPanel(Bench& bench, QWidget* parent)
     }
     body().addLayout(speed_row(tr("linear"), linear_speed_, linear_label_));
     body().addLayout(speed_row("Ψ", angular_speed_, angular_label_));
+    linear_steps_->setObjectName("jog_linear_step");
+    angular_steps_->setObjectName("jog_angular_step");
+    linear_speed_->setObjectName("jog_linear_speed");
+    angular_speed_->setObjectName("jog_angular_speed");
     linear_speed_->setRange(1, kMostLinear);
     linear_speed_->setValue(kUsualLinear);
     angular_speed_->setRange(1, kMostAngular);

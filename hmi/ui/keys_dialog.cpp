@@ -50,8 +50,9 @@ KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("Keys"));
     auto* always = list_of(
         "keys_always",
-        tr("F1  emergency stop, everywhere\nEsc  stop, everywhere, while the machine is at "
-           "work\nEsc in Close the window  cancel\nCtrl+Enter  start\nPause  hold, resume\n"
+        tr("F1  emergency stop, everywhere\nShift+Esc  stop, everywhere\nEsc  hold; in a dialog or menu: "
+           "close "
+           "it\nCtrl+Enter  start\nPause  hold, resume, everywhere\n"
            "Ctrl+Home  home all\nCtrl+0, Ctrl+−, Ctrl++  feed override\nCtrl+O  open\nF5  slice\nF9  arm "
            "keyboard jog\nCtrl+1 … 7  tabs\nCtrl+L  layer number\nF6  next pane\nF10  "
            "menu\nF12  this list"));

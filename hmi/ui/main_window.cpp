@@ -24,6 +24,7 @@
 #include <utility>
 
 #include "hmi/session/action_lock.hpp"
+#include "hmi/session/escape_key.hpp"
 #include "hmi/ui/alarm_banner.hpp"
 #include "hmi/ui/carving_page.hpp"
 #include "hmi/ui/dialogs.hpp"
@@ -34,6 +35,8 @@
 #include "hmi/ui/layers_page.hpp"
 #include "hmi/ui/messages_page.hpp"
 #include "hmi/ui/model_page.hpp"
+#include "hmi/ui/option_keeper.hpp"
+#include "hmi/ui/place_keeper.hpp"
 #include "hmi/ui/ports_page.hpp"
 #include "hmi/ui/position_panel.hpp"
 #include "hmi/ui/profile_page.hpp"
@@ -130,8 +133,9 @@ MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing,
     tabs_->tabBar()->setFocus();  // not on anything that moves the machine
     ask_ = [this] { return ask_what_to_do(); };
     make_panels_menu();
-    stop_keys_ = std::make_unique<StopKeys>([this] { emergency_stop(); }, [this] { return may_stop(); },
-                                            [this] { stop(); });
+    stop_keys_ =
+        std::make_unique<StopKeys>(StopKeys::Acts{[this] { emergency_stop(); }, [this] { return may_stop(); },
+                                                  [this] { stop(); }, [this] { return escape_act(); }});
     connect(&timer_, &QTimer::timeout, this, [this] { refresh(); });
     timer_.start(kLookPause);
     new PaletteEar{this, [this] {  // the window owns it
@@ -297,6 +301,22 @@ void MainWindow::stop() {
     let_go();
     bench_.machine.stop();
     bench_.log.add(session::Severity::info, session::phrase("Stop asked for"));
+}
+
+std::function<void()> MainWindow::escape_act() {
+    switch (session::escape_order(bench_.machine.sight(), bench_.machine.has_orders())) {
+        case session::EscapeOrder::none:
+            return {};
+        case session::EscapeOrder::stop:
+            return [this] { stop(); };
+        case session::EscapeOrder::hold:
+            break;
+    }
+    return [this] {
+        bench_.machine.order(CommandKind::hold, session::phrase("Hold"));
+        bench_.log.add(session::Severity::info,
+                       session::phrase("Hold asked for by Esc: Resume or the Pause key goes on"));
+    };
 }
 
 void MainWindow::let_go() {

@@ -33,6 +33,7 @@ class JogPanel;
 class LayersPage;
 class MessagesPage;
 class ModelPage;
+class OptionKeeper;
 class PlaceKeeper;
 class PortsPage;
 class PositionPanel;
@@ -70,6 +71,8 @@ public:
     /// In order, at once; the machine has something to stop.
     void stop();
     bool may_stop() const;
+    /// What Esc does now outside dialogs and menus; empty: nothing.
+    std::function<void()> escape_act();
     /// The page that was open the last time.
     void go_to_last_page();
     /// For a program that ends: nothing is asked, the machine's job is left alone, and what a hand holds is
@@ -186,6 +189,7 @@ private:
     std::function<CloseChoice()> ask_;
     std::unique_ptr<StopKeys> stop_keys_;
     std::unique_ptr<PlaceKeeper> place_keeper_;
+    std::unique_ptr<OptionKeeper> option_keeper_;
     bool closes_held_ = false;  ///< the core has taken the hold that was to be closed with
     QTimer timer_;
 };

@@ -233,7 +233,6 @@ CloseChoice MainWindow::ask_what_to_do() {
     QPushButton* hold = box.addButton(tr("Hold"), QMessageBox::ActionRole);
     QPushButton* stop = box.addButton(tr("Stop"), QMessageBox::ActionRole);
     box.setEscapeButton(box.addButton(tr("Cancel"), QMessageBox::RejectRole));
-    box.setProperty(kKeepsEscape, true);  // its Stop is a button
     box.setObjectName("close_question");
     box.setDefaultButton(leave);
     // What it asks about may end while it is asked: by a stop, by the last layer.

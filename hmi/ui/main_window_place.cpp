@@ -9,6 +9,7 @@
 #include <array>
 
 #include "hmi/ui/main_window.hpp"
+#include "hmi/ui/option_keeper.hpp"
 #include "hmi/ui/place_keeper.hpp"
 #include "hmi/ui/side_panels.hpp"
 
@@ -50,6 +51,9 @@ void MainWindow::keep_place() {
         if (sides_->is_floating(i)) place_keeper_->watch(sides_->frame(i));
     }
     connect(tabs_, &QTabWidget::currentChanged, place_keeper_.get(), [this] { place_keeper_->keep_soon(); });
+    option_keeper_ = std::make_unique<OptionKeeper>(*this, settings_, [this] {
+        if (place_keeper_) place_keeper_->keep_soon();
+    });
     // The desktop ends without asking once more.
     connect(qApp, &QGuiApplication::commitDataRequest, this, [this] { write_place(); });
 }
@@ -60,6 +64,7 @@ void MainWindow::write_place() {
     const auto page = static_cast<std::size_t>(tabs_->currentIndex());
     if (page < kPageNames.size()) settings_.set_page(kPageNames[page]);
     keep_panel_places();
+    if (option_keeper_) option_keeper_->write();
 }
 
 void MainWindow::leave() {

@@ -51,6 +51,7 @@ MessagesPage::MessagesPage(Bench& bench, QWidget* parent)
       table_(new QTableWidget{0, kColumns}) {
     setObjectName("messages_page");
     least_->addItems({tr("All"), tr("Warnings and alarms"), tr("Alarms")});
+    least_->setObjectName("messages_least");
     least_->setAccessibleName(tr("Which messages are shown"));
     connect(least_, &QComboBox::currentIndexChanged, this, [this] { filter(); });
     find_->setObjectName("messages_find");

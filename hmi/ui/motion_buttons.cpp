@@ -18,11 +18,16 @@ MotionButtons make_motion_buttons(Bench& bench) {
     const auto asks = [&machine](CommandKind kind, const char* name) {
         return [&machine, kind, name] { machine.order(kind, session::Phrase{name}); };
     };
-    return {new ActionButton{Action::start, Words::tr("Start"),
-                             [&bench] { bench.machine.start(0, 0, bench.wanted_run); }},
-            new ActionButton{Action::hold, Words::tr("Hold"), asks(CommandKind::hold, "Hold")},
-            new ActionButton{Action::resume, Words::tr("Resume"), asks(CommandKind::resume, "Resume")},
-            new ActionButton{Action::stop, Words::tr("Stop"), [&machine] { machine.stop(); }}};
+    const MotionButtons made{
+        new ActionButton{Action::start, Words::tr("Start"),
+                         [&bench] { bench.machine.start(0, 0, bench.wanted_run); }},
+        new ActionButton{Action::hold, Words::tr("Hold"), asks(CommandKind::hold, "Hold")},
+        new ActionButton{Action::resume, Words::tr("Resume"), asks(CommandKind::resume, "Resume")},
+        new ActionButton{Action::stop, Words::tr("Stop"), [&machine] { machine.stop(); }}};
+    made.hold->set_hint(Words::tr("Slows down along the path and stands on it (Pause, Esc)"));
+    made.resume->set_hint(Words::tr("Goes on where it stands (Pause)"));
+    made.stop->set_hint(Words::tr("Ends the job in order: heads out, spindle off (Shift+Esc)"));
+    return made;
 }
 
 QString why_locked(const MotionButtons& buttons) {

@@ -65,6 +65,7 @@ PiecePanel::PiecePanel(MeshView& view, std::function<void()> shows_model, QWidge
       progress_(new QProgressBar),
       cancel_(new QPushButton{tr("Cancel")}) {
     auto* group = new QButtonGroup{this};
+    group->setObjectName("model_or_piece");
     group->addButton(model_);
     group->addButton(piece_);
     model_->setChecked(true);

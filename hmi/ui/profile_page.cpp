@@ -235,6 +235,7 @@ QString ProfilePage::lock() const {
 
 void ProfilePage::refresh() {
     desk_.poll();
+    look_at_core();
     if (calibration_ != nullptr) calibration_->poll();
     if (calibration_ != nullptr && calibration_->isVisible()) calibration_->refresh();
     show_locks();
@@ -260,9 +261,8 @@ void ProfilePage::show_locks() {
                                          : QString{});
     calibrate_->refresh(bench_);
     const QString text = !reason.isEmpty() ? reason
-                         : !has_file
-                             ? tr("The built-in profile has no file: save it as one.")
-                             : tr("The old file is kept as a backup. A core takes a profile when it starts.");
+                         : !has_file       ? tr("The built-in profile has no file: save it as one.")
+                                           : restart_text();
     if (reason_->text() != text) reason_->setText(text);
 }
 
@@ -273,7 +273,7 @@ QString ProfilePage::unsaved_text() const {
 }
 
 void ProfilePage::show_state() {
-    for (ProfileRow* row : rows_) row->show_state(draft());
+    for (ProfileRow* row : rows_) row->show_state(draft(), in_core(row->key()));
     const QString path = QString::fromStdString(draft().path());
     file_->setText(path.isEmpty() ? tr("built-in profile") : QFileInfo{path}.fileName());
     file_->setToolTip(path);

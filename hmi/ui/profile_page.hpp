@@ -78,6 +78,10 @@ private:
     void type(std::size_t key, const QString& text);
     void show_state();
     void show_locks();
+    // profile_page_core.cpp
+    void look_at_core();
+    QString in_core(std::size_t key) const;
+    QString restart_text() const;
     void explain(std::size_t key);
     void report(const Result<void>& saved);
     QString lock() const;
@@ -90,7 +94,9 @@ private:
     const Tokens* tokens_ = nullptr;
     session::ProfileDesk desk_;
     std::vector<Group> groups_;
-    std::vector<ProfileRow*> rows_;  ///< those that are shown
+    std::vector<std::string> core_values_;  ///< of profile_keys(), of the core that runs; empty: not known
+    std::uint64_t core_hash_ = 0;           ///< of the profile that they are of
+    std::vector<ProfileRow*> rows_;         ///< those that are shown
     QLabel* file_;
     QLabel* changes_;
     QLineEdit* find_;

@@ -97,6 +97,7 @@ ProfileRow::ProfileRow(std::size_t key, bool in_full, Events events, QWidget* pa
     setToolTip(QCoreApplication::translate("profile", spec.explanation.c_str()));
     const std::string name = in_full ? spec.path : std::string(leaf_of_key(spec.path));
     changed_ = cell({}, "head", kChangedWidth);
+    changed_->setObjectName("mark");
     built_in_ =
         cell(QString::fromStdString(profile::typed_from_toml(spec, spec.built_in)), "label", kBuiltInWidth);
     problem_ = role_label("problem");
@@ -169,7 +170,21 @@ bool ProfileRow::eventFilter(QObject* watched, QEvent* event) {
     return QFrame::eventFilter(watched, event);
 }
 
-void ProfileRow::show_state(const profile::ProfileDraft& draft) {
+/// Not saved; saved, but the core that runs was started with another value.
+void ProfileRow::show_marks(const profile::ProfileDraft& draft, const QString& in_core) {
+    const bool is_changed = draft.is_changed(key_);
+    QStringList hints;
+    if (is_changed) hints += tr("In the file: %1").arg(QString::fromStdString(draft.saved(key_)));
+    if (!in_core.isEmpty())
+        hints += tr("Needs restart: the core has %1 until it is started anew").arg(in_core);
+    changed_->setText(is_changed           ? QStringLiteral("\u25CF")
+                      : !in_core.isEmpty() ? QStringLiteral("↻")
+                                           : QString{});
+    changed_->setToolTip(hints.join('\n'));
+    changed_->setAccessibleName(changed_->toolTip());
+}
+
+void ProfileRow::show_state(const profile::ProfileDraft& draft, const QString& in_core) {
     const QString typed = QString::fromStdString(draft.typed(key_));
     if (line_ != nullptr && line_->text() != typed) line_->setText(typed);
     if (words_ != nullptr && words_->currentText() != typed) {
@@ -178,10 +193,7 @@ void ProfileRow::show_state(const profile::ProfileDraft& draft) {
         if (words_->findText(typed) < 0) words_->addItem(typed);
         words_->setCurrentText(typed);
     }
-    changed_->setText(draft.is_changed(key_) ? QStringLiteral("\u25CF") : QString{});
-    changed_->setToolTip(draft.is_changed(key_)
-                             ? tr("In the file: %1").arg(QString::fromStdString(draft.saved(key_)))
-                             : QString{});
+    show_marks(draft, in_core);
     QFont font = built_in_->font();
     font.setBold(draft.differs_from_built_in(key_));
     built_in_->setFont(font);

@@ -36,13 +36,15 @@ public:
     void arrange(int lines);
 
     std::size_t key() const noexcept { return key_; }
-    void show_state(const profile::ProfileDraft& draft);
+    /// `in_core`: the value of the core that runs, as it would be typed, where it is another one; else empty.
+    void show_state(const profile::ProfileDraft& draft, const QString& in_core);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void make_editor();
+    void show_marks(const profile::ProfileDraft& draft, const QString& in_core);
 
     std::size_t key_;
     Events events_;

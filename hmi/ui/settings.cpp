@@ -132,6 +132,14 @@ void WindowSettings::set_zero(const std::string& segment, Axis axis, std::option
     }
 }
 
+QVariant WindowSettings::option(const QString& name) const {
+    return store_.value("options/" + name);
+}
+
+void WindowSettings::set_option(const QString& name, const QVariant& value) {
+    store_.set("options/" + name, value);
+}
+
 Theme theme_of(ThemeChoice choice) {
     if (choice == ThemeChoice::light) return Theme::light;
     if (choice == ThemeChoice::dark) return Theme::dark;

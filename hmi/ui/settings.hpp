@@ -3,6 +3,7 @@
 
 #include <QByteArray>
 #include <QStringList>
+#include <QVariant>
 
 #include <optional>
 #include <string>
@@ -46,6 +47,10 @@ public:
     /// The operator's own zero of an axis [mm; psi: deg], of the machine behind a segment.
     std::optional<double> zero(const std::string& segment, Axis axis) const;
     void set_zero(const std::string& segment, Axis axis, std::optional<double> position);
+
+    /// What was chosen in a field of the window; invalid: nothing was.
+    QVariant option(const QString& name) const;
+    void set_option(const QString& name, const QVariant& value);
 
 private:
     QStringList recent(const char* list) const;

@@ -2,42 +2,47 @@
 #include "hmi/ui/stop_keys.hpp"
 
 #include <QApplication>
+#include <QDialog>
 #include <QKeyEvent>
+#include <QMenuBar>
 #include <utility>
-
-#include "hmi/ui/dialogs.hpp"
 
 namespace psicarve::ui {
 namespace {
 
-bool keeps_escape(const QObject& watched) {
+/// Dialogs, menus, lists that drop down: Esc closes them.
+bool has_its_own_escape(const QObject& watched) {
+    if (QApplication::activePopupWidget() != nullptr) return true;
     const auto* const widget = qobject_cast<const QWidget*>(&watched);
-    return widget != nullptr && widget->window()->property(kKeepsEscape).toBool();
+    if (widget == nullptr) return false;
+    return qobject_cast<const QMenuBar*>(widget) != nullptr ||
+           qobject_cast<const QDialog*>(widget->window()) != nullptr;
 }
 
 }  // namespace
 
-MainWindow::StopKeys::StopKeys(std::function<void()> emergency_stop, std::function<bool()> may_stop,
-                               std::function<void()> stop)
-    : emergency_stop_(std::move(emergency_stop)), may_stop_(std::move(may_stop)), stop_(std::move(stop)) {
+MainWindow::StopKeys::StopKeys(Acts acts) : acts_(std::move(acts)) {
     qApp->installEventFilter(this);
 }
 
-const std::function<void()>* MainWindow::StopKeys::action_of(int key, const QObject& watched) const {
-    if (key == Qt::Key_F1) return &emergency_stop_;
-    return key == Qt::Key_Escape && !keeps_escape(watched) && may_stop_() ? &stop_ : nullptr;
+std::function<void()> MainWindow::StopKeys::action_of(const QKeyEvent& key, const QObject& watched) const {
+    if (key.key() == Qt::Key_F1) return acts_.emergency_stop;
+    if (key.key() != Qt::Key_Escape) return {};
+    if (key.modifiers().testFlag(Qt::ShiftModifier)) return acts_.may_stop() ? acts_.stop : nullptr;
+    if (key.modifiers() != Qt::NoModifier || has_its_own_escape(watched)) return {};
+    return acts_.escape();
 }
 
 bool MainWindow::StopKeys::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride)
         return QObject::eventFilter(watched, event);
     const auto* key = static_cast<QKeyEvent*>(event);
-    const auto* const act = action_of(key->key(), *watched);
-    if (act == nullptr) return QObject::eventFilter(watched, event);
+    const auto act = action_of(*key, *watched);
+    if (!act) return QObject::eventFilter(watched, event);
     // A key comes as several events, through the native window and through widgets: it acts once, on the
     // first widget.
     if (event->type() == QEvent::KeyPress && watched->isWidgetType() && !key->isAutoRepeat()) {
-        (*act)();
+        act();
         return true;
     }
     return watched->isWidgetType();

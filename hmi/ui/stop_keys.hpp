@@ -11,23 +11,27 @@ class QKeyEvent;
 
 namespace psicarve::ui {
 
-/// F1 and Esc, in whatever window, dialog or menu of the program they are pressed.
+/// F1, Shift+Esc and Esc, in whatever window of the program they are pressed.
 class MainWindow::StopKeys : public QObject {
 public:
-    /// Esc is a stop while `may_stop`, but in a dialog that keeps it; else it is whatever it is anywhere: a
-    /// dialog closes.
-    StopKeys(std::function<void()> emergency_stop, std::function<bool()> may_stop,
-             std::function<void()> stop);
+    struct Acts {
+        std::function<void()> emergency_stop;
+        std::function<bool()> may_stop;
+        std::function<void()> stop;
+        /// What Esc does now outside dialogs and menus; empty: nothing.
+        std::function<std::function<void()>()> escape;
+    };
+    /// Shift+Esc stops while `may_stop`, from dialogs and menus too. Esc is there what it is in any program:
+    /// it closes them.
+    explicit StopKeys(Acts acts);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    /// Null: the key is not ours now.
-    const std::function<void()>* action_of(int key, const QObject& watched) const;
+    /// Empty: the key is not ours now.
+    std::function<void()> action_of(const QKeyEvent& key, const QObject& watched) const;
 
-    std::function<void()> emergency_stop_;
-    std::function<bool()> may_stop_;
-    std::function<void()> stop_;
+    Acts acts_;
 };
 
 }  // namespace psicarve::ui

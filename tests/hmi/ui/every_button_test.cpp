@@ -2,19 +2,24 @@
 // Buttons that other tests have no need of, pressed one by one, each with its effect.
 #include <gtest/gtest.h>
 
+#include <QButtonGroup>
 #include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSlider>
 #include <QTimer>
 #include <QWheelEvent>
 
 #include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/mesh_view.hpp"
+#include "shared/atomic_file.hpp"
 #include "shared/profile_text.hpp"
 #include "shared/units.hpp"
 #include "tests/hmi/replay/recorded_run.hpp"
@@ -70,6 +75,46 @@ TEST_F(EveryButton, OfTheJogPadMovesItsAxisByAStepItsWay) {
             EXPECT_EQ(pulses(other), before[index_of(other)]) << pad.name << ", " << name_of(other);
         }
     }
+}
+
+// A motor that is asked for too much loses steps: on its way back the axis meets its switch too early.
+TEST_F(EveryButton, OfAnAlarmMovesTheAxisOffItsSwitchAndResets) {
+    Profile machine;
+    machine.r1.speed_mm_s = 2.0;
+    machine.r1.home_speed_mm_s = 1.0;
+    Profile hasty = machine;
+    hasty.r1.speed_mm_s = 10.0;
+    for (const auto& [profile, name] : {std::pair{machine, "true.toml"}, std::pair{hasty, "hasty.toml"}}) {
+        const std::string text = profile_to_toml(profile);
+        ASSERT_TRUE(write_file_atomically(file(name), std::as_bytes(std::span{text})));
+    }
+    start_core({"--profile", file("hasty.toml"), "--machine", file("true.toml")});
+    open_window();
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    part<QButtonGroup>("jog_linear_step").buttons().back()->click();  // 10 mm
+    ASSERT_TRUE(click("jog_r1_in"));
+    ASSERT_TRUE(comes_true([&] { return sight().state() == S::ready && pulses(Axis::r1) < 21'000; }))
+        << pulses(Axis::r1) << all_messages().toStdString();
+    part<QSlider>("jog_linear_speed").setValue(10);  // 1 mm/s: slow enough
+    ASSERT_TRUE(click("jog_r1_out"));
+    ASSERT_TRUE(comes_to(S::alarm));
+    ASSERT_TRUE(sight().is_active(Signal::r1_limit));
+    EXPECT_TRUE(part<QLabel>("alarm_title").text().contains("R1"))
+        << part<QLabel>("alarm_title").text().toStdString();
+    EXPECT_EQ(button("reset_alarm").toolTip(), "Switch R1 is still closed");
+    const auto truly = [&] { return sight().status->sim_true_position_pulses[index_of(Axis::r1)]; };
+    const std::int64_t at_switch = truly();
+    ASSERT_TRUE(click("back_off"));
+    ASSERT_TRUE(comes_true([&] {
+        return sight().state() == S::alarm && !sight().is_active(Signal::r1_limit);
+    })) << all_messages().toStdString();
+    EXPECT_LT(truly(), at_switch);
+    EXPECT_EQ(button("back_off").toolTip(), "Back off: no switch is closed");
+    ASSERT_TRUE(click("reset_alarm"));
+    ASSERT_TRUE(comes_to(S::off));
+    ASSERT_TRUE(click("home"));
+    EXPECT_TRUE(comes_to(S::ready));
 }
 
 TEST_F(EveryButton, OfAViewTurnsIt) {

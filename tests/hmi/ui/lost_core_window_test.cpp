@@ -240,7 +240,7 @@ TEST_F(LoudWindow, TheCloseQuestionGoesWhenTheMachineComesToRest) {
     EXPECT_TRUE(window_->close()) << "nothing is left to be asked";
 }
 
-TEST_F(LoudWindow, EscTakesTheCloseQuestionBackAndTheNextOneStops) {
+TEST_F(LoudWindow, EscTakesTheCloseQuestionBackAndTheNextOneHolds) {
     start_core();
     open_window();
     carve_job(two_process::long_job());
@@ -250,11 +250,11 @@ TEST_F(LoudWindow, EscTakesTheCloseQuestionBackAndTheNextOneStops) {
     });
     EXPECT_FALSE(window_->close());
     EXPECT_TRUE(is_pressed);
-    EXPECT_FALSE(was_said("Stop asked for")) << "the job goes on";
+    EXPECT_FALSE(was_said("Hold asked for")) << "the job goes on";
     EXPECT_EQ(sight().state(), S::carving);
     press(*window_, Qt::Key_Escape);
-    EXPECT_TRUE(comes_to(S::ready));
-    EXPECT_TRUE(was_said("Stop asked for"));
+    EXPECT_TRUE(comes_to(S::held));
+    EXPECT_FALSE(was_said("Stop asked for"));
 }
 
 TEST_F(LoudWindow, SaysThatTheChosenProfileIsNotTheMachines) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QLabel>
 #include <QMessageBox>
 #include <QTimer>
 
@@ -54,6 +55,29 @@ TEST_F(ProfileFiles, AreOpenedBySomebodyElse) {
     EXPECT_EQ(field(kSpeed).text(), "8.0");
     EXPECT_TRUE(field(kSpeed).isEnabled());
     EXPECT_TRUE(button("profile_calibrate").isEnabled());
+}
+
+TEST_F(ProfileFiles, SayWhichValuesWaitForTheCoreToBeStartedAnew) {
+    start_core();
+    ASSERT_NO_FATAL_FAILURE(open_file());
+    const auto mark = [&](const char* key) -> const QLabel& {
+        return *part<QWidget>((std::string{"row_"} + key).c_str()).findChild<QLabel*>("mark");
+    };
+    ASSERT_TRUE(comes_true([&] { return mark(kSpeed).text() == "↻"; }));
+    EXPECT_EQ(mark(kSpeed).toolTip(), "Needs restart: the core has 10.0 until it is started anew");
+    EXPECT_EQ(mark("axis.r1.accel_mm_s2").text(), "") << "the core has that one";
+    EXPECT_TRUE(text_of("profile_reason").endsWith("Values that need a restart (↻): 1."))
+        << text_of("profile_reason").toStdString();
+    take_picture("profile_needs_restart_light");
+    edit("axis.r1.accel_mm_s2", "50");
+    EXPECT_EQ(mark("axis.r1.accel_mm_s2").text(), "●");
+    EXPECT_EQ(mark("axis.r1.accel_mm_s2").toolTip(),
+              "In the file: 100.0\nNeeds restart: the core has 100.0 until it is started anew");
+    edit("axis.r1.accel_mm_s2", "100");
+    EXPECT_EQ(mark("axis.r1.accel_mm_s2").text(), "");
+    core_.reset();
+    EXPECT_TRUE(comes_true([&] { return mark(kSpeed).text().isEmpty(); })) << "nobody has another value";
+    EXPECT_FALSE(text_of("profile_reason").contains("↻"));
 }
 
 TEST_F(ProfileFiles, AreSavedBySomebodyElseWhileOneTypesOn) {

@@ -8,7 +8,6 @@
 #include <QJsonObject>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QMessageBox>
 #include <QRegularExpression>
 #include <QSlider>
 #include <QSpinBox>
@@ -304,30 +303,6 @@ TEST_F(WindowOnCore, AsksBeforeItLeavesAMachineAtWork) {
     window_->set_close_question([&] { return choice; });
     EXPECT_TRUE(window_->close());
     EXPECT_TRUE(reaches(S::ready));
-}
-
-/// A key as it comes to a widget.
-void press_key(QWidget* widget, Qt::Key key) {
-    QKeyEvent press{QEvent::KeyPress, key, Qt::NoModifier};
-    QApplication::sendEvent(widget, &press);
-}
-
-TEST_F(WindowOnCore, StopsOnEscFromADialogWhichStaysOpen) {
-    start_core();
-    open_window();
-    carve_long_job();
-    QMessageBox dialog{window_.get()};
-    dialog.setModal(false);
-    dialog.addButton(QMessageBox::Cancel);
-    dialog.show();
-    QApplication::processEvents();
-    press_key(&dialog, Qt::Key_Escape);
-    ASSERT_TRUE(comes_to(S::ready));
-    EXPECT_TRUE(all_messages().contains("Stop asked for"));
-    EXPECT_TRUE(dialog.isVisible());
-    press_key(&dialog, Qt::Key_Escape);  // nothing moves: it is the dialog's again
-    EXPECT_FALSE(dialog.isVisible());
-    EXPECT_EQ(all_messages().count("Stop asked for"), 1);
 }
 
 TEST_F(WindowOnCore, TellsTheRunningJobFromTheOneThatWasSlicedMeanwhile) {

@@ -73,6 +73,26 @@ TEST_F(HandsOnAScreen, ClosingTheWindowEndsAJobOnlyWhenToldTo) {
     EXPECT_EQ(status().alarm_count, 0U);
 }
 
+TEST_F(HandsOnAScreen, EscHoldsAJobAndShiftEscEndsIt) {
+    open_while_carving();
+    press({"F12"});
+    ASSERT_TRUE(says("modal", "Keys"));
+    press({"Escape"});
+    ASSERT_TRUE(says("modal", "none"));
+    ASSERT_TRUE(says("text state_pill", "CARVING"));
+    press({"Escape"});
+    ASSERT_TRUE(says("text state_pill", "HELD"));
+    press({"Escape"});
+    press({"Pause"});
+    ASSERT_TRUE(says("text state_pill", "CARVING"));
+    press({"F12"});
+    ASSERT_TRUE(says("modal", "Keys"));
+    press({"shift+Escape"});
+    ASSERT_TRUE(reaches(S::ready));
+    ASSERT_TRUE(says("modal", "Keys"));
+    EXPECT_EQ(status().alarm_count, 0U);
+}
+
 TEST_F(HandsOnAScreen, AKeyJogsAsLongAsItIsDown) {
     open_armed();
     ASSERT_NO_FATAL_FAILURE(hold_key("Right"));

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/option_keeper.hpp"
+
+#include <QAbstractButton>
+#include <QAbstractSlider>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHeaderView>
+#include <QSpinBox>
+#include <QTableView>
+
+#include <utility>
+
+#include "hmi/ui/settings.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+// A field that is filled in by another one stands behind it.
+constexpr const char* kKeptFields[] = {
+    "jog_linear_step",
+    "jog_angular_step",
+    "jog_linear_speed",
+    "jog_angular_speed",
+    "up",
+    "layers",
+    "points",
+    "joining",
+    "tool",
+    "tool_diameter",
+    "tool_angle",
+    "tool_flute",
+    "blank_radius",
+    "blank_height",
+    "blank_x",
+    "blank_z",
+    "depth_limit",
+    "roughing",
+    "stepdown",
+    "allowance",
+    "stepover",
+    "colouring",
+    "messages_least",
+    "latency_seconds",
+    "latency_period",
+    "latency_cpu",
+    "test_rate",
+    "test_pulses",
+};
+
+/// The first columns of a table; the others take the room that is left.
+struct KeptColumns {
+    const char* table;
+    int count;
+};
+constexpr KeptColumns kKeptColumns[] = {{"messages", 3}, {"entries", 2}, {"computer_table", 2}};
+constexpr int kLeastColumn_px = 16;
+constexpr int kMostColumn_px = 2'000;
+
+QVariant key_of(const QComboBox& box, int index) {
+    const QVariant data = box.itemData(index);
+    return data.isValid() ? QVariant{data.toString()} : QVariant{index};
+}
+
+QVariant value_of(const QObject& field) {
+    if (const auto* group = qobject_cast<const QButtonGroup*>(&field)) return group->checkedId();
+    if (const auto* box = qobject_cast<const QComboBox*>(&field)) return key_of(*box, box->currentIndex());
+    if (const auto* number = qobject_cast<const QSpinBox*>(&field)) return number->value();
+    if (const auto* number = qobject_cast<const QDoubleSpinBox*>(&field)) return number->value();
+    if (const auto* slider = qobject_cast<const QAbstractSlider*>(&field)) return slider->value();
+    return {};
+}
+
+template <typename Number>
+void put_number(Number& field, double value) {
+    if (value >= field.minimum() && value <= field.maximum())
+        field.setValue(static_cast<decltype(field.value())>(value));
+}
+
+/// What stands in the file may have been written by another version, or by hand.
+void put(QObject& field, const QVariant& kept) {
+    if (auto* box = qobject_cast<QComboBox*>(&field)) {
+        for (int i = 0; i < box->count(); ++i) {
+            if (key_of(*box, i).toString() == kept.toString()) return box->setCurrentIndex(i);
+        }
+        return;
+    }
+    bool is_number = false;
+    const double value = kept.toDouble(&is_number);
+    if (!is_number) return;
+    if (auto* group = qobject_cast<QButtonGroup*>(&field)) {
+        QAbstractButton* const button = group->button(kept.toInt());
+        if (button != nullptr) button->setChecked(true);
+    }
+    if (auto* number = qobject_cast<QSpinBox*>(&field)) put_number(*number, value);
+    if (auto* number = qobject_cast<QDoubleSpinBox*>(&field)) put_number(*number, value);
+    if (auto* slider = qobject_cast<QAbstractSlider*>(&field)) put_number(*slider, value);
+}
+
+template <typename Told>
+void at_each_change(QObject& field, QObject& listener, Told told) {
+    if (auto* group = qobject_cast<QButtonGroup*>(&field))
+        QObject::connect(group, &QButtonGroup::idToggled, &listener, [told](int, bool is_on) {
+            if (is_on) told();
+        });
+    if (auto* box = qobject_cast<QComboBox*>(&field))
+        QObject::connect(box, &QComboBox::currentIndexChanged, &listener, told);
+    if (auto* number = qobject_cast<QSpinBox*>(&field))
+        QObject::connect(number, &QSpinBox::valueChanged, &listener, told);
+    if (auto* number = qobject_cast<QDoubleSpinBox*>(&field))
+        QObject::connect(number, &QDoubleSpinBox::valueChanged, &listener, told);
+    if (auto* slider = qobject_cast<QAbstractSlider*>(&field))
+        QObject::connect(slider, &QAbstractSlider::valueChanged, &listener, told);
+}
+
+}  // namespace
+
+OptionKeeper::OptionKeeper(QWidget& window, WindowSettings& settings, std::function<void()> changed)
+    : settings_(settings), changed_(std::move(changed)) {
+    for (const char* const name : kKeptFields) {
+        if (auto* const field = window.findChild<QObject*>(name)) take_field(*field, name);
+    }
+    for (const KeptColumns& kept : kKeptColumns) {
+        if (auto* const table = window.findChild<QTableView*>(kept.table)) take_columns(*table, kept.count);
+    }
+}
+
+std::span<const char* const> OptionKeeper::names() {
+    return kKeptFields;
+}
+
+void OptionKeeper::take_field(QObject& field, const QString& name) {
+    if (const QVariant kept = settings_.option(name); kept.isValid()) put(field, kept);
+    at_each_change(field, *this, [this, &field, name] { keep(name, value_of(field)); });
+}
+
+void OptionKeeper::take_columns(QTableView& table, int count) {
+    const auto name_of_column = [&table](int column) {
+        return QStringLiteral("%1_column_%2").arg(table.objectName()).arg(column);
+    };
+    for (int column = 0; column < count; ++column) {
+        const int width_px = settings_.option(name_of_column(column)).toInt();
+        if (width_px >= kLeastColumn_px && width_px <= kMostColumn_px) table.setColumnWidth(column, width_px);
+    }
+    connect(table.horizontalHeader(), &QHeaderView::sectionResized, this,
+            [this, count, name_of_column](int column, int, int width_px) {
+                if (column < count) keep(name_of_column(column), width_px);
+            });
+}
+
+void OptionKeeper::keep(const QString& name, const QVariant& value) {
+    fresh_[name] = value;
+    changed_();
+}
+
+void OptionKeeper::write() {
+    for (const auto& [name, value] : std::exchange(fresh_, {})) settings_.set_option(name, value);
+}
+
+}  // namespace psicarve::ui

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QVariant>
+
+#include <functional>
+#include <map>
+#include <span>
+
+class QTableView;
+class QWidget;
+
+namespace psicarve::ui {
+
+class WindowSettings;
+
+/// Brings back what the operator has chosen in the window's fields: numbers of slicing, steps and speeds of a
+/// jog, colours, filters, widths of columns. Never anything that moves, arms or drives the machine faster: no
+/// feed override, no dry run, no armed keys; and nothing that belongs to one model or recording.
+class OptionKeeper : public QObject {
+public:
+    /// Fills the fields of the window in; `changed` is called at each later change of one. What cannot be a
+    /// field's value leaves it as it is.
+    OptionKeeper(QWidget& window, WindowSettings& settings, std::function<void()> changed);
+
+    /// Those that were changed since.
+    void write();
+
+    /// Of the fields, by the name of their object: in the order in which they are filled in.
+    static std::span<const char* const> names();
+
+private:
+    void keep(const QString& name, const QVariant& value);
+    void take_field(QObject& field, const QString& name);
+    void take_columns(QTableView& table, int count);
+
+    WindowSettings& settings_;
+    std::function<void()> changed_;
+    std::map<QString, QVariant> fresh_;
+};
+
+}  // namespace psicarve::ui

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
-# Sourced by test.sh: work for the parts to come while the tests of dev wait for clocks.
+# Sourced by test.sh: work for the parts to come while tests wait for clocks.
 : "${root:?}" "${logs:?}"
 
-# Builds, and clang-tidy: what wants a processor, and nothing depends on how long it takes. One process does it, one part
+# What a part wants done ahead is a function, ahead_PART: a build, or clang-tidy, which want a processor, and nothing
+# depends on how long they take. One process does it, one part
 # after the other, in the time that no other process of this session wants (the kernel weighs SCHED_IDLE within a session,
 # and sessions against each other by what they ask for). It judges nothing: what it says of a part is in
 # $logs/ahead-PART.log. When a part's turn comes, it does the same again, whatever was done ahead of it, and says what is
@@ -17,7 +18,7 @@ begin_ahead() {
     local part
     ahead_parts=''
     for part in "$@"; do
-        if [[ " tsan fuzz asan tidy " != *" $part "* ]]; then continue; fi
+        if ! declare -F "ahead_$part" >/dev/null; then continue; fi
         ahead_parts+=" $part"
         rm -f "$logs/ahead-$part".*
     done
@@ -33,12 +34,7 @@ work_ahead() {
     local part
     chrt --idle --pid 0 "$BASHPID" || renice -n 19 -p "$BASHPID"
     for part in $ahead_parts; do
-        case "$part" in
-            tsan) configure_preset tsan "$root/build/tsan" && build "$root/build/tsan" threads_tests ;;
-            asan) configure_preset asan "$root/build/asan" && build "$root/build/asan" ;;
-            fuzz) build_fuzz ;;
-            tidy) tidy_dev ;;
-        esac &>"$logs/ahead-$part.log"
+        "ahead_$part" &>"$logs/ahead-$part.log"
         : >"$logs/ahead-$part.done"
     done
 } &>/dev/null

@@ -1,16 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the suite of a build and tells tests that are broken from tests that are flaky.
+"""Runs the suites of builds and tells tests that are broken from tests that are flaky.
 
-usage: suite.py run PRESET LOGS [CTEST ARGUMENT...]
+usage: suite.py run PRESET[,PRESET...] LOGS [CTEST ARGUMENT...]
        suite.py again BUILD N NAME
 
-run: all tests side by side. Those that fail run again, alone, at most twice: whoever fails three times is broken. Who
-passes then is flaky: a line FLAKY goes to LOGS/flaky, what it said at first to LOGS/flaky-PRESET-NAME.log, and whoever
-calls us decides how many are too many. No second chance has a test whose outcome must not depend on what else the
-computer does (EXACT below). What a sanitizer reports, of any process and whatever its test says, goes to
-LOGS/sanitizer-PRESET.PID and is broken (a process that has become another user may not write there, and its report
-goes where its errors go). So is a test that could not be started.
+run: all tests of these presets side by side, as one suite (pool.py), in build/suite. Those that fail run again, alone, at
+most twice: whoever fails three times is broken. Who passes then is flaky: a line FLAKY goes to LOGS/flaky, what it said at
+first to LOGS/flaky-PRESET-NAME.log, and whoever calls us decides how many are too many. No second chance has a test whose
+outcome must not depend on what else the computer does (EXACT below). What a sanitizer reports, of any process and whatever
+its test says, goes to LOGS/sanitizer-PRESET.PID and is broken (a process that has become another user may not write there,
+and its report goes where its errors go). So is a test that could not be started.
+What ctest says goes to LOGS/ctest-all.log; of each preset its closing words, and of what was tried again, to
+LOGS/ctest-PRESET.log, and one line to LOGS/verdicts: PRESET, passed or FAILED, and after how many seconds its last test had
+ended.
 Exit codes: 0 passed, perhaps flaky; 1 something is broken; 2 wrong usage.
 
 again: the tests called NAME (a name, or the beginning of several, as Jogging.) N times each, with as many busy loops
@@ -29,6 +32,9 @@ import sys
 import tempfile
 import time
 import xml.etree.ElementTree as ElementTree
+
+sys.dont_write_bytecode = True
+import pool  # noqa: E402  beside us
 
 SECOND_CHANCES = 2
 MOST_TRIED_AGAIN = 20  # of a suite: where more fail it is not for want of luck
@@ -56,13 +62,17 @@ def report_path(folder, preset):
     return os.path.join(os.path.abspath(folder), f"sanitizer-{preset}")
 
 
-def sanitizer_environment(path):
-    """Standard error of the processes that a test starts goes to files that are gone when the test is."""
-    environment = dict(os.environ)
+def sanitizer_variables(path):
+    """[VARIABLE=VALUE...]: standard error of the processes that a test starts goes to files that are gone when the test is."""
+    variables = []
     for variable in SANITIZER_VARIABLES:
-        before = environment.get(variable)
-        environment[variable] = (before + ":" if before else "") + f"log_path=\"{path}\""
-    return environment
+        before = os.environ.get(variable)
+        variables.append(f"{variable}=" + (before + ":" if before else "") + f"log_path=\"{path}\"")
+    return variables
+
+
+def sanitizer_environment(path):
+    return {**os.environ, **dict(entry.split("=", 1) for entry in sanitizer_variables(path))}
 
 
 def reports_at(path):
@@ -91,20 +101,35 @@ class Outcome:
             message = "" if skipped is None else skipped.get("message") or ""
             (self.skipped if message.startswith("SKIP_") else self.not_started).append(case.get("name"))
 
+    def of(self, preset):
+        """That part of a run of several presets that is of this one."""
+        part = Outcome(self.code, [])
+        own = f"{preset}:"
+        part.names, part.skipped, part.not_started = (
+            [name.removeprefix(own) for name in names if name.startswith(own)]
+            for names in (self.names, self.skipped, self.not_started)
+        )
+        part.failed = [(name.removeprefix(own), output) for name, output in self.failed if name.startswith(own)]
+        return part
 
-def run_ctest(preset, logs, arguments):
-    """Runs tests of a preset. What ctest says goes to LOGS/ctest-PRESET.log and to us."""
-    log = os.path.join(logs, f"ctest-{preset}.log")
+    def summary(self, seconds):
+        not_run = [(name, "Skipped") for name in self.skipped] + [(name, "Not Run") for name in self.not_started]
+        return pool.summary(self.names, [name for name, _ in self.failed], not_run, seconds)
+
+
+def run_ctest(log, arguments, environment=None, hear=lambda line: None):
+    """Runs tests. What ctest says goes to log, to us, and line by line to hear()."""
     with tempfile.NamedTemporaryFile(suffix=".xml") as report:
-        command = ["ctest", "--preset", preset, "--no-tests=error", "--output-junit", report.name, *arguments]
+        command = ["ctest", "--no-tests=error", "--output-junit", report.name, *arguments]
         with open(log, "a", encoding="utf-8", errors="replace") as file:
             run = subprocess.Popen(
-                command, cwd=root(), env=sanitizer_environment(report_path(logs, preset)), stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT, text=True, errors="replace",
+                command, cwd=root(), env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                errors="replace",
             )
             for line in run.stdout:
                 file.write(line)
                 print(line, end="", flush=True)  # whoever is ended at the time limit has said how far it came
+                hear(line)
             code = run.wait()
         try:
             return Outcome(code, list(ElementTree.parse(report.name).getroot().iter("testcase")))
@@ -124,8 +149,10 @@ def only(name):
 
 def try_again(preset, logs, name):
     """How often a test that failed once was tried altogether; None when it never passed."""
+    log = os.path.join(logs, f"ctest-{preset}.log")
+    environment = sanitizer_environment(report_path(logs, preset))
     for tried in range(SECOND_CHANCES):
-        outcome = run_ctest(preset, logs, only(name))
+        outcome = run_ctest(log, ["--preset", preset, *only(name)], environment)
         if outcome.code == 0 and outcome.names == [name] and not outcome.skipped:
             return tried + 2
     return None
@@ -147,25 +174,46 @@ def judge_failed(preset, logs, name, output):
     return True
 
 
-def run(preset, logs, arguments):
-    outcome = run_ctest(preset, logs, arguments)
-    is_green = outcome.code == 0
+def judge(preset, logs, outcome, may_try_again):
+    """Whether the tests of one preset have passed, if need be when they are tried again."""
+    is_green = not outcome.failed and bool(outcome.names)
     # dev has all tests.
     forgotten = [pattern for pattern in EXACT if not any(re.search(pattern, name) for name in outcome.names)]
     if preset == "dev" and outcome.names and forgotten:
         print(f"no test is called {' or '.join(forgotten)} any more: EXACT in scripts/suite.py", flush=True)
-        return 1
+        return False
     if outcome.not_started:
-        print("could not be started: " + ", ".join(outcome.not_started), flush=True)
-    elif len(outcome.failed) > MOST_TRIED_AGAIN:
-        print(f"{len(outcome.failed)} tests failed: none is tried again", flush=True)
-    elif outcome.failed:
+        print(f"could not be started ({preset}): " + ", ".join(outcome.not_started), flush=True)
+    elif outcome.failed and may_try_again:
         verdicts = [judge_failed(preset, logs, name, output) for name, output in outcome.failed]
         is_green = all(verdicts)
     reports = reports_at(report_path(logs, preset))
     for report, text in reports:
         print(f"a sanitizer has reported: {os.path.relpath(report, root())}\n{text}", flush=True)
-    return 0 if is_green and not outcome.not_started and not reports else 1
+    return is_green and not outcome.not_started and not reports
+
+
+def run(presets, logs, arguments):
+    folder = os.path.join(root(), "build", "suite")
+    pool.write_pool(folder, root(), {preset: sanitizer_variables(report_path(logs, preset)) for preset in presets})
+    watch = pool.Stopwatch()
+    outcome = run_ctest(
+        os.path.join(logs, "ctest-all.log"), ["--test-dir", folder, "--output-on-failure", *arguments], hear=watch.hear,
+    )
+    parts = {preset: outcome.of(preset) for preset in presets}
+    for preset, part in parts.items():
+        with open(os.path.join(logs, f"ctest-{preset}.log"), "a", encoding="utf-8") as file:
+            file.write(part.summary(watch.seconds(preset)))
+    may_try_again = len(outcome.failed) <= MOST_TRIED_AGAIN
+    if not may_try_again:
+        print(f"{len(outcome.failed)} tests failed: none is tried again", flush=True)
+    # A code that no test explains is red for all.
+    is_explained = outcome.code == 0 or bool(outcome.failed or outcome.not_started)
+    verdicts = {preset: judge(preset, logs, part, may_try_again) and is_explained for preset, part in parts.items()}
+    with open(os.path.join(logs, "verdicts"), "a", encoding="utf-8") as file:
+        for preset, is_green in verdicts.items():
+            file.write(f"{preset} {'passed' if is_green else 'FAILED'} {watch.seconds(preset):.0f}\n")
+    return 0 if all(verdicts.values()) else 1
 
 
 def tests_called(build, name):
@@ -244,7 +292,7 @@ def again(build, times, name):
 
 def main(arguments):
     if len(arguments) >= 3 and arguments[0] == "run":
-        return run(arguments[1], arguments[2], arguments[3:])
+        return run(arguments[1].split(","), arguments[2], arguments[3:])
     if len(arguments) == 4 and arguments[0] == "again" and arguments[2].isdecimal() and int(arguments[2]) > 0:
         return again(arguments[1], int(arguments[2]), arguments[3])
     print(__doc__.strip(), file=sys.stderr)

@@ -6,7 +6,8 @@ set -uo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 logs="$root/build/logs"
-all_parts="format dev tsan fuzz asan tidy"
+all_parts="format dev tsan asan fuzz tidy"
+suite_parts="dev tsan asan"  # one suite, in this order where the time is short
 extra_parts="analyse"
 fuzz_runs=8000  # of each target
 most_flaky=2    # tests of a run that may fail and then pass
@@ -18,10 +19,10 @@ usage() {
 usage: ${0##*/} [--quick | --long | PART...]
        ${0##*/} --again N NAME [PRESET]
 
-Installs the Debian packages that are missing, then checks the formatting, builds and runs the suite in dev
-and under AddressSanitizer and UndefinedBehaviorSanitizer, runs the parts with threads under ThreadSanitizer,
-fuzzes the parsers a little, and runs clang-tidy over the units of dev. Closes with ctest's summaries. Tests that fail
-run again, alone, at most twice. The closing lines name those that passed then as FLAKY, and where to read what they
+Installs the Debian packages that are missing, then checks the formatting, builds dev, tsan and asan and runs their tests
+side by side as one suite: all in dev and under AddressSanitizer and UndefinedBehaviorSanitizer, those with threads under
+ThreadSanitizer. Then fuzzes the parsers a little, and runs clang-tidy over the units of dev. Closes with a summary of each
+preset's tests. Tests that fail run again, alone, at most twice. The closing lines name those that passed then as FLAKY, and where to read what they
 said first; more than $most_flaky of a run fail it. Where a failure can have no excuse (equal bytes, deaths, mutated segments,
 the guard, what a sanitizer reports) there is no second chance.
 
@@ -40,8 +41,8 @@ AddressSanitizer run in slices, and no slice is begun then either. The closing l
 all tests, is never left out. Continuous integration sets it.
 
 Exit codes: 0 all passed; 1 something failed (the closing lines say what); 2 wrong usage.
-Builds are kept in build/; a second run does only what has changed. Builds of later parts, and tidy, are begun while the
-tests of dev wait for clocks.
+Builds are kept in build/; a second run does only what has changed. The fuzzers' build and tidy are begun while tests wait
+for clocks.
 END
 }
 
@@ -89,15 +90,35 @@ if ((${#again[@]})); then
     configure_preset "$preset" "$root/build/$preset" && build "$root/build/$preset" || exit 1
     exec "$root/scripts/suite.py" again "$root/build/$preset" "${again[1]}" "${again[2]}"
 fi
-rm -f "$logs"/ctest-*.log "$logs"/flaky* "$logs"/sanitizer-*
+rm -f "$logs"/ctest-*.log "$logs"/flaky* "$logs"/sanitizer-* "$logs"/verdicts
 
 run_format() { "$root/scripts/format.sh" --check; }
 
-# run_ctest PRESET: the suite of a preset that has been built; its output is kept for the closing summary.
-run_ctest() {
-    local verdict=0 slice
-    : >"$logs/ctest-$1.log"
-    if [[ $1 == asan && -n ${PSICARVE_SECONDS-} ]] && ((PSICARVE_SECONDS - SECONDS < whole_suite_s)); then
+# run_suites PRESET...: builds each and runs the tests of all as one suite: those that compute have the processors while
+# others wait for a clock. Adds to verdicts and presets what became of each.
+run_suites() {
+    local preset built=() slice
+    declare -A build_s=()
+    for preset in "$@"; do
+        if [[ $preset != dev ]] && is_late; then
+            left_out+=("$preset")
+            continue
+        fi
+        say "$preset"
+        local begin=$SECONDS
+        if build_tests "$preset"; then
+            built+=("$preset")
+        else
+            note "$preset" FAILED $((SECONDS - begin)) ', its build'
+        fi
+        build_s[$preset]=$((SECONDS - begin))
+    done
+    if ((${#built[@]} == 0)); then return; fi
+    begin_ahead "${parts_to_come[@]}"
+    say "tests of ${built[*]}"
+    if [[ " ${built[*]} " == *" asan "* && -n ${PSICARVE_SECONDS-} ]] && ((PSICARVE_SECONDS - SECONDS < whole_suite_s)); then
+        mapfile -t others < <(printf '%s\n' "${built[@]}" | grep -v '^asan$')
+        if ((${#others[@]})); then run_tests "${others[@]}"; fi
         # Every slice has tests of all kinds; but those by the real clock go one by one, and what could run beside all of
         # them is done long before in each.
         for ((slice = 1; slice <= slices; ++slice)); do
@@ -105,32 +126,52 @@ run_ctest() {
                 left_out+=("asan: $((slices - slice + 1)) of $slices slices of its tests")
                 break
             fi
-            run_suite "$1" -I "$slice,,$slices" || verdict=1
+            run_tests asan -I "$slice,,$slices"
         done
     else
-        run_suite "$1" || verdict=1
+        run_tests "${built[@]}"
     fi
-    return "$verdict"
+    for preset in "${built[@]}"; do
+        tell_verdict "$preset" "${build_s[$preset]}"
+    done
 }
-# run_suite PRESET [CTEST ARGUMENTS...]
-run_suite() {
+build_tests() {
+    local targets=()
+    if [[ $1 == tsan ]]; then targets=(threads_tests); fi
+    configure_preset "$1" "$root/build/$1" && build "$root/build/$1" "${targets[@]}"
+}
+# run_tests PRESET... [CTEST ARGUMENTS...]: what became of each goes to $logs/verdicts.
+run_tests() {
+    local names=$1
+    shift
+    while [[ ${1-} == [a-z]* ]]; do
+        names+=,$1
+        shift
+    done
     # One more than there are processors: some tests wait for a clock.
-    "$root/scripts/suite.py" run "$1" "$logs" --parallel "$(($(nproc) + 1))" "${@:2}"
+    "$root/scripts/suite.py" run "$names" "$logs" --parallel "$(($(nproc) + 1))" "$@"
+}
+# tell_verdict PRESET BUILD_S: from what the runs of its tests have left in $logs/verdicts; there are several of slices.
+tell_verdict() {
+    local verdict seconds
+    read -r verdict seconds < <(awk -v preset="$1" '
+        $1 == preset { runs += 1; seconds += $3; if ($2 != "passed") { failed += 1 } }
+        END { print (runs > 0 && !failed ? "passed" : "FAILED"), seconds + 0 }' "$logs/verdicts" 2>/dev/null)
+    if [[ -z $verdict ]]; then verdict=FAILED; fi
+    note "$1" "$verdict" "${seconds:-0}" ", built in $2 s"
+}
+# note PART VERDICT SECONDS [REMARK]: for the closing lines.
+note() {
+    verdicts+=("$(printf '%-8s %s  %4d s%s' "$1" "$2" "$3" "${4-}")")
+    if [[ $2 == FAILED ]]; then failed_parts+=("$1"); fi
+    # dev, which has all tests, is to close the output.
+    case "$1" in
+        dev) presets+=(dev) ;;
+        asan | tsan) presets=("$1" "${presets[@]}") ;;
+    esac
 }
 # Whether the time that we were given is over.
 is_late() { [[ -n ${PSICARVE_SECONDS-} ]] && ((SECONDS > PSICARVE_SECONDS)); }
-run_dev() {
-    configure_preset dev "$root/build/dev" && build "$root/build/dev" || return 1
-    begin_ahead "${parts_to_come[@]}"
-    run_ctest dev
-}
-run_asan() { build_and_test asan; }
-run_tsan() { build_and_test tsan threads_tests; }
-# build_and_test PRESET [TARGETS...]
-build_and_test() {
-    take_over "$1"
-    configure_preset "$1" "$root/build/$1" && build "$root/build/$1" "${@:2}" && run_ctest "$1"
-}
 
 # Always the same inputs, made from those kept in the tree: a change fails for what it does, not by luck. With
 # PSICARVE_FUZZ_SECONDS others every time.
@@ -195,6 +236,9 @@ run_tidy() {
     take_over tidy
     tidy_dev
 }
+# What is begun while tests wait (ahead.sh).
+ahead_fuzz() { build_fuzz; }
+ahead_tidy() { tidy_dev; }
 tidy_dev() { python3 "$root/scripts/tidy.py" "$root" "$root/build/dev"; }
 run_analyse() {
     local folder="$root/build/analyse"
@@ -219,29 +263,29 @@ left_out=()
 failed_parts=()
 presets=()
 parts_to_come=("${parts[@]}")
+mapfile -t suites < <(for part in $suite_parts; do printf '%s\n' "${parts[@]}" | grep -xm 1 "$part"; done)
 for part in "${parts[@]}"; do
     begin=$SECONDS
     parts_to_come=("${parts_to_come[@]:1}")
-    verdict=passed
-    if [[ $part != dev ]] && is_late; then
+    if [[ " $suite_parts " == *" $part "* ]]; then
+        # With the first of them all have their turn.
+        if ((${#suites[@]})); then run_suites "${suites[@]}"; fi
+        suites=()
+        continue
+    fi
+    if is_late; then
         left_out+=("$part")
         continue
     fi
     say "$part"
-    if ! "run_$part"; then
-        verdict=FAILED
-        failed_parts+=("$part")
-    fi
-    verdicts+=("$(printf '%-8s %s  %4d s' "$part" "$verdict" $((SECONDS - begin)))")
-    # dev, which has all tests, is to close the output.
-    case "$part" in
-        dev) presets+=(dev) ;;
-        asan | tsan) presets=("$part" "${presets[@]}") ;;
-    esac
+    verdict=passed
+    if ! "run_$part"; then verdict=FAILED; fi
+    note "$part" "$verdict" $((SECONDS - begin))
 done
 
 printf '\n'
 printf '== %s\n' "${verdicts[@]}"
+printf '== %-8s         %4d s\n' altogether "$SECONDS"
 if [[ -s $logs/flaky ]]; then
     sed 's/^/== /' "$logs/flaky"
     flaky=$(wc -l <"$logs/flaky")

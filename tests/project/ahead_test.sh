@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: ahead_test.sh ROOT WORK
-# Work for the parts to come (scripts/ahead.sh) with builds that are not builds: they say that they began, and wait for a
+# Work for the parts to come (scripts/ahead.sh) with work that is none: it says that it began, and waits for a
 # file, or for ever.
 set -uo pipefail
 source_root=$1
@@ -12,10 +12,7 @@ mkdir -p "$logs"
 failures=0
 
 say() { printf '%s\n' "$*" >>"$root/said"; }
-configure_preset() { :; }
-build() { work_on "${1##*/}"; }
-build_fuzz() { work_on fuzz; }
-tidy_dev() { work_on tidy; }
+for part in tsan fuzz asan tidy; do eval "ahead_$part() { work_on $part; }"; done
 # work_on PART: takes until $root/go-PART is there; meanwhile a child of it is at work, too.
 work_on() {
     if [[ -e $root/stubborn-$1 ]]; then trap '' TERM; fi

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/hmi/cli/refusal.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -31,8 +32,10 @@ TEST_P(RealDrawing, IsSlicedCarvedAndVerified) {
     ASSERT_TRUE(std::filesystem::exists(input.path))
         << input.path << " is not there: scripts/deps.sh test installs it";
     const std::string job = file("real.job");
-    std::vector<std::string> slice{"slice", input.path, "-o", job,     "--layers",
-                                   "16",    "--points", "61", "--json"};
+    const bool is_fine = is_thorough();
+    std::vector<std::string> slice{"slice",    input.path,           "-o",       job,
+                                   "--layers", is_fine ? "16" : "6", "--points", is_fine ? "61" : "31",
+                                   "--json"};
     for (const std::string& word : words_of(input.options)) slice.push_back(word);
     const Outcome sliced = psicarve(slice);
     ASSERT_EQ(sliced.exit_code, 0) << sliced.error;

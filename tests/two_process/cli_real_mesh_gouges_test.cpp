@@ -36,6 +36,7 @@ struct Carved {
     std::string name;
     RealMesh mesh;
     slice::Up up;
+    bool is_compared_by_sanitizers = false;  ///< the map of what differs takes most of the time
 
     friend void PrintTo(const Carved& carved, std::ostream* out) { *out << carved.mesh.path; }
 };
@@ -66,11 +67,9 @@ protected:
         const std::string options = "--height 12 --tool ball:2 --layers " + kLayers + " --points " + kPoints +
                                     (GetParam().up == slice::Up::y ? " --up y" : " --up z");
         std::vector<std::string> slice{"slice", model, "-o", file("real.job")};
-        std::vector<std::string> carve{"carve",       model,
-                                       "--segment",   segment_,
-                                       "--trace",     file("pins.trace"),
-                                       "--deviation", file("deviation.png"),
+        std::vector<std::string> carve{"carve", model, "--segment", segment_, "--trace", file("pins.trace"),
                                        "--json"};
+        if (is_compared()) carve.insert(carve.end(), {"--deviation", file("deviation.png")});
         for (const std::string& word : words_of(options)) {
             slice.push_back(word);
             carve.push_back(word);
@@ -81,8 +80,10 @@ protected:
         EXPECT_EQ(carved.exit_code, 0) << carved.error;
         if (carved.exit_code != 0) return {};
         EXPECT_EQ(carved.json()["max_deviation_pulses"], 0);
-        return carved.json()["deviation"];
+        return is_compared() ? carved.json()["deviation"] : nlohmann::json::object();
     }
+
+    static bool is_compared() { return is_thorough() || GetParam().is_compared_by_sanitizers; }
 
     /// The ball about the same middle, smaller or larger by so much all round: does a facet lift it?
     static bool touches(const model::Mesh& body, double more_mm, const Tip& tip) {
@@ -144,6 +145,7 @@ TEST_P(RealMeshGouges, AreNoDeeperThanAPulseAtPointsAndThanTheirDistanceBetween)
     }
     EXPECT_GT(judged, 40);
     EXPECT_GT(resting, judged / 3) << "it is to be the mesh that the tool rests on, not the core";
+    if (!is_compared()) return;
     // Between the map's cells the model is not known, so that is not to be told apart from a gouge.
     EXPECT_LE(deviation["gouge"]["max_mm"].get<double>(), between_mm + deviation["cell_mm"].get<double>())
         << deviation["gouge"];
@@ -158,10 +160,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Carved{"pig", of_cgal("pig.stl"), slice::Up::z},
                       Carved{"elephant_with_holes", of_cgal("elephant-with-holes.off"), slice::Up::y},
                       Carved{"shark_with_holes", of_cgal("mech-holes-shark.off"), slice::Up::z},
-                      Carved{"blob", of_cgal("blobby-shuffled.off"), slice::Up::z},
+                      Carved{"blob", of_cgal("blobby-shuffled.off"), slice::Up::z, true},
                       Carved{"dragon", of_cgal("ChineseDragon-10kv.off"), slice::Up::y},
                       Carved{"bunny", of_glmark("bunny.obj"), slice::Up::y},
-                      Carved{"bearing", of_opencascade("bearing.stl"), slice::Up::z},
+                      Carved{"bearing", of_opencascade("bearing.stl"), slice::Up::z, true},
                       Carved{"propeller", of_opencascade("propeller.stl"), slice::Up::z}),
     [](const auto& chosen) { return chosen.param.name; });
 

@@ -39,12 +39,13 @@ protected:
     }
     /// When the write came that has left the port in its safe state ever since.
     std::uint64_t safe_from_ns() {
+        const OutputRegisters wanted = safe();
         OutputRegisters now{};
         std::uint64_t since_ns = 0;
         bool was_safe = false;
         for (const fake_port::Write& write : port_.writes()) {
             (write.reg == fake_port::Register::data ? now.data : now.control) = write.value;
-            const bool is_safe = now.data == safe().data && now.control == safe().control;
+            const bool is_safe = now.data == wanted.data && now.control == wanted.control;
             if (is_safe && !was_safe) since_ns = write.time_ns;
             was_safe = is_safe;
         }

@@ -3,6 +3,7 @@
 // what must be true.
 #include <random>
 
+#include "tests/thoroughness.hpp"
 #include "tests/two_process/port_rig.hpp"
 
 namespace psicarve::two_process {
@@ -73,7 +74,7 @@ protected:
 TEST_F(PortEmergencyStops, EndAJogWithTheirTick) {
     home_where_it_stands();
     start_port_core();
-    for (int stop = 0; stop < 5; ++stop) {
+    for (int stop = 0; stop < (test::is_thorough() ? 5 : 2); ++stop) {
         home();
         const std::uint64_t at = flip_soon(kEstopStatusBit);
         ASSERT_EQ(refusal_of(leased(CommandKind::jog_on, static_cast<std::uint32_t>(Axis::psi))), "");
@@ -85,7 +86,7 @@ TEST_F(PortEmergencyStops, EndAJogWithTheirTick) {
 
 TEST_F(PortEmergencyStops, EndABackOffWithTheirTick) {
     start_port_core();
-    for (int stop = 0; stop < 4; ++stop) {
+    for (int stop = 0; stop < (test::is_thorough() ? 4 : 2); ++stop) {
         home();
         port_.state().status_flip.store(kYLimitStatusBit);
         ASSERT_TRUE(reaches(MachineState::alarm));

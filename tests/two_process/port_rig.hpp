@@ -32,11 +32,6 @@ protected:
 
     static Profile machine_with_estop() {
         Profile profile = slow_machine();
-        // They stand near their sensors: slowly there, and no long way back.
-        profile.psi.home_speed_deg_s = 36.0;
-        for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) {
-            axis->home_speed_mm_s = 5.0;
-        }
         profile.port.pins[index_of(Signal::estop)] = 15;
         return profile;
     }
@@ -129,7 +124,8 @@ protected:
         port_.state().faults.store(0);
     }
     bool is_safe() {
-        return port_.state().data.load() == safe().data && port_.state().control.load() == safe().control;
+        const OutputRegisters wanted = safe();
+        return port_.state().data.load() == wanted.data && port_.state().control.load() == wanted.control;
     }
     OutputRegisters safe() const { return PinMap::from_profile(profile_)->encode(0); }
     void expect_safe_registers() {

@@ -16,10 +16,10 @@ inline Profile slow_machine() {
     profile.tick.missed_alarm_per_s = 0;
     for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) {
         axis->pulses_per_mm = 10.0;
-        axis->speed_mm_s = 40.0;
-        axis->accel_mm_s2 = 200.0;
+        axis->speed_mm_s = 50.0;
+        axis->accel_mm_s2 = 2000.0;
         axis->start_stop_mm_s = 0.2;
-        axis->home_speed_mm_s = 8.0;
+        axis->home_speed_mm_s = 20.0;
         axis->overtravel_mm = 3.0;
         axis->travel_mm = {0.0, 20.0};
     }
@@ -27,11 +27,11 @@ inline Profile slow_machine() {
     profile.r2.home_position_mm = 20.0;
     profile.psi.pulses_per_rev = 200;
     profile.psi.speed_deg_s = 360.0;
-    profile.psi.accel_deg_s2 = 720.0;
+    profile.psi.accel_deg_s2 = 7200.0;
     profile.psi.start_stop_deg_s = 3.6;
-    profile.psi.home_speed_deg_s = 90.0;
+    profile.psi.home_speed_deg_s = 180.0;
     profile.job.feed_mm_s = 200.0;
-    profile.job.plunge_mm_s = 40.0;
+    profile.job.plunge_mm_s = 50.0;
     profile.job.spindle_spinup_s = 0.1;
     return profile;
 }

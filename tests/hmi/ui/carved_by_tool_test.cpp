@@ -37,13 +37,13 @@ protected:
         return profile;
     }
     /// A post with rings cut into it that are narrower than the ball: its tip goes to their ground.
-    static JobTable grooved_job(const Profile& profile) {
+    static JobTable grooved_job(const Profile& profile, double ground_mm = kGround_mm) {
         JobTable table = two_process::lobed_job(60, 61, profile);
         for (std::uint32_t layer = 0; layer < table.layer_count; ++layer) {
             const double height_mm = 1.0 + 0.12 * layer;
             table.layer_height_pulses[layer] = pulses_from_mm(height_mm, profile.y.pulses_per_mm);
             const bool is_groove = std::fmod(height_mm, kGrooves_mm) < 0.5 * kGrooves_mm;
-            const double radius_mm = is_groove ? kGround_mm : kOutside_mm;
+            const double radius_mm = is_groove ? ground_mm : kOutside_mm;
             for (std::uint32_t point = 0; point < table.point_count; ++point) {
                 const std::size_t at = std::size_t{layer} * table.point_count + point;
                 table.r_left_pulses[at] =
@@ -54,14 +54,14 @@ protected:
         }
         return table;
     }
-    void carve_with(ToolShape shape) {
+    void carve_with(ToolShape shape, double ground_mm = kGround_mm) {
         const Profile profile = profile_with(shape);
         std::ofstream{file("machine.toml")} << profile_to_toml(profile);
         window_.reset();
         start_core({"--profile", file("machine.toml")});
         open_window();
         window_->findChild<QTabWidget*>()->setCurrentIndex(2);
-        ASSERT_NO_FATAL_FAILURE(carve_job(grooved_job(profile)));
+        ASSERT_NO_FATAL_FAILURE(carve_job(grooved_job(profile, ground_mm)));
         ASSERT_TRUE(comes_true([&] { return is_done() && is_shown(); })) << all_messages().toStdString();
     }
     bool is_done() { return sight().state() == S::ready && sight().status->job_end_tick != 0; }
@@ -108,6 +108,18 @@ TEST_F(CarvedByTool, LessIsLeftWhereABallWentThanWhereAPointDid) {
         EXPECT_NEAR(*std::max_element(above.begin(), above.end()), 13.5, 0.01);
         EXPECT_NEAR(*std::min_element(above.begin(), above.end()), 12.5, 0.01);
     }
+}
+
+TEST_F(CarvedByTool, MoreIsLeftInAGrooveThatABallDoesNotReachInto) {
+    // The same post with rings a millimetre wide: a ball of six rests on their rims.
+    const double rim_mm = 0.5 * kGrooves_mm / 2.0;
+    const double sag_mm = 3.0 - std::sqrt(9.0 - rim_mm * rim_mm);
+    ASSERT_NO_FATAL_FAILURE(carve_with(ToolShape::ball, kOutside_mm - sag_mm));
+    const auto ground = radii_between(4.2, 4.8, 5.0);
+    ASSERT_FALSE(ground.empty());
+    // A point goes to the ground, kGround_mm.
+    EXPECT_GT(*std::min_element(ground.begin(), ground.end()), kOutside_mm - 2.0 * sag_mm);
+    EXPECT_LT(*std::max_element(ground.begin(), ground.end()), kOutside_mm);
 }
 
 TEST_F(CarvedByTool, IsThePieceThatTheJobsToolIsToLeave) {

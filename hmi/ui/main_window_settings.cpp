@@ -4,6 +4,7 @@
 
 #include "hmi/session/error_phrase.hpp"
 #include "hmi/ui/main_window.hpp"
+#include "hmi/ui/option_keeper.hpp"
 #include "hmi/ui/position_panel.hpp"
 #include "hmi/ui/profile_page.hpp"
 
@@ -14,6 +15,7 @@ void MainWindow::take_settings() {
     show_theme();
     show_kept_place();
     show_kept_panels();
+    if (option_keeper_) option_keeper_->fill_in();
     position_->take_zeros();
     look_for_recent();
     profile_->look_for_files();

@@ -58,6 +58,10 @@ constexpr KeptColumns kKeptColumns[] = {{"messages", 3}, {"entries", 2}, {"compu
 constexpr int kLeastColumn_px = 16;
 constexpr int kMostColumn_px = 2'000;
 
+QString name_of_column(const QTableView& table, int column) {
+    return QStringLiteral("%1_column_%2").arg(table.objectName()).arg(column);
+}
+
 QVariant key_of(const QComboBox& box, int index) {
     const QVariant data = box.itemData(index);
     return data.isValid() ? QVariant{data.toString()} : QVariant{index};
@@ -117,12 +121,27 @@ void at_each_change(QObject& field, QObject& listener, Told told) {
 }  // namespace
 
 OptionKeeper::OptionKeeper(QWidget& window, WindowSettings& settings, std::function<void()> changed)
-    : settings_(settings), changed_(std::move(changed)) {
+    : window_(window), settings_(settings), changed_(std::move(changed)) {
+    fill_in();
     for (const char* const name : kKeptFields) {
-        if (auto* const field = window.findChild<QObject*>(name)) take_field(*field, name);
+        auto* const field = window_.findChild<QObject*>(name);
+        if (field != nullptr)
+            at_each_change(*field, *this, [this, field, name] { keep(name, value_of(*field)); });
     }
     for (const KeptColumns& kept : kKeptColumns) {
-        if (auto* const table = window.findChild<QTableView*>(kept.table)) take_columns(*table, kept.count);
+        if (auto* const table = window_.findChild<QTableView*>(kept.table)) watch(*table, kept.count);
+    }
+}
+
+void OptionKeeper::fill_in() {
+    for (const char* const name : kKeptFields) {
+        const QVariant kept = was_changed(name) ? QVariant{} : settings_.option(name);
+        auto* const field = window_.findChild<QObject*>(name);
+        if (field != nullptr && kept.isValid()) put(*field, kept);
+    }
+    for (const KeptColumns& kept : kKeptColumns) {
+        if (auto* const table = window_.findChild<QTableView*>(kept.table))
+            fill_in_columns(*table, kept.count);
     }
 }
 
@@ -130,22 +149,18 @@ std::span<const char* const> OptionKeeper::names() {
     return kKeptFields;
 }
 
-void OptionKeeper::take_field(QObject& field, const QString& name) {
-    if (const QVariant kept = settings_.option(name); kept.isValid()) put(field, kept);
-    at_each_change(field, *this, [this, &field, name] { keep(name, value_of(field)); });
-}
-
-void OptionKeeper::take_columns(QTableView& table, int count) {
-    const auto name_of_column = [&table](int column) {
-        return QStringLiteral("%1_column_%2").arg(table.objectName()).arg(column);
-    };
+void OptionKeeper::fill_in_columns(QTableView& table, int count) {
     for (int column = 0; column < count; ++column) {
-        const int width_px = settings_.option(name_of_column(column)).toInt();
+        const QString name = name_of_column(table, column);
+        const int width_px = was_changed(name) ? 0 : settings_.option(name).toInt();
         if (width_px >= kLeastColumn_px && width_px <= kMostColumn_px) table.setColumnWidth(column, width_px);
     }
+}
+
+void OptionKeeper::watch(QTableView& table, int count) {
     connect(table.horizontalHeader(), &QHeaderView::sectionResized, this,
-            [this, count, name_of_column](int column, int, int width_px) {
-                if (column < count) keep(name_of_column(column), width_px);
+            [this, count, &table](int column, int, int width_px) {
+                if (column < count) keep(name_of_column(table, column), width_px);
             });
 }
 

@@ -25,6 +25,8 @@ public:
     /// field's value leaves it as it is.
     OptionKeeper(QWidget& window, WindowSettings& settings, std::function<void()> changed);
 
+    /// Once more, by settings that came later: what was chosen meanwhile stays.
+    void fill_in();
     /// Those that were changed since.
     void write();
 
@@ -33,9 +35,11 @@ public:
 
 private:
     void keep(const QString& name, const QVariant& value);
-    void take_field(QObject& field, const QString& name);
-    void take_columns(QTableView& table, int count);
+    bool was_changed(const QString& name) const { return fresh_.count(name) != 0; }
+    void fill_in_columns(QTableView& table, int count);
+    void watch(QTableView& table, int count);
 
+    QWidget& window_;
     WindowSettings& settings_;
     std::function<void()> changed_;
     std::map<QString, QVariant> fresh_;

@@ -72,7 +72,7 @@ TEST_F(KeptOptions, AreThereInTheNextWindow) {
     for (const char* const table : {"messages", "entries", "computer_table"})
         part<QTableView>(table).setColumnWidth(1, 133);
     // Nobody closes it.
-    ASSERT_TRUE(comes_true([&] { return WindowSettings{}.option("messages_column_1").toInt() == 133; }));
+    ASSERT_TRUE(comes_true([&] { return KeptSettings{}.option("messages_column_1").toInt() == 133; }));
     open_window();
     const Values kept = values();
     for (const auto& [name, value] : chosen) EXPECT_EQ(kept.at(name), value) << name.toStdString();
@@ -94,13 +94,13 @@ TEST_F(KeptOptions, ThatNoFieldCanHaveAreLeftAlone) {
     const Values usual = values();
     const int width_px = part<QTableView>("messages").columnWidth(0);
     window_.reset();
-    for (const char* const name : OptionKeeper::names()) WindowSettings{}.set_option(name, "a saw");
-    WindowSettings{}.set_option("points", -5);
-    WindowSettings{}.set_option("blank_radius", 1e9);
-    WindowSettings{}.set_option("jog_linear_speed", 100'000);
-    WindowSettings{}.set_option("jog_linear_step", 7);
-    WindowSettings{}.set_option("tool", 99);
-    WindowSettings{}.set_option("messages_column_0", -20);
+    for (const char* const name : OptionKeeper::names()) KeptSettings{}.set_option(name, "a saw");
+    KeptSettings{}.set_option("points", -5);
+    KeptSettings{}.set_option("blank_radius", 1e9);
+    KeptSettings{}.set_option("jog_linear_speed", 100'000);
+    KeptSettings{}.set_option("jog_linear_step", 7);
+    KeptSettings{}.set_option("tool", 99);
+    KeptSettings{}.set_option("messages_column_0", -20);
     open_window();
     for (const auto& [name, value] : values()) EXPECT_EQ(value, usual.at(name)) << name.toStdString();
     EXPECT_EQ(part<QTableView>("messages").columnWidth(0), width_px);

@@ -134,6 +134,7 @@ private:
 }  // namespace
 
 bool draw_svg_path(std::string_view data, PathMaker& maker) {
+    maker.move_to({});  // where the first move begins, also one with a small letter
     const bool is_right = PathDataWalk(data, maker).walk();
     maker.end();
     return is_right;

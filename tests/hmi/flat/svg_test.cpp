@@ -344,6 +344,17 @@ TEST_F(Svg, WhatTheWholeDrawingSaysIsInherited) {
     EXPECT_NEAR(radius(loaded(file("open.svg", open)), 0), 5.0, kExact_mm) << "not filled, so not closed";
 }
 
+TEST_F(Svg, APathBeginsFromTheOriginWhateverWasDrawnBefore) {
+    // Two squares of 10 mm that share a corner; the first move is absolute, small letter or not.
+    for (const char* first :
+         {"<path d='M 20 20 h 10 v 10 h -10 z'/>", "<rect x='20' y='20' width='10' height='10'/>",
+          "<path d='m 20 20 h 10 v 10 h -10 z'/>"}) {
+        const auto mesh = svg(first + std::string("<path d='m 30 30 h 10 v 10 h -10 z'/>"));
+        EXPECT_NEAR(mesh.facts.max[0] - mesh.facts.min[0], 20.0, kExact_mm) << first;
+        EXPECT_NEAR(mesh.facts.max[1] - mesh.facts.min[1], 20.0, kExact_mm) << first;
+    }
+}
+
 TEST_F(Svg, WrongPathDataIsDrawnUpToTheFault) {
     const auto mesh = svg("<rect width='10' height='10'/><path d='M0 0L5 5 L x'/>");
     ASSERT_EQ(mesh.warnings.size(), 1U);

@@ -185,8 +185,9 @@ Result<void> look_between_points(const model::Mesh& mesh, const Profile& profile
     if (!sunk_mm) return sunk_mm.error();
     report.between_points_mm = *sunk_mm;
     if (*sunk_mm < kWorthNaming_mm) return {};
-    report.warnings.push_back("between two points of a layer the tool goes up to " + mm_text(*sunk_mm) +
-                              " into the model; more points make that less");
+    report.warnings.push_back(
+        "between two points of a layer the tool goes up to " + mm_text(*sunk_mm) +
+        " too deep along its radius, into the model mostly less; more points make that less");
     return {};
 }
 

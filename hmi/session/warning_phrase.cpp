@@ -41,10 +41,10 @@ std::vector<Sentence> warning_sentences() {
          phrase(
              "The model stands so far from its file's origin that its coordinates are rounded to %1 mm, more "
              "than a pulse (%2 mm): move it to the origin before it is exported.")},
-        {"between two points of a layer the tool goes up to %1 mm into the model; more points make that less",
-         phrase(
-             "Between two points of a layer the tool goes up to %1 mm into the model; more points make that "
-             "less.")},
+        {"between two points of a layer the tool goes up to %1 mm too deep along its radius, into the model "
+         "mostly less; more points make that less",
+         phrase("Between two points of a layer the tool goes up to %1 mm too deep along its radius, into the "
+                "model mostly less; more points make that less.")},
         {"the layers lie %1 mm apart, but the tool is only %2 mm wide: between them material stays, as high "
          "as "
          "the blank; more layers leave less",

@@ -652,8 +652,8 @@
             <translation>Между записями</translation>
         </message>
         <message>
-            <source>Between two points of a layer the tool goes up to %1 mm into the model; more points make that less.</source>
-            <translation>Между двумя точками слоя инструмент входит в модель до %1 mm; при большем числе точек меньше.</translation>
+            <source>Between two points of a layer the tool goes up to %1 mm too deep along its radius, into the model mostly less; more points make that less.</source>
+            <translation>Между двумя точками слоя инструмент заходит по радиусу слишком глубоко, до %1 mm; в саму модель обычно меньше; при большем числе точек меньше.</translation>
         </message>
         <message>
             <source>Between two points the path may leave the straight line by this.</source>

@@ -652,8 +652,8 @@
             <translation>记录之间</translation>
         </message>
         <message>
-            <source>Between two points of a layer the tool goes up to %1 mm into the model; more points make that less.</source>
-            <translation>在一层的两点之间，刀具切入模型最深 %1 mm；增加点数可减小。</translation>
+            <source>Between two points of a layer the tool goes up to %1 mm too deep along its radius, into the model mostly less; more points make that less.</source>
+            <translation>在一层的两点之间，刀具沿半径方向过深最多 %1 mm，切入模型通常更少；增加点数可减小。</translation>
         </message>
         <message>
             <source>Between two points the path may leave the straight line by this.</source>

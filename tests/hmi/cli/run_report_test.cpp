@@ -103,13 +103,25 @@ TEST(RunReport, WithoutThePieceThatWasAskedForHasFailed) {
     PreparedJob job;
     job.blob = job_blob_from_table(small_job());
     job.view = *JobView::check(job.blob);
-    const auto piece = CarvedPiece::make(job, nullptr, {.mesh = "out.stl", .picture = {}});
+    const auto piece = CarvedPiece::make(job, nullptr, {.model = {}, .mesh = "out.stl", .picture = {}});
     ASSERT_TRUE(piece) << piece.error().message;
     RunReport sut = cut_off_run();
     add_piece(sut, *piece);
     ASSERT_TRUE(verdict_of(sut));
     EXPECT_NE(verdict_of(sut)->message.find("out.stl"), std::string::npos);
     EXPECT_TRUE(sut.piece_path.empty());
+}
+
+TEST(RunReport, WithoutTheComparisonThatWasAskedForHasFailed) {
+    PreparedJob job;
+    job.blob = job_blob_from_table(small_job());
+    job.view = *JobView::check(job.blob);
+    const auto piece = CarvedPiece::make(job, nullptr, {.model = "box.stl", .mesh = {}, .picture = {}});
+    ASSERT_TRUE(piece) << piece.error().message;
+    RunReport sut = cut_off_run();
+    add_piece(sut, *piece);
+    ASSERT_TRUE(verdict_of(sut));
+    EXPECT_NE(verdict_of(sut)->message.find("box.stl: the piece is not known"), std::string::npos);
 }
 
 }  // namespace

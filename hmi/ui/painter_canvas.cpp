@@ -23,6 +23,14 @@ struct CanvasRoom {
     bool operator==(const CanvasRoom&) const = default;
 };
 
+/// Other colours at most: then the image before does until the new one is there.
+bool is_of_the_same_shape(const session::SpacePicture& a, const session::SpacePicture& b) {
+    const session::MeshScene& one = *a.bodies.front().scene;
+    const session::MeshScene& other = *b.bodies.front().scene;
+    return &one == &other ||
+           (one.size == other.size && one.facets == other.facets && one.vertices == other.vertices);
+}
+
 /// In any thread.
 QImage drawn_image(const session::SpacePicture& picture, const CanvasRoom& room) {
     const auto bodies = session::draw_bodies(picture, room.width_px, room.height_px);
@@ -94,9 +102,8 @@ void PainterCanvas::renew_image() {
 void PainterCanvas::wish_for(const CanvasRoom& room) {
     const bool has_room = wish_ && wish_->room == room;
     if (has_room && session::has_same_bodies(wish_->picture, picture_)) return;
-    const auto box = [](const session::SpacePicture& picture) { return picture.bodies.front().scene->size; };
     if (!has_room || !session::has_same_view(wish_->picture, picture_) ||
-        box(wish_->picture) != box(picture_)) {
+        !is_of_the_same_shape(wish_->picture, picture_)) {
         session::SpacePicture quick = picture_;
         quick.is_coarse = true;
         image_ = drawn_image(quick, room);
@@ -105,6 +112,7 @@ void PainterCanvas::wish_for(const CanvasRoom& room) {
     lane_.drop_waiting();
     lane_.post([this, wish = *wish_, number = ++wishes_]() -> session::WorkLane::Finish {
         const auto show = [this, number, image = drawn_image(wish.picture, wish.room)] {
+            lane_.deliver();
             if (number != wishes_) return;
             image_ = image;
             update();

@@ -97,8 +97,8 @@ int run(int argc, char** argv) {
             session::phrase("psicarve-hmi --opengl tries it again"));
     }
     const QuitSignals signals_to_quit{[&window] {
-        window->leave();
-        QCoreApplication::exit(0);  // quit() would ask
+        if (window) window->leave();  // not while it is taken away
+        QCoreApplication::exit(0);    // quit() would ask
     }};
     window->show();
     window->begin_with(QString::fromStdString(options.profile_path), QString::fromStdString(options.path));

@@ -17,14 +17,14 @@ namespace {
 using session::MeshScene;
 
 /// Of 72 000 facets, with lobes that the coarse one cuts off.
-std::shared_ptr<const MeshScene> lobed_scene(std::uint32_t rgb) {
+std::shared_ptr<const MeshScene> lobed_scene(std::uint32_t rgb, double lobes = 12.0) {
     constexpr std::size_t kRound = 300;
     constexpr std::size_t kUp = 121;
     auto scene = std::make_shared<MeshScene>();
     for (std::size_t row = 0; row < kUp; ++row) {
         for (std::size_t i = 0; i < kRound; ++i) {
             const double turn_rad = 2.0 * kPi * static_cast<double>(i) / kRound;
-            const double radius = 10.0 + std::sin(12.0 * turn_rad);
+            const double radius = 10.0 + std::sin(lobes * turn_rad);
             scene->vertices.push_back({static_cast<float>(radius * std::cos(turn_rad)),
                                        static_cast<float>(radius * std::sin(turn_rad)),
                                        static_cast<float>(row) / 6.0F - 10.0F});
@@ -89,6 +89,15 @@ TEST_F(PaintedView, KeepsItsImageUntilItsColoursAreDrawn) {
     view_.replace_scene(recoloured);
     EXPECT_EQ(image_of(view_), expected(scene_, kIso, false)) << "no flicker";
     EXPECT_TRUE(becomes(expected(recoloured, kIso, false)));
+}
+
+TEST_F(PaintedView, TakesNoImageOfAnotherBodyOfTheSameSize) {
+    view_.show_scene(scene_);
+    ASSERT_TRUE(becomes(expected(scene_, kIso, false)));
+    const auto other = lobed_scene(kGrey, 9.0);
+    view_.replace_scene(other);
+    EXPECT_EQ(image_of(view_), expected(other, kIso, true));
+    EXPECT_TRUE(becomes(expected(other, kIso, false)));
 }
 
 TEST_F(PaintedView, TakesNoImageOfAnotherSide) {

@@ -51,8 +51,6 @@ struct JobTable {
     std::string profile_toml;                       ///< the whole machine profile it was made for
     std::string report_json;                        ///< what the slicer saw
     std::vector<JobPass> passes;                    ///< in order; none: all layers are one finishing pass
-    /// [layer_count * point_count], 1 where both heads stand clear, in roughing layers alone; empty: nowhere.
-    std::vector<std::uint8_t> air;
 };
 
 /// Absolute table position of point `point` in layer `layer`: continuous grows on by a sweep each layer;
@@ -76,20 +74,16 @@ inline constexpr double kMostPassRadius_mm = 1e6;  ///< far beyond every machine
 inline constexpr std::uint64_t kJobMagic = 0x31424f4a41435350ULL;  // "PSCAJOB1"
 
 /// First bytes of a job blob. The blob is one contiguous piece of memory: this header, profile text, report
-/// text, layer heights (int64), r_left (int32), r_right (int32), passes (JobPass), air, each part at a
-/// multiple of 8 bytes. The same bytes stand in a segment's job slot and in a job file. A job of one
-/// finishing pass has no table of passes, and one without air no bits of it: so it was before there were any.
-///
-/// Air is one bit for each layer and point, bit i % 8 of byte i / 8, i = layer * point_count + point; bits of
-/// the finishing pass, and those that fill the last word up, are 0.
+/// text, layer heights (int64), r_left (int32), r_right (int32), passes (JobPass), each part at a multiple of
+/// 8 bytes. The same bytes stand in a segment's job slot and in a job file. A job of one finishing pass has
+/// no table of passes: so it was before there were any.
 struct JobHeader {
     std::uint64_t magic;
     std::uint64_t total_bytes;  ///< of the whole blob
     std::uint32_t layer_count;
     std::uint32_t point_count;
     std::int64_t psi_sweep_pulses;
-    std::uint16_t joining;           ///< Joining
-    std::uint16_t has_air;           ///< 1: bits of air stand behind the passes; else 0, as before version 8
+    std::uint32_t joining;           ///< Joining
     std::int32_t direction_sign[4];  ///< by axis: +1 when the direction pin is high for positive, else -1
     std::uint32_t pass_count;        ///< 0: one finishing pass
     double feed_mm_s;
@@ -112,7 +106,7 @@ std::vector<std::byte> job_blob_from_table(const JobTable& table);
 std::uint64_t job_checksum(std::span<const std::byte> blob) noexcept;
 std::uint64_t job_blob_bytes(std::uint64_t layer_count, std::uint64_t point_count,
                              std::uint64_t profile_bytes, std::uint64_t report_bytes,
-                             std::uint64_t pass_count = 0, bool has_air = false) noexcept;
+                             std::uint64_t pass_count = 0) noexcept;
 
 /// A checked read-only view of a job blob in memory that nobody else can change (copy first, then check).
 /// Holds pointers into the blob: the blob outlives the view.
@@ -169,15 +163,6 @@ public:
     }
     std::int32_t max_radius_pulses(Axis head) const noexcept;
 
-    bool has_air() const noexcept { return !air_.empty(); }
-    /// Whether both heads stand clear of the stock in a point of a layer: a way between two such neighbours
-    /// cuts nothing and needs no feed. RT: yes.
-    bool is_air(std::uint32_t layer, std::uint32_t point) const noexcept {
-        if (layer >= finishing_layer_ || air_.empty()) return false;
-        const std::uint64_t at = std::uint64_t{layer} * point_count() + point;
-        return (std::to_integer<unsigned>(air_[at / 8]) >> (at % 8) & 1U) != 0;
-    }
-
 private:
     const JobHeader* header_ = nullptr;
     std::string_view profile_;
@@ -186,7 +171,6 @@ private:
     std::span<const std::int32_t> r_left_;
     std::span<const std::int32_t> r_right_;
     std::span<const JobPass> passes_;  ///< empty: whole_ is all
-    std::span<const std::byte> air_;   ///< empty: none
     JobPass whole_{};
     std::uint32_t finishing_layer_ = 0;
 };

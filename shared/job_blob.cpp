@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
-#include <span>
 
 #include "shared/job.hpp"
 #include "shared/job_layout.hpp"
@@ -29,12 +28,6 @@ template <typename Container>
 void copy_part(std::vector<std::byte>& blob, std::uint64_t offset, const Container& part) {
     if (part.empty()) return;
     std::memcpy(blob.data() + offset, part.data(), part.size() * sizeof(part[0]));
-}
-
-void set_bits(std::span<std::byte> bits, const std::vector<std::uint8_t>& values) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (values[i] != 0) bits[i / 8] |= std::byte{1} << (i % 8);
-    }
 }
 
 }  // namespace
@@ -65,26 +58,23 @@ std::uint32_t carved_point(Joining joining, std::uint32_t point_count, std::uint
 
 std::uint64_t job_blob_bytes(std::uint64_t layer_count, std::uint64_t point_count,
                              std::uint64_t profile_bytes, std::uint64_t report_bytes,
-                             std::uint64_t pass_count, bool has_air) noexcept {
-    return job_layout(layer_count, point_count, profile_bytes, report_bytes, pass_count, has_air).total_bytes;
+                             std::uint64_t pass_count) noexcept {
+    return job_layout(layer_count, point_count, profile_bytes, report_bytes, pass_count).total_bytes;
 }
 
 std::vector<std::byte> job_blob_from_table(const JobTable& table) {
     [[maybe_unused]] const std::size_t cells = std::size_t{table.layer_count} * table.point_count;
     assert(table.layer_height_pulses.size() == table.layer_count);
     assert(table.r_left_pulses.size() == cells && table.r_right_pulses.size() == cells);
-    assert(table.air.empty() || table.air.size() == cells);
-    const bool has_air = std::find(table.air.begin(), table.air.end(), 1) != table.air.end();
     const JobLayout layout = job_layout(table.layer_count, table.point_count, table.profile_toml.size(),
-                                        table.report_json.size(), table.passes.size(), has_air);
+                                        table.report_json.size(), table.passes.size());
     JobHeader header{};
     header.magic = kJobMagic;
     header.total_bytes = layout.total_bytes;
     header.layer_count = table.layer_count;
     header.point_count = table.point_count;
     header.psi_sweep_pulses = table.psi_sweep_pulses;
-    header.joining = static_cast<std::uint16_t>(table.joining);
-    header.has_air = has_air ? 1 : 0;
+    header.joining = static_cast<std::uint32_t>(table.joining);
     header.pass_count = static_cast<std::uint32_t>(table.passes.size());
     // A text that is no profile is found by job_profile; its signs do not matter then.
     const Result<Profile> parsed = parse_profile(table.profile_toml, "profile");
@@ -111,7 +101,6 @@ std::vector<std::byte> job_blob_from_table(const JobTable& table) {
     copy_part(blob, layout.r_left_offset, table.r_left_pulses);
     copy_part(blob, layout.r_right_offset, table.r_right_pulses);
     copy_part(blob, layout.passes_offset, table.passes);
-    if (has_air) set_bits(std::span(blob).subspan(layout.air_offset), table.air);
     return blob;
 }
 

@@ -7,7 +7,7 @@
 
 namespace psicarve {
 
-/// Where the parts of a job blob stand: follows from six numbers, so that no stored offset is ever believed.
+/// Where the parts of a job blob stand: follows from five numbers, so that no stored offset is ever believed.
 struct JobLayout {
     std::uint64_t profile_offset;
     std::uint64_t report_offset;
@@ -15,8 +15,6 @@ struct JobLayout {
     std::uint64_t r_left_offset;
     std::uint64_t r_right_offset;
     std::uint64_t passes_offset;
-    std::uint64_t air_offset;
-    std::uint64_t air_bytes;
     std::uint64_t total_bytes;
 };
 
@@ -24,7 +22,7 @@ struct JobLayout {
 /// overflow.
 constexpr JobLayout job_layout(std::uint64_t layer_count, std::uint64_t point_count,
                                std::uint64_t profile_bytes, std::uint64_t report_bytes,
-                               std::uint64_t pass_count, bool has_air) noexcept {
+                               std::uint64_t pass_count) noexcept {
     const auto aligned = [](std::uint64_t bytes) { return (bytes + 7) & ~std::uint64_t{7}; };
     const std::uint64_t table_bytes = aligned(layer_count * point_count * sizeof(std::int32_t));
     JobLayout layout{};
@@ -34,9 +32,7 @@ constexpr JobLayout job_layout(std::uint64_t layer_count, std::uint64_t point_co
     layout.r_left_offset = layout.heights_offset + layer_count * sizeof(std::int64_t);
     layout.r_right_offset = layout.r_left_offset + table_bytes;
     layout.passes_offset = layout.r_right_offset + table_bytes;
-    layout.air_offset = layout.passes_offset + pass_count * sizeof(JobPass);
-    layout.air_bytes = has_air ? aligned((layer_count * point_count + 7) / 8) : 0;
-    layout.total_bytes = layout.air_offset + layout.air_bytes;
+    layout.total_bytes = layout.passes_offset + pass_count * sizeof(JobPass);
     return layout;
 }
 

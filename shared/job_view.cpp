@@ -30,9 +30,6 @@ Result<void> check_counts(const JobHeader& header) {
         return not_a_job(text_of(header.pass_count) + " passes, where " + text_of(kMaxJobPasses) +
                          " are the most");
     }
-    if (header.has_air > 1) {
-        return not_a_job("whether it has air is the unknown number " + text_of(header.has_air));
-    }
     if (header.profile_bytes > kProfileTextBytes) {
         return not_a_job("a profile of " + text_of(header.profile_bytes) + " bytes, where " +
                          text_of(kProfileTextBytes) + " is the most");
@@ -44,13 +41,9 @@ Result<void> check_counts(const JobHeader& header) {
     return {};
 }
 
-JobLayout layout_of(const JobHeader& header) {
-    return job_layout(header.layer_count, header.point_count, header.profile_bytes, header.report_bytes,
-                      header.pass_count, header.has_air != 0);
-}
-
 Result<void> check_places(const JobHeader& header, std::uint64_t blob_bytes) {
-    const JobLayout layout = layout_of(header);
+    const JobLayout layout = job_layout(header.layer_count, header.point_count, header.profile_bytes,
+                                        header.report_bytes, header.pass_count);
     if (header.total_bytes != layout.total_bytes || blob_bytes != layout.total_bytes) {
         return not_a_job("its size is " + text_of(blob_bytes) + " bytes, it says " +
                          text_of(header.total_bytes) + ", and its counts need " +
@@ -143,19 +136,6 @@ Result<void> check_spiral_heights(const JobHeader& header, std::span<const std::
     return {};
 }
 
-/// Only what goes before the finishing pass can be air.
-Result<void> check_air(std::span<const std::byte> bits, std::uint64_t finishing_layer,
-                       std::uint64_t point_count) {
-    const std::uint64_t end = finishing_layer * point_count;
-    for (std::uint64_t byte = end / 8; byte < bits.size(); ++byte) {
-        const unsigned allowed = byte == end / 8 ? (1U << (end % 8)) - 1U : 0U;
-        if ((std::to_integer<unsigned>(bits[byte]) & ~allowed) == 0) continue;
-        return not_a_job("it has air from layer " + text_of(finishing_layer) +
-                         " on, which is none of a roughing pass");
-    }
-    return {};
-}
-
 template <typename T>
 std::span<const T> part_of(std::span<const std::byte> blob, std::uint64_t offset, std::uint64_t count) {
     // Alignment: the blob's start and every offset are multiples of 8.
@@ -188,13 +168,12 @@ Result<JobView> JobView::check(std::span<const std::byte> blob) {
     if (auto heights = check_spiral_heights(header, view.heights_); !heights) return heights.error();
     view.r_left_ = part_of<std::int32_t>(blob, header.r_left_offset, cells);
     view.r_right_ = part_of<std::int32_t>(blob, header.r_right_offset, cells);
-    const JobLayout layout = layout_of(header);
+    const JobLayout layout = job_layout(header.layer_count, header.point_count, header.profile_bytes,
+                                        header.report_bytes, header.pass_count);
     view.passes_ = part_of<JobPass>(blob, layout.passes_offset, header.pass_count);
     if (auto passes = check_passes(view.passes_, header.layer_count); !passes) return passes.error();
     view.whole_ = {static_cast<std::uint32_t>(PassKind::finishing), 1, 0, header.layer_count, 0.0, 0.0, 0.0};
     view.finishing_layer_ = view.passes().back().first_layer;
-    view.air_ = part_of<std::byte>(blob, layout.air_offset, layout.air_bytes);
-    if (auto air = check_air(view.air_, view.finishing_layer_, header.point_count); !air) return air.error();
     return view;
 }
 

@@ -149,11 +149,10 @@ std::uint64_t snapshot_abi_hash(bool with_status) noexcept {
 SegmentGeometry segment_geometry(std::uint32_t capacity_layers, std::uint32_t capacity_points) noexcept {
     const std::uint64_t layers = capacity_layers;
     const std::uint64_t table_bytes = layers * capacity_points * sizeof(std::int32_t);
-    const std::uint64_t air_bytes = (layers * capacity_points + 7) / 8;
-    // Each of the seven parts after the header may need up to 7 bytes to reach its multiple of 8.
+    // Each of the six parts after the header may need up to 7 bytes to reach its multiple of 8.
     const std::uint64_t job_bytes = sizeof(JobHeader) + kJobTextBytes + layers * sizeof(std::int64_t) +
-                                    2 * table_bytes + kMaxJobPasses * sizeof(JobPass) + air_bytes +
-                                    7 * sizeof(std::uint64_t);
+                                    2 * table_bytes + kMaxJobPasses * sizeof(JobPass) +
+                                    6 * sizeof(std::uint64_t);
     SegmentGeometry geometry{};
     geometry.slot_bytes = round_up_to_page(job_bytes);
     geometry.slot_offset[0] = round_up_to_page(sizeof(SegmentHeader));

@@ -26,7 +26,7 @@ public:
     explicit PassRuns(double most_mm) : most_mm_(most_mm) {}
     /// What the row says is wrong, or nothing. `begins_layer`: the row is the first of its layer.
     std::string add(std::span<const double> row, std::uint32_t layer, bool begins_layer) {
-        const std::span<const double> said = row.subspan(kRun, kPassNames.size());
+        const std::span<const double> said = row.subspan(kRun);
         if (std::equal(said.begin(), said.end(), said_.begin(), said_.end())) {
             if (begins_layer) ++passes_.back().layer_count;
             return {};
@@ -166,22 +166,10 @@ std::string wrong_place(std::span<const double> row, double layer_before, const 
     return {};
 }
 
-/// The finishing pass has none: there both heads follow the surface.
-Result<void> check_air(const JobTable& table, const std::string& path) {
-    const std::size_t finishing_layer = table.passes.empty() ? 0 : table.passes.back().first_layer;
-    for (std::size_t at = finishing_layer * table.point_count; at < table.air.size(); ++at) {
-        if (table.air[at] == 0) continue;
-        return bad_input(table_place(path, at / table.point_count, at % table.point_count) +
-                         "air, which only roughing passes have");
-    }
-    return {};
-}
-
-Result<void> read_rows(NumberLines& lines, const ExportColumns& columns, double most_pass_mm, JobTable& table,
+Result<void> read_rows(NumberLines& lines, bool has_passes, double most_pass_mm, JobTable& table,
                        Places& places, const std::string& path) {
-    const std::size_t air = kRun + (columns.has_passes ? kPassNames.size() : 0);
-    const std::size_t width = air + (columns.has_air ? 1 : 0);
-    const std::size_t counts = columns.has_passes ? kRun + 2 : kRun;
+    const std::size_t width = kRun + (has_passes ? kPassNames.size() : 0);
+    const std::size_t counts = has_passes ? kRun + 2 : kRun;
     PassRuns runs(most_pass_mm);
     std::vector<double> row;
     double layer_before = 0.0;
@@ -202,16 +190,13 @@ Result<void> read_rows(NumberLines& lines, const ExportColumns& columns, double 
         const std::string misplaced = wrong_place(row, layer_before, table, places.count());
         if (!misplaced.empty()) return lines.wrong(misplaced);
         layer_before = row[0];
-        if (columns.has_passes) {
+        if (has_passes) {
             const std::string problem = runs.add(row, table.layer_count - 1, begins_layer);
             if (!problem.empty()) return lines.wrong(problem);
         }
         places.add(row[2], row[3]);
         table.r_left_pulses.push_back(static_cast<std::int32_t>(row[4]));
         table.r_right_pulses.push_back(static_cast<std::int32_t>(row[5]));
-        if (!columns.has_air) continue;
-        if (row[air] != 0.0 && row[air] != 1.0) return lines.wrong("air is neither 0 nor 1");
-        table.air.push_back(row[air] == 1.0 ? 1 : 0);
     }
     if (!runs.is_finished()) {
         return bad_input(path +
@@ -219,16 +204,16 @@ Result<void> read_rows(NumberLines& lines, const ExportColumns& columns, double 
                          "what the model does not have");
     }
     table.passes = runs.take();
-    return check_air(table, path);
+    return {};
 }
 
 }  // namespace
 
-Result<JobTable> exported_table(NumberLines& lines, const ExportColumns& columns, const WishedJoining& wished,
+Result<JobTable> exported_table(NumberLines& lines, bool has_passes, const WishedJoining& wished,
                                 double most_pass_mm, const std::string& path) {
     JobTable table;
     Places places(table);
-    if (const auto read = read_rows(lines, columns, most_pass_mm, table, places, path); !read)
+    if (const auto read = read_rows(lines, has_passes, most_pass_mm, table, places, path); !read)
         return read.error();
     if (places.count() == 0 || places.count() != std::size_t{table.layer_count} * table.point_count)
         return bad_input(path + ": the table's last layer is not whole, or there is none");

@@ -18,14 +18,6 @@ inline constexpr std::array<std::string_view, 6> kExportNames{
     "layer", "point", "y_pulses", "psi_pulses", "r_left_pulses", "r_right_pulses"};
 inline constexpr std::array<std::string_view, 5> kPassNames{"run", "pass", "allowance_mm", "depth_mm",
                                                             "clear_mm"};
-/// And one where the machine goes through air, the last.
-inline constexpr std::string_view kAirName = "air";
-
-/// What an exported table has besides kExportNames.
-struct ExportColumns {
-    bool has_passes = false;
-    bool has_air = false;
-};
 
 /// How somebody wants layers joined who cannot know whether the table's are.
 struct WishedJoining {
@@ -34,11 +26,11 @@ struct WishedJoining {
 };
 
 /// Rows of a point, as they were exported; layers may begin at any layer of a longer job. Counts, heights,
-/// radii, joining, passes and air, nothing else. The heights of points tell a spiral, psi the other joinings;
+/// radii, joining and passes, nothing else. The heights of points tell a spiral, psi the other joinings;
 /// where a table of one layer could be of several, the usual one decides if it is among them. No length of a
 /// pass is more than `most_pass_mm`: what its heads can clear. Errors: bad_input, with line and column where
 /// it is one; bad_usage for a joining that was asked for and is not the table's.
-Result<JobTable> exported_table(NumberLines& lines, const ExportColumns& columns, const WishedJoining& wished,
+Result<JobTable> exported_table(NumberLines& lines, bool has_passes, const WishedJoining& wished,
                                 double most_pass_mm, const std::string& path);
 
 }  // namespace psicarve::cam

@@ -70,8 +70,7 @@ LeastTime least_time_of(const JobView& job, const Profile& profile) {
             height = y;
             path_mm[0] += std::hypot(r1.path_mm, rise_mm);
             path_mm[1] += std::hypot(r2.path_mm, rise_mm);
-            const bool is_air = job.is_air(layer, point - 1) && job.is_air(layer, point);
-            const double feed = is_air ? 0.0 : std::max(r1.path_mm, r2.path_mm) / feed_mm_s;
+            const double feed = std::max(r1.path_mm, r2.path_mm) / feed_mm_s;
             const double psi_alone = turn_pulses / psi_speed_pps;
             const double longest = std::max({feed, r1.seconds, r2.seconds, psi_alone});
             double& waits_for = longest == feed         ? sum.feed_seconds

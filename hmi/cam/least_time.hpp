@@ -21,9 +21,9 @@ struct LeastTime {
     double total() const noexcept;
 };
 
-/// Straight from point to point at the job's feed over the surface, but not in air, or at the axes' top
-/// speeds, whichever is slower. Acceleration, links between layers, approach and return come on top; the
-/// planner alone knows them. Some 10 ns a point.
+/// Straight from point to point at the job's feed over the surface or at the axes' top speeds, whichever is
+/// slower. Acceleration, links between layers, approach and return come on top; the planner alone knows them.
+/// Some 10 ns a point.
 LeastTime least_time_of(const JobView& job, const Profile& profile);
 /// Its total.
 double least_carving_seconds(const JobView& job, const Profile& profile);

@@ -32,13 +32,12 @@ namespace {
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30U;
 
-enum class TableKind : std::uint8_t { none, mm, pulses, exported };
+enum class TableKind : std::uint8_t { none, mm, pulses, exported, exported_passes };
 
 /// What a table's first line says.
 struct TableHead {
     TableKind kind = TableKind::none;
     char separator = ',';
-    ExportColumns columns{};
 };
 
 TableHead head_of(std::string_view line) {
@@ -46,7 +45,7 @@ TableHead head_of(std::string_view line) {
     if (mark == std::string_view::npos) return {};
     const char separator = line[mark];
     std::vector<std::string_view> names;
-    while (!line.empty() && names.size() <= kExportNames.size() + kPassNames.size() + 1) {
+    while (!line.empty() && names.size() <= kExportNames.size() + kPassNames.size()) {
         const std::size_t end = line.find(separator);
         names.push_back(trimmed(line.substr(0, end)));
         line = end == std::string_view::npos ? std::string_view{} : line.substr(end + 1);
@@ -59,9 +58,7 @@ TableHead head_of(std::string_view line) {
     std::vector<std::string_view> wanted(kExportNames.begin(), kExportNames.end());
     if (names == wanted) return {TableKind::exported, separator};
     wanted.insert(wanted.end(), kPassNames.begin(), kPassNames.end());
-    if (names == wanted) return {TableKind::exported, separator, {true, false}};
-    wanted.push_back(kAirName);
-    if (names == wanted) return {TableKind::exported, separator, {true, true}};
+    if (names == wanted) return {TableKind::exported_passes, separator};
     return {TableKind::none, separator};
 }
 
@@ -203,30 +200,16 @@ void note_radii(const Profile& profile, const JobTable& table, SliceReport& repo
     }
 }
 
-/// What is air in one blank may be wood in another.
-void hold_air(const Profile& profile, BuiltJob& built) {
-    JobTable& table = built.table;
-    if (std::find(table.air.begin(), table.air.end(), 1) == table.air.end()) return;
-    const double reach_mm = profile.blank.reach_mm();
-    const auto is_its_own = [reach_mm](const JobPass& pass) { return pass.clear_mm == reach_mm; };
-    if (std::all_of(table.passes.begin(), table.passes.end(), is_its_own)) return;
-    table.air.clear();
-    built.report.warnings.push_back("the table was made for a blank that reaches out to " +
-                                    mm_text(table.passes.front().clear_mm) + ", not to " + mm_text(reach_mm) +
-                                    ": the machine goes at the feed where the table says air");
-}
-
 /// Rows of a point, as they were exported.
-Result<BuiltJob> exported(NumberLines& lines, const ExportColumns& columns, const Profile& profile,
+Result<BuiltJob> exported(NumberLines& lines, bool has_passes, const Profile& profile,
                           std::optional<Joining> joining, const std::string& path) {
     BuiltJob built;
-    auto table =
-        exported_table(lines, columns, {joining, profile.job.joining}, reachable_radius(profile, 1.0), path);
+    auto table = exported_table(lines, has_passes, {joining, profile.job.joining},
+                                reachable_radius(profile, 1.0), path);
     if (!table) return table.error();
     built.table = std::move(*table);
     built.table.feed_mm_s = profile.job.feed_mm_s;
     if (auto fits = check_travel(built.table, profile, true, path); !fits) return fits.error();
-    hold_air(profile, built);
     note_radii(profile, built.table, built.report);
     return built;
 }
@@ -245,12 +228,13 @@ Result<BuiltJob> read(const std::vector<char>& bytes, const std::string& path, c
     }
     lines.part_by(head.separator);
     const Joining chosen = joining.value_or(profile.job.joining);
-    const bool is_exported = head.kind == TableKind::exported;
+    const bool has_passes = head.kind == TableKind::exported_passes;
+    const bool is_exported = has_passes || head.kind == TableKind::exported;
     if (!is_exported && chosen == Joining::spiral) {
         return Error{ErrorCode::bad_usage,
                      path + ": a table of layers is no spiral: --joining continuous or zigzag"};
     }
-    auto built = is_exported ? exported(lines, head.columns, profile, joining, path)
+    auto built = is_exported ? exported(lines, has_passes, profile, joining, path)
                              : full_circles(lines, head.kind == TableKind::mm, profile, chosen, path);
     if (!built) return built;
     hold_depth_limit(profile, built->table, built->report);

@@ -13,13 +13,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Millions of numbers: printf would take longer than all the rest.
-void append(std::string& text, std::int64_t number) {
+void append(std::string& text, std::int64_t number, char after) {
     char digits[24];
     const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
     text.append(digits, end);
-}
-void append(std::string& text, std::int64_t number, char after) {
-    append(text, number);
     text.push_back(after);
 }
 
@@ -65,21 +62,7 @@ void write_point_heights(const JobView& job, std::FILE* out) {
     write(out, "]");
 }
 
-/// 1 where both heads stand clear, layer by layer.
-void write_air(const JobView& job, std::FILE* out) {
-    std::vector<std::int32_t> row(job.point_count());
-    std::string text;
-    for (std::uint32_t layer = 0; layer < job.layer_count(); ++layer) {
-        for (std::uint32_t point = 0; point < job.point_count(); ++point)
-            row[point] = job.is_air(layer, point) ? 1 : 0;
-        text.assign(layer == 0 ? "[" : ",");
-        append_row(text, std::span<const std::int32_t>(row));
-        write(out, text);
-    }
-    write(out, "]");
-}
-
-/// What each row of a layer has of its run: ",1,1,0.3,8,12".
+/// The end of each row of a layer: ",1,1,0.3,8,12\n".
 std::string run_columns(const JobView& job, std::uint32_t layer) {
     const std::uint32_t run = job.pass_of(layer);
     const JobPass& pass = job.passes()[run];
@@ -88,7 +71,7 @@ std::string run_columns(const JobView& job, std::uint32_t layer) {
         text.push_back(',');
         append(text, length_mm);
     }
-    return text;
+    return text + "\n";
 }
 
 }  // namespace
@@ -96,12 +79,11 @@ std::string run_columns(const JobView& job, std::uint32_t layer) {
 void write_csv(const JobView& job, std::FILE* out) {
     const bool has_passes = job.header().pass_count > 0;
     write(out, "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses");
-    if (has_passes) write(out, ",run,pass,allowance_mm,depth_mm,clear_mm");
-    write(out, job.has_air() ? ",air\n" : "\n");
+    write(out, has_passes ? ",run,pass,allowance_mm,depth_mm,clear_mm\n" : "\n");
     std::string rows;
     for (std::uint32_t layer = 0; layer < job.layer_count(); ++layer) {
         rows.clear();
-        const std::string end = has_passes ? run_columns(job, layer) : "";
+        const std::string end = has_passes ? run_columns(job, layer) : "\n";
         const auto left = job.r_left_pulses(layer);
         const auto right = job.r_right_pulses(layer);
         for (std::uint32_t point = 0; point < job.point_count(); ++point) {
@@ -110,10 +92,8 @@ void write_csv(const JobView& job, std::FILE* out) {
             append(rows, job.y_pulses(layer, point), ',');
             append(rows, job.psi_pulses(layer, point), ',');
             append(rows, left[point], ',');
-            append(rows, std::int64_t{right[point]});
-            rows += end;
-            if (job.has_air()) rows += job.is_air(layer, point) ? ",1" : ",0";
-            rows.push_back('\n');
+            append(rows, right[point], end.front());
+            rows.append(end, 1);
         }
         write(out, rows);
     }
@@ -137,10 +117,6 @@ void write_json(const JobView& job, std::FILE* out) {
     if (job.joining() == Joining::spiral) {
         write(out, ",\"point_y_pulses\":");
         write_point_heights(job, out);
-    }
-    if (job.has_air()) {
-        write(out, ",\"air\":");
-        write_air(job, out);
     }
     write(out, ",\"r_left_pulses\":");
     write_table(job, Axis::r1, out);

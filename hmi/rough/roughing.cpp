@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "hmi/rough/air_finder.hpp"
 #include "hmi/rough/pass_planner.hpp"
 #include "hmi/rough/rings.hpp"
 #include "hmi/rough/rough_stock.hpp"
@@ -35,21 +34,17 @@ Error wrong_use(const std::string& what) {
 /// The passes in front of a table's own layers.
 class Assembly {
 public:
-    Assembly(JobTable& table, const Rings& rings, const Profile& profile, double allowance_mm)
-        : table_(table),
-          rings_(rings),
-          clear_mm_(profile.blank.reach_mm()),
-          allowance_mm_(allowance_mm),
-          air_finder_(rings, profile, table.joining) {}
+    Assembly(JobTable& table, const Rings& rings, double clear_mm, double allowance_mm)
+        : table_(table), rings_(rings), clear_mm_(clear_mm), allowance_mm_(allowance_mm) {}
 
     std::size_t layer_count() const noexcept { return heights_.size(); }
-    void add(const RoughPass& pass, std::uint32_t number, PassSummary& summary) {
+    void add(const RoughPass& pass, std::uint32_t number) {
         add_entry(pass.depth_mm, number, pass.layers.size());
-        for (const RoughLayer& layer : pass.layers) add_layer(layer, summary);
+        for (const RoughLayer& layer : pass.layers) add_layer(layer);
     }
-    void add_idle(const RoughLayer& layer, double depth_mm, std::uint32_t number, PassSummary& summary) {
+    void add_idle(const RoughLayer& layer, double depth_mm, std::uint32_t number) {
         add_entry(depth_mm, number, 1);
-        add_layer(layer, summary);
+        add_layer(layer);
     }
     /// Whether each head reaches as far out as the other one does in the table's own layers.
     bool can_swap_heads() const {
@@ -71,8 +66,6 @@ public:
         put_before(heights_, table_.layer_height_pulses);
         put_before(radii_[0], table_.r_left_pulses);
         put_before(radii_[1], table_.r_right_pulses);
-        air_.resize(table_.r_left_pulses.size(), 0);
-        table_.air = std::move(air_);
         table_.passes = std::move(passes_);
     }
 
@@ -87,11 +80,7 @@ private:
                            static_cast<std::uint32_t>(layer_count()), static_cast<std::uint32_t>(layers),
                            allowance_mm_, std::max(0.0, depth_mm), clear_mm_});
     }
-    void add_layer(const RoughLayer& layer, PassSummary& summary) {
-        const std::vector<std::uint8_t> air = air_finder_.carve(layer.ring, layer_count(), layer.radii);
-        air_.insert(air_.end(), air.begin(), air.end());
-        summary.ways += air.size() - 1;
-        summary.air_ways += air_ways(air);
+    void add_layer(const RoughLayer& layer) {
         heights_.push_back(rings_.height_pulses(layer.ring));
         for (std::size_t h = 0; h < kHeads; ++h)
             radii_[h].insert(radii_[h].end(), layer.radii[h].begin(), layer.radii[h].end());
@@ -110,8 +99,6 @@ private:
     const Rings& rings_;
     double clear_mm_;
     double allowance_mm_;
-    AirFinder air_finder_;
-    std::vector<std::uint8_t> air_;
     std::vector<JobPass> passes_;
     std::vector<std::int64_t> heights_;
     std::array<std::vector<std::int32_t>, kHeads> radii_;
@@ -187,7 +174,7 @@ Result<RoughingSummary> add_roughing(JobTable& table, const JobTable& level, con
     const PassSettings settings{table.joining, options.allowance_mm, options.stepdown_mm,
                                 used_stepover_mm(options, profile.tool)};
     PassPlanner planner(rings, stock, profile, settings);
-    Assembly assembly(table, rings, profile, options.allowance_mm);
+    Assembly assembly(table, rings, blank_mm, options.allowance_mm);
     RoughingSummary summary;
     summary.stepover_mm = settings.stepover_mm;
     RoughPass last;
@@ -197,7 +184,7 @@ Result<RoughingSummary> add_roughing(JobTable& table, const JobTable& level, con
         summary.passes.push_back({std::max(0.0, pass.depth_mm),
                                   static_cast<std::uint32_t>(pass.layers.size()), pass.cut_points,
                                   pass.air_points});
-        assembly.add(pass, static_cast<std::uint32_t>(summary.passes.size()), summary.passes.back());
+        assembly.add(pass, static_cast<std::uint32_t>(summary.passes.size()));
         if (assembly.layer_count() + table.layer_count > kMaxJobCount)
             return bad_input("roughing makes more than " + std::to_string(kMaxJobCount) + " layers");
         last = std::move(pass);
@@ -205,7 +192,7 @@ Result<RoughingSummary> add_roughing(JobTable& table, const JobTable& level, con
     const bool is_odd = table.joining != Joining::zigzag && assembly.layer_count() % 2 != 0;
     if (is_odd && !assembly.can_swap_heads()) {
         assembly.add_idle(planner.idle_layer(last, assembly.layer_count()), last.depth_mm,
-                          static_cast<std::uint32_t>(summary.passes.size()), summary.passes.back());
+                          static_cast<std::uint32_t>(summary.passes.size()));
     }
     assembly.finish();
     return summary;
@@ -218,8 +205,6 @@ std::string to_json(const RoughingSummary& summary, const RoughingOptions& optio
     std::uint64_t cut = 0;
     std::uint64_t air = 0;
     std::uint64_t layers = 0;
-    std::uint64_t ways = 0;
-    std::uint64_t rapid = 0;
     const auto share = [](std::uint64_t part, std::uint64_t rest) {
         return part + rest > 0 ? static_cast<double>(part) / static_cast<double>(part + rest) : 0.0;
     };
@@ -227,13 +212,10 @@ std::string to_json(const RoughingSummary& summary, const RoughingOptions& optio
         cut += pass.cut_points;
         air += pass.air_points;
         layers += pass.layers;
-        ways += pass.ways;
-        rapid += pass.air_ways;
         if (passes.size() == kMostTold) continue;
         passes.push_back({{"depth_mm", pass.depth_mm},
                           {"layers", pass.layers},
-                          {"air_share", share(pass.air_points, pass.cut_points)},
-                          {"rapid_share", share(pass.air_ways, pass.ways - pass.air_ways)}});
+                          {"air_share", share(pass.air_points, pass.cut_points)}});
     }
     const Json object{{"stepdown_mm", options.stepdown_mm},
                       {"allowance_mm", options.allowance_mm},
@@ -241,7 +223,6 @@ std::string to_json(const RoughingSummary& summary, const RoughingOptions& optio
                       {"pass_count", summary.passes.size()},
                       {"layers", layers},
                       {"air_share", share(air, cut)},
-                      {"rapid_share", share(rapid, ways - rapid)},
                       {"passes", passes}};
     return object.dump();
 }

@@ -34,8 +34,6 @@ struct PassSummary {
     std::uint32_t layers = 0;
     std::uint64_t cut_points = 0;
     std::uint64_t air_points = 0;
-    std::uint64_t ways = 0;      ///< from point to point along its layers
-    std::uint64_t air_ways = 0;  ///< along which neither head cuts
 };
 struct RoughingSummary {
     std::vector<PassSummary> passes;

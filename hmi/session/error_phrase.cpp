@@ -182,11 +182,6 @@ std::vector<Sentence> of_roughing() {
          phrase("a stepdown of %1 makes more than %2 passes")},
         {"the table has roughing passes of its own: it gets no others",
          phrase("the table has roughing passes of its own: it gets no others")},
-        {"the table was made for a blank that reaches out to %1, not to %2: the machine goes at the feed "
-         "where "
-         "the table says air",
-         phrase("the table was made for a blank that reaches out to %1, not to %2: the machine goes at the "
-                "feed where the table says air")},
         {"no roughing passes: nothing of the blank stands further out than the allowance",
          phrase("no roughing passes: nothing of the blank stands further out than the allowance")},
     };

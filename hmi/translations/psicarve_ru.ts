@@ -5879,10 +5879,6 @@ N, Shift+N  следующая, предыдущая запись
             <translation>в таблице есть свои черновые проходы: другие не добавляются</translation>
         </message>
         <message>
-            <source>the table was made for a blank that reaches out to %1, not to %2: the machine goes at the feed where the table says air</source>
-            <translation>таблица сделана для заготовки, доходящей до %1, а не до %2: там, где в таблице воздух, станок идёт на подаче</translation>
-        </message>
-        <message>
             <source>the table's %1 points a circle are evened to %2</source>
             <translation>точки таблицы, %1 на круг, выровнены до %2</translation>
         </message>

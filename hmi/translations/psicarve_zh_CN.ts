@@ -5872,10 +5872,6 @@ N、Shift+N  下一条、上一条记录
             <translation>表格自带粗加工各道：不再添加</translation>
         </message>
         <message>
-            <source>the table was made for a blank that reaches out to %1, not to %2: the machine goes at the feed where the table says air</source>
-            <translation>表格是为外缘达 %1 的毛坯制作的，而不是 %2：表格标为空走之处，机床按进给运行</translation>
-        </message>
-        <message>
             <source>the table's %1 points a circle are evened to %2</source>
             <translation>表格每圈 %1 个点已均衡为 %2 个</translation>
         </message>

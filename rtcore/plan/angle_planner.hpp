@@ -16,7 +16,6 @@ struct TableLine {
     std::array<double, 2> radius_mm;  ///< by head: of the tip, the larger of the line's two ends
     std::uint32_t layer;              ///< of the point at its end
     std::uint32_t step;
-    bool is_air = false;  ///< nothing is cut along it: the feed does not hold
 };
 
 /// Lines [first, first + count) under one speed profile.
@@ -32,8 +31,7 @@ struct LineGroup {
 /// y = dR; a corner counts only if it stays one when each point may move by half a pulse of R. Speeds: the
 /// least over lines and axes of limit_k * S / |d_k|, the feed over the surface of the faster head, and the
 /// jump of each axis at an inner joint at most its start-stop speed. A segment also ends where an axis that
-/// has backlash turns round. Lines in air have no feed; where that is sooner, a segment ends where air does.
-/// O(lines).
+/// has backlash turns round. O(lines).
 std::vector<LineGroup> plan_by_angle(const MachineLimits& limits, std::span<const TableLine> lines);
 
 /// Whether the joint of two lines is a corner for a head (0: R1, 1: R2).

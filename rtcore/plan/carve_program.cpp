@@ -55,7 +55,6 @@ void CarveProgram::make_lines() {
         }
         line.layer = layer_;
         line.step = step;
-        line.is_air = is_air(layer_, step - 1) && is_air(layer_, step);
         lines_.push_back(line);
         at_pulses_ = to;
     }

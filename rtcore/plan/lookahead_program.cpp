@@ -96,7 +96,7 @@ void LookaheadProgram::add_stretches(std::size_t first, std::size_t last) {
 void LookaheadProgram::gather_layer() {
     const std::uint32_t count = job_->point_count();
     const auto point = [this](std::uint32_t layer, std::uint32_t step) {
-        return PathPoint{point_at(layer, step), layer, step, false, is_air(layer, step)};
+        return PathPoint{point_at(layer, step), layer, step, false};
     };
     if (!begins_pass()) {
         points_.push_back(point(layer_ - 1, count - 2));

@@ -210,7 +210,6 @@ std::vector<PathSpan> path_spans(const MachineLimits& limits, std::span<const Pa
     for (std::size_t i = 1; i < points.size(); ++i) {
         spans.push_back(span_between(limits, points[i - 1].pulses, points[i].pulses));
         spans.back().is_link = is_between_layers(points[i - 1], points[i]);
-        spans.back().is_air = !spans.back().is_link && points[i - 1].is_air && points[i].is_air;
     }
     keep_y_on_its_way(limits, spans);
     return spans;

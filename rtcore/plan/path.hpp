@@ -26,8 +26,7 @@ struct PathPoint {
     Pulses4 pulses;
     std::uint32_t layer;  ///< of the job; one for all rows of a spiral
     std::uint32_t point;
-    bool is_on_the_way;   ///< between two layers: not a point of the table
-    bool is_air = false;  ///< both heads stand clear there (JobView::is_air)
+    bool is_on_the_way;  ///< between two layers: not a point of the table
 };
 
 constexpr bool is_between_layers(const PathPoint& from, const PathPoint& to) noexcept {
@@ -46,7 +45,6 @@ struct PathSpan {
     Lanes end_band;                   ///< and how far its ends [pulses]
     std::array<double, 2> radius_mm;  ///< by head: of the tip, at the larger end
     bool is_link;                     ///< between two layers: heads never further in than its ends
-    bool is_air;                      ///< nothing is cut along it: the feed does not hold
 };
 
 /// A turn of the polyline at a point.

@@ -46,7 +46,6 @@ double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const P
                             std::span<const PathCorner> corners, std::size_t first, std::size_t last,
                             std::vector<PathPiece>& pieces) {
     fit(points, spans, corners, first, last);
-    note_air();
     limit_speeds();
     const Lanes* before = first > 0 ? &spans[first - 1].slope : nullptr;
     const Lanes* after = last < spans.size() ? &spans[last].slope : nullptr;
@@ -195,38 +194,11 @@ void cells_of(const CurveNodes& nodes, std::span<const Lanes> control, std::vect
     }
 }
 
-// A cell reaches half-way to its neighbours' nodes.
-void StretchPlanner::note_air() {
-    const std::size_t last = cells_.size() - 1;
-    is_air_.resize(last + 1);
-    for (std::size_t j = 0; j <= last; ++j) {
-        const bool before = j == 0 || spans_[nodes_.span_at[j - 1]].is_air;
-        const bool after = j == last || spans_[nodes_.span_at[j]].is_air;
-        is_air_[j] = before && after ? 1 : 0;
-    }
-}
-
-/// The square of the tip's speed over the surface, of the faster head, in four places of a cell where du/dt
-/// is 1.
-PSICARVE_INLINE void StretchPlanner::surface_speed2(const Places& cell, Vec& speed2) const {
-    const Vec turn = cell.slope[kPsi].axes * rad_per_pulse_;
-    const Vec lift = cell.slope[kY].axes * mm_per_pulse_[kY];
-    speed2 = Vec{};
-    for (std::size_t head = 0; head < 2; ++head) {
-        const Vec at = cell.begin_at[head] + 0.5 * cell.along * (cell.begin[head] + cell.slope[head].axes);
-        const Vec around = (at * mm_per_pulse_[head] + limits_.tip_offset_mm[head]) * turn;
-        const Vec out = cell.slope[head].axes * mm_per_pulse_[head];
-        raise_to(speed2, Vec(around * around + out * out + lift * lift));
-    }
-}
-
-// Motors' top speeds, and, but in air, the feed of the tip over the surface: (r psi')^2 + R'^2 + Y'^2, the
-// faster head. Four places of a cell side by side: its begin, a quarter, the half, three quarters. Where two
-// cells meet, the feed holds if it does in one of them.
+// Motors' top speeds, and the feed of the tip over the surface: (r psi')^2 + R'^2 + Y'^2, the faster head.
+// Four places of a cell side by side: its begin, a quarter, the half, three quarters.
 PSICARVE_FOR_WIDE_REGISTERS
 void StretchPlanner::limit_speeds() {
     constexpr Vec kPlaces{0.0, 0.25, 0.5, 0.75};
-    constexpr Vec kBeginAlone{1.0, 0.0, 0.0, 0.0};
     const std::size_t count = cells_.size();
     for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
         bound2_[timing].resize(count + 1);
@@ -236,24 +208,28 @@ void StretchPlanner::limit_speeds() {
         // The last cell's end as the begin of one more.
         const bool is_end = i == count;
         const PathCell& cell = cells_[is_end ? i - 1 : i];
-        Places places{is_end ? cell.slope_end : cell.slope_begin,
-                      is_end ? control_.back() : cell_at_[i],
-                      is_end ? Vec{} : kPlaces * cell.length,
-                      {}};
+        const Lanes& begin = is_end ? cell.slope_end : cell.slope_begin;
+        const Lanes& begin_at = is_end ? control_.back() : cell_at_[i];
+        const Vec along = is_end ? Vec{} : kPlaces * cell.length;
+        std::array<Four, kAxisCount> slope;
         Vec need{};
         for (std::size_t k = 0; k < kAxisCount; ++k) {
-            places.slope[k].axes = places.begin[k] + places.along * cell.bend[k];
-            const Vec share = places.slope[k].axes * inverse_speed_[k];
+            slope[k].axes = begin[k] + along * cell.bend[k];
+            const Vec share = slope[k].axes * inverse_speed_[k];
             raise_to(need, Vec(share * share));
         }
-        const bool is_air = is_air_[is_end ? i - 1 : i] != 0;
-        const bool was_air = i == 0 ? is_air : is_air_[i - 1] != 0;
-        Vec fed{};
-        if (!is_air || !was_air) surface_speed2(places, fed);
-        if (is_air) fed *= kBeginAlone;
+        const Vec turn = slope[kPsi].axes * rad_per_pulse_;
+        const Vec lift = slope[kY].axes * mm_per_pulse_[kY];
+        Vec surface_speed2{};
+        for (std::size_t head = 0; head < 2; ++head) {
+            const Vec at = begin_at[head] + 0.5 * along * (begin[head] + slope[head].axes);
+            const Vec around = (at * mm_per_pulse_[head] + limits_.tip_offset_mm[head]) * turn;
+            const Vec out = slope[head].axes * mm_per_pulse_[head];
+            raise_to(surface_speed2, Vec(around * around + out * out + lift * lift));
+        }
         for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
             Vec most = need;
-            raise_to(most, Vec(fed * inverse_feed2_[timing]));
+            raise_to(most, Vec(surface_speed2 * inverse_feed2_[timing]));
             const Vec limit = most > 0.0 ? 1.0 / most : Vec{} + 1.0;
             bound2_[timing][i] = limit[0];
             if (!is_end) inner2_[timing][i] = {limit[1], limit[2], limit[3]};

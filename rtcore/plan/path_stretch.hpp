@@ -13,7 +13,6 @@
 #include "rtcore/plan/path.hpp"
 #include "rtcore/plan/path_pieces.hpp"
 #include "rtcore/plan/speed_profile.hpp"
-#include "rtcore/plan/wide.hpp"
 
 namespace psicarve::plan {
 
@@ -33,14 +32,6 @@ public:
                 std::vector<PathPiece>& pieces);
 
 private:
-    /// Four places of a cell side by side.
-    struct Places {
-        const Lanes& begin;     ///< slope at the cell's begin
-        const Lanes& begin_at;  ///< position there
-        Vec along;              ///< how far from it, of u
-        std::array<Four, kAxisCount> slope;
-    };
-
     void fit(std::span<const PathPoint> points, std::span<const PathSpan> spans,
              std::span<const PathCorner> corners, std::size_t first, std::size_t last);
     std::size_t node_of(std::size_t span) const;
@@ -49,8 +40,6 @@ private:
     bool fit_in_windows();
     bool fit_again(const NodeRange& range);
     bool fit_part(const NodeRange& range, std::size_t decided_last);
-    void note_air();
-    void surface_speed2(const Places& cell, Vec& speed2) const;
     void limit_speeds();
     void add_pieces(std::span<const PathPoint> points, std::vector<PathPiece>& pieces);
 
@@ -67,7 +56,6 @@ private:
     CurveNodes nodes_;
     std::vector<Lanes> control_;  ///< of the curve
     std::vector<PathCell> cells_;
-    std::vector<char> is_air_;    ///< by cell: no part of it is in a span that needs the feed
     std::vector<Lanes> cell_at_;  ///< position at each cell's begin [pulses]
     std::array<std::vector<double>, kTimingCount> bound2_;
     std::array<std::vector<InnerSpeeds2>, kTimingCount> inner2_;

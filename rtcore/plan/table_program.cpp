@@ -74,10 +74,6 @@ Pulses4 TableProgram::point_at(std::uint32_t layer, std::uint32_t step) const {
             job_->psi_pulses(layer, point), job_->y_pulses(layer, point)};
 }
 
-bool TableProgram::is_air(std::uint32_t layer, std::uint32_t step) const {
-    return job_->is_air(layer, carved_point(job_->joining(), job_->point_count(), layer, step));
-}
-
 void TableProgram::reach(MotionBlock& block, std::uint32_t layer, std::uint32_t step) {
     block.reaches_points = 1;
     block.layer = layer;

@@ -42,8 +42,6 @@ protected:
     /// the one before it ended.
     std::uint32_t layers_at_once() const;
     Pulses4 point_at(std::uint32_t layer, std::uint32_t step) const;
-    /// Whether nothing is cut there: the way between two such neighbours needs no feed.
-    bool is_air(std::uint32_t layer, std::uint32_t step) const;
     /// The block ends in this point; a spiral's next row begins in it too.
     void reach(cycle::MotionBlock& block, std::uint32_t layer, std::uint32_t step);
 

@@ -48,8 +48,8 @@ TEST(FuzzSeeds, HoldASnapshotOfThisLayout) {
     EXPECT_TRUE(*kept == wanted) << "the layout has changed: make it anew, see above";
 }
 
-/// Three layers of two points, the first of them a roughing pass, which may be all air.
-std::vector<std::byte> job_of_passes(bool has_air = false) {
+/// Three layers of two points, the first of them a roughing pass.
+std::vector<std::byte> job_of_passes() {
     JobTable table;
     table.layer_count = 3;
     table.point_count = 2;
@@ -59,7 +59,6 @@ std::vector<std::byte> job_of_passes(bool has_air = false) {
     table.r_left_pulses.assign(6, 4000);
     table.r_right_pulses.assign(6, 4000);
     set_passes(table, {1, 2});
-    if (has_air) table.air = {1, 1, 0, 0, 0, 0};
     Snapshot snapshot;
     snapshot.job_blob = job_blob_from_table(table);
     return snapshot_bytes(snapshot);
@@ -71,16 +70,6 @@ TEST(FuzzSeeds, HoldAJobOfSeveralPasses) {
         ASSERT_TRUE(write_file_atomically(seed("passes.psi"), wanted).has_value());
     }
     const auto kept = read_whole_file(seed("passes.psi"));
-    ASSERT_TRUE(kept.has_value()) << kept.error().message;
-    EXPECT_TRUE(*kept == wanted) << "the layout has changed: make it anew, see above";
-}
-
-TEST(FuzzSeeds, HoldAJobWithAir) {
-    const auto wanted = job_of_passes(true);
-    if (std::getenv("PSICARVE_WRITE_SEEDS") != nullptr) {
-        ASSERT_TRUE(write_file_atomically(seed("air.psi"), wanted).has_value());
-    }
-    const auto kept = read_whole_file(seed("air.psi"));
     ASSERT_TRUE(kept.has_value()) << kept.error().message;
     EXPECT_TRUE(*kept == wanted) << "the layout has changed: make it anew, see above";
 }

@@ -69,7 +69,6 @@ protected:
         EXPECT_EQ(table.r_right_pulses, first.r_right_pulses);
         ASSERT_EQ(table.passes.size(), first.passes.size());
         const std::size_t bytes = first.passes.size() * sizeof(JobPass);
-        EXPECT_EQ(table.air.empty() ? std::vector<std::uint8_t>(first.air.size()) : table.air, first.air);
         EXPECT_TRUE(bytes == 0 || std::memcmp(table.passes.data(), first.passes.data(), bytes) == 0);
         EXPECT_EQ(text_of(exported(table)), text);
         // The machine takes it.
@@ -117,53 +116,6 @@ TEST_F(ExportedTable, OfSeveralPassesKeepsThem) {
     }
 }
 
-/// Far out on two sides, and the blank off the axis: much of its roughing is air.
-class ExportedAir : public ExportedTable {
-protected:
-    static Profile off_axis() {
-        Profile profile = roughing();
-        profile.blank.offset_x_mm = 3.0;
-        return profile;
-    }
-    JobTable table() const { return built(oblong(), off_axis(), joined(Joining::continuous, 5)).table; }
-};
-
-TEST_F(ExportedAir, ComesBackPointForPoint) {
-    for (const Joining joining : {Joining::continuous, Joining::zigzag, Joining::spiral}) {
-        const JobTable first = built(oblong(), off_axis(), joined(joining, 5)).table;
-        ASSERT_GT(std::count(first.air.begin(), first.air.end(), 1), 10);
-        expect_back(first, off_axis());
-    }
-}
-
-TEST_F(ExportedAir, IsCarvedAtTheFeedInAnotherBlank) {
-    const JobTable first = table();
-    Profile other = off_axis();
-    other.blank.radius_mm += 2.0;
-    const auto again = read(text_of(exported(first)), other);
-    ASSERT_TRUE(again) << again.error().message;
-    EXPECT_TRUE(again->table.air.empty());
-    EXPECT_EQ(again->table.r_left_pulses, first.r_left_pulses);
-    EXPECT_THAT(
-        again->report.warnings,
-        Contains(HasSubstr("the table was made for a blank that reaches out to 15.00 mm, not to 17.00 "
-                           "mm: the machine goes at the feed")));
-}
-
-TEST_F(ExportedAir, ThatIsNoneIsRefusedWithItsPlace) {
-    const std::string head =
-        "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses,run,pass,allowance_mm,depth_mm,clear_"
-        "mm,air\n";
-    const std::string rough = "0,0,400,0,4000,4000,1,1,0.3,5,9,1\n";
-    EXPECT_THAT(refusal(head + "0,0,400,0,4000,4000,1,1,0.3,5,9,2\n"),
-                EndsWith("line 2: air is neither 0 nor 1"));
-    EXPECT_THAT(refusal(head + rough + "0,1,400,3200,4000,4000,1,1,0.3,5,9\n"),
-                EndsWith("line 3: 11 numbers, not 12"));
-    EXPECT_THAT(refusal(head + rough + "0,1,400,3200,4000,4000,1,1,0.3,5,9,0\n" +
-                        "1,0,400,3200,4000,4000,2,2,0,0,9,0\n1,1,400,6400,4000,4000,2,2,0,0,9,1\n"),
-                EndsWith("layer 1, point 1: air, which only roughing passes have"));
-}
-
 TEST_F(ExportedTable, KeepsRunsThatShareAPass) {
     Profile profile = roughing();
     profile.head_r2_angle_error_deg = 0.5;
@@ -180,20 +132,16 @@ TEST_F(ExportedTable, KeepsRunsThatShareAPass) {
     expect_back(table, profile);
 }
 
-TEST_F(ExportedTable, TellsOfPassesAndOfAirOnlyWhereThereAreSome) {
+TEST_F(ExportedTable, TellsOfPassesOnlyWhereThereAreSome) {
     const auto first_line = [this](const JobTable& table) {
         const std::string text = text_of(exported(table));
         return text.substr(0, text.find('\n'));
     };
     EXPECT_EQ(first_line(built(oblong(), Profile{}, small(5, 9)).table),
               "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses");
-    JobTable roughed = built(oblong(), roughing(), small(5, 9)).table;
-    const std::string passes =
-        "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses,run,pass,allowance_mm,depth_mm,clear_"
-        "mm";
-    EXPECT_EQ(first_line(roughed), passes + ",air");
-    roughed.air.clear();
-    EXPECT_EQ(first_line(roughed), passes);
+    EXPECT_EQ(first_line(built(oblong(), roughing(), small(5, 9)).table),
+              "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses,run,pass,allowance_mm,depth_mm,"
+              "clear_mm");
 }
 
 TEST_F(ExportedTable, SaysOfABlankWhatItsFinishingPassSays) {

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <numbers>
 
 namespace psicarve::cam {
@@ -47,29 +45,6 @@ TEST(LeastTime, IsTheTablesWhereTheFeedIsMoreThanItCanTurn) {
 TEST(LeastTime, IsTheHeadsWhereTheyHaveALongWay) {
     const Profile profile;
     EXPECT_NEAR(seconds_of(10.0, 20.0, 1000.0), 200 * 10.0 / profile.r1.speed_mm_s, 1e-6);
-}
-
-TEST(LeastTime, KnowsNoFeedInAir) {
-    const Profile profile;
-    JobTable table;
-    table.layer_count = 2;
-    table.point_count = 101;
-    table.psi_sweep_pulses = profile.psi.pulses_per_rev / 2;
-    table.feed_mm_s = 2.0;
-    table.layer_height_pulses = {400, 400};
-    table.r_left_pulses.assign(202, 4000);
-    table.r_right_pulses.assign(202, 4000);
-    table.passes = {{static_cast<std::uint32_t>(PassKind::roughing), 1, 0, 1, 0.0, 0.0, 0.0},
-                    {static_cast<std::uint32_t>(PassKind::finishing), 2, 1, 1, 0.0, 0.0, 0.0}};
-    table.air.assign(202, 0);
-    std::fill(table.air.begin(), table.air.begin() + 51, std::uint8_t{1});  // fifty ways of a hundred
-    table.profile_toml = profile_to_toml(profile);
-    const auto blob = job_blob_from_table(table);
-    const LeastTime time = least_time_of(JobView::check(blob).value(), profile);
-    const double layer_s = 10.0 * std::numbers::pi / 2.0;
-    EXPECT_NEAR(time.layer_seconds[0], 0.5 * layer_s + 90.0 / profile.psi.speed_deg_s, 1e-9);
-    EXPECT_NEAR(time.layer_seconds[1], layer_s, 1e-9);
-    EXPECT_NEAR(time.path_mm[0], 20.0 * std::numbers::pi, 1e-9);
 }
 
 TEST(LeastTime, SaysWhatEachWayWaitsFor) {

@@ -35,10 +35,7 @@ public:
         }
         rows_ = rows;
         row_mm_ = (mm(*high) + reach_mm - bottom_mm_) / static_cast<double>(rows);
-        for (std::size_t i = 0; i < rows * columns_; ++i) {
-            const double turned = static_cast<double>(i % columns_) / static_cast<double>(columns_);
-            radius_mm.push_back(profile.blank.surface_mm(2.0 * kPi * turned));
-        }
+        radius_mm.assign(rows * columns_, profile.blank.radius_mm);
     }
 
     /// Carves the layers [first, end) of a job whose layers belong to one pass, with the ways between them.
@@ -63,18 +60,6 @@ public:
         for (std::uint32_t step = 0; step + 1 < job.point_count(); ++step)
             go(place(step), place(step + 1), is_point_ ? 1 : 3);
         if (is_point_) stand(place(job.point_count() - 1));
-    }
-
-    /// Both heads along one way of a layer, their tips so much further in than the job has them.
-    void carve_way(const JobView& job, std::uint32_t layer, std::uint32_t step, double in_mm) {
-        Place from = at(job, layer, step);
-        Place to = at(job, layer, step + 1);
-        for (Place* place : {&from, &to}) {
-            place->r1_mm -= in_mm;
-            place->r2_mm -= in_mm;
-        }
-        go(from, to, is_point_ ? 1 : 3);
-        if (is_point_) stand(to);
     }
 
     std::size_t rows() const { return rows_; }

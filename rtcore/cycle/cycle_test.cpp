@@ -39,8 +39,13 @@ void Cycle::end_test(MoveEnd end) noexcept {
 }
 
 Refusal Cycle::drives_off() noexcept {
-    if (!next_state(state_, MachineEvent::drives_off).has_value()) return Refusal::not_in_this_state;
+    // Off, a drive may hold an axis that was homed alone.
+    const bool holds_axis = state_ == MachineState::off && (pulses_.levels() & kEnableMask) != 0;
+    if (!holds_axis && !next_state(state_, MachineEvent::drives_off).has_value())
+        return Refusal::not_in_this_state;
     homed_mask_ = 0;
+    if (holds_axis) pulses_.make_safe();
+    next_publish_tick_ = tick_;
     apply(MachineEvent::drives_off);
     return Refusal::none;
 }

@@ -38,6 +38,9 @@ TEST(DrivesOffLock, IsOpenAtRestAlone) {
     EXPECT_EQ(said(drives_off_lock(machine_in(S::ready))), "");
     EXPECT_EQ(said(drives_off_lock(machine_in(S::off, 0))), "Drives off: they are off");
     EXPECT_EQ(said(drives_off_lock(machine_in(S::moving))), "Locked while an axis moves");
+    MachineSight holding = machine_in(S::off, 0b0001);
+    holding.status->signals |= bit_of(Signal::r1_enable);
+    EXPECT_EQ(said(drives_off_lock(holding)), "") << "R1 was homed alone, and its drive is on";
 }
 
 TEST(WorkZero, ShowsPositionsFromTheOperatorsZero) {

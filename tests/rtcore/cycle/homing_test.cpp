@@ -56,6 +56,19 @@ TEST(Homing, OfOneAxisLeavesTheOthersWhereTheyAre) {
     EXPECT_EQ(sut.cycle->sample().homed_mask, 0b1111);
 }
 
+TEST(Homing, OfOneAxisLeavesItsDriveOnUntilDrivesOff) {
+    MachineRig sut(quick_profile());
+    ASSERT_EQ(sut.ask(RequestKind::drives_off), Refusal::not_in_this_state) << "none is on";
+    ASSERT_EQ(sut.ask(RequestKind::home, 0, 0b0001), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::off));
+    ASSERT_EQ(sut.cycle->pulses().levels() & kEnableMask, bit_of(Signal::r1_enable));
+    ASSERT_EQ(sut.ask(RequestKind::drives_off), Refusal::none);
+    EXPECT_EQ(sut.cycle->state(), MachineState::off);
+    EXPECT_EQ(sut.cycle->pulses().levels() & kEnableMask, 0U);
+    EXPECT_EQ(sut.cycle->sample().homed_mask, 0);
+    EXPECT_EQ(sut.ask(RequestKind::drives_off), Refusal::not_in_this_state);
+}
+
 TEST(Homing, AxisByAxisTheMachineIsReadyWithTheLast) {
     MachineRig sut(quick_profile());
     for (const std::uint64_t axes : {0b0100U, 0b1000U, 0b0101U}) {

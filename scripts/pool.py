@@ -78,9 +78,11 @@ class Stopwatch:
 
 def summary(names, failed, not_run, seconds):
     """The closing words of ctest for the tests of one preset. not_run: (name, why)."""
+    if not names:
+        return "0% tests passed, no test ran, or ctest ended before it could say which did\n"
     ran = len(names) - len(not_run)
     bad = len(failed) + sum(why != "Skipped" for _, why in not_run)
-    share = 100 if not bad else min(99, 100 * (ran - len(failed)) // max(1, len(names)))
+    share = 100 if not bad else min(99, 100 * (ran - len(failed)) // len(names))
     lines = [f"{share}% tests passed, {bad} tests failed out of {len(names)}", "", f"Total Test time (real) = {seconds:6.2f} sec"]
     if not_run:
         lines += ["", "The following tests did not run:", *(f"\t{name} ({why})" for name, why in not_run)]

@@ -103,6 +103,16 @@ class Suite(unittest.TestCase):
         self.assertIn("\tB.Two (Skipped)\n", self.read("logs/ctest-dev.log"))
         self.assertIn("\tB.One (Not Run)\n", self.read("logs/ctest-asan.log"))
 
+    def test_no_test_at_all_is_no_success(self):
+        self.assertEqual(self.run_suite("", ""), 1)
+        self.assertEqual(self.verdicts, {"dev": "passed", "asan": "FAILED"})
+        self.assertTrue(self.read("logs/ctest-asan.log").startswith("0% tests passed, no test ran"))
+
+    def test_a_ctest_that_dies_passes_nobody(self):
+        self.assertEqual(self.run_suite(test("B.One", "kill -9 $PPID; true"), test("B.One", "true")), 1)
+        self.assertEqual(self.verdicts, {"dev": "FAILED", "asan": "FAILED"})
+        self.assertNotIn("100%", self.read("logs/ctest-dev.log") + self.read("logs/ctest-asan.log"))
+
     def test_a_kind_that_is_missing_in_dev_is_red(self):
         self.exact = self.exact.replace("OperatorDeath.A", "Renamed.A")
         self.assertEqual(self.run_suite("", test("B.One", "true")), 1)

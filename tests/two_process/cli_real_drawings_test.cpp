@@ -87,7 +87,7 @@ TEST_P(RealDrawing, IsSlicedCarvedAndVerified) {
     const std::string job = file("real.job");
     const bool is_fine = is_thorough();
     std::vector<std::string> slice{"slice",    input.path,           "-o",       job,
-                                   "--layers", is_fine ? "16" : "6", "--points", is_fine ? "61" : "31",
+                                   "--layers", is_fine ? "16" : "8", "--points", is_fine ? "61" : "31",
                                    "--json"};
     for (const std::string& word : words_of(input.options)) slice.push_back(word);
     const Outcome sliced = psicarve(slice);

@@ -24,6 +24,7 @@ TEST_F(CorePort, CarvesAJobWithExactlyThePulsesOfTheSimulatedPort) {
     start_port_core();
     home();
     for (const Axis axis : kAllAxes) {
+        if (axis_motion(profile_, axis).home == HomeSensor::none) continue;  // a count of its own
         EXPECT_EQ(port_.state().axes[index_of(axis)].position_pulses.load(),
                   status().position_pulses[index_of(axis)])
             << name_of(axis);

@@ -207,12 +207,12 @@ void PieceInTime::cut(std::size_t place) {
     places_ = place + 1;
 }
 
-bool PieceInTime::go(std::int64_t time, std::size_t most) {
+bool PieceInTime::go(std::int64_t time, std::size_t most, const std::function<bool()>& goes_on) {
     const std::size_t wanted = timeline_.places_until(time);
     const std::size_t nearest = std::min(wanted / timeline_.kept_every_, timeline_.kept_.size() - 1);
     if (wanted < places_ || nearest * timeline_.kept_every_ > places_) put(nearest);
     const std::size_t end = wanted - places_ > most ? places_ + most : wanted;
-    while (places_ < end) cut(places_);
+    while (places_ < end && (!goes_on || goes_on())) cut(places_);
     carver_->finish();
     return places_ == wanted;
 }

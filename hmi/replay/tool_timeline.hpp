@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -79,8 +80,10 @@ class PieceInTime {
 public:
     explicit PieceInTime(std::shared_ptr<const ToolTimeline> timeline);
 
-    /// Goes towards a time by so many places at most. Whether it is there.
-    bool go(std::int64_t time, std::size_t most);
+    /// Goes towards a time by so many places at most, and asks before each whether to. Whether it is there.
+    bool go(std::int64_t time, std::size_t most, const std::function<bool()>& goes_on = {});
+    /// That are cut.
+    std::size_t place_count() const noexcept { return places_; }
     const piece::StockMap& stock() const noexcept { return stock_; }
 
 private:

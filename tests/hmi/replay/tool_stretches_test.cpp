@@ -157,5 +157,19 @@ TEST_F(ToolStretches, AsManyAsThereAreTakeNoMoreMemory) {
     EXPECT_LT(removed_mm3(thin), removed_mm3());
 }
 
+TEST_F(ToolStretches, APieceOnItsWayStopsAtAnyPlace) {
+    spindle(true);
+    turn(cells(100));
+    const auto all = timeline();
+    const std::int64_t end_ns = ticks_ * kTick_ns;
+    PieceInTime sut{all};
+    int asked = 0;
+    EXPECT_FALSE(sut.go(end_ns, all->place_count(), [&] { return ++asked <= 30; }));
+    EXPECT_EQ(sut.place_count(), 30U);
+    EXPECT_TRUE(sut.go(end_ns, all->place_count()));
+    EXPECT_EQ(sut.place_count(), all->place_count());
+    EXPECT_EQ(sut.stock().removed_mm3(), removed_mm3(all));
+}
+
 }  // namespace
 }  // namespace psicarve::replay

@@ -32,8 +32,10 @@ void ReplayPiece::want(std::int64_t time) {
 }
 
 void ReplayPiece::follow() {
-    while (!is_dropped_.load()) {
-        const bool is_there = piece_.go(wanted_.load(), kPlacesAtOnce);
+    const auto goes_on = [this] { return !is_dropped_.load(); };
+    while (goes_on()) {
+        const bool is_there = piece_.go(wanted_.load(), kPlacesAtOnce, goes_on);
+        if (!goes_on()) return;
         front_.publish(piece_.stock());
         if (is_there) return;
     }

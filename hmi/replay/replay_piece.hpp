@@ -12,7 +12,8 @@
 namespace psicarve::replay {
 
 /// What the tool has left at the time that a recording shows, worked out on a thread of its own: the newest
-/// wish counts. The owner waits only when it ends, and then for some milliseconds.
+/// wish counts. The owner waits only when it ends, and then for one place to be cut, or one piece to be
+/// copied.
 class ReplayPiece {
 public:
     explicit ReplayPiece(std::shared_ptr<const ToolTimeline> timeline);

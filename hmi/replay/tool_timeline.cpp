@@ -14,6 +14,8 @@ constexpr std::size_t kMostKept = 48;
 constexpr std::size_t kLeastBetween = 2'000;  // places: cut in a few milliseconds
 constexpr int kReadParts = 200;
 constexpr double kReadShare = 0.3;
+// Places inside the blank that a way comes through are nearer to each other.
+constexpr double kMostApart_cells = 1.0;
 
 Error was_cancelled() {
     return Error{ErrorCode::cancelled, "the carving view was cancelled"};
@@ -83,24 +85,61 @@ Result<std::shared_ptr<const ToolTimeline>> ToolTimeline::of_job(const JobPointe
 }
 
 void ToolTimeline::add(std::int64_t time, const verify::Positions& at) {
-    if (!is_lifted_ && ++left_out_ < stride_) return;
-    if (places_.size() == most_places_) {
-        // A stretch's first place stays, or the one before it would be joined to the next stretch.
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < places_.size(); ++i) {
-            if (i % 2 == 1 && is_joined_[i] != 0) continue;
-            places_[kept] = places_[i];
-            is_joined_[kept++] = is_joined_[i];
-        }
-        places_.resize(kept);
-        is_joined_.resize(kept);
-        stride_ *= 2;
+    // Nothing is told of a way outside the blank, and nothing was cut on it.
+    if (!is_lifted_ && way_.cells_between(last_, at) > kMostApart_cells) end_stretch();
+    last_ = at;
+    const Place place{time, at[index_of(Axis::psi)], at[index_of(Axis::y)],
+                      static_cast<std::int32_t>(at[index_of(Axis::r1)]),
+                      static_cast<std::int32_t>(at[index_of(Axis::r2)])};
+    if (!is_lifted_ && ++left_out_ < stride_) {
+        skipped_ = place;
+    } else {
+        push(place);
     }
+}
+
+void ToolTimeline::push(Place place) {
+    if (places_.size() >= most_places_) thin();
     left_out_ = 0;
-    places_.push_back({time, at[index_of(Axis::psi)], at[index_of(Axis::y)],
-                       static_cast<std::int32_t>(at[index_of(Axis::r1)]),
-                       static_cast<std::int32_t>(at[index_of(Axis::r2)])});
+    skipped_.reset();
+    places_.push_back(place);
     is_joined_.push_back(std::exchange(is_lifted_, false) ? 0 : 1);
+}
+
+void ToolTimeline::thin() {
+    drop_every_other(true);
+    if (places_.size() > most_places_ / 4 * 3) drop_every_other(false);
+    stride_ = std::min(2 * stride_, most_places_);
+}
+
+/// What follows a dropped begin of a stretch is its begin: the one before is never joined to the next
+/// stretch.
+void ToolTimeline::drop_every_other(bool keeps_ends) {
+    std::size_t kept = 0;
+    bool is_begin_dropped = false;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        const bool is_begin = is_joined_[i] == 0;
+        const bool is_end = i + 1 == places_.size() || is_joined_[i + 1] == 0;
+        if (i % 2 == 1 && !(keeps_ends && (is_begin || is_end))) {
+            is_begin_dropped = is_begin;
+            continue;
+        }
+        places_[kept] = places_[i];
+        is_joined_[kept++] = is_begin || is_begin_dropped ? 0 : 1;
+        is_begin_dropped = false;
+    }
+    places_.resize(kept);
+    is_joined_.resize(kept);
+}
+
+void ToolTimeline::end_stretch() {
+    if (skipped_) push(*skipped_);
+    is_lifted_ = true;
+}
+
+void ToolTimeline::lift() {
+    end_stretch();
+    way_.lift();
 }
 
 verify::Positions ToolTimeline::positions(std::size_t place) const noexcept {
@@ -119,6 +158,7 @@ std::size_t ToolTimeline::places_until(std::int64_t time) const noexcept {
 }
 
 Result<void> ToolTimeline::keep_pieces(const Progress& progress) {
+    end_stretch();
     const std::size_t cells = blank().row_count() * blank().column_count();
     const std::size_t most = std::clamp<std::size_t>(kKeptCells / cells, 2, kMostKept);
     kept_every_ = std::max(kLeastBetween, places_.size() / most + 1);
@@ -167,12 +207,12 @@ void PieceInTime::cut(std::size_t place) {
     places_ = place + 1;
 }
 
-bool PieceInTime::go(std::int64_t time, std::size_t most) {
+bool PieceInTime::go(std::int64_t time, std::size_t most, const std::function<bool()>& goes_on) {
     const std::size_t wanted = timeline_.places_until(time);
     const std::size_t nearest = std::min(wanted / timeline_.kept_every_, timeline_.kept_.size() - 1);
     if (wanted < places_ || nearest * timeline_.kept_every_ > places_) put(nearest);
     const std::size_t end = wanted - places_ > most ? places_ + most : wanted;
-    while (places_ < end) cut(places_);
+    while (places_ < end && (!goes_on || goes_on())) cut(places_);
     carver_->finish();
     return places_ == wanted;
 }

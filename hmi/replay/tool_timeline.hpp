@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -19,7 +20,8 @@ namespace psicarve::replay {
 class ToolTimeline {
 public:
     using JobPointer = std::shared_ptr<const cam::PreparedJob>;
-    /// Of more, every other one is left out, as often as needed: the way between two is cut straight.
+    /// Of more, every other one is left out, as often as needed: the way between two is cut straight. Each
+    /// stretch keeps its ends, unless there are so many stretches that these alone are too many.
     static constexpr std::size_t kMostPlaces = 1'500'000;
 
     /// Where the axes were while the spindle was on.
@@ -49,7 +51,12 @@ private:
     ToolTimeline(JobPointer job, const verify::JobGeometry& geometry, std::size_t most_places);
     static Result<std::shared_ptr<ToolTimeline>> empty(const JobPointer& job, std::size_t most_places);
     void add(std::int64_t time, const verify::Positions& at);
-    void lift() noexcept { is_lifted_ = true; }
+    void push(Place place);
+    void thin();
+    void drop_every_other(bool keeps_ends);
+    /// What comes next is not joined to what was added last, which is kept.
+    void end_stretch();
+    void lift();
     Result<void> keep_pieces(const Progress& progress);
     verify::Positions positions(std::size_t place) const noexcept;
 
@@ -61,6 +68,8 @@ private:
     bool is_lifted_ = true;
     std::size_t stride_ = 1;
     std::size_t left_out_ = 0;           ///< since the last place
+    std::optional<Place> skipped_;       ///< the last of those
+    verify::Positions last_{};           ///< added, left out or not
     std::size_t kept_every_ = 1;         ///< places
     std::vector<piece::StockMap> kept_;  ///< the piece behind 0, kept_every_, 2 * kept_every_ .. places
     piece::ToolWay way_;
@@ -71,8 +80,10 @@ class PieceInTime {
 public:
     explicit PieceInTime(std::shared_ptr<const ToolTimeline> timeline);
 
-    /// Goes towards a time by so many places at most. Whether it is there.
-    bool go(std::int64_t time, std::size_t most);
+    /// Goes towards a time by so many places at most, and asks before each whether to. Whether it is there.
+    bool go(std::int64_t time, std::size_t most, const std::function<bool()>& goes_on = {});
+    /// That are cut.
+    std::size_t place_count() const noexcept { return places_; }
     const piece::StockMap& stock() const noexcept { return stock_; }
 
 private:

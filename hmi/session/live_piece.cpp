@@ -92,7 +92,7 @@ void LivePiece::post_unseen(std::uint32_t end) {
 void LivePiece::post_layer(std::uint32_t layer, std::uint32_t end_step) {
     ++layers_to_come_;
     lane_.post([this, layer, end_step]() -> WorkLane::Finish {
-        way_.go_layer(layer, end_step, [this](const verify::Positions& at) { carver_.settle(at, true); });
+        way_.go_layer(layer, end_step, [this](const verify::Positions& at) { settle(at); });
         last_.reset();
         --layers_to_come_;
         show();
@@ -107,13 +107,21 @@ void LivePiece::cut(const std::vector<IncrementEntry>& entries) {
         const verify::Positions at = positions_of(entry);
         if (!last_ || way_.cells_between(*last_, at) > kMostCells) way_.lift();
         last_ = at;
-        way_.go(at, [this](const verify::Positions& place) { carver_.settle(place, true); });
+        way_.go(at, [this](const verify::Positions& place) { settle(place); });
     }
+}
+
+/// The way to all places that are still to come costs next to nothing; cutting them does not.
+void LivePiece::settle(const verify::Positions& at) {
+    if (is_dropped_.load()) return;
+    carver_.settle(at, true);
+    ++*places_cut_;
 }
 
 /// As often as somebody may look, or when there is nothing left to do.
 void LivePiece::show() {
     constexpr std::chrono::milliseconds kPause{40};
+    if (is_dropped_.load()) return;
     const auto now = std::chrono::steady_clock::now();
     const bool is_last = waiting_.load() == 0 && layers_to_come_.load() == 0;
     if (!is_last && now - shown_ < kPause) return;

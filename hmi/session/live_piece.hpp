@@ -21,7 +21,7 @@ namespace psicarve::session {
 /// What the job's tool leaves of its blank, from the increments that the core reports, cut on a thread of its
 /// own in the background. Layers of which increments were lost, which nobody saw, or which came faster than
 /// they could be cut are cut as the job says once they are done. The owner never waits for it, but when it
-/// ends, and then for some milliseconds.
+/// ends, and then for one place to be cut, or one piece to be copied.
 class LivePiece {
 public:
     /// Of the machine at one time.
@@ -49,6 +49,8 @@ public:
     std::size_t waiting() const noexcept { return waiting_.load(); }
     /// How many layers came faster than they could be cut.
     std::uint32_t skipped_layers() const noexcept { return skipped_layers_; }
+    /// How many places were cut. Outlives this, and tells what its end left uncut.
+    std::shared_ptr<const std::atomic<std::size_t>> places_cut() const noexcept { return places_cut_; }
     /// Waits until all that was told is cut and published.
     void finish();
 
@@ -64,6 +66,7 @@ private:
     void post_unseen(std::uint32_t end);
     void post_layer(std::uint32_t layer, std::uint32_t end_step);
     void cut(const std::vector<IncrementEntry>& entries);
+    void settle(const verify::Positions& at);
     void show();
 
     // The owner's:
@@ -87,6 +90,7 @@ private:
     piece::PieceFront front_;
     std::atomic<std::size_t> waiting_{0};
     std::atomic<std::uint32_t> layers_to_come_{0};
+    std::shared_ptr<std::atomic<std::size_t>> places_cut_ = std::make_shared<std::atomic<std::size_t>>(0);
     std::atomic<bool> is_dropped_{false};
     WorkLane lane_{WorkLane::Haste::background};  // last: it uses the others
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 
 #include "hmi/piece/expected_piece.hpp"
 #include "hmi/piece/tool_way.hpp"
@@ -24,26 +25,39 @@ using S = MachineState;
 constexpr double kGrooves_mm = 2.0;  // from one to the next
 constexpr double kOutside_mm = 12.0;
 constexpr double kGround_mm = 9.0;
+constexpr double kBall_mm = 3.0;  // its radius
+constexpr double kBlankHeight_mm = 14.0;
+constexpr double kBlankMiddle_mm = 0.5 * kBlankHeight_mm;
+
+/// How far a ball's side is behind its tip.
+double behind_tip_mm(double beside_mm) {
+    return kBall_mm - std::sqrt(kBall_mm * kBall_mm - beside_mm * beside_mm);
+}
+
+/// Rings that are narrower than the ball: its tip goes to their ground.
+double grooves_mm(double height_mm) {
+    return std::fmod(height_mm, kGrooves_mm) < 0.5 * kGrooves_mm ? kGround_mm : kOutside_mm;
+}
 
 class CarvedByTool : public test::WindowRig {
 protected:
     static Profile profile_with(ToolShape shape) {
         Profile profile;
         profile.tool.shape = shape;
-        profile.tool.diameter_mm = 6.0;
+        profile.tool.diameter_mm = 2.0 * kBall_mm;
         profile.blank.radius_mm = 13.0;
-        profile.blank.height_mm = 10.0;
+        profile.blank.height_mm = kBlankHeight_mm;
         profile.blank.offset_x_mm = 0.5;
         return profile;
     }
-    /// A post with rings cut into it that are narrower than the ball: its tip goes to their ground.
-    static JobTable grooved_job(const Profile& profile, double ground_mm = kGround_mm) {
+    using Radius = std::function<double(double height_mm)>;
+    /// A post whose tips stand so far out.
+    static JobTable post_job(const Profile& profile, const Radius& tip_mm) {
         JobTable table = two_process::lobed_job(60, 61, profile);
         for (std::uint32_t layer = 0; layer < table.layer_count; ++layer) {
             const double height_mm = 1.0 + 0.12 * layer;
             table.layer_height_pulses[layer] = pulses_from_mm(height_mm, profile.y.pulses_per_mm);
-            const bool is_groove = std::fmod(height_mm, kGrooves_mm) < 0.5 * kGrooves_mm;
-            const double radius_mm = is_groove ? ground_mm : kOutside_mm;
+            const double radius_mm = tip_mm(height_mm);
             for (std::uint32_t point = 0; point < table.point_count; ++point) {
                 const std::size_t at = std::size_t{layer} * table.point_count + point;
                 table.r_left_pulses[at] =
@@ -54,14 +68,14 @@ protected:
         }
         return table;
     }
-    void carve_with(ToolShape shape, double ground_mm = kGround_mm) {
+    void carve_with(ToolShape shape, const Radius& tip_mm = grooves_mm) {
         const Profile profile = profile_with(shape);
         std::ofstream{file("machine.toml")} << profile_to_toml(profile);
         window_.reset();
         start_core({"--profile", file("machine.toml")});
         open_window();
         window_->findChild<QTabWidget*>()->setCurrentIndex(2);
-        ASSERT_NO_FATAL_FAILURE(carve_job(grooved_job(profile, ground_mm)));
+        ASSERT_NO_FATAL_FAILURE(carve_job(post_job(profile, tip_mm)));
         ASSERT_TRUE(comes_true([&] { return is_done() && is_shown(); })) << all_messages().toStdString();
     }
     bool is_done() { return sight().state() == S::ready && sight().status->job_end_tick != 0; }
@@ -98,28 +112,48 @@ TEST_F(CarvedByTool, LessIsLeftWhereABallWentThanWhereAPointDid) {
     core_.reset();
     ASSERT_NO_FATAL_FAILURE(carve_with(ToolShape::ball));
     take_picture("carved_by_ball_light");
-    const auto taken = radii_between(3.2, 3.8, 5.0);
+    const auto taken = radii_between(3.2, 3.8, kBlankMiddle_mm);
     ASSERT_FALSE(taken.empty());
     EXPECT_LT(*std::max_element(taken.begin(), taken.end()), kOutside_mm - 1.0);
     EXPECT_GT(*std::min_element(taken.begin(), taken.end()), kGround_mm - 0.05);
     // Above the job the blank stands off the axis, and is the whole blank.
-    const auto above = radii_between(last_mm + 2.5, 10.0, 5.0);
-    if (!above.empty()) {
-        EXPECT_NEAR(*std::max_element(above.begin(), above.end()), 13.5, 0.01);
-        EXPECT_NEAR(*std::min_element(above.begin(), above.end()), 12.5, 0.01);
-    }
+    const auto above = radii_between(last_mm + kBall_mm + 0.2, kBlankHeight_mm, kBlankMiddle_mm);
+    ASSERT_FALSE(above.empty());
+    EXPECT_NEAR(*std::max_element(above.begin(), above.end()), 13.5, 0.01);
+    EXPECT_NEAR(*std::min_element(above.begin(), above.end()), 12.5, 0.01);
 }
 
 TEST_F(CarvedByTool, MoreIsLeftInAGrooveThatABallDoesNotReachInto) {
-    // The same post with rings a millimetre wide: a ball of six rests on their rims.
-    const double rim_mm = 0.5 * kGrooves_mm / 2.0;
-    const double sag_mm = 3.0 - std::sqrt(9.0 - rim_mm * rim_mm);
-    ASSERT_NO_FATAL_FAILURE(carve_with(ToolShape::ball, kOutside_mm - sag_mm));
-    const auto ground = radii_between(4.2, 4.8, 5.0);
-    ASSERT_FALSE(ground.empty());
-    // A point goes to the ground, kGround_mm.
-    EXPECT_GT(*std::min_element(ground.begin(), ground.end()), kOutside_mm - 2.0 * sag_mm);
-    EXPECT_LT(*std::max_element(ground.begin(), ground.end()), kOutside_mm);
+    // A ring four millimetres wide and three deep, in which a ball of six comes to rest on the rims.
+    constexpr double kRing_mm = 5.0;
+    constexpr double kHalfRing_mm = 2.0;
+    const auto model_mm = [](double height_mm) {
+        return std::abs(height_mm - kRing_mm) < kHalfRing_mm ? kGround_mm : kOutside_mm;
+    };
+    // As the slicer has it: as deep as the ball gets before any of it touches the model.
+    const auto tip_mm = [&](double height_mm) {
+        double tip = 0.0;
+        for (double beside = -kBall_mm; beside <= kBall_mm; beside += 0.01)
+            tip = std::max(tip, model_mm(height_mm + beside) - behind_tip_mm(beside));
+        return tip;
+    };
+    const double deepest_mm = kOutside_mm - behind_tip_mm(kHalfRing_mm);
+    ASSERT_NEAR(tip_mm(kRing_mm), deepest_mm, 0.02);
+    ASSERT_NO_FATAL_FAILURE(carve_with(ToolShape::ball, tip_mm));
+    take_picture("carved_ring_light");
+    // Between the rims the ball's own round is left, far out from the model's ground.
+    for (const double beside : {-1.5, -1.0, 0.0, 1.0, 1.5}) {
+        SCOPED_TRACE(beside);
+        const double left_mm = deepest_mm + behind_tip_mm(beside);
+        EXPECT_GT(left_mm, kGround_mm + 2.0);
+        const double height_mm = kRing_mm + beside;
+        const auto left = radii_between(height_mm - 0.1, height_mm + 0.1, kBlankMiddle_mm);
+        ASSERT_FALSE(left.empty());
+        EXPECT_NEAR(*std::min_element(left.begin(), left.end()), left_mm, 0.1);
+        EXPECT_NEAR(*std::max_element(left.begin(), left.end()), left_mm, 0.1);
+    }
+    // A point would leave where its tip came by, which beside the middle is further out.
+    EXPECT_GT(tip_mm(kRing_mm + 1.0), deepest_mm + behind_tip_mm(1.0) + 0.4);
 }
 
 TEST_F(CarvedByTool, IsThePieceThatTheJobsToolIsToLeave) {

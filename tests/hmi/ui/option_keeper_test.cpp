@@ -22,6 +22,7 @@ namespace psicarve::ui {
 namespace {
 
 using S = MachineState;
+using test::KeptSettings;
 
 class KeptOptions : public test::WindowRig {
 protected:

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QMenu>
+#include <QSpinBox>
 #include <QTabWidget>
 
 #include <atomic>
@@ -146,6 +147,7 @@ TEST_F(WindowOnASleepingDisk, LeavesThePlaceThatNobodyHasSeen) {
     SleepingFile file{{{"window/geometry", QByteArray{"a place"}}, {"window/page", "ports"}}};
     open_on(file);
     window_->set_theme(ThemeChoice::dark);
+    part<QSpinBox>("points").setValue(77);
     window_->leave();
     ASSERT_TRUE(eventually([&] { return window_->bench().saves.under_way().size() == 1; }));
     EXPECT_EQ(window_->bench().saves.under_way()[0].path, "sleeping.ini") << "whoever ends the program knows";
@@ -154,6 +156,7 @@ TEST_F(WindowOnASleepingDisk, LeavesThePlaceThatNobodyHasSeen) {
     EXPECT_EQ(file.values().value("window/theme").toString(), "dark");
     EXPECT_EQ(file.values().value("window/geometry").toByteArray(), "a place");
     EXPECT_EQ(file.values().value("window/page").toString(), "ports");
+    EXPECT_EQ(file.values().value("options/points").toInt(), 77) << "somebody has chosen that";
 }
 
 }  // namespace

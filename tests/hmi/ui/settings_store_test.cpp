@@ -2,6 +2,10 @@
 // Settings on a disk that takes its time: nobody waits for it, and nothing is lost by it.
 #include <gtest/gtest.h>
 
+#include <QAbstractSlider>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QMenu>
 #include <QSpinBox>
 #include <QTabWidget>
@@ -116,6 +120,20 @@ protected:
         window_->begin_with({}, {});
     }
     QTabWidget& tabs() { return part<QTabWidget>("tabs"); }
+    double number(const char* name) { return part<QDoubleSpinBox>(name).value(); }
+    /// Fields have taken what came late.
+    ::testing::AssertionResult wakes(SleepingFile& file) {
+        file.wake();
+        if (comes_true([&] { return part<QSpinBox>("layers").value() == kLateLayers; }))
+            return ::testing::AssertionSuccess();
+        return ::testing::AssertionFailure() << "layers " << part<QSpinBox>("layers").value();
+    }
+    void close() {
+        window_->leave();
+        window_.reset();
+    }
+
+    static constexpr int kLateLayers = 321;
 };
 
 TEST_F(WindowOnASleepingDisk, IsThereAtOnceAndTakesItsPlaceAndThemeLater) {
@@ -157,6 +175,66 @@ TEST_F(WindowOnASleepingDisk, LeavesThePlaceThatNobodyHasSeen) {
     EXPECT_EQ(file.values().value("window/geometry").toByteArray(), "a place");
     EXPECT_EQ(file.values().value("window/page").toString(), "ports");
     EXPECT_EQ(file.values().value("options/points").toInt(), 77) << "somebody has chosen that";
+}
+
+TEST_F(WindowOnASleepingDisk, FillsInFieldsThatFillInEachOther) {
+    SleepingFile file{{{"options/layers", kLateLayers},
+                       {"options/roughing", "1"},
+                       {"options/stepdown", 2.5},
+                       {"options/allowance", 0.75},
+                       {"options/stepover", 1.5}}};
+    open_on(file);
+    ASSERT_TRUE(wakes(file));
+    EXPECT_EQ(part<QComboBox>("roughing").currentIndex(), 1);
+    EXPECT_DOUBLE_EQ(number("stepdown"), 2.5);
+    EXPECT_DOUBLE_EQ(number("allowance"), 0.75);
+    EXPECT_DOUBLE_EQ(number("stepover"), 1.5);
+    close();
+    EXPECT_EQ(file.values().value("options/roughing").toString(), "1");
+    EXPECT_DOUBLE_EQ(file.values().value("options/stepdown").toDouble(), 2.5);
+    EXPECT_DOUBLE_EQ(file.values().value("options/allowance").toDouble(), 0.75);
+    EXPECT_DOUBLE_EQ(file.values().value("options/stepover").toDouble(), 1.5);
+}
+
+TEST_F(WindowOnASleepingDisk, LeavesWhatWasTypedMeanwhile) {
+    SleepingFile file{{{"options/layers", kLateLayers},
+                       {"options/roughing", "1"},
+                       {"options/stepdown", 2.5},
+                       {"options/allowance", 0.75}}};
+    open_on(file);
+    part<QDoubleSpinBox>("stepdown").setValue(4.0);
+    ASSERT_TRUE(wakes(file));
+    EXPECT_EQ(part<QComboBox>("roughing").currentIndex(), 1);
+    EXPECT_DOUBLE_EQ(number("stepdown"), 4.0);
+    EXPECT_DOUBLE_EQ(number("allowance"), 0.75);
+    close();
+    EXPECT_DOUBLE_EQ(file.values().value("options/stepdown").toDouble(), 4.0);
+    EXPECT_DOUBLE_EQ(file.values().value("options/allowance").toDouble(), 0.75);
+}
+
+/// A key may be pressed, and a test be about to begin.
+TEST_F(WindowOnASleepingDisk, ChangesNothingLateThatDrivesTheMachine) {
+    const QVariantMap kept{{"options/layers", kLateLayers},     {"options/jog_linear_step", 1'000},
+                           {"options/jog_angular_step", 9'000}, {"options/jog_linear_speed", 33},
+                           {"options/jog_angular_speed", 22},   {"options/test_rate", 20},
+                           {"options/test_pulses", 20}};
+    SleepingFile file{kept};
+    open_on(file);
+    const auto values = [&] {
+        return std::vector<int>{part<QButtonGroup>("jog_linear_step").checkedId(),
+                                part<QButtonGroup>("jog_angular_step").checkedId(),
+                                part<QAbstractSlider>("jog_linear_speed").value(),
+                                part<QAbstractSlider>("jog_angular_speed").value(),
+                                part<QSpinBox>("test_rate").value(),
+                                part<QSpinBox>("test_pulses").value()};
+    };
+    const auto usual = values();
+    ASSERT_TRUE(wakes(file));
+    EXPECT_EQ(values(), usual);
+    close();
+    for (const auto& [key, value] : kept.asKeyValueRange()) {
+        EXPECT_EQ(file.values().value(key), value) << key.toStdString();
+    }
 }
 
 }  // namespace

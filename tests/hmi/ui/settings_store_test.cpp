@@ -11,6 +11,8 @@
 #include <QTabWidget>
 
 #include <atomic>
+#include <filesystem>
+#include <fstream>
 #include <future>
 
 #include "tests/hmi/ui/window_rig.hpp"
@@ -35,7 +37,7 @@ public:
                     awake.wait();
                     return values_;
                 },
-                [this, awake](const std::vector<SettingsChange>& changes) {
+                [this, awake](const std::vector<SettingsChange>& changes) -> Result<void> {
                     awake.wait();
                     ++writes_;
                     for (const SettingsChange& change : changes) {
@@ -43,6 +45,7 @@ public:
                         values_[change.key] = made;
                         if (!made.isValid()) values_.remove(change.key);
                     }
+                    return {};
                 }};
     }
     /// Once the store is gone.
@@ -108,6 +111,37 @@ TEST_F(SettingsInTheirFile, OfTwoWindowsDoNotForgetEachOthersFiles) {
     EXPECT_TRUE(eventually([&] {
         return test::KeptSettings{}.recent_files() == (QStringList{"/two", "/one"});
     }));
+}
+
+TEST_F(SettingsInTheirFile, ThatCannotBeWrittenAreNotTakenForKept) {
+    const SettingsChange change{"window/page", [](const QVariant&) { return QVariant{"ports"}; }};
+    EXPECT_TRUE(settings_file().write({change}));
+    std::filesystem::remove_all(this->file("settings"));
+    std::ofstream{this->file("settings")} << "a file, no folder";
+    const auto written = settings_file().write({change});
+    ASSERT_FALSE(written);
+    EXPECT_TRUE(written.error().message.ends_with("/psicarve-hmi.ini: cannot be written"))
+        << written.error().message;
+}
+
+TEST_F(SettingsInTheirFile, ThatCannotBeWrittenAreToldOfOnce) {
+    std::atomic<int> writes{0};
+    const SettingsFile full{"full.ini", [] { return QVariantMap{}; },
+                            [&](const std::vector<SettingsChange>&) -> Result<void> {
+                                ++writes;
+                                return Error{ErrorCode::out_of_room, "/full.ini: cannot be written"};
+                            }};
+    window_ = std::make_unique<MainWindow>(session::SessionOptions{segment_name_, {}, {}}, Drawing::painter,
+                                           std::make_unique<SettingsStore>(full));
+    const char* const words = "Settings are not kept: /full.ini: cannot be written";
+    window_->set_theme(ThemeChoice::dark);
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains(words); }));
+    const int before = writes;
+    window_->set_theme(ThemeChoice::light);
+    ASSERT_TRUE(comes_true([&] { return writes > before && window_->bench().saves.under_way().empty(); }));
+    window_->refresh();
+    EXPECT_EQ(all_messages().count(words), 1) << all_messages().toStdString();
+    window_.reset();
 }
 
 class WindowOnASleepingDisk : public test::WindowRig {

@@ -31,6 +31,7 @@ std::vector<Sentence> of_a_file() {
         {"no such file", phrase("no such file")},
         {"cannot be opened: %1", phrase("cannot be opened: %1")},
         {"cannot be read: %1", phrase("cannot be read: %1")},
+        {"cannot be written", phrase("cannot be written")},
         {"is a directory, not a model file", phrase("is a folder, not a model file")},
         {"is not a regular file", phrase("is not a regular file")},
         {"became shorter while it was read", phrase("became shorter while it was read")},

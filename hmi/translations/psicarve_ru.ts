@@ -1573,6 +1573,10 @@ F12  этот список</translation>
             <translation>Негатив</translation>
         </message>
         <message>
+            <source>Is the disk full, or the folder another user's?</source>
+            <translation>Диск заполнен, или папка принадлежит другому пользователю?</translation>
+        </message>
+        <message>
             <source>Iso</source>
             <translation>Изометрия</translation>
         </message>
@@ -2987,6 +2991,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Send pulses</source>
             <translation>Послать импульсы</translation>
+        </message>
+        <message>
+            <source>Settings are not kept</source>
+            <translation>Настройки не сохраняются</translation>
         </message>
         <message>
             <source>Shape vee: between the flanks.</source>
@@ -4501,6 +4509,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>cannot be read: %1</source>
             <translation>не читается: %1</translation>
+        </message>
+        <message>
+            <source>cannot be written</source>
+            <translation>не удаётся записать</translation>
         </message>
         <message>
             <source>carved</source>

@@ -1572,6 +1572,10 @@ F12  本列表</translation>
             <translation>反相</translation>
         </message>
         <message>
+            <source>Is the disk full, or the folder another user's?</source>
+            <translation>磁盘已满，还是文件夹属于其他用户？</translation>
+        </message>
+        <message>
             <source>Iso</source>
             <translation>轴测</translation>
         </message>
@@ -2982,6 +2986,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Send pulses</source>
             <translation>发送脉冲</translation>
+        </message>
+        <message>
+            <source>Settings are not kept</source>
+            <translation>设置未保存</translation>
         </message>
         <message>
             <source>Shape vee: between the flanks.</source>
@@ -4494,6 +4502,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>cannot be read: %1</source>
             <translation>无法读取：%1</translation>
+        </message>
+        <message>
+            <source>cannot be written</source>
+            <translation>无法写入</translation>
         </message>
         <message>
             <source>carved</source>

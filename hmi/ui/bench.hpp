@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hmi/replay/replay_desk.hpp"
+#include "hmi/session/error_phrase.hpp"
 #include "hmi/session/estimate_desk.hpp"
 #include "hmi/session/file_desk.hpp"
 #include "hmi/session/file_presence.hpp"
@@ -39,6 +40,12 @@ struct Bench {
         desk.set_recordings(replay::is_recording, [this](const std::string& path) { open_replay(path); });
         desk.set_opened([this] { replay.leave(); });
         desk.set_profile([this] { return machine_profile(); });
+        settings->set_on_unwritten([this](const Error& why) {
+            log.add(
+                session::Severity::warning,
+                session::joined(session::phrase("Settings are not kept"), session::error_phrase(why.message)),
+                session::phrase("Is the disk full, or the folder another user's?"));
+        });
     }
 
     std::unique_ptr<SettingsStore> settings;

@@ -59,12 +59,12 @@ void MainWindow::keep_place() {
 }
 
 void MainWindow::write_place() {
+    if (option_keeper_) option_keeper_->write();
     if (!bench_.settings->is_read()) return;  // nobody has chosen this place
     settings_.set_geometry(saveGeometry());
     const auto page = static_cast<std::size_t>(tabs_->currentIndex());
     if (page < kPageNames.size()) settings_.set_page(kPageNames[page]);
     keep_panel_places();
-    if (option_keeper_) option_keeper_->write();
 }
 
 void MainWindow::leave() {

@@ -15,7 +15,7 @@ void MainWindow::take_settings() {
     show_theme();
     show_kept_place();
     show_kept_panels();
-    if (option_keeper_) option_keeper_->fill_in();
+    if (option_keeper_) option_keeper_->fill_in_late();
     position_->take_zeros();
     look_for_recent();
     profile_->look_for_files();

@@ -105,7 +105,10 @@ void ModelForm::add_placement() {
         show_what_applies();
         if (is_told_) (kind_ == flat::ModelKind::mesh ? replaced_ : reshaped_)();
     };
-    for (QComboBox* box : {up_, axis_}) connect(box, &QComboBox::currentIndexChanged, this, changed);
+    connect(axis_, &QComboBox::currentIndexChanged, this, changed);
+    connect(up_, &QComboBox::currentIndexChanged, this, [this] {
+        if (is_told_ && kind_ == flat::ModelKind::mesh) replaced_();
+    });
     for (QDoubleSpinBox* field : {axis_x_, axis_y_})
         connect(field, &QDoubleSpinBox::valueChanged, this, changed);
     for (QDoubleSpinBox* field : {height_, scale_})
@@ -198,7 +201,6 @@ void ModelForm::begin(flat::ModelKind kind, bool is_engraved) {
         height_->setValue(0.0);
         scale_->setValue(0.0);
     }
-    if (kind != flat::ModelKind::mesh) up_->setCurrentIndex(0);
     engraving_->begin_anew(is_engraved);
     picture_->begin_anew();
     axis_->setItemText(0, kind == flat::ModelKind::drawing ? tr("centroid") : tr("box centre"));
@@ -251,7 +253,8 @@ void ModelForm::show_what_applies() {
 cam::JobOptions ModelForm::options() const {
     constexpr slice::Up kUps[] = {slice::Up::z, slice::Up::y, slice::Up::x};
     cam::JobOptions options;
-    options.up = kUps[up_->currentIndex()];
+    // Others stand as they are; what was chosen is for the next mesh.
+    options.up = kind_ == flat::ModelKind::mesh ? kUps[up_->currentIndex()] : slice::Up::z;
     if (kind_ != flat::ModelKind::picture && !is_engraved())
         options.axis_at = static_cast<cam::AxisAt>(axis_->currentData().toInt());
     options.axis_x = axis_x_->value();

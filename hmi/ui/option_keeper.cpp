@@ -10,6 +10,7 @@
 #include <QSpinBox>
 #include <QTableView>
 
+#include <string_view>
 #include <utility>
 
 #include "hmi/ui/settings.hpp"
@@ -48,6 +49,10 @@ constexpr const char* kKeptFields[] = {
     "test_rate",
     "test_pulses",
 };
+
+bool drives_machine(std::string_view name) {
+    return name.starts_with("jog_") || name.starts_with("test_");
+}
 
 /// The first columns of a table; the others take the room that is left.
 struct KeptColumns {
@@ -122,7 +127,8 @@ void at_each_change(QObject& field, QObject& listener, Told told) {
 
 OptionKeeper::OptionKeeper(QWidget& window, WindowSettings& settings, std::function<void()> changed)
     : window_(window), settings_(settings), changed_(std::move(changed)) {
-    fill_in();
+    for (const char* const name : kKeptFields) fill_in(name);
+    fill_in_tables();
     for (const char* const name : kKeptFields) {
         auto* const field = window_.findChild<QObject*>(name);
         if (field != nullptr)
@@ -133,12 +139,24 @@ OptionKeeper::OptionKeeper(QWidget& window, WindowSettings& settings, std::funct
     }
 }
 
-void OptionKeeper::fill_in() {
+void OptionKeeper::fill_in_late() {
+    is_filling_ = true;
     for (const char* const name : kKeptFields) {
-        const QVariant kept = was_changed(name) ? QVariant{} : settings_.option(name);
-        auto* const field = window_.findChild<QObject*>(name);
-        if (field != nullptr && kept.isValid()) put(*field, kept);
+        if (!drives_machine(name)) fill_in(name);
     }
+    fill_in_tables();
+    is_filling_ = false;
+}
+
+/// What was chosen, too: a field before it may have filled it in otherwise.
+void OptionKeeper::fill_in(const char* name) {
+    const auto chosen = fresh_.find(name);
+    const QVariant value = chosen != fresh_.end() ? chosen->second : settings_.option(name);
+    auto* const field = window_.findChild<QObject*>(name);
+    if (field != nullptr && value.isValid()) put(*field, value);
+}
+
+void OptionKeeper::fill_in_tables() {
     for (const KeptColumns& kept : kKeptColumns) {
         if (auto* const table = window_.findChild<QTableView*>(kept.table))
             fill_in_columns(*table, kept.count);
@@ -165,6 +183,7 @@ void OptionKeeper::watch(QTableView& table, int count) {
 }
 
 void OptionKeeper::keep(const QString& name, const QVariant& value) {
+    if (is_filling_) return;
     fresh_[name] = value;
     changed_();
 }

@@ -25,8 +25,9 @@ public:
     /// field's value leaves it as it is.
     OptionKeeper(QWidget& window, WindowSettings& settings, std::function<void()> changed);
 
-    /// Once more, by settings that came later: what was chosen meanwhile stays.
-    void fill_in();
+    /// By settings that came later. What was chosen meanwhile stays, and so does what drives the machine
+    /// (jog, wiring test): somebody may be about to press a key. Kept values that are not taken stay kept.
+    void fill_in_late();
     /// Those that were changed since.
     void write();
 
@@ -35,6 +36,8 @@ public:
 
 private:
     void keep(const QString& name, const QVariant& value);
+    void fill_in(const char* name);
+    void fill_in_tables();
     bool was_changed(const QString& name) const { return fresh_.count(name) != 0; }
     void fill_in_columns(QTableView& table, int count);
     void watch(QTableView& table, int count);
@@ -43,6 +46,7 @@ private:
     WindowSettings& settings_;
     std::function<void()> changed_;
     std::map<QString, QVariant> fresh_;
+    bool is_filling_ = false;  ///< what changes is nobody's choice
 };
 
 }  // namespace psicarve::ui

@@ -26,7 +26,10 @@ QString ProfilePage::in_core(std::size_t key) const {
 
 QString ProfilePage::restart_text() const {
     int count = 0;
-    for (std::size_t key = 0; key < core_values_.size(); ++key) count += in_core(key).isEmpty() ? 0 : 1;
+    for (std::size_t key = 0; key < core_values_.size(); ++key) {
+        // Of what is not saved a restart would not know.
+        if (!draft().is_changed(key) && !in_core(key).isEmpty()) ++count;
+    }
     const QString backup = tr("The old file is kept as a backup. A core takes a profile when it starts.");
     if (count == 0) return backup;
     return backup + " " + tr("Values that need a restart (↻): %1.").arg(count);

@@ -37,7 +37,7 @@ SettingsFile settings_file() {
         for (const QString& key : file->allKeys()) values[key] = file->value(key);
         return values;
     };
-    const auto write = [open](const std::vector<SettingsChange>& changes) {
+    const auto write = [open](const std::vector<SettingsChange>& changes) -> Result<void> {
         const auto file = open();
         for (const SettingsChange& change : changes) {
             const QVariant made = change.make(file->value(change.key));
@@ -48,6 +48,9 @@ SettingsFile settings_file() {
             }
         }
         file->sync();
+        // What stood in the file and made no sense has been written anew.
+        if (file->status() != QSettings::AccessError) return {};
+        return Error{ErrorCode::out_of_room, file->fileName().toStdString() + ": cannot be written"};
     };
     return {"psicarve-hmi.ini", read, write};
 }
@@ -114,12 +117,16 @@ void SettingsStore::poll() {
 
 void SettingsStore::write() {
     if (unwritten_.empty()) return;
-    lane_.post(saves_.noted(
-        file_.path,
-        [changes = std::exchange(unwritten_, {}), write = file_.write]() -> session::WorkLane::Finish {
-            write(changes);
-            return {};
-        }));
+    lane_.post(saves_.noted(file_.path,
+                            [this, changes = std::exchange(unwritten_, {})]() -> session::WorkLane::Finish {
+                                const auto written = file_.write(changes);
+                                if (written) return {};
+                                return [this, why = written.error()] { complain(why); };
+                            }));
+}
+
+void SettingsStore::complain(const Error& why) {
+    if (!std::exchange(has_complained_, true) && on_unwritten_) on_unwritten_(why);
 }
 
 }  // namespace psicarve::ui

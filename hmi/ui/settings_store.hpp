@@ -14,6 +14,7 @@
 
 #include "hmi/session/save_ledger.hpp"
 #include "hmi/session/work_lane.hpp"
+#include "shared/result.hpp"
 
 namespace psicarve::ui {
 
@@ -28,8 +29,9 @@ struct SettingsChange {
 struct SettingsFile {
     std::string path;  ///< as it is told of
     std::function<QVariantMap()> read;
-    /// In order, on what is kept by then: another window may have written since.
-    std::function<void(const std::vector<SettingsChange>&)> write;
+    /// In order, on what is kept by then: another window may have written since. Errors: out_of_room when
+    /// they could not be kept.
+    std::function<Result<void>(const std::vector<SettingsChange>&)> write;
 };
 /// The user's own: psicarve/psicarve-hmi.ini.
 SettingsFile settings_file();
@@ -56,6 +58,10 @@ public:
     /// than somebody waited.
     void poll();
     void set_on_read(std::function<void()> read) { on_read_ = std::move(read); }
+    /// Called by poll(), of the first changes that could not be written.
+    void set_on_unwritten(std::function<void(const Error&)> unwritten) {
+        on_unwritten_ = std::move(unwritten);
+    }
     session::SaveLedger saves() const { return saves_; }
 
 private:
@@ -63,6 +69,7 @@ private:
 
     void write();
     void take(const QVariantMap& read);
+    void complain(const Error& why);
 
     SettingsFile file_;
     session::SaveLedger saves_;
@@ -71,6 +78,8 @@ private:
     std::vector<SettingsChange> before_read_;
     std::vector<SettingsChange> unwritten_;
     std::function<void()> on_read_;
+    std::function<void(const Error&)> on_unwritten_;
+    bool has_complained_ = false;
     std::shared_ptr<Arrival> arrival_;
     session::WorkLane lane_;  // last: its thread uses the others
 };

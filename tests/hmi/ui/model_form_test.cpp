@@ -68,6 +68,20 @@ TEST_F(ModelFormOf, PlacesTheModel) {
     EXPECT_FALSE(field<QDoubleSpinBox>("scale").isEnabled());
 }
 
+TEST_F(ModelFormOf, StandsMeshesUpAndNothingElse) {
+    choose("up", 1);
+    EXPECT_EQ(replaced_, 1);
+    for (const flat::ModelKind kind : {flat::ModelKind::drawing, flat::ModelKind::picture}) {
+        sut_.begin(kind, false);
+        EXPECT_EQ(sut_.options().up, slice::Up::z);
+    }
+    choose("up", 2);  // by settings that came late
+    EXPECT_EQ(sut_.options().up, slice::Up::z);
+    EXPECT_EQ(replaced_ + reshaped_, 1) << "nothing is other than before";
+    sut_.begin(flat::ModelKind::mesh, false);
+    EXPECT_EQ(sut_.options().up, slice::Up::x) << "as it was chosen";
+}
+
 TEST_F(ModelFormOf, TakesToolAndBlankInsteadOfTheProfiles) {
     sut_.show();
     EXPECT_FALSE(field<QDoubleSpinBox>("tool_diameter").isVisible());

@@ -17,6 +17,7 @@
 #include "hmi/ui/option_keeper.hpp"
 #include "hmi/ui/settings.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -88,6 +89,16 @@ TEST_F(KeptOptions, AreWrittenByAWindowThatIsClosedAtOnce) {
     EXPECT_TRUE(window_->close());
     open_window();
     EXPECT_EQ(part<QSpinBox>("layers").value(), 321);
+}
+
+TEST_F(KeptOptions, AreNotForgottenOverAModelThatHasNoSuchField) {
+    open_window();
+    part<QComboBox>("up").setCurrentIndex(1);
+    window_->open(QString::fromStdString(example("flower.svg")));
+    ASSERT_TRUE(comes_true([&] { return part<QComboBox>("axis_at").currentText() == "centroid"; }));
+    EXPECT_TRUE(window_->close());
+    open_window();
+    EXPECT_EQ(part<QComboBox>("up").currentIndex(), 1);
 }
 
 TEST_F(KeptOptions, ThatNoFieldCanHaveAreLeftAlone) {

@@ -73,8 +73,14 @@ TEST_F(ProfileFiles, SayWhichValuesWaitForTheCoreToBeStartedAnew) {
     EXPECT_EQ(mark("axis.r1.accel_mm_s2").text(), "●");
     EXPECT_EQ(mark("axis.r1.accel_mm_s2").toolTip(),
               "In the file: 100.0\nNeeds restart: the core has 100.0 until it is started anew");
+    EXPECT_TRUE(text_of("profile_reason").endsWith("Values that need a restart (↻): 1."))
+        << "those that are marked so: " << text_of("profile_reason").toStdString();
     edit("axis.r1.accel_mm_s2", "100");
     EXPECT_EQ(mark("axis.r1.accel_mm_s2").text(), "");
+    edit(kSpeed, "9");
+    EXPECT_FALSE(text_of("profile_reason").contains("↻")) << text_of("profile_reason").toStdString();
+    edit(kSpeed, "8");
+    EXPECT_TRUE(text_of("profile_reason").contains("↻"));
     core_.reset();
     EXPECT_TRUE(comes_true([&] { return mark(kSpeed).text().isEmpty(); })) << "nobody has another value";
     EXPECT_FALSE(text_of("profile_reason").contains("↻"));

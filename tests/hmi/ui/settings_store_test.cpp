@@ -2,10 +2,17 @@
 // Settings on a disk that takes its time: nobody waits for it, and nothing is lost by it.
 #include <gtest/gtest.h>
 
+#include <QAbstractSlider>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QMenu>
+#include <QSpinBox>
 #include <QTabWidget>
 
 #include <atomic>
+#include <filesystem>
+#include <fstream>
 #include <future>
 
 #include "tests/hmi/ui/window_rig.hpp"
@@ -30,7 +37,7 @@ public:
                     awake.wait();
                     return values_;
                 },
-                [this, awake](const std::vector<SettingsChange>& changes) {
+                [this, awake](const std::vector<SettingsChange>& changes) -> Result<void> {
                     awake.wait();
                     ++writes_;
                     for (const SettingsChange& change : changes) {
@@ -38,6 +45,7 @@ public:
                         values_[change.key] = made;
                         if (!made.isValid()) values_.remove(change.key);
                     }
+                    return {};
                 }};
     }
     /// Once the store is gone.
@@ -105,6 +113,37 @@ TEST_F(SettingsInTheirFile, OfTwoWindowsDoNotForgetEachOthersFiles) {
     }));
 }
 
+TEST_F(SettingsInTheirFile, ThatCannotBeWrittenAreNotTakenForKept) {
+    const SettingsChange change{"window/page", [](const QVariant&) { return QVariant{"ports"}; }};
+    EXPECT_TRUE(settings_file().write({change}));
+    std::filesystem::remove_all(this->file("settings"));
+    std::ofstream{this->file("settings")} << "a file, no folder";
+    const auto written = settings_file().write({change});
+    ASSERT_FALSE(written);
+    EXPECT_TRUE(written.error().message.ends_with("/psicarve-hmi.ini: cannot be written"))
+        << written.error().message;
+}
+
+TEST_F(SettingsInTheirFile, ThatCannotBeWrittenAreToldOfOnce) {
+    std::atomic<int> writes{0};
+    const SettingsFile full{"full.ini", [] { return QVariantMap{}; },
+                            [&](const std::vector<SettingsChange>&) -> Result<void> {
+                                ++writes;
+                                return Error{ErrorCode::out_of_room, "/full.ini: cannot be written"};
+                            }};
+    window_ = std::make_unique<MainWindow>(session::SessionOptions{segment_name_, {}, {}}, Drawing::painter,
+                                           std::make_unique<SettingsStore>(full));
+    const char* const words = "Settings are not kept: /full.ini: cannot be written";
+    window_->set_theme(ThemeChoice::dark);
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains(words); }));
+    const int before = writes;
+    window_->set_theme(ThemeChoice::light);
+    ASSERT_TRUE(comes_true([&] { return writes > before && window_->bench().saves.under_way().empty(); }));
+    window_->refresh();
+    EXPECT_EQ(all_messages().count(words), 1) << all_messages().toStdString();
+    window_.reset();
+}
+
 class WindowOnASleepingDisk : public test::WindowRig {
 protected:
     void open_on(SleepingFile& file) {
@@ -115,6 +154,20 @@ protected:
         window_->begin_with({}, {});
     }
     QTabWidget& tabs() { return part<QTabWidget>("tabs"); }
+    double number(const char* name) { return part<QDoubleSpinBox>(name).value(); }
+    /// Fields have taken what came late.
+    ::testing::AssertionResult wakes(SleepingFile& file) {
+        file.wake();
+        if (comes_true([&] { return part<QSpinBox>("layers").value() == kLateLayers; }))
+            return ::testing::AssertionSuccess();
+        return ::testing::AssertionFailure() << "layers " << part<QSpinBox>("layers").value();
+    }
+    void close() {
+        window_->leave();
+        window_.reset();
+    }
+
+    static constexpr int kLateLayers = 321;
 };
 
 TEST_F(WindowOnASleepingDisk, IsThereAtOnceAndTakesItsPlaceAndThemeLater) {
@@ -146,6 +199,7 @@ TEST_F(WindowOnASleepingDisk, LeavesThePlaceThatNobodyHasSeen) {
     SleepingFile file{{{"window/geometry", QByteArray{"a place"}}, {"window/page", "ports"}}};
     open_on(file);
     window_->set_theme(ThemeChoice::dark);
+    part<QSpinBox>("points").setValue(77);
     window_->leave();
     ASSERT_TRUE(eventually([&] { return window_->bench().saves.under_way().size() == 1; }));
     EXPECT_EQ(window_->bench().saves.under_way()[0].path, "sleeping.ini") << "whoever ends the program knows";
@@ -154,6 +208,67 @@ TEST_F(WindowOnASleepingDisk, LeavesThePlaceThatNobodyHasSeen) {
     EXPECT_EQ(file.values().value("window/theme").toString(), "dark");
     EXPECT_EQ(file.values().value("window/geometry").toByteArray(), "a place");
     EXPECT_EQ(file.values().value("window/page").toString(), "ports");
+    EXPECT_EQ(file.values().value("options/points").toInt(), 77) << "somebody has chosen that";
+}
+
+TEST_F(WindowOnASleepingDisk, FillsInFieldsThatFillInEachOther) {
+    SleepingFile file{{{"options/layers", kLateLayers},
+                       {"options/roughing", "1"},
+                       {"options/stepdown", 2.5},
+                       {"options/allowance", 0.75},
+                       {"options/stepover", 1.5}}};
+    open_on(file);
+    ASSERT_TRUE(wakes(file));
+    EXPECT_EQ(part<QComboBox>("roughing").currentIndex(), 1);
+    EXPECT_DOUBLE_EQ(number("stepdown"), 2.5);
+    EXPECT_DOUBLE_EQ(number("allowance"), 0.75);
+    EXPECT_DOUBLE_EQ(number("stepover"), 1.5);
+    close();
+    EXPECT_EQ(file.values().value("options/roughing").toString(), "1");
+    EXPECT_DOUBLE_EQ(file.values().value("options/stepdown").toDouble(), 2.5);
+    EXPECT_DOUBLE_EQ(file.values().value("options/allowance").toDouble(), 0.75);
+    EXPECT_DOUBLE_EQ(file.values().value("options/stepover").toDouble(), 1.5);
+}
+
+TEST_F(WindowOnASleepingDisk, LeavesWhatWasTypedMeanwhile) {
+    SleepingFile file{{{"options/layers", kLateLayers},
+                       {"options/roughing", "1"},
+                       {"options/stepdown", 2.5},
+                       {"options/allowance", 0.75}}};
+    open_on(file);
+    part<QDoubleSpinBox>("stepdown").setValue(4.0);
+    ASSERT_TRUE(wakes(file));
+    EXPECT_EQ(part<QComboBox>("roughing").currentIndex(), 1);
+    EXPECT_DOUBLE_EQ(number("stepdown"), 4.0);
+    EXPECT_DOUBLE_EQ(number("allowance"), 0.75);
+    close();
+    EXPECT_DOUBLE_EQ(file.values().value("options/stepdown").toDouble(), 4.0);
+    EXPECT_DOUBLE_EQ(file.values().value("options/allowance").toDouble(), 0.75);
+}
+
+/// A key may be pressed, and a test be about to begin.
+TEST_F(WindowOnASleepingDisk, ChangesNothingLateThatDrivesTheMachine) {
+    const QVariantMap kept{{"options/layers", kLateLayers},     {"options/jog_linear_step", 1'000},
+                           {"options/jog_angular_step", 9'000}, {"options/jog_linear_speed", 33},
+                           {"options/jog_angular_speed", 22},   {"options/test_rate", 20},
+                           {"options/test_pulses", 20}};
+    SleepingFile file{kept};
+    open_on(file);
+    const auto values = [&] {
+        return std::vector<int>{part<QButtonGroup>("jog_linear_step").checkedId(),
+                                part<QButtonGroup>("jog_angular_step").checkedId(),
+                                part<QAbstractSlider>("jog_linear_speed").value(),
+                                part<QAbstractSlider>("jog_angular_speed").value(),
+                                part<QSpinBox>("test_rate").value(),
+                                part<QSpinBox>("test_pulses").value()};
+    };
+    const auto usual = values();
+    ASSERT_TRUE(wakes(file));
+    EXPECT_EQ(values(), usual);
+    close();
+    for (const auto& [key, value] : kept.asKeyValueRange()) {
+        EXPECT_EQ(file.values().value(key), value) << key.toStdString();
+    }
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ AlarmBanner::AlarmBanner(Bench& bench, QWidget* parent)
     for (QLabel* label : {detail_, steps_, reason_}) label->setWordWrap(true);
     auto* text = new QVBoxLayout;
     text->setContentsMargins(0, kGap, kGap, kGap);
-    text->setSpacing(3);
+    text->setSpacing(1);
     for (QLabel* label : {title_, detail_, steps_}) text->addWidget(label);
     auto* buttons = new QVBoxLayout;
     buttons->setContentsMargins(0, kGap, kGap, kGap);

@@ -140,18 +140,22 @@ TEST_F(CarvedByTool, MoreIsLeftInAGrooveThatABallDoesNotReachInto) {
     const double deepest_mm = kOutside_mm - behind_tip_mm(kHalfRing_mm);
     ASSERT_NEAR(tip_mm(kRing_mm), deepest_mm, 0.02);
     ASSERT_NO_FATAL_FAILURE(carve_with(ToolShape::ball, tip_mm));
-    take_picture("carved_ring_light");
     // Between the rims the ball's own round is left, far out from the model's ground.
-    for (const double beside : {-1.5, -1.0, 0.0, 1.0, 1.5}) {
-        SCOPED_TRACE(beside);
-        const double left_mm = deepest_mm + behind_tip_mm(beside);
-        EXPECT_GT(left_mm, kGround_mm + 2.0);
-        const double height_mm = kRing_mm + beside;
-        const auto left = radii_between(height_mm - 0.1, height_mm + 0.1, kBlankMiddle_mm);
-        ASSERT_FALSE(left.empty());
-        EXPECT_NEAR(*std::min_element(left.begin(), left.end()), left_mm, 0.1);
-        EXPECT_NEAR(*std::max_element(left.begin(), left.end()), left_mm, 0.1);
-    }
+    const auto furthest_off_mm = [&] {
+        double most_mm = 0.0;
+        for (const double beside : {-1.5, -1.0, 0.0, 1.0, 1.5}) {
+            const double left_mm = deepest_mm + behind_tip_mm(beside);
+            EXPECT_GT(left_mm, kGround_mm + 2.0);
+            const double height_mm = kRing_mm + beside;
+            const auto left = radii_between(height_mm - 0.1, height_mm + 0.1, kBlankMiddle_mm);
+            EXPECT_FALSE(left.empty());
+            for (const double radius_mm : left) most_mm = std::max(most_mm, std::abs(radius_mm - left_mm));
+        }
+        return most_mm;
+    };
+    // What the core has done is cut by a thread of its own.
+    EXPECT_TRUE(comes_true([&] { return furthest_off_mm() <= 0.1; })) << furthest_off_mm();
+    take_picture("carved_ring_light");
     // A point would leave where its tip came by, which beside the middle is further out.
     EXPECT_GT(tip_mm(kRing_mm + 1.0), deepest_mm + behind_tip_mm(1.0) + 0.4);
 }

@@ -4,27 +4,26 @@
 namespace psicarve::session {
 
 EscapeOrder escape_order(const MachineSight& machine, bool has_orders) {
-    using S = MachineState;
     if (!machine.is_heard() || !machine.status) return EscapeOrder::none;
     switch (machine.state()) {
-        case S::carving:
+        case MachineState::carving:
             return EscapeOrder::hold;
-        case S::waiting:
+        case MachineState::waiting:
             // Between the two commands of a start: the hold comes to the core behind the second.
             return has_orders ? EscapeOrder::hold : EscapeOrder::none;
-        case S::homing:
-        case S::moving:
-        case S::positioning:
-        case S::finishing:
-        case S::backing_off:
-        case S::testing:
+        case MachineState::homing:
+        case MachineState::moving:
+        case MachineState::positioning:
+        case MachineState::finishing:
+        case MachineState::backing_off:
+        case MachineState::testing:
             return EscapeOrder::stop;
-        case S::off:
-        case S::ready:
-        case S::holding:
-        case S::held:
-        case S::stopping:
-        case S::alarm:
+        case MachineState::off:
+        case MachineState::ready:
+        case MachineState::holding:
+        case MachineState::held:
+        case MachineState::stopping:
+        case MachineState::alarm:
             break;
     }
     return EscapeOrder::none;

@@ -2,6 +2,7 @@
 #include "rtcore/privileges.hpp"
 
 #include <grp.h>
+#include <limits.h>
 #include <linux/capability.h>
 #include <pwd.h>
 #include <sys/prctl.h>
@@ -142,6 +143,7 @@ bool will_be_in_group(const UserAccount& account, gid_t group) {
     while (::getgrouplist(account.name.c_str(), account.group, groups.data(), &count) < 0) {
         // Where it does not say how many there are, twice as many.
         count = std::max(count, 2 * static_cast<int>(groups.size()));
+        if (count > NGROUPS_MAX) return false;
         groups.resize(static_cast<std::size_t>(count));
     }
     return std::find(groups.begin(), groups.begin() + count, group) != groups.begin() + count;

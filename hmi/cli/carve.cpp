@@ -74,21 +74,28 @@ Result<int> carve_unseen(machine::MachineLink& link, const PreparedJob& job, con
 }
 
 /// The piece to carve beside the run, compared with the model wherever there is one. An ideal point leaves
-/// the table's own surface: of its piece is told when it is asked for.
-Result<std::unique_ptr<CarvedPiece>> piece_beside(const PreparedJob& job, const CarveOptions& options) {
+/// the table's own surface, and a core that does not wait for us is not held up by a figure: there the piece
+/// is told of when it is asked for.
+Result<std::unique_ptr<CarvedPiece>> piece_beside(const PreparedJob& job, const CarveOptions& options,
+                                                  bool waits_for_us) {
     auto model = job.mesh;
-    if (job.profile.tool.shape == ToolShape::point && !options.files.any()) model.reset();
+    const bool is_asked_for = options.files.any();
+    if (!is_asked_for && (job.profile.tool.shape == ToolShape::point || !waits_for_us)) model.reset();
     if (!options.files.model.empty()) {
         auto read = model_of_job(options.files.model, job);
         if (!read) return read.error();
         model = std::move(*read);
     }
-    return CarvedPiece::make(job, std::move(model), options.files);
+    auto made = CarvedPiece::make(job, std::move(model), options.files);
+    if (made || is_asked_for) return made;
+    // What nobody asked for keeps no job from being carved.
+    print_warning("the piece is not compared with the model: " + made.error().message);
+    return std::unique_ptr<CarvedPiece>{};
 }
 
 Result<int> carve_on_running_core(machine::MachineLink& link, const PreparedJob& job,
                                   const CarveOptions& options, const CommonOptions& common) {
-    const auto piece = piece_beside(job, options);
+    const auto piece = piece_beside(job, options, false);
     if (!piece) return piece.error();
     auto pins = machine::RecordedPins::start(link, job.view, job.profile, options.trace, follower_of(*piece));
     if (!pins) {
@@ -140,7 +147,7 @@ Result<int> carve(const CommonOptions& common, const CarveOptions& options) {
     const auto run_it = [&job](machine::VerifiedCore& core, const machine::StatusWatch& watch) {
         return machine::run_job(core.link(), job->blob, watch);
     };
-    const auto piece = piece_beside(*job, options);
+    const auto piece = piece_beside(*job, options, !options.real_time);
     if (!piece) return piece.error();
     return simulated_run(std::move(launch), *job, {run_it, options.picture, common.json, &*piece});
 }

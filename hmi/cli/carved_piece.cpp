@@ -123,7 +123,7 @@ void add_piece(RunReport& report, const std::unique_ptr<CarvedPiece>& piece) {
         return miss(report, first + ": the piece is not known");
     }
     const auto done = piece->finish();
-    if (!done && !report.failure) report.failure = done.error();
+    if (!done && piece->files().any() && !report.failure) report.failure = done.error();
     if (!done) return;
     report.deviation = piece->deviation();
     report.piece_path = piece->files().mesh;

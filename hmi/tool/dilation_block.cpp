@@ -206,6 +206,7 @@ void DilationBlock::set_disc() {
     for (std::size_t k = 0; k < 3; ++k) view_.middle[k] += 0.5F * (least + most) * normal[k];
     view_.bulge = 0.5F * (most - least) + slack;
     view_.reach = std::sqrt(std::max({reach2[0], reach2[1], reach2[2], reach2[3]})) + slack;
+    view_.distance = view_.reach + 0.5F * std::abs(least + most);
 }
 
 /// All tiles that are not out of reach: coarse ones first.

@@ -42,11 +42,12 @@ struct BlockView {
     float above = 0.0F;  ///< from there to the highest
     float least_tip = 0.0F;
     // Of a ball: a disc that holds all centres, which stand within `reach` of the middle along the disc and
-    // within `bulge` to either side of it.
+    // within `bulge` to either side of it; none is further than `distance` from the middle.
     std::array<float, 3> middle{};
     std::array<float, 3> normal{};
     float reach = 0.0F;
     float bulge = 0.0F;
+    float distance = 0.0F;
 };
 
 /// Above 0: no tip of the block is raised by anything of the tile, for each of four tiles from `first` on.
@@ -60,7 +61,8 @@ struct BlockView {
 /// the way between a place of the disc and one of the tile the part along a normal is that between the
 /// middles less what each of both may be off in that direction: the one whose normal it is by its bulge, the
 /// other by its bulge times the cosine and its reach times the sine of the angle between the normals. The
-/// part across is that between the middles less both reaches.
+/// part across is that between the middles less the reach of the one whose normal it is and the distance of
+/// the other, whose bulge may be across it.
 template <Shape kShape>
 inline Quad block_excess(const DilationTool& tool, const BlockView& view, const SurfaceTiles& tiles,
                          std::size_t first) {
@@ -77,7 +79,9 @@ inline Quad block_excess(const DilationTool& tool, const BlockView& view, const 
         const Quad across_size = size_of(across);
         const Quad turn = (size_of(out) + across_size) * view.aside;
         const Quad s = root(across * across + up * up) - reach - turn - view.above;
-        const Quad outermost = smaller(most_radius, larger(out, none) + reach + across_size * view.aside);
+        // Beyond a right angle a place of the block may see as much of a tile as is behind its middle.
+        const Quad forward = view.aside >= 1.0F ? size_of(out) : larger(out, none);
+        const Quad outermost = smaller(most_radius, forward + reach + across_size * view.aside);
         const Quad behind = kShape == Shape::ball ? view.least_tip + tool.radius - outermost
                                                   : view.least_tip - outermost + tool.slope * larger(none, s);
         return larger(s - tool.radius, behind);
@@ -94,16 +98,16 @@ inline Quad block_excess(const DilationTool& tool, const BlockView& view, const 
     const Quad cosine =
         size_of(normal_x * view.normal[0] + normal_y * view.normal[1] + normal_z * view.normal[2]);
     const Quad sine = root(larger(none, 1.0F - cosine * cosine)) + 1e-3F;
-    const auto apart2 = [&](const Quad& along, const Quad& off) {
+    const auto apart2 = [&](const Quad& along, const Quad& off, float places_reach) {
         const Quad across2 = larger(none, way2 - along * along);
         const Quad straight = larger(none, size_of(along) - off);
-        const Quad aside = larger(none, root(across2) - reach - view.reach);
+        const Quad aside = larger(none, root(across2) - reach - places_reach);
         return straight * straight + aside * aside;
     };
     const Quad from_disc = apart2(way_x * view.normal[0] + way_y * view.normal[1] + way_z * view.normal[2],
-                                  view.bulge + bulge * cosine + reach * sine);
+                                  view.bulge + bulge * cosine + reach * sine, view.reach);
     const Quad from_tile = apart2(way_x * normal_x + way_y * normal_y + way_z * normal_z,
-                                  bulge + view.bulge * cosine + view.reach * sine);
+                                  bulge + view.bulge * cosine + view.reach * sine, view.distance);
     const Quad apart = larger(from_disc, from_tile) - tool.radius * tool.radius * kPruneSlack;
     if (negative_bits(view.least_tip + tool.radius - most_radius) == 0) return apart;
     return smaller(apart, beside_or_behind());

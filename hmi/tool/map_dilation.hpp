@@ -24,10 +24,9 @@ struct SampledRadii {
 ///     allowance + max of r cos(D) - h(s),   s = hypot(r sin(D), y - y0) <= R,   |D| < 90 degrees
 ///
 /// over all samples (r, D from the column, y) alone, at least 0: fast whatever the mesh was, and too deep by
-/// what lies between samples, for which the allowance is there. Between places that are searched a tip
-/// stands as far out as any could by those beside it, or further; of a vee all are searched. In single
-/// precision: to about 1e-6 of the radii, and where a tool's rim touches to the square root of that. Requires
-/// a tool that has a size, at least one row and 4 columns. ErrorCode::cancelled, out_of_room.
+/// what lies between samples, for which the allowance is there. In single precision: to about 1e-6 of the
+/// radii, and where a tool's rim touches to the square root of that. Requires a tool that has a size, at
+/// least one row and 4 columns. ErrorCode::cancelled, out_of_room.
 Result<std::vector<float>> dilated(const SampledRadii& surface, const Tool& tool, double allowance,
                                    const slice::SliceOptions& options);
 

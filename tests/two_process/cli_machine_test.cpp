@@ -74,10 +74,12 @@ TEST_F(Machine, ARunningCoresPinsAreDrawnTracedAndJudged) {
     }
 }
 
-TEST_F(Machine, ThePieceOfARunningCoreIsComparedWithTheModel) {
+TEST_F(Machine, ThePieceOfARunningCoreIsComparedWithTheModelWhenAskedFor) {
     start_core();
-    const std::vector<std::string> carve{"carve", box_stl("box.stl"), "--layers", "4",     "--points",
-                                         "9",     "--tool",           "ball:2",   "--json"};
+    std::vector<std::string> carve{"carve", box_stl("box.stl"), "--layers", "4",     "--points",
+                                   "9",     "--tool",           "ball:2",   "--json"};
+    EXPECT_FALSE(run(carve).json().contains("deviation")) << "it does not wait for a figure";
+    carve.insert(carve.end(), {"--deviation", file("box.png")});
     const auto report = run(carve).json();
     ASSERT_TRUE(report.contains("deviation")) << report;
     EXPECT_GT(report["deviation"]["places"].get<int>(), 100);

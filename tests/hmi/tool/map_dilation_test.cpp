@@ -104,6 +104,51 @@ TEST(MapDilation, IsTheDefinitionOnNeedlesStepsAndHolesSteepAndFlat) {
     }
 }
 
+/// Where a place stands out of its block alone, all others of it are far from its middle, and a wall beside
+/// it is seen across.
+TEST(MapDilation, IsTheDefinitionOnNeedlesBesideAWall) {
+    for (std::size_t needle = 0; needle < 32; needle += 5) {
+        for (const double height : {0.3, 1.6}) {
+            const Sampled map = sampled(40, 360, 0.1, [&](double t, double y) {
+                const auto row = static_cast<std::size_t>(std::lround(y / 0.1));
+                const auto column = static_cast<std::size_t>(std::lround(t / (2.0 * kPi) * 360.0));
+                if (row == 16 + needle / 8 && column == 64 + needle % 8) return 6.0 + height;
+                return row > 24 ? 8.0 : 6.0;
+            });
+            const Tool tool{Shape::ball, 1.3137, 0.0};
+            const auto tips = dilated(map.view, tool, 0.0, {2, {}});
+            ASSERT_TRUE(tips);
+            for (std::size_t row = 8; row < 32; row += 2) {
+                for (std::size_t column = 56; column < 80; column += 3) {
+                    const std::size_t place = row * 360 + column;
+                    ASSERT_NEAR((*tips)[place],
+                                plain_tip(map, tool, direction_of(map, place), height_of(map, place)), 5e-5)
+                        << "needle " << needle << " of " << height << ", place " << row << ", " << column;
+                }
+            }
+        }
+    }
+}
+
+/// Then a block is wider than half a turn.
+TEST(MapDilation, IsTheDefinitionWithHardlyAnyColumns) {
+    for (std::size_t columns = 4; columns < 16; ++columns) {
+        for (std::size_t odd = 0; odd < columns; ++odd) {
+            for (const Tool& tool : {Tool{Shape::flat, 1.0, 0.0}, Tool{Shape::ball, 1.0, 0.0}}) {
+                Sampled map = sampled(4, columns, 0.1, [](double, double) { return 0.9; });
+                map.radius[3 * columns + odd] = 1.0F;
+                map.view.radius = map.radius;
+                const auto tips = dilated(map.view, tool, 0.0, {1, {}});
+                ASSERT_TRUE(tips);
+                for (std::size_t place = 0; place < map.radius.size(); ++place)
+                    ASSERT_NEAR((*tips)[place],
+                                plain_tip(map, tool, direction_of(map, place), height_of(map, place)), 5e-5)
+                        << name_of(tool.shape) << ", " << columns << " columns, place " << place;
+            }
+        }
+    }
+}
+
 /// Far from the origin single precision takes the most, and where samples stand dense the bounds decide most.
 TEST(MapDilation, IsTheDefinitionOnDenseSamplesOfABodyMuchLargerThanTheTool) {
     std::mt19937 random(8);

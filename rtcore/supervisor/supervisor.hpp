@@ -45,6 +45,10 @@ public:
         return desk_.awaits_answer() || loading_job_ != nullptr || loader_.is_busy();
     }
 
+    /// Before anybody may publish, on the virtual clock: the job that an earlier core has left is loaded
+    /// while the machine settles, and no tick passes for it later.
+    void load_left_job() { take_job(); }
+
     void set_lateness(const LatenessFacts& lateness) noexcept { mirror_.set_lateness(lateness); }
     void set_realtime(const RealtimeFacts& realtime) noexcept { mirror_.set_realtime(realtime); }
     /// Asks the tick for something on the supervisor's own account; answers to it go nowhere. False: too much

@@ -24,6 +24,17 @@ protected:
             file("replay.err")};
         return core.wait_for_exit();
     }
+    /// From a core's begin to its end in order, with `trace` of all of it. The segment stays.
+    void carve_by_commands(const JobTable& table, const std::string& trace) {
+        start_core({"--trace", trace});
+        ASSERT_EQ(publish(table), "");
+        home();
+        start_carving();
+        ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
+        ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+        ASSERT_EQ(core_->wait_for_exit(), 0);
+        segment_.reset();
+    }
 };
 
 // A core that waits for a lock of the segment can be held up by whoever may write there.
@@ -86,18 +97,19 @@ TEST_F(CoreReplay, GivesTheSameBytesInEveryBuild) {
 
 TEST_F(CoreReplay, CarvingByCommandsTwiceGivesTheSameBytes) {
     for (const std::string name : {"a.trace", "b.trace"}) {
-        start_core({"--trace", file(name)});
-        ASSERT_EQ(publish(lobed_job(3, 33)), "");
-        home();
-        start_carving();
-        ASSERT_TRUE(eventually([&] { return status().job_end_tick != 0; }));
-        ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
-        ASSERT_EQ(core_->wait_for_exit(), 0);
-        segment_.reset();
+        carve_by_commands(lobed_job(3, 33), file(name));
         ASSERT_TRUE(Segment::remove(segment_name_));
     }
     EXPECT_GT(text_of(file("a.trace")).size(), 10'000U);
     EXPECT_TRUE(text_of(file("a.trace")) == text_of(file("b.trace")));
+}
+
+// A core loads what it finds in the segment: a job more than one in a segment of its own, or none more where
+// the next one comes before it has looked.
+TEST_F(CoreReplay, WhatAnEarlierCoreHasLeftDoesNotShowInTheTrace) {
+    carve_by_commands(lobed_job(3, 33), file("own.trace"));
+    carve_by_commands(lobed_job(3, 33), file("left.trace"));
+    EXPECT_TRUE(text_of(file("own.trace")) == text_of(file("left.trace")));
 }
 
 TEST_F(CoreReplay, ARecordedRunIsAppliedAgainTickByTick) {

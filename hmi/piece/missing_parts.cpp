@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kWorthLooking_mm = 0.01;
 constexpr std::ptrdiff_t kReach_cells = 64;
+constexpr std::size_t kReach_rows = 16;
 
 std::array<double, 3> place_of(double direction_rad, double radius_mm, double height_mm) {
     return {radius_mm * std::cos(direction_rad), radius_mm * std::sin(direction_rad), height_mm};
@@ -53,10 +54,17 @@ double MissingParts::at_ridge(const Ridges& ridges, std::size_t index) const {
     const double missing_mm = ridges.missing_mm(index);
     if (missing_mm <= kWorthLooking_mm) return 0.0;
     const Ridge& ridge = ridges.all()[index];
-    return std::min(missing_mm, in_row_mm(ridge));
+    double nearest_mm = std::min(missing_mm, in_row_mm(ridge, ridge.row));
+    const std::size_t low = std::max(ridge.row, first_row_ + kReach_rows) - kReach_rows;
+    for (std::size_t row = low; row <= std::min(ridge.row + kReach_rows, last_row_); ++row) {
+        const double beside_mm = std::abs(carved_.height_mm(row) - ridge.height_mm);
+        if (beside_mm >= nearest_mm || !ridges.is_cleared(carved_.height_mm(row))) continue;
+        nearest_mm = std::min(nearest_mm, std::hypot(in_row_mm(ridge, row), beside_mm));
+    }
+    return nearest_mm;
 }
 
-double MissingParts::in_row_mm(const Ridge& ridge) const {
+double MissingParts::in_row_mm(const Ridge& ridge, std::size_t row) const {
     const std::size_t columns = carved_.column_count();
     const double step_rad = carved_.direction_rad(1);
     const double off_rad =
@@ -64,7 +72,7 @@ double MissingParts::in_row_mm(const Ridge& ridge) const {
     // Seen along the ridge's own ray.
     const auto corner = [&](std::ptrdiff_t k) {
         const auto column = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(ridge.column + columns) + k);
-        return std::polar(double{carved_.row(ridge.row)[column % columns]},
+        return std::polar(double{carved_.row(row)[column % columns]},
                           static_cast<double>(k) * step_rad - off_rad);
     };
     const std::complex<double> from{ridge.radius_mm, 0.0};

@@ -21,12 +21,13 @@ public:
     /// Of the model's place in a cell [mm]; 0 where the cells beside it hold material as far out: that near a
     /// map does not tell.
     double at_cell(std::size_t row, std::size_t column) const;
-    /// Of what was cut off a ridge, across its row: sheets that stay above and below a layer, where layers
-    /// lie far apart, are not the ridge.
+    /// Of what was cut off a ridge: the way to what is left in its row, and in those above and below where
+    /// layers lie so close that nothing else is left there. Sheets that stay between layers are not the
+    /// ridge.
     double at_ridge(const Ridges& ridges, std::size_t index) const;
 
 private:
-    double in_row_mm(const Ridge& ridge) const;
+    double in_row_mm(const Ridge& ridge, std::size_t row) const;
 
     const StockMap& carved_;
     std::span<const float> wanted_mm_;

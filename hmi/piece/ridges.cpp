@@ -41,21 +41,28 @@ std::vector<float> without_thin_parts(std::span<const float> radii_mm, std::size
     return wide;
 }
 
+/// Of all layers, rising.
+std::vector<double> heights_mm(const verify::JobGeometry& geometry) {
+    std::vector<double> heights;
+    for (std::uint32_t row = 0; row < geometry.row_count(); ++row)
+        heights.push_back(static_cast<double>(geometry.height(row)) / geometry.y_pulses_per_mm());
+    std::sort(heights.begin(), heights.end());
+    return heights;
+}
+
 /// Goes along a model's edges and keeps what stands out of a map's cells.
 class RidgeSearch {
 public:
     RidgeSearch(const PlacedModel& model, const StockMap& blank, std::span<const float> wanted_mm,
-                std::span<const std::size_t> rows, const verify::JobGeometry& geometry, bool is_point)
+                std::span<const std::size_t> rows, const std::vector<double>& layers_mm, bool is_point)
         : model_(model),
           blank_(blank),
           wide_mm_(without_thin_parts(wanted_mm, blank.column_count())),
           is_point_(is_point),
+          layers_mm_(layers_mm),
           is_carved_(blank.row_count(), 0),
           lowest_(slice::placed(model.placement.up, model.mesh->facts.min)[2]) {
         for (const std::size_t row : rows) is_carved_[row] = 1;
-        for (std::uint32_t row = 0; row < geometry.row_count(); ++row)
-            heights_mm_.push_back(static_cast<double>(geometry.height(row)) / geometry.y_pulses_per_mm());
-        std::sort(heights_mm_.begin(), heights_mm_.end());
         if (rows.empty()) return;
         first_row_ = static_cast<double>(rows.front());
         last_row_ = static_cast<double>(rows.back());
@@ -107,8 +114,8 @@ private:
         const auto at_height = [&](double height_mm) { return (height_mm - from[2]) / (to[2] - from[2]); };
         const double least_mm = std::min(from[2], to[2]);
         const double most_mm = std::max(from[2], to[2]);
-        for (auto height = std::lower_bound(heights_mm_.begin(), heights_mm_.end(), least_mm);
-             height != heights_mm_.end() && *height <= most_mm; ++height)
+        for (auto height = std::lower_bound(layers_mm_.begin(), layers_mm_.end(), least_mm);
+             height != layers_mm_.end() && *height <= most_mm; ++height)
             look_at(part(most_mm > least_mm ? at_height(*height) : 0.0));
         // What a point leaves above and below its layers is nobody's concern.
         if (is_point_) return;
@@ -160,7 +167,7 @@ private:
     const StockMap& blank_;
     std::vector<float> wide_mm_;
     bool is_point_;
-    std::vector<double> heights_mm_;  ///< of the layers
+    const std::vector<double>& layers_mm_;
     std::vector<char> is_carved_;
     double lowest_;
     double first_row_ = 1.0;
@@ -179,7 +186,8 @@ Ridges::Ridges(const PlacedModel& model, const tool::Tool& tool, const StockMap&
       row_mm_(blank.row_mm()),
       rad_per_pulse_(geometry.rad_per_pulse()),
       point_reach_mm_(kPointReach_pulses / geometry.y_pulses_per_mm()),
-      ridges_(RidgeSearch(model, blank, wanted_mm, rows, geometry, is_point()).found()) {
+      layers_mm_(heights_mm(geometry)),
+      ridges_(RidgeSearch(model, blank, wanted_mm, rows, layers_mm_, is_point()).found()) {
     for (const Ridge& ridge : ridges_) {
         Rays rays{std::cos(ridge.direction_rad),
                   std::sin(ridge.direction_rad),
@@ -286,6 +294,13 @@ double Ridges::missing_mm(std::size_t index) const noexcept {
         missing_mm = std::min(missing_mm, std::hypot(short_by(ray), rays.beside_mm));
     }
     return missing_mm;
+}
+
+bool Ridges::is_cleared(double height_mm) const {
+    const auto above = std::lower_bound(layers_mm_.begin(), layers_mm_.end(), height_mm);
+    if (is_point() || above == layers_mm_.end() || above == layers_mm_.begin()) return false;
+    const double half_mm = 0.5 * (*above - *(above - 1));
+    return half_mm < tool_.radius && tool::rise(tool_, half_mm) <= row_mm_;
 }
 
 }  // namespace psicarve::piece

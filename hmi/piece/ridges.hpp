@@ -42,6 +42,9 @@ public:
     /// How much of a ridge is gone, the shortest way to what is left of it; 0 where that is as little as the
     /// rays are apart.
     double missing_mm(std::size_t index) const noexcept;
+    /// Whether between the layers below and above a height the tool leaves no more than a row of the map,
+    /// along the radius. A point leaves all of it.
+    bool is_cleared(double height_mm) const;
 
 private:
     // The ridge itself, on both sides of it, above, below.
@@ -62,6 +65,7 @@ private:
     double row_mm_;
     double rad_per_pulse_;
     double point_reach_mm_;
+    std::vector<double> layers_mm_;       ///< heights, rising
     std::vector<Ridge> ridges_;           ///< by row
     std::vector<Rays> rays_;              ///< one a ridge
     std::vector<std::size_t> row_begin_;  ///< of every row of the map, and the end

@@ -20,6 +20,7 @@
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/hmi/model/fins.hpp"
 #include "tests/hmi/model/shapes.hpp"
+#include "tests/hmi/piece/deviation_rig.hpp"
 #include "tests/thoroughness.hpp"
 
 namespace psicarve::piece {
@@ -156,21 +157,6 @@ TEST(PieceDeviation, IsOneJsonObjectWhoseSharesSumUp) {
     EXPECT_TRUE(deviation_png(deviation_of(piece, std::vector<float>(kRows * kColumns, 10.0F), {}), ""));
 }
 
-/// A job's piece against the model.
-PieceDeviation carved(const model::Mesh& mesh, const Profile& profile, std::uint32_t layers,
-                      std::uint32_t points, std::size_t columns = 720) {
-    cam::JobOptions options = cam::small(layers, points);
-    options.axis_at = cam::AxisAt::origin;
-    const auto built = cam::built(mesh, profile, options);
-    const std::vector<std::byte> blob = job_blob_from_table(built.table);
-    const auto job = JobView::check(blob);
-    const auto placed = place_as_sliced(std::make_shared<const model::Mesh>(mesh), *job, profile);
-    EXPECT_TRUE(placed) << (placed ? "" : placed.error().message);
-    const auto piece = job_piece(*job, profile, &*placed, columns, {1, {}});
-    EXPECT_TRUE(piece);
-    return piece->deviation.value();
-}
-
 TEST(PieceDeviation, OfAPointToolIsARoundingOfItsPulses) {
     const PieceDeviation sut = carved(shapes::cylinder(9.0, 0.0, 8.0, 720), Profile{}, 12, 361);
     EXPECT_EQ(sut.place_count, 12U * 720U);
@@ -267,13 +253,6 @@ TEST(PieceDeviation, OfABallThatCannotReachACornerIsWhatItLeavesThere) {
     const PieceDeviation sut = carved(mesh, profile, 80, 361);
     EXPECT_LE(sut.gouge.max_mm, 0.01);
     EXPECT_NEAR(sut.leftover.max_mm, 1.5 * (1.0 - std::sqrt(0.5)), 0.04);
-}
-
-Profile with_tool(ToolShape shape, double diameter_mm, double angle_deg) {
-    Profile profile;
-    profile.tool = {shape, diameter_mm, angle_deg, 0.0};
-    profile.blank = {22.0, 12.0};
-    return profile;
 }
 
 // The tables' directions are 6 degrees apart, and none of them meets the needle.

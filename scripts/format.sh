@@ -13,7 +13,7 @@ Lays out all C++ sources as .clang-format says.
   --staged   the same for what is about to be committed, as it will be committed
   --install  lets git look before each commit (scripts/hooks/pre-commit)
 
-Exit codes: 0 all is well; 1 something is not laid out; 2 wrong usage.
+Exit codes: 0 all is well; 1 something is not laid out, or git does not say what there is; 2 wrong usage.
 END
 }
 
@@ -38,10 +38,14 @@ fi
 
 if [[ ${1-} == --staged ]]; then
     verdict=0
+    names=$(mktemp)
+    trap 'rm -f "$names"' EXIT
+    # Not into the loop at once: there its failure would be nobody's.
+    git diff --cached --name-only --diff-filter=ACMR -z -- '*.cpp' '*.hpp' >"$names" || exit 1
     while IFS= read -r -d '' file; do
         # What is in the index, which is not always what is in the folder.
         if ! git show ":$file" | clang-format-14 --dry-run -Werror --assume-filename="$file"; then verdict=1; fi
-    done < <(git diff --cached --name-only --diff-filter=ACMR -z -- '*.cpp' '*.hpp')
+    done <"$names"
     if ((verdict)); then printf 'scripts/format.sh lays them out; then git add them again\n' >&2; fi
     exit "$verdict"
 fi

@@ -36,8 +36,9 @@ private:
     /// `beside`: how far from the cell's middle the place may be, in cells.
     double nearest_mm(std::size_t row, std::size_t column, const Point& from, double most_mm,
                       double beside) const;
-    double nearest2_of_ring(const Point& from, std::size_t row, std::size_t column, int ring) const;
-    double nearest2_of_quad(const Point& from, std::size_t row, std::size_t column) const;
+    double nearest2_of_ring(const Point& from, std::size_t row, std::size_t column, int ring,
+                            double best2) const;
+    double nearest2_of_quad(const Point& from, std::size_t row, std::size_t column, double best2) const;
 
     const StockMap& stock_;
     std::span<const float> radii_mm_;

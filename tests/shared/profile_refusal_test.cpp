@@ -7,6 +7,7 @@
 
 #include "shared/profile.hpp"
 #include "shared/profile_table.hpp"
+#include "tests/parameter_name.hpp"
 #include "tests/places.hpp"
 
 namespace psicarve {
@@ -80,7 +81,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"[axis.y]\npositive = \"up\"\n", "m.toml:2: axis.y.positive: \"up\"", "high or low"},
         Refusal{"[axis.y]\npositive = true\n", "m.toml:2: axis.y.positive: true or false", "high or low"},
         Refusal{"[job]\nplanner = \"Angle\"\n", "m.toml:2: job.planner: ", "lookahead or angle"},
-        Refusal{"[job]\njoining = \"snake\"\n", "m.toml:2: job.joining: ", "continuous, zigzag or spiral"}));
+        Refusal{"[job]\njoining = \"snake\"\n", "m.toml:2: job.joining: ", "continuous, zigzag or spiral"}),
+    [](const auto& named) { return psicarve::test::parameter_name(named.param.toml, named.index); });
 
 INSTANTIATE_TEST_SUITE_P(
     KeysTogether, ProfileRefusals,
@@ -134,8 +136,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"[tick]\nschedule = \"two-timer\"\nio_us = 50\nperiod_us = 50\ninterpolation_us = 50\n",
                 "m.toml:3: tick.io_us: 50 us are too short", "100 us"},
         Refusal{"[tick]\nschedule = \"two-timer\"\nio_us = 500\nperiod_us = 50\ninterpolation_us = 1000\n",
-                "m.toml:5: tick.interpolation_us: 1000 us is longer than the 500 us",
-                "lengthen tick.io_us"}));
+                "m.toml:5: tick.interpolation_us: 1000 us is longer than the 500 us", "lengthen tick.io_us"}),
+    [](const auto& named) { return psicarve::test::parameter_name(named.param.toml, named.index); });
 
 INSTANTIATE_TEST_SUITE_P(
     Pins, ProfileRefusals,
@@ -166,7 +168,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "m.toml:4: port.pins.r1_limit: is not wired, but axis.r1.home = \"max\" needs it",
                 "set axis.r1.home = \"none\""},
         Refusal{"[port.pins]\npsi_index = 0\n",
-                "m.toml:2: port.pins.psi_index: ", "set axis.psi.home = \"none\""}));
+                "m.toml:2: port.pins.psi_index: ", "set axis.psi.home = \"none\""}),
+    [](const auto& named) { return psicarve::test::parameter_name(named.param.toml, named.index); });
 
 TEST(ProfileRefusal, TellsTheFirstProblemOfTheFile) {
     EXPECT_THAT(refusal_of("[tick]\nperiod_us = 0\n[axis.r1]\nbogus = 1\nspeed_mm_s = -1\n"),

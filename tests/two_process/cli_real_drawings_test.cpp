@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <numbers>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,9 @@ struct RealInput {
     std::string options;
     std::size_t most_warnings;  ///< lines on standard error
     Known known;
+    bool is_carved_by_sanitizers = false;  ///< what others add to these is in their readers
+
+    friend void PrintTo(const RealInput& input, std::ostream* out) { *out << input.path << input.options; }
 };
 
 constexpr double kPulse_mm = 0.0025;
@@ -98,6 +102,7 @@ TEST_P(RealDrawing, IsSlicedCarvedAndVerified) {
     const auto report = sliced.json()["report"];
     EXPECT_GT(report["r_max_mm"].get<double>(), report["r_min_mm"].get<double>() + 0.1);
     expect_known(input.known, report);
+    if (!is_fine && !input.is_carved_by_sanitizers) return;
     const Outcome carved =
         psicarve({"carve", job, "--segment", segment_, "--trace", file("pins.trace"), "--json"});
     ASSERT_EQ(carved.exit_code, 0) << carved.error;
@@ -118,7 +123,8 @@ INSTANTIATE_TEST_SUITE_P(
                   kTablets + "intuos4-6x9.svg",
                   "--height 12 --fit --blank 12x20",
                   9,
-                  {{39.5 * 25.4 / 96, 173.0 * 25.4 / 96, 12.0}, kUnknown, 12.0, 0.007}},
+                  {{39.5 * 25.4 / 96, 173.0 * 25.4 / 96, 12.0}, kUnknown, 12.0, 0.007},
+                  true},
         RealInput{"tablet_as_stroked", kTablets + "intuos-m-p.svg",
                   "--diameter 20 --full-turn --stroke-width" + kEngraved, 9, engraved(20.0, 271.0, 39.0)},
         RealInput{"icon_engraved", kSigrok, "--diameter 20 --full-turn" + kEngraved, 9,
@@ -143,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
         RealInput{"parts_of_ellipses_engraved", kLibrecad + "elektro/power/pe25.dxf",
                   "--full-turn --diameter 20" + kEngraved, 9, engraved(20.0, 115.382638, 76.924775)},
         RealInput{"splines_engraved", kLibrecad + "kinetics/kin39.dxf",
-                  "--full-turn --diameter 20" + kEngraved, 9, engraved(20.0, 12.0, 6.0)},
+                  "--full-turn --diameter 20" + kEngraved, 9, engraved(20.0, 12.0, 6.0), true},
         RealInput{"blocks_engraved", kLibrecad + "plan/architect/Complete-Lib-E.dxf",
                   "--full-turn --diameter 10" + kEngraved, 9, engraved(10.0, 4000.0, 16575.0)},
         RealInput{"circuit_engraved", kLibrecad + "elektro/transistor/vt1.dxf",
@@ -153,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(
         RealInput{"logo_png", "/usr/share/gitweb/static/git-logo.png", "--diameter 20", 9,
                   relief(20.0, 72, 27, kPulse_mm)},
         RealInput{"window_manager_png", "/usr/share/pixmaps/openbox.png", "--diameter 20 --smooth 0.2", 9,
-                  relief(20.0, 48, 48, kPulse_mm)},
+                  relief(20.0, 48, 48, kPulse_mm), true},
         RealInput{"dots_png", "/usr/lib/python3/dist-packages/scipy/ndimage/tests/dots.png", "--diameter 20",
                   9, relief(20.0, 420, 300, 0.01)},
         RealInput{"gradient_jpg",
@@ -180,6 +186,8 @@ struct Refusal {
     std::string path;
     std::string options;
     std::string said;
+
+    friend void PrintTo(const Refusal& input, std::ostream* out) { *out << input.path << input.options; }
 };
 
 class RealDrawingThatIsNone : public RefusalTest, public ::testing::WithParamInterface<Refusal> {};

@@ -69,7 +69,10 @@ protected:
         std::vector<std::string> slice{"slice", model, "-o", file("real.job")};
         std::vector<std::string> carve{"carve", model, "--segment", segment_, "--trace", file("pins.trace"),
                                        "--json"};
-        if (is_compared()) carve.insert(carve.end(), {"--deviation", file("deviation.png")});
+        if (is_compared())
+            carve.insert(carve.end(), {"--deviation", file("deviation.png")});
+        else
+            carve.emplace_back("--no-deviation");
         for (const std::string& word : words_of(options)) {
             slice.push_back(word);
             carve.push_back(word);

@@ -237,33 +237,38 @@ struct Run {
     bool is_realtime() const { return !threads.empty() && threads.begin()->first == kTickPriority; }
 };
 
+/// Of a core that works in this folder, and has ended afterwards.
+std::optional<Run> measured_in(const std::string& folder, double period_us) {
+    Bench bench{folder, period_us};
+    if (!bench.begin()) {
+        std::fprintf(stderr, "command_to_pins: %s\n", two_process::text_of(folder + "/core.err").c_str());
+        return std::nullopt;
+    }
+    Run run;
+    run.threads = bench.core_threads();
+    const CoreStatus before = bench.status();
+    Sleeper sleeper;
+    for (int round = 0; round < kRounds; ++round) {
+        pause_between(round);
+        run.wakes_us.push_back(sleeper.wake_us());
+        pause_between(round);
+        const double effect_us = bench.effect_us(round % 2 == 0);
+        if (effect_us < 0.0) return std::nullopt;
+        run.effects_us.push_back(effect_us);
+        run.answers_us.push_back(bench.answered_us());
+    }
+    const CoreStatus after = bench.status();
+    run.missed_ratio = static_cast<double>(after.missed_ticks - before.missed_ticks) /
+                       static_cast<double>(std::max<std::uint64_t>(after.tick - before.tick, 1));
+    return run;
+}
+
 std::optional<Run> measured(double period_us) {
     std::string folder = std::filesystem::temp_directory_path() / "psicarve-bench-XXXXXX";
     if (mkdtemp(folder.data()) == nullptr) return std::nullopt;
-    Run run;
-    {
-        Bench bench{folder, period_us};
-        if (!bench.begin()) {
-            std::fprintf(stderr, "command_to_pins: %s\n", two_process::text_of(folder + "/core.err").c_str());
-            return std::nullopt;
-        }
-        run.threads = bench.core_threads();
-        const CoreStatus before = bench.status();
-        Sleeper sleeper;
-        for (int round = 0; round < kRounds; ++round) {
-            pause_between(round);
-            run.wakes_us.push_back(sleeper.wake_us());
-            pause_between(round);
-            const double effect_us = bench.effect_us(round % 2 == 0);
-            if (effect_us < 0.0) return std::nullopt;
-            run.effects_us.push_back(effect_us);
-            run.answers_us.push_back(bench.answered_us());
-        }
-        const CoreStatus after = bench.status();
-        run.missed_ratio = static_cast<double>(after.missed_ticks - before.missed_ticks) /
-                           static_cast<double>(std::max<std::uint64_t>(after.tick - before.tick, 1));
-    }
-    std::filesystem::remove_all(folder);
+    auto run = measured_in(folder, period_us);
+    std::error_code ignored;
+    std::filesystem::remove_all(folder, ignored);
     return run;
 }
 

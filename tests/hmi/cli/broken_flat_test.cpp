@@ -12,6 +12,7 @@
 
 #include "tests/hmi/cli/refusal.hpp"
 #include "tests/places.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -106,6 +107,10 @@ protected:
         for (const Kind& kind : kPictures) files.emplace_back(kind.ending, kind.good());
         return files;
     }
+    /// What the commands have in common asks each reader once; a sanitizer sees no more in every pair.
+    static bool is_shown_to_all(const std::string& ending) {
+        return is_thorough() || ending == "svg" || ending == "png";
+    }
     std::vector<std::string> sliced(const std::string& name) const {
         return {"slice", file(name), "-o", file("out.job"), "--layers", "2", "--points", "5"};
     }
@@ -144,9 +149,17 @@ TEST_F(BrokenFlatInput, WhatIsGoodIsTakenWhateverItsName) {
 TEST_F(BrokenFlatInput, EmptyOnesAndThoseOfWordsAreRefusedByEveryCommand) {
     for (const auto& [ending, good] : good_files()) {
         write("empty." + ending, "");
-        expect_refused_by_all("empty." + ending);
+        if (is_shown_to_all(ending)) {
+            expect_refused_by_all("empty." + ending);
+        } else {
+            expect_refused(sliced("empty." + ending), "empty." + ending);
+        }
         write("words." + ending, "this is a letter to my aunt, neither a drawing nor a picture\n");
-        expect_refused_by_all("words." + ending);
+        if (is_shown_to_all(ending)) {
+            expect_refused_by_all("words." + ending);
+        } else {
+            expect_refused(sliced("words." + ending), "words." + ending);
+        }
     }
 }
 

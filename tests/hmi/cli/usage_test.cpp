@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/hmi/cli/program_run.hpp"
+#include "tests/parameter_name.hpp"
 #include "tests/places.hpp"
 
 namespace psicarve::test {
@@ -159,7 +160,8 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUsage{"move r1=1 y=2 --centre 5,6", "'5' is not AXIS=POSITION"}, WrongUsage{"spindle", "STATE"},
         WrongUsage{"spindle fast", "fast"}, WrongUsage{"status --segment psicarve", "--segment"},
         WrongUsage{"status now", "unexpected argument 'now'"},
-        WrongUsage{"snapshot export f --format xml", "--format"}, WrongUsage{"snapshot diff f", "B"}));
+        WrongUsage{"snapshot export f --format xml", "--format"}, WrongUsage{"snapshot diff f", "B"}),
+    [](const auto& named) { return parameter_name(named.param.arguments, named.index); });
 
 TEST(Usage, AnEmptyNameIsWrong) {
     const std::vector<std::vector<std::string>> commands{{"slice", "", "-o", "j"},
@@ -224,7 +226,8 @@ INSTANTIATE_TEST_SUITE_P(Usage, WithoutSegment,
                                            "hold", "resume", "stop", "estop", "reset-alarm", "back-off r1",
                                            "reset-height", "override 50", "jog r1 -1", "jog psi +",
                                            "move r1=30", "spindle on", "home y", "drives-off", "pins",
-                                           "pins spindle", "snapshot save /dev/null", "status --watch"));
+                                           "pins spindle", "snapshot save /dev/null", "status --watch"),
+                         [](const auto& named) { return parameter_name(named.param, named.index); });
 
 }  // namespace
 }  // namespace psicarve::test

@@ -9,6 +9,7 @@
 #include "hmi/piece/tool_cut.hpp"
 #include "shared/atomic_file.hpp"
 #include "shared/units.hpp"
+#include "tests/parameter_name.hpp"
 
 namespace psicarve::piece {
 namespace {
@@ -37,7 +38,8 @@ TEST_P(PieceMesh, IsClosedAndHasThePiecesVolume) {
     std::filesystem::remove(path);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, PieceMesh, ::testing::Values("a.stl", "b.ply"));
+INSTANTIATE_TEST_SUITE_P(Formats, PieceMesh, ::testing::Values("a.stl", "b.ply"),
+                         [](const auto& named) { return psicarve::test::parameter_name(named.param); });
 
 TEST(PieceMeshFile, IsStlOrPly) {
     EXPECT_TRUE(mesh_format_of("a.stl"));

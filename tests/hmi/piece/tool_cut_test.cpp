@@ -71,7 +71,9 @@ TEST_P(Shapes, CutWhereARayEntersThem) {
     EXPECT_GT(cut_cells, 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Tools, Shapes, ::testing::Values(kBall, kFlat, kVee));
+INSTANTIATE_TEST_SUITE_P(Tools, Shapes, ::testing::Values(kBall, kFlat, kVee), [](const auto& named) {
+    return named.param.shape == Shape::ball ? "ball" : named.param.shape == Shape::flat ? "flat" : "vee";
+});
 
 TEST(ToolCut, TurnedOnceRoundABallLeavesItsOwnGroove) {
     StockMap stock(10.0, 0.0, 0.1, 100, 720);

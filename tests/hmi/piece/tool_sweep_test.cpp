@@ -10,6 +10,7 @@
 #include <random>
 
 #include "shared/units.hpp"
+#include "tests/parameter_name.hpp"
 
 namespace psicarve::piece {
 namespace {
@@ -22,6 +23,20 @@ struct Work {
     std::size_t columns;
     double offset_mm;  ///< of the blank from the axis
 };
+
+std::string tool_name(const Tool& tool) {
+    switch (tool.shape) {
+        case Shape::point:
+            return "point";
+        case Shape::ball:
+            return "ball";
+        case Shape::flat:
+            return "flat";
+        case Shape::vee:
+            return "vee";
+    }
+    return "tool";
+}
 
 void expect_same_bits(const StockMap& a, const StockMap& b) {
     for (std::size_t row = 0; row < a.row_count(); ++row) {
@@ -86,7 +101,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Work{{Shape::ball, 9.0, 0.0}, 181, 0.0}, Work{{Shape::flat, 1.0, 0.0}, 720, 0.0},
                       Work{{Shape::flat, 5.0, 0.0}, 187, 3.0}, Work{{Shape::vee, 3.0, 60.0}, 720, 0.0},
                       Work{{Shape::vee, 3.0, 15.0}, 723, 4.0}, Work{{Shape::vee, 6.0, 140.0}, 360, 0.0},
-                      Work{{Shape::ball, 3.0, 0.0}, 5, 0.0}, Work{{Shape::point, 0.0, 0.0}, 360, 1.0}));
+                      Work{{Shape::ball, 3.0, 0.0}, 5, 0.0}, Work{{Shape::point, 0.0, 0.0}, 360, 1.0}),
+    [](const auto& named) {
+        return psicarve::test::parameter_name(tool_name(named.param.tool), named.index);
+    });
 
 TEST(ToolSweep, CutsNothingThatIsNotFlushed) {
     StockMap stock(10.0, 0.0, 0.2, 20, 360);

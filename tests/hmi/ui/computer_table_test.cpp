@@ -76,7 +76,10 @@ TEST_P(ComputerIsRead, WholeOnItsPage) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InEveryLanguage, ComputerIsRead,
-                         ::testing::Values(Language::english, Language::chinese, Language::russian));
+                         ::testing::Values(Language::english, Language::chinese, Language::russian),
+                         [](const auto& named) {
+                             return std::string{kLanguages[static_cast<std::size_t>(named.param)].code};
+                         });
 
 }  // namespace
 }  // namespace psicarve::ui

@@ -227,11 +227,10 @@ TEST_P(Fit, InTheListOfKeys) {
         EXPECT_TRUE(jog.contains(QString::fromUtf8(key))) << key;
 }
 
-/// Every language on every screen. Where a sanitizer looks on, which counts no pixels, the window as it
-/// usually is and as it is arranged where room is short.
+/// Every language on every screen. Where a sanitizer looks on, which counts no pixels, the window as it is
+/// arranged where room is short: as it usually is all others of its tests have it.
 std::vector<std::tuple<Language, QSize>> languages_and_screens() {
-    if (psicarve::test::kIsSanitized)
-        return {{Language::russian, kUsualScreen}, {Language::chinese, kLeastScreen}};
+    if (psicarve::test::kIsSanitized) return {{Language::chinese, kLeastScreen}};
     std::vector<std::tuple<Language, QSize>> all;
     for (const Language language : {Language::english, Language::chinese, Language::russian}) {
         for (const QSize& screen : {kUsualScreen, kScaledScreen, kLeastScreen})

@@ -18,6 +18,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "hmi/session/action_lock.hpp"
 #include "hmi/session/core_phrase.hpp"
@@ -31,6 +32,7 @@
 #include "tests/hmi/session/sights.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -310,8 +312,13 @@ TEST_P(Languages, HaveTheCoresWords) {
     EXPECT_FALSE(words(session::error_phrase("a.stl: no such file")).contains("no such file"));
 }
 
-INSTANTIATE_TEST_SUITE_P(OfTheWindow, Languages,
-                         ::testing::Values(Language::english, Language::chinese, Language::russian),
+/// Sanitizers see no more in a second catalogue, and the other tests are in English.
+std::vector<Language> languages_looked_at() {
+    if (psicarve::test::kIsSanitized) return {Language::russian};
+    return {Language::english, Language::chinese, Language::russian};
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheWindow, Languages, ::testing::ValuesIn(languages_looked_at()),
                          [](const auto& named) {
                              return kLanguages[static_cast<std::size_t>(named.param)].code;
                          });

@@ -73,7 +73,10 @@ TEST_P(SceneLabels, StandOnTheirOwnGround) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SceneLabels,
-                         ::testing::Values(Language::english, Language::chinese, Language::russian));
+                         ::testing::Values(Language::english, Language::chinese, Language::russian),
+                         [](const auto& named) {
+                             return std::string{kLanguages[static_cast<std::size_t>(named.param)].code};
+                         });
 
 }  // namespace
 }  // namespace psicarve::ui

@@ -38,7 +38,8 @@ TEST_P(TickBoxIn, HasTheColoursOfItsTheme) {
     EXPECT_GT(pixels_of(tokens_.panel), all / 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Themes, TickBoxIn, ::testing::Values(Theme::light, Theme::dark));
+INSTANTIATE_TEST_SUITE_P(Themes, TickBoxIn, ::testing::Values(Theme::light, Theme::dark),
+                         [](const auto& named) { return named.param == Theme::light ? "light" : "dark"; });
 
 }  // namespace
 }  // namespace psicarve::ui

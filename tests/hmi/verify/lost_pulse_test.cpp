@@ -62,7 +62,8 @@ TEST(LostPulseOfY, DoesNotExcuseAHeadThatDivesOnTheWay) {
     EXPECT_EQ(first_of(report, 1).axis, Axis::r1);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfAnyAxis, LostPulse, testing::Values(Axis::r1, Axis::r2, Axis::psi, Axis::y));
+INSTANTIATE_TEST_SUITE_P(OfAnyAxis, LostPulse, testing::Values(Axis::r1, Axis::r2, Axis::psi, Axis::y),
+                         [](const auto& named) { return std::string{name_of(named.param)}; });
 
 }  // namespace
 }  // namespace psicarve::verify

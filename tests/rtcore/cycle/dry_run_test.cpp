@@ -129,7 +129,12 @@ INSTANTIATE_TEST_SUITE_P(All, DryRun,
                          ::testing::Values(Way{Joining::continuous, psicarve::Planner::angle},
                                            Way{Joining::zigzag, psicarve::Planner::lookahead},
                                            Way{Joining::continuous, psicarve::Planner::lookahead},
-                                           Way{Joining::spiral, psicarve::Planner::lookahead}));
+                                           Way{Joining::spiral, psicarve::Planner::lookahead}),
+                         [](const auto& named) {
+                             return std::string{name_of(named.param.joining)} +
+                                    (named.param.planner == psicarve::Planner::angle ? "_by_angle"
+                                                                                     : "_ahead");
+                         });
 
 }  // namespace
 }  // namespace psicarve::cycle

@@ -142,7 +142,12 @@ INSTANTIATE_TEST_SUITE_P(All, OneLayer,
                                            Way{Joining::spiral, psicarve::Planner::angle},
                                            Way{Joining::continuous, psicarve::Planner::lookahead},
                                            Way{Joining::zigzag, psicarve::Planner::lookahead},
-                                           Way{Joining::spiral, psicarve::Planner::lookahead}));
+                                           Way{Joining::spiral, psicarve::Planner::lookahead}),
+                         [](const auto& named) {
+                             return std::string{name_of(named.param.joining)} +
+                                    (named.param.planner == psicarve::Planner::angle ? "_by_angle"
+                                                                                     : "_ahead");
+                         });
 
 TEST(LayerRange, RefusesLayersThatTheJobHasNot) {
     MachineRig sut(quick_profile());

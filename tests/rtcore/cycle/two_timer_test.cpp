@@ -163,7 +163,11 @@ TEST_P(TwoTimer, PutsPulsesOutAtItsOwnTimesOnly) {
 INSTANTIATE_TEST_SUITE_P(
     OfBothPlanners, TwoTimer,
     ::testing::Combine(::testing::Values(psicarve::Planner::angle, psicarve::Planner::lookahead),
-                       ::testing::Values(Joining::continuous, Joining::zigzag, Joining::spiral)));
+                       ::testing::Values(Joining::continuous, Joining::zigzag, Joining::spiral)),
+    [](const auto& named) {
+        return std::string{name_of(std::get<1>(named.param))} +
+               (std::get<0>(named.param) == psicarve::Planner::angle ? "_by_angle" : "_ahead");
+    });
 
 TEST(TwoTimerPulses, WithinATickComeInTheSameOrderToo) {
     Profile profile = slow_profile(Schedule::two_timer);

@@ -243,8 +243,10 @@ TEST(LookaheadProgram, YRisesWithTheTableBetweenFarPoints) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Joinings, Lookahead,
-                         ::testing::Values(Joining::continuous, Joining::zigzag, Joining::spiral));
-INSTANTIATE_TEST_SUITE_P(Joinings, LinkedLookahead, ::testing::Values(Joining::continuous, Joining::zigzag));
+                         ::testing::Values(Joining::continuous, Joining::zigzag, Joining::spiral),
+                         [](const auto& named) { return std::string{name_of(named.param)}; });
+INSTANTIATE_TEST_SUITE_P(Joinings, LinkedLookahead, ::testing::Values(Joining::continuous, Joining::zigzag),
+                         [](const auto& named) { return std::string{name_of(named.param)}; });
 
 }  // namespace
 }  // namespace psicarve::plan

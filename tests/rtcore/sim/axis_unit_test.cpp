@@ -36,7 +36,8 @@ protected:
     std::int64_t now_ns_ = 0;
 };
 
-INSTANTIATE_TEST_SUITE_P(EachAxis, AxisUnitTest, testing::ValuesIn(kAllAxes));
+INSTANTIATE_TEST_SUITE_P(EachAxis, AxisUnitTest, testing::ValuesIn(kAllAxes),
+                         [](const auto& named) { return std::string{name_of(named.param)}; });
 
 TEST_P(AxisUnitTest, TakesPulsesAtExactlyTheDriversTimes) {
     sut_.set_direction(false, now_ns_);
@@ -137,7 +138,8 @@ TEST_P(AxisUnitTest, CrossesItsBacklashBeforeTheLoadTurnsBack) {
 }
 
 class LinearAxisTest : public AxisUnitTest {};
-INSTANTIATE_TEST_SUITE_P(EachAxis, LinearAxisTest, testing::Values(Axis::r1, Axis::r2, Axis::y));
+INSTANTIATE_TEST_SUITE_P(EachAxis, LinearAxisTest, testing::Values(Axis::r1, Axis::r2, Axis::y),
+                         [](const auto& named) { return std::string{name_of(named.param)}; });
 
 TEST_P(LinearAxisTest, StopsDeadAtItsMechanicalEnds) {
     config_.start_pulses = config_.high_end_pulses - 2;

@@ -162,6 +162,8 @@ public:
         return pass.first_layer + pass.layer_count;
     }
     std::int32_t max_radius_pulses(Axis head) const noexcept;
+    /// Of the finishing pass alone: of the finished piece.
+    std::int32_t max_finishing_radius_pulses(Axis head) const noexcept;
 
 private:
     const JobHeader* header_ = nullptr;

@@ -195,6 +195,12 @@ std::int32_t JobView::max_radius_pulses(Axis head) const noexcept {
     return *std::max_element(radii.begin(), radii.end());
 }
 
+std::int32_t JobView::max_finishing_radius_pulses(Axis head) const noexcept {
+    const auto finishing =
+        (head == Axis::r2 ? r_right_ : r_left_).subspan(std::size_t{finishing_layer_} * point_count());
+    return *std::max_element(finishing.begin(), finishing.end());
+}
+
 Result<Profile> job_profile(const JobView& job) {
     return parse_profile(job.profile_toml(), "job's profile");
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdlib>
 
+#include "shared/outside.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::cam {
@@ -42,17 +43,11 @@ PulseCounts along(const JobView& job, std::uint32_t layer, std::uint32_t from_st
 
 /// Where each head clears the blank all round.
 std::array<std::int64_t, 2> clear_of_blank(const JobView& job, const Profile& profile) {
-    constexpr std::array kHeads{Axis::r1, Axis::r2};
     const std::array tips_mm{profile.r1.tip_mm(), profile.r2.tip_mm()};
     std::array<AxisMotion, 2> heads{axis_motion(profile, Axis::r1), axis_motion(profile, Axis::r2)};
-    double largest_mm = profile.blank.reach_mm();
-    for (const JobPass& pass : job.passes()) largest_mm = std::max(largest_mm, pass.clear_mm);
-    for (std::size_t h = 0; h < kHeads.size(); ++h) {
-        const double radius_mm = mm_from_pulses(job.max_radius_pulses(kHeads[h]), heads[h].pulses_per_unit);
-        largest_mm = std::max(largest_mm, radius_mm + tips_mm[h]);
-    }
+    const double largest_mm = assumed_blank_mm(job, outside_rule(profile).heads, profile.blank.reach_mm());
     std::array<std::int64_t, 2> clear{};
-    for (std::size_t h = 0; h < kHeads.size(); ++h) {
+    for (std::size_t h = 0; h < heads.size(); ++h) {
         const double scale = heads[h].pulses_per_unit;
         clear[h] = std::min(
             pulses_from_mm(largest_mm - tips_mm[h], scale) + pulses_from_mm(profile.job.clearance_mm, scale),

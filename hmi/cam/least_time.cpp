@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "shared/outside.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::cam {
@@ -49,6 +50,7 @@ LeastTime least_time_of(const JobView& job, const Profile& profile) {
     const double psi_speed_pps = axis_motion(profile, Axis::psi).speed_pps;
     const double rad_per_pulse = rad_from_pulses(1, profile.psi.pulses_per_rev);
     const double feed_mm_s = job.header().feed_mm_s;
+    const HeadsOutside outside = heads_outside(job, outside_rule(profile));
     LeastTime sum;
     for (std::uint32_t layer = 0; layer < job.layer_count(); ++layer) {
         const auto r_left = job.r_left_pulses(layer);
@@ -70,7 +72,10 @@ LeastTime least_time_of(const JobView& job, const Profile& profile) {
             height = y;
             path_mm[0] += std::hypot(r1.path_mm, rise_mm);
             path_mm[1] += std::hypot(r2.path_mm, rise_mm);
-            const double feed = std::max(r1.path_mm, r2.path_mm) / feed_mm_s;
+            const bool is_r1_fed = !outside.holds(0, r_left[point - 1], r_left[point]);
+            const bool is_r2_fed = !outside.holds(1, r_right[point - 1], r_right[point]);
+            const double feed =
+                std::max(is_r1_fed ? r1.path_mm : 0.0, is_r2_fed ? r2.path_mm : 0.0) / feed_mm_s;
             const double psi_alone = turn_pulses / psi_speed_pps;
             const double longest = std::max({feed, r1.seconds, r2.seconds, psi_alone});
             double& waits_for = longest == feed         ? sum.feed_seconds

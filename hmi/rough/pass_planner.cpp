@@ -54,6 +54,7 @@ PassPlanner::PassPlanner(const Rings& rings, RoughStock& stock, const Profile& p
     : rings_(rings),
       stock_(stock),
       settings_(settings),
+      raiser_(rings, profile, settings.feed_mm_s, settings.known_blank_mm),
       blank_mm_(profile.blank.reach_mm()),
       tool_mm_(profile.tool.shape == ToolShape::point ? 0.0 : profile.tool.diameter_mm),
       trifle_mm_(tool_mm_ > 0.0 ? std::max(kTrifle_mm, kTrifleShare * settings.stepdown_mm)
@@ -166,6 +167,7 @@ RoughLayer PassPlanner::make_layer(RoughPass& pass, std::size_t ring, std::size_
     RoughLayer made{ring, {}};
     const std::size_t first_carved = carved_point(settings_.joining, static_cast<std::uint32_t>(points),
                                                   static_cast<std::uint32_t>(layer), 0);
+    ByPoint<char> cuts;
     for (std::size_t h = 0; h < kHeads; ++h) {
         Row row{h, ring, first_cell(settings_.joining, points, layer) + h * (points - 1), {}, {}, {}};
         for (std::size_t point = 0; point < points; ++point)
@@ -175,7 +177,10 @@ RoughLayer PassPlanner::make_layer(RoughPass& pass, std::size_t ring, std::size_
         lift_where_clear(row);
         cut_row(row);
         made.radii[h] = std::move(row.radii);
+        cuts[h] = std::move(row.cuts);
     }
+    // Nothing is cut in between, so the stock stays what it is.
+    raiser_.raise(made.radii, cuts);
     return made;
 }
 

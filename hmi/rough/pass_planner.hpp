@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hmi/rough/raiser.hpp"
 #include "hmi/rough/rings.hpp"
 #include "hmi/rough/rough_stock.hpp"
 #include "shared/job.hpp"
@@ -18,6 +19,8 @@ struct PassSettings {
     double allowance_mm = 0.0;
     double stepdown_mm = 1.0;
     double stepover_mm = 0.0;  ///< between two rings at most; 0: every ring
+    double feed_mm_s = 20.0;
+    double known_blank_mm = 0.0;  ///< no material is further out (known_blank_mm of shared/outside.hpp)
 };
 
 /// One layer of a roughing pass, as the job has it.
@@ -42,7 +45,8 @@ double ridge_mm(const ToolProfile& tool, double apart_mm);
 ///
 /// A ring is carved where the tool would cut more than a trifle there; a ring between two that the stepover
 /// asks for, where more than the ridge between these and a quarter of the stepdown still stands. Within a
-/// ring a head that has nothing to cut goes clear over it, by a hull that never rises or falls steeply.
+/// ring a head that has nothing to cut goes clear over it, by a hull that never rises or falls steeply, or
+/// out of the blank where that is sooner (Raiser).
 class PassPlanner {
 public:
     PassPlanner(const Rings& rings, RoughStock& stock, const Profile& profile, const PassSettings& settings);
@@ -71,6 +75,7 @@ private:
     const Rings& rings_;
     RoughStock& stock_;
     PassSettings settings_;
+    Raiser raiser_;
     double blank_mm_;
     double tool_mm_;    ///< its diameter; 0: a point
     double trifle_mm_;  ///< cutting less is not worth the way

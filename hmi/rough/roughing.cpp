@@ -31,6 +31,19 @@ Error wrong_use(const std::string& what) {
     return Error{ErrorCode::bad_usage, what};
 }
 
+/// No material is further out: the blank's surface, and the model's where that stands out of it. Heads that
+/// change their halves round it outwards once more.
+double furthest_material_mm(const JobTable& table, const Rings& rings, double blank_mm) {
+    const auto most = [](const std::vector<std::int32_t>& radii) {
+        return *std::max_element(radii.begin(), radii.end());
+    };
+    const RoughHead& left = rings.head(0);
+    const RoughHead& right = rings.head(1);
+    const double most_mm = std::max(
+        {blank_mm, left.real_mm(most(table.r_left_pulses)), right.real_mm(most(table.r_right_pulses))});
+    return most_mm + 1.0 / std::min(left.pulses_per_mm, right.pulses_per_mm);
+}
+
 /// The passes in front of a table's own layers.
 class Assembly {
 public:
@@ -171,8 +184,9 @@ Result<RoughingSummary> add_roughing(JobTable& table, const JobTable& level, con
                          std::to_string(kMaxJobPasses - 2) + " passes");
     }
     RoughStock stock(rings, profile);
-    const PassSettings settings{table.joining, options.allowance_mm, options.stepdown_mm,
-                                used_stepover_mm(options, profile.tool)};
+    const PassSettings settings{table.joining,       options.allowance_mm,
+                                options.stepdown_mm, used_stepover_mm(options, profile.tool),
+                                table.feed_mm_s,     furthest_material_mm(table, rings, blank_mm)};
     PassPlanner planner(rings, stock, profile, settings);
     Assembly assembly(table, rings, blank_mm, options.allowance_mm);
     RoughingSummary summary;

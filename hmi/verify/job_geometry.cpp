@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "shared/outside.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::verify {
@@ -65,10 +66,7 @@ Result<JobGeometry> JobGeometry::make(const JobView& job, const Profile& profile
     g.rad_per_pulse_ = rad_from_pulses(1, g.rev_pulses_);
     g.y_pulses_per_mm_ = profile.y.pulses_per_mm;
     g.tolerance_mm_ = profile.job.path_tolerance_mm;
-    for (std::size_t h = 0; h < kHeadCount; ++h)
-        g.blank_radius_mm_ =
-            std::max(g.blank_radius_mm_, g.heads_[h].real_mm(job.max_radius_pulses(kHeads[h])));
-    for (const JobPass& pass : job.passes()) g.blank_radius_mm_ = std::max(g.blank_radius_mm_, pass.clear_mm);
+    g.blank_radius_mm_ = assumed_blank_mm(job, outside_rule(profile).heads, 0.0);
     const auto heights = g.row_heights();
     const std::int64_t base = pulses_from_mm(profile.job.base_height_mm, profile.y.pulses_per_mm);
     const std::int64_t alone = std::max<std::int64_t>(std::abs(heights.front() - base), 1);

@@ -27,10 +27,12 @@ Direction direction(const MachineLimits& limits, const TableLine& line, std::siz
             static_cast<double>(line.delta_pulses[head]) / limits.axes[head].pulses_per_unit};
 }
 
-/// The fastest iterations at which no head moves faster over the surface than the feed.
+/// The fastest iterations at which no head that may touch something moves faster over the surface than the
+/// feed.
 double feed_limit_per_s(const MachineLimits& limits, const TableLine& line, double capacity) {
     double least = limits.max_iterations_per_s;
     for (std::size_t head = 0; head < kHeads; ++head) {
+        if (line.is_outside[head]) continue;
         const Direction way = direction(limits, line, head);
         const double length_mm = std::sqrt(way.x_mm * way.x_mm + way.y_mm * way.y_mm);
         if (length_mm > 0.0) least = std::min(least, limits.feed_mm_s * capacity / length_mm);
@@ -108,6 +110,40 @@ private:
     std::array<int, kAxisCount> last_{};
 };
 
+/// Lines [first, end), whatever corners there are.
+LineGroup group_of(const MachineLimits& limits, std::span<const TableLine> lines, std::size_t first,
+                   std::size_t end) {
+    GroupBuilder builder(limits, first);
+    for (std::size_t i = first; i < end; ++i) {
+        if (i > first) builder.limit_speed(joint_limit_per_s(limits, lines[i - 1], lines[i]));
+        builder.add(lines[i]);
+    }
+    LineGroup group = builder.finish();
+    GroupLimits& speed = group.limits;
+    speed.max_per_s = std::min(speed.max_per_s, drift_limit_per_s(limits, lines.subspan(first, end - first)));
+    speed.start_per_s = std::min(speed.start_per_s, speed.max_per_s);
+    return group;
+}
+
+/// Appends lines [first, end) as one group, or cut wherever a head goes outside or comes back, whichever is
+/// sooner.
+void add_groups(const MachineLimits& limits, std::span<const TableLine> lines, std::size_t first,
+                std::size_t end, std::vector<LineGroup>& groups) {
+    const LineGroup whole = group_of(limits, lines, first, end);
+    const std::size_t before = groups.size();
+    double parts_s = 0.0;
+    for (std::size_t begin = first, i = first + 1; i <= end; ++i) {
+        if (i < end && lines[i].is_outside == lines[i - 1].is_outside) continue;
+        if (begin == first && i == end) break;
+        groups.push_back(group_of(limits, lines, begin, i));
+        parts_s += group_seconds(groups.back().limits, groups.back().iterations);
+        begin = i;
+    }
+    if (groups.size() > before && parts_s < group_seconds(whole.limits, whole.iterations)) return;
+    groups.resize(before);
+    groups.push_back(whole);
+}
+
 }  // namespace
 
 bool is_corner(const MachineLimits& limits, const TableLine& before, const TableLine& after,
@@ -134,28 +170,18 @@ bool is_corner(const MachineLimits& limits, const TableLine& before, const Table
 std::vector<LineGroup> plan_by_angle(const MachineLimits& limits, std::span<const TableLine> lines) {
     std::vector<LineGroup> groups;
     if (lines.empty()) return groups;
-    GroupBuilder group(limits, 0);
     Reversals reversals(limits);
     reversals.at(lines[0]);
-    group.add(lines[0]);
+    std::size_t first = 0;
     for (std::size_t i = 1; i < lines.size(); ++i) {
         const bool reverses = reversals.at(lines[i]);
-        if (reverses || is_corner(limits, lines[i - 1], lines[i], 0) ||
-            is_corner(limits, lines[i - 1], lines[i], 1)) {
-            groups.push_back(group.finish());
-            group = GroupBuilder(limits, i);
-        } else {
-            group.limit_speed(joint_limit_per_s(limits, lines[i - 1], lines[i]));
-        }
-        group.add(lines[i]);
+        if (!reverses && !is_corner(limits, lines[i - 1], lines[i], 0) &&
+            !is_corner(limits, lines[i - 1], lines[i], 1))
+            continue;
+        add_groups(limits, lines, first, i, groups);
+        first = i;
     }
-    groups.push_back(group.finish());
-    for (LineGroup& each : groups) {
-        GroupLimits& speed = each.limits;
-        speed.max_per_s =
-            std::min(speed.max_per_s, drift_limit_per_s(limits, lines.subspan(each.first, each.count)));
-        speed.start_per_s = std::min(speed.start_per_s, speed.max_per_s);
-    }
+    add_groups(limits, lines, first, lines.size(), groups);
     return groups;
 }
 

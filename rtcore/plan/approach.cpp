@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "shared/outside.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::plan {
@@ -34,23 +35,10 @@ Pulses4 first_point(const JobView& job, std::uint32_t layer) {
             job.y_pulses(layer, point)};
 }
 
-/// Before the carving the blank reaches out so far all round: as the profile says, or else to the largest of
-/// the table, whichever head carves it.
-double largest_radius_mm(const MachineLimits& limits, const JobView& job) {
-    double largest_mm = limits.blank_radius_mm;
-    for (const JobPass& pass : job.passes()) largest_mm = std::max(largest_mm, pass.clear_mm);
-    for (const Axis head : {Axis::r1, Axis::r2}) {
-        const std::size_t k = index_of(head);
-        const double radius_mm = mm_from_pulses(job.max_radius_pulses(head), limits.axes[k].pulses_per_unit);
-        largest_mm = std::max(largest_mm, radius_mm + limits.tip_offset_mm[k]);
-    }
-    return largest_mm;
-}
-
 /// Where the heads clear the blank all round.
 Pulses4 outside_of(const MachineLimits& limits, const JobView& job) {
     Pulses4 outside{};
-    const double largest_mm = largest_radius_mm(limits, job);
+    const double largest_mm = assumed_blank_mm(job, limits.outside_rule.heads, limits.blank_radius_mm);
     for (std::size_t k = 0; k < kHeads; ++k) {
         const double counted_mm = largest_mm - limits.tip_offset_mm[k];
         outside[k] =

@@ -52,6 +52,7 @@ void CarveProgram::make_lines() {
             line.radius_mm[head] =
                 mm_from_pulses(std::max(to[head], at_pulses_[head]), limits_.axes[head].pulses_per_unit) +
                 limits_.tip_offset_mm[head];
+            line.is_outside[head] = limits_.outside.holds(head, at_pulses_[head], to[head]);
         }
         line.layer = layer_;
         line.step = step;

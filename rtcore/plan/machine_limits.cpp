@@ -51,6 +51,7 @@ MachineLimits machine_limits(const Profile& profile) {
     limits.plunge_mm_s = profile.job.plunge_mm_s;
     limits.path_tolerance_mm = profile.job.path_tolerance_mm;
     limits.blank_radius_mm = profile.blank.reach_mm();
+    limits.outside_rule = outside_rule(profile);
     limits.pulses_per_rev = profile.psi.pulses_per_rev;
     const SineCosine corner = sine_cosine(rad_from_deg(profile.job.corner_deg));
     limits.sin_corner = corner.sine;

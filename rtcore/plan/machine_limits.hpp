@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "rtcore/cycle/cycle_config.hpp"
+#include "shared/outside.hpp"
 #include "shared/profile.hpp"
 #include "shared/signal.hpp"
 
@@ -41,6 +42,8 @@ struct MachineLimits {
     std::array<std::int64_t, 2> clearance_pulses{};  ///< by head
     std::array<std::int64_t, 2> retract_pulses{};
     std::array<double, 2> least_radius_pulses{};  ///< by head, as counted: the core, or the travel's end
+    OutsideRule outside_rule;
+    HeadsOutside outside;  ///< of a job that is carved: where a head keeps to no feed
     std::int64_t spinup_ticks = 0;
     std::int64_t rest_ticks = 0;  ///< after which a motor that stopped with a jump may jump off again
 

@@ -209,7 +209,12 @@ std::vector<PathSpan> path_spans(const MachineLimits& limits, std::span<const Pa
     spans.reserve(points.size());
     for (std::size_t i = 1; i < points.size(); ++i) {
         spans.push_back(span_between(limits, points[i - 1].pulses, points[i].pulses));
-        spans.back().is_link = is_between_layers(points[i - 1], points[i]);
+        PathSpan& span = spans.back();
+        span.is_link = is_between_layers(points[i - 1], points[i]);
+        for (std::size_t head = 0; head < 2; ++head) {
+            span.is_outside[head] = !span.is_link && limits.outside.holds(head, points[i - 1].pulses[head],
+                                                                          points[i].pulses[head]);
+        }
     }
     keep_y_on_its_way(limits, spans);
     return spans;

@@ -45,6 +45,7 @@ struct PathSpan {
     Lanes end_band;                   ///< and how far its ends [pulses]
     std::array<double, 2> radius_mm;  ///< by head: of the tip, at the larger end
     bool is_link;                     ///< between two layers: heads never further in than its ends
+    std::array<bool, 2> is_outside;   ///< by head: all along it clear of the blank, so without a feed
 };
 
 /// A turn of the polyline at a point.

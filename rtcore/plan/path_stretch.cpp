@@ -46,6 +46,7 @@ double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const P
                             std::span<const PathCorner> corners, std::size_t first, std::size_t last,
                             std::vector<PathPiece>& pieces) {
     fit(points, spans, corners, first, last);
+    note_outside();
     limit_speeds();
     const Lanes* before = first > 0 ? &spans[first - 1].slope : nullptr;
     const Lanes* after = last < spans.size() ? &spans[last].slope : nullptr;
@@ -194,11 +195,26 @@ void cells_of(const CurveNodes& nodes, std::span<const Lanes> control, std::vect
     }
 }
 
-// Motors' top speeds, and the feed of the tip over the surface: (r psi')^2 + R'^2 + Y'^2, the faster head.
-// Four places of a cell side by side: its begin, a quarter, the half, three quarters.
+// A cell reaches half-way to its neighbours' nodes, so into two spans where it stands on a point.
+void StretchPlanner::note_outside() {
+    const std::size_t last = cells_.size() - 1;
+    is_fed_.resize(last + 1);
+    for (std::size_t j = 0; j <= last; ++j) {
+        for (std::size_t head = 0; head < 2; ++head) {
+            const bool before = j == 0 || spans_[nodes_.span_at[j - 1]].is_outside[head];
+            const bool after = j == last || spans_[nodes_.span_at[j]].is_outside[head];
+            is_fed_[j][head] = !before || !after;
+        }
+    }
+}
+
+// Motors' top speeds, and the feed of the tip over the surface: (r psi')^2 + R'^2 + Y'^2, the faster of the
+// heads that are not outside. Four places of a cell side by side: its begin, a quarter, the half, three
+// quarters. Where two cells meet, the feed holds if it does in one of them.
 PSICARVE_FOR_WIDE_REGISTERS
 void StretchPlanner::limit_speeds() {
     constexpr Vec kPlaces{0.0, 0.25, 0.5, 0.75};
+    constexpr Vec kBeginAlone{1.0, 0.0, 0.0, 0.0};
     const std::size_t count = cells_.size();
     for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
         bound2_[timing].resize(count + 1);
@@ -222,10 +238,14 @@ void StretchPlanner::limit_speeds() {
         const Vec lift = slope[kY].axes * mm_per_pulse_[kY];
         Vec surface_speed2{};
         for (std::size_t head = 0; head < 2; ++head) {
+            const bool is_fed = is_fed_[is_end ? i - 1 : i][head];
+            if (!is_fed && (i == 0 || !is_fed_[i - 1][head])) continue;
             const Vec at = begin_at[head] + 0.5 * along * (begin[head] + slope[head].axes);
             const Vec around = (at * mm_per_pulse_[head] + limits_.tip_offset_mm[head]) * turn;
             const Vec out = slope[head].axes * mm_per_pulse_[head];
-            raise_to(surface_speed2, Vec(around * around + out * out + lift * lift));
+            Vec speed2 = around * around + out * out + lift * lift;
+            if (!is_fed) speed2 *= kBeginAlone;
+            raise_to(surface_speed2, speed2);
         }
         for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
             Vec most = need;

@@ -40,6 +40,7 @@ private:
     bool fit_in_windows();
     bool fit_again(const NodeRange& range);
     bool fit_part(const NodeRange& range, std::size_t decided_last);
+    void note_outside();
     void limit_speeds();
     void add_pieces(std::span<const PathPoint> points, std::vector<PathPiece>& pieces);
 
@@ -56,7 +57,8 @@ private:
     CurveNodes nodes_;
     std::vector<Lanes> control_;  ///< of the curve
     std::vector<PathCell> cells_;
-    std::vector<Lanes> cell_at_;  ///< position at each cell's begin [pulses]
+    std::vector<std::array<bool, 2>> is_fed_;  ///< by cell and head: a part of it may cut
+    std::vector<Lanes> cell_at_;               ///< position at each cell's begin [pulses]
     std::array<std::vector<double>, kTimingCount> bound2_;
     std::array<std::vector<InnerSpeeds2>, kTimingCount> inner2_;
     std::array<std::vector<double>, kTimingCount> speed2_;

@@ -16,17 +16,18 @@ using cycle::MotionBlock;
 // A stop after so many of a spiral's points costs next to nothing, and what they take of memory is little.
 constexpr std::uint32_t kSpiralPointsAtOnce = 8192;
 
-MachineLimits with_feed_of(const MachineLimits& limits, const JobView& job) {
+MachineLimits limits_of_job(const MachineLimits& limits, const JobView& job) {
     MachineLimits result = limits;
     // The feed is the job's own; the profile's is what a slicer puts there.
     if (job.header().feed_mm_s > 0.0) result.feed_mm_s = job.header().feed_mm_s;
+    result.outside = heads_outside(job, limits.outside_rule);
     return result;
 }
 
 }  // namespace
 
 TableProgram::TableProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, LayerSpan layers)
-    : limits_(with_feed_of(limits, *job)),
+    : limits_(limits_of_job(limits, *job)),
       job_(std::move(job)),
       first_layer_(layers.first),
       end_layer_(std::min(layers.end, job_->layer_count())),

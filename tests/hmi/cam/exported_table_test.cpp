@@ -17,6 +17,7 @@
 
 #include "hmi/cam/table_job.hpp"
 #include "hmi/report/job_export.hpp"
+#include "shared/outside.hpp"
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
@@ -114,6 +115,44 @@ TEST_F(ExportedTable, OfSeveralPassesKeepsThem) {
         ASSERT_GE(table.passes.size(), 3U);
         expect_back(table, profile);
     }
+}
+
+/// On how many ways between two points a head keeps to no feed.
+int outside_lines(const JobTable& table, const Profile& machine) {
+    const auto blob = job_blob_from_table(table);
+    const JobView job = JobView::check(blob).value();
+    const HeadsOutside outside = heads_outside(job, outside_rule(machine));
+    int lines = 0;
+    for (std::uint32_t layer = 0; layer < job.layer_count(); ++layer) {
+        for (std::uint32_t point = 1; point < job.point_count(); ++point) {
+            const auto left = job.r_left_pulses(layer);
+            const auto right = job.r_right_pulses(layer);
+            lines += outside.holds(0, left[point - 1], left[point]) ? 1 : 0;
+            lines += outside.holds(1, right[point - 1], right[point]) ? 1 : 0;
+        }
+    }
+    return lines;
+}
+
+TEST_F(ExportedTable, ReadBackGoesOutsideOfItsOwnBlankButNotOfALargerOne) {
+    Profile profile;
+    profile.blank = {.radius_mm = 14.0, .offset_x_mm = 5.0};
+    profile.roughing = {3.0, 0.3, 0.0};
+    profile.job.feed_mm_s = 2.0;
+    const JobTable table = built(oblong(), profile, small(5, 61)).table;
+    const int lines = outside_lines(table, profile);
+    EXPECT_GE(lines, 20);
+    expect_back(table, profile);
+    const std::string text = text_of(exported(table));
+    EXPECT_EQ(outside_lines(read(text, profile)->table, profile), lines);
+    Profile without = profile;
+    without.blank = {};
+    // The passes tell of the blank that they are made for.
+    EXPECT_EQ(outside_lines(read(text, without)->table, without), lines);
+    Profile larger = profile;
+    larger.blank.radius_mm = 14.1;
+    EXPECT_EQ(outside_lines(read(text, larger)->table, larger), 0);
+    EXPECT_EQ(outside_lines(table, larger), 0);
 }
 
 TEST_F(ExportedTable, KeepsRunsThatShareAPass) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -35,7 +36,10 @@ public:
         }
         rows_ = rows;
         row_mm_ = (mm(*high) + reach_mm - bottom_mm_) / static_cast<double>(rows);
-        radius_mm.assign(rows * columns_, profile.blank.radius_mm);
+        for (std::size_t i = 0; i < rows * columns_; ++i) {
+            const auto column = static_cast<double>(i % columns_);
+            radius_mm.push_back(profile.blank.surface_mm(2.0 * kPi * column / static_cast<double>(columns_)));
+        }
     }
 
     /// Carves the layers [first, end) of a job whose layers belong to one pass, with the ways between them.
@@ -62,11 +66,27 @@ public:
         if (is_point_) stand(place(job.point_count() - 1));
     }
 
+    /// One head alone from a point of a layer to the next, its tip so much further in than the job has it.
+    void carve_line(const JobView& job, std::uint32_t layer, std::uint32_t point, Axis head, double in_mm) {
+        constexpr double kFarAway_mm = 1e6;
+        std::array<Place, 2> ends{};
+        for (std::uint32_t end = 0; end < 2; ++end) {
+            ends[end] = at(job, layer, carved_point(job.joining(), job.point_count(), layer, point + end));
+            ends[end].r1_mm = head == Axis::r1 ? ends[end].r1_mm - in_mm : kFarAway_mm;
+            ends[end].r2_mm = head == Axis::r2 ? ends[end].r2_mm - in_mm : kFarAway_mm;
+        }
+        go(ends[0], ends[1], 4);
+    }
+
     std::size_t rows() const { return rows_; }
     std::size_t columns() const { return columns_; }
     double removed_mm() const {
         double sum = 0.0;
-        for (const double radius : radius_mm) sum += profile_.blank.radius_mm - radius;
+        for (std::size_t i = 0; i < radius_mm.size(); ++i) {
+            const auto column = static_cast<double>(i % columns_);
+            sum +=
+                profile_.blank.surface_mm(2.0 * kPi * column / static_cast<double>(columns_)) - radius_mm[i];
+        }
         return sum;
     }
 

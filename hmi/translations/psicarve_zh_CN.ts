@@ -184,6 +184,10 @@
             <translation>%1 不可写</translation>
         </message>
         <message>
+            <source>%1 missed</source>
+            <translation>丢失 %1</translation>
+        </message>
+        <message>
             <source>%1 mm</source>
             <translation>%1 mm</translation>
         </message>
@@ -226,6 +230,10 @@
         <message>
             <source>%1 of %2 pass</source>
             <translation>%2 项中 %1 项通过</translation>
+        </message>
+        <message>
+            <source>%1 of %2 pass, %3 to look at</source>
+            <translation>%2 项通过 %1，留意 %3</translation>
         </message>
         <message>
             <source>%1 of %2 s, %3 missed, at most %4 late</source>
@@ -398,6 +406,10 @@
         <message>
             <source>--port io:ADDRESS is refused</source>
             <translation>--port io:ADDRESS 会被拒绝</translation>
+        </message>
+        <message>
+            <source>1 % later than %1</source>
+            <translation>1 % 晚于 %1</translation>
         </message>
         <message>
             <source>1 change not saved</source>
@@ -674,6 +686,10 @@
         <message>
             <source>Blank height</source>
             <translation>毛坯高度</translation>
+        </message>
+        <message>
+            <source>Blank in the way?</source>
+            <translation>毛坯挡路？</translation>
         </message>
         <message>
             <source>Blank matches job</source>
@@ -3184,6 +3200,10 @@ N、Shift+N  下一条、上一条记录
             <translation>启动：已暂停；请继续或停止</translation>
         </message>
         <message>
+            <source>Start: pre-flight, %1: %2</source>
+            <translation>启动：启动前检查，%1：%2</translation>
+        </message>
+        <message>
             <source>Start: reset the alarm first</source>
             <translation>启动：请先复位报警</translation>
         </message>
@@ -3194,6 +3214,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Start: stopping</source>
             <translation>启动：正在停止</translation>
+        </message>
+        <message>
+            <source>Start: the drives are off; home all axes</source>
+            <translation>启动：驱动已关闭；请全部回零</translation>
         </message>
         <message>
             <source>Start: the heads are on their way</source>
@@ -3716,6 +3740,10 @@ N、Shift+N  下一条、上一条记录
             <translation>按迟滞量统计的节拍（对数）</translation>
         </message>
         <message>
+            <source>Ticks in time</source>
+            <translation>节拍准时</translation>
+        </message>
+        <message>
             <source>Ticks in which a step waited for its pin</source>
             <translation>步进等待引脚的节拍</translation>
         </message>
@@ -3746,6 +3774,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>To a position: one axis or several, straight or on an arc</source>
             <translation>移动到某位置：一个或多个轴，直线或圆弧</translation>
+        </message>
+        <message>
+            <source>To be looked at before Start: %1</source>
+            <translation>启动前请留意：%1</translation>
         </message>
         <message>
             <source>To the begin</source>
@@ -4630,6 +4662,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>drive a real machine from a real computer</source>
             <translation>请用真实计算机驱动真实机床</translation>
+        </message>
+        <message>
+            <source>drives off</source>
+            <translation>驱动已关闭</translation>
         </message>
         <message>
             <source>drives-off</source>
@@ -5560,6 +5596,10 @@ N、Shift+N  下一条、上一条记录
             <translation>run 和 pass 没有逐一递增</translation>
         </message>
         <message>
+            <source>says nothing here</source>
+            <translation>此处不适用</translation>
+        </message>
+        <message>
             <source>see in the kernel's messages why the tsc is not trusted; often the firmware is to blame</source>
             <translation>查看内核消息，了解为何不信任 tsc；常为固件原因</translation>
         </message>
@@ -5950,6 +5990,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>tick gap</source>
             <translation>节拍中断</translation>
+        </message>
+        <message>
+            <source>to look at</source>
+            <translation>留意</translation>
         </message>
         <message>
             <source>too deep %1 material left&lt;br&gt;±%2 mm, ±%3 pulses</source>

@@ -656,6 +656,10 @@
             <translation>Было</translation>
         </message>
         <message>
+            <source>Before this window was there: %1</source>
+            <translation>До этого окна: %1</translation>
+        </message>
+        <message>
             <source>Begins at</source>
             <translation>Начало</translation>
         </message>
@@ -3097,6 +3101,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Некоторые грани вывернуты относительно соседних; режется так, будто это не так.</translation>
         </message>
         <message>
+            <source>Sound at an alarm</source>
+            <translation>Звук при аварии</translation>
+        </message>
+        <message>
             <source>Source size</source>
             <translation>Размер модели</translation>
         </message>
@@ -3489,6 +3497,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Предел глубины %1 mm под поверхностью заготовки не пускает головки в %2 точек, недорез до %3 mm.</translation>
         </message>
         <message>
+            <source>The desktop's bell, once at each new alarm; not for recordings, nor for what was there before the window</source>
+            <translation>Сигнал рабочего стола, один раз при каждой новой аварии; не для записей и не для того, что было до этого окна</translation>
+        </message>
+        <message>
             <source>The drawing does not say how large it is: its units are taken as 1/96 inch (0.26 mm).</source>
             <translation>В чертеже не указан размер: единица принята за 1/96 дюйма (0.26 mm).</translation>
         </message>
@@ -3655,6 +3667,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The profile is still being saved. Lose what is not saved yet?</source>
             <translation>Профиль ещё сохраняется. Потерять то, что ещё не сохранено?</translation>
+        </message>
+        <message>
+            <source>The real machine at port %1</source>
+            <translation>Настоящий станок на порту %1</translation>
         </message>
         <message>
             <source>The shared memory was removed or damaged from outside: reset the alarm and publish the job again.</source>

@@ -656,6 +656,10 @@
             <translation>原值</translation>
         </message>
         <message>
+            <source>Before this window was there: %1</source>
+            <translation>本窗口打开之前：%1</translation>
+        </message>
+        <message>
             <source>Begins at</source>
             <translation>起始方向</translation>
         </message>
@@ -3092,6 +3096,10 @@ N、Shift+N  下一条、上一条记录
             <translation>有些面与相邻面朝向相反；按朝向正确雕刻。</translation>
         </message>
         <message>
+            <source>Sound at an alarm</source>
+            <translation>报警时发声</translation>
+        </message>
+        <message>
             <source>Source size</source>
             <translation>模型大小</translation>
         </message>
@@ -3484,6 +3492,10 @@ N、Shift+N  下一条、上一条记录
             <translation>毛坯表面以下 %1 mm 的深度限制使刀头在 %2 的点上未切到位，最多差 %3 mm。</translation>
         </message>
         <message>
+            <source>The desktop's bell, once at each new alarm; not for recordings, nor for what was there before the window</source>
+            <translation>桌面提示音，每次新报警响一次；回放以及窗口打开之前的报警不响</translation>
+        </message>
+        <message>
             <source>The drawing does not say how large it is: its units are taken as 1/96 inch (0.26 mm).</source>
             <translation>图形未注明大小：其单位按 1/96 英寸（0.26 mm）计。</translation>
         </message>
@@ -3650,6 +3662,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The profile is still being saved. Lose what is not saved yet?</source>
             <translation>配置仍在保存。要放弃尚未保存的内容吗？</translation>
+        </message>
+        <message>
+            <source>The real machine at port %1</source>
+            <translation>端口 %1 上的真实机床</translation>
         </message>
         <message>
             <source>The shared memory was removed or damaged from outside: reset the alarm and publish the job again.</source>

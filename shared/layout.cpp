@@ -126,6 +126,8 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
                                offsetof(SegmentHeader, publication),
                                offsetof(SegmentHeader, mutex),
                                offsetof(SegmentHeader, commands),
+                               sizeof(PortName),
+                               offsetof(SegmentHeader, port),
                                offsetof(SegmentHeader, verdict),
                                offsetof(SegmentHeader, checkpoint),
                                offsetof(Checkpoint, next_layer),

@@ -20,7 +20,7 @@ namespace psicarve {
 // command.hpp or job.hpp bumps kLayoutVersion; the ABI hash catches whoever forgets.
 
 inline constexpr std::uint64_t kSegmentMagic = 0x3147455341435350ULL;  // "PSCASEG1"
-inline constexpr std::uint32_t kLayoutVersion = 7;
+inline constexpr std::uint32_t kLayoutVersion = 8;
 /// The first whose CoreStatus and FlightRecord are today's: snapshots of it and all since can be read.
 inline constexpr std::uint32_t kOldestStatusVersion = 4;
 inline constexpr std::uint32_t kSegmentReady = 0x52454459;  // written last by the creator
@@ -136,6 +136,12 @@ struct ProcessIdentity {
     std::uint32_t reserved;
 };
 
+/// What the core drives, as its --port says it: "sim", "ppdev:/dev/parport0", "io:0x378".
+struct PortName {
+    char text[64];  ///< zero-terminated; a longer one is cut
+};
+static_assert(sizeof(PortName) == 64 && std::is_trivially_copyable_v<PortName>, "bump kLayoutVersion");
+
 struct SegmentHeader {
     std::uint64_t magic;
     std::uint32_t layout_version;
@@ -162,6 +168,7 @@ struct SegmentHeader {
     Publication publication;
     MutexStorage mutex;
     CommandSlot commands[kCommandSlots];
+    SharedRecord<PortName> port;  ///< of the core; empty until it has set it
     SharedRecord<JobVerdict> verdict;
     SharedRecord<Checkpoint> checkpoint;  ///< of the core; a new core leaves it as it is
     SharedRecord<CoreStatus> status;

@@ -35,6 +35,7 @@ Result<void> Segment::take_core_lock() {
     SegmentHeader& shared = header();
     shared.core.pid.store(0);
     shared.core_profile_hash.store(0);
+    write_record(shared.port, PortName{});
     write_record(shared.verdict, JobVerdict{});
     write_record(shared.status, CoreStatus{});
     begin_ring_anew(shared.increments);

@@ -5,6 +5,7 @@
 
 #include "shared/event.hpp"
 #include "shared/shared_record.hpp"
+#include "shared/shared_text.hpp"
 
 namespace psicarve::machine {
 namespace {
@@ -82,6 +83,11 @@ std::optional<CoreStatus> MachineLink::last_status() const noexcept {
     auto status = read_record(segment_.header().status);
     if (!status || status->heartbeat == 0) return std::nullopt;
     return status;
+}
+
+std::string MachineLink::port_name() const {
+    const auto port = read_record(segment_.header().port);
+    return port ? text_from_field(port->text) : std::string{};
 }
 
 std::optional<Checkpoint> MachineLink::checkpoint() const noexcept {

@@ -47,6 +47,8 @@ public:
 
     /// What the core, or a dead one, wrote last; nothing when none ever did.
     std::optional<CoreStatus> last_status() const noexcept;
+    /// What the core, or a dead one, drives, as its --port says it; empty: not known.
+    std::string port_name() const;
     /// How far the last carving has come, checked; nothing when there was none.
     std::optional<Checkpoint> checkpoint() const noexcept;
     /// Whether it is of the job that is published now.

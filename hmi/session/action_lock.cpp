@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "hmi/session/preflight.hpp"
+
 namespace psicarve::session {
 namespace {
 
@@ -49,6 +51,7 @@ Lock unhomed_lock(const MachineSight& machine) {
     for (const Axis axis : kAllAxes) {
         if (!machine.is_homed(axis)) return phrase("Start: axis %1 is not homed", axis_letter(axis));
     }
+    if (machine.state() == S::off) return phrase("Start: the drives are off; home all axes");
     return std::nullopt;
 }
 
@@ -59,6 +62,17 @@ Lock job_lock(const MachineSight& machine, const JobSight& job) {
     if (job.state == DeskState::model) return phrase("Start: slice the model, then publish the job");
     if (job.state == DeskState::job) return phrase("Start: the job is not published");
     if (machine.status->job_generation == 0) return phrase("Start: no job is published");
+    return std::nullopt;
+}
+
+/// Whatever of the pre-flight checks has no words of its own here.
+Lock preflight_lock(const MachineSight& machine, const JobSight& job) {
+    for (const Check& check : preflight_checks(machine, job)) {
+        if (check.verdict != Check::Verdict::fail) continue;
+        Phrase lock = phrase("Start: pre-flight, %1: %2");
+        lock.inner = {check.name, check.detail};
+        return lock;
+    }
     return std::nullopt;
 }
 
@@ -86,11 +100,12 @@ Lock start_lock(const MachineSight& machine, const JobSight& job) {
         case S::off:
         case S::ready:
             if (const Lock lock = unhomed_lock(machine)) return lock;
-            return job_lock(machine, job);
+            if (const Lock lock = job_lock(machine, job)) return lock;
+            break;
         case S::waiting:
             break;
     }
-    return std::nullopt;
+    return preflight_lock(machine, job);
 }
 
 Lock stop_lock(const MachineSight& machine) {

@@ -37,7 +37,9 @@ std::string utc_text(std::chrono::system_clock::time_point time) {
 std::string log_line(const Message& message) {
     char kind[16];
     std::snprintf(kind, sizeof kind, " %-8s", name_of_severity(message.severity));
-    std::string line = utc_text(message.time) + kind + in_english(message.what);
+    const bool is_timeless = message.is_from_before && message.time == decltype(message.time){};
+    const std::string time = is_timeless ? "(time not known)        " : utc_text(message.time);  // as wide
+    std::string line = time + kind + in_english(message.what);
     if (!message.axes.empty()) line += " (" + message.axes + ")";
     if (!message.remedy.is_empty()) line += ": " + in_english(message.remedy);
     std::replace(line.begin(), line.end(), '\n', ' ');
@@ -106,7 +108,9 @@ void LogKeeper::poll(MessageLog& log) {
     seen_ = log.count();
     {
         const std::lock_guard<std::mutex> lock(mutex_);
-        for (auto i = all.size() - fresh; i < all.size(); ++i) pending_ += log_line(all[i]);
+        for (auto i = all.size() - fresh; i < all.size(); ++i) {
+            if (!all[i].is_from_before) pending_ += log_line(all[i]);
+        }
     }
     lane_->post(saves_.noted(file_.path(), [this, &log]() -> WorkLane::Finish {
         const auto written = flush();

@@ -40,7 +40,8 @@ private:
     std::uintmax_t most_bytes_;
 };
 
-/// Carries every new message into the log file, on a thread of its own: a slow disk delays nobody.
+/// Carries every new message into the log file, on a thread of its own: a slow disk delays nobody. What is
+/// from before the window was there is left out: each window would write it again.
 class LogKeeper {
 public:
     /// An empty folder keeps nothing.

@@ -25,6 +25,7 @@ MachineSession::MachineSession(SessionOptions options, MessageLog& log)
               log_.add(Severity::warning, refusal_phrase(phrase("By hand"), error.message));
           },
           options_.hand_limit) {
+    sight_.watched_since = std::chrono::system_clock::now();
     if (options_.profile) offer_profile(*options_.profile);
     offer_profile(Profile{});
 }
@@ -97,9 +98,11 @@ void MachineSession::look() {
     const auto pid = link_->core_pid();
     if (pid && *pid != sight_.core_pid) {
         sight_.core_pid = *pid;
+        sight_.port_name.clear();
         heartbeat_ = 0;
         heartbeat_changed_ = now;  // a core that has just begun has its time to speak
     }
+    if (pid && sight_.port_name.empty()) sight_.port_name = link_->port_name();
     const auto status = link_->last_status();
     if (status && status->heartbeat != heartbeat_) {
         heartbeat_ = status->heartbeat;

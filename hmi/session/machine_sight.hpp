@@ -46,6 +46,10 @@ struct MachineSight {
     std::uint64_t missed_ticks_at_alarm = 0;
     /// By the computer's clock, when `status` was written; what is shown of a core that is silent is of then.
     std::chrono::system_clock::time_point status_time{};
+    /// What the core drives, as its --port says it: "sim", "ppdev:/dev/parport0"; empty: not known.
+    std::string port_name{};
+    /// By the computer's clock, when somebody began to look.
+    std::chrono::system_clock::time_point watched_since{};
     /// Behind the last layer that was finished of the published job, counted from 0; nothing: none, or all
     /// were.
     std::optional<std::uint32_t> resumable_layer;

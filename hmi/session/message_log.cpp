@@ -2,9 +2,11 @@
 #include "hmi/session/message_log.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
+#include "hmi/session/alarm_history.hpp"
 #include "hmi/session/alarm_text.hpp"
 #include "hmi/session/lost_core.hpp"
 
@@ -49,13 +51,6 @@ void tell_core(const MachineSight& before, const MachineSight& after, std::vecto
         told.push_back(message(Severity::info, phrase("The core is heard again")));
     if (!after.segment_problem.empty() && before.segment_problem != after.segment_problem)
         told.push_back(message(Severity::warning, phrase("%1", after.segment_problem)));
-}
-
-void tell_alarm(const MachineSight& after, std::vector<Message>& told) {
-    const AlarmText text = alarm_text(after);
-    told.push_back(message(Severity::alarm, text.title, text.steps.empty() ? Phrase{} : text.steps.front()));
-    const std::uint8_t axis = after.status->alarm_axis;
-    if (axis < kAxisCount) told.back().axes = axis_letter(static_cast<Axis>(axis));
 }
 
 /// "R1 R2": those of `mask`.
@@ -111,21 +106,19 @@ void tell_profile(const MachineSight& before, const MachineSight& after, std::ve
 
 std::vector<Message> changes_between(const MachineSight& before, const MachineSight& after) {
     std::vector<Message> told;
+    std::vector<Message> alarms;
+    if (after.status && after.is_heard()) alarms = fresh_alarms(before, after);
+    const auto news = std::find_if(alarms.begin(), alarms.end(),
+                                   [](const Message& alarm) { return !alarm.is_from_before; });
+    std::move(alarms.begin(), news, std::back_inserter(told));
     tell_core(before, after, told);
     if (!after.status || !after.is_heard()) return told;
     tell_profile(before, after, told);
+    std::move(news, alarms.end(), std::back_inserter(told));
+    if (!before.status || !before.is_heard()) return told;
     const bool is_alarm = after.state() == MachineState::alarm;
-    if (!before.status || !before.is_heard()) {
-        if (is_alarm) tell_alarm(after, told);
-        return told;
-    }
-    // A core that was started anew begins its counts again.
-    const bool has_new_alarm = after.status->alarm_count > before.status->alarm_count;
-    if (is_alarm && (has_new_alarm || before.state() != MachineState::alarm)) {
-        tell_alarm(after, told);
-    } else if (before.state() != after.state()) {
+    if (!is_alarm && before.state() != after.state())
         told.push_back(message(Severity::info, phrase("Machine: %1", name_of(after.state()))));
-    }
     if (!is_alarm) tell_homed(*before.status, *after.status, told);
     tell_job(*before.status, *after.status, told);
     return told;

@@ -16,14 +16,17 @@ namespace psicarve::session {
 enum class Severity : std::uint8_t { info, warning, alarm };
 
 struct Message {
-    std::chrono::system_clock::time_point time;
+    std::chrono::system_clock::time_point time;  ///< the epoch of what is from before: not known
     Severity severity = Severity::info;
     Phrase what;
     Phrase remedy;
     std::string axes{};  ///< that it is of: "R2", "R1 R2"; else empty
+    /// From before somebody watched, and so no news: nobody is called to it, no log has it again.
+    bool is_from_before = false;
 };
 
-/// What became of the machine between two looks at it, in the order of telling.
+/// What became of the machine between two looks at it, in the order of telling. Of a core that is heard for
+/// the first time also the alarms that it still knows; none is told twice.
 std::vector<Message> changes_between(const MachineSight& before, const MachineSight& after);
 
 /// The last messages, oldest first.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "hmi/session/display_text.hpp"
+#include "hmi/session/tick_health.hpp"
 #include "shared/units.hpp"
 
 namespace psicarve::session {
@@ -44,6 +45,7 @@ Check homed_check(const MachineSight& machine) {
     }
     const Phrase name = phrase("Axes homed");
     if (!missing.empty()) return {name, phrase("%1", missing), V::fail};
+    if (machine.state() == MachineState::off) return {name, phrase("drives off"), V::fail};
     return {name, phrase("R1 R2 Ψ Y"), V::pass};
 }
 
@@ -83,7 +85,8 @@ Check published_check(const MachineSight& machine, const JobSight& job) {
     return {name, phrase("no. %1", std::to_string(generation)), V::pass};
 }
 
-/// The core takes such a job, and says so: what stands on the table is known only to who mounted it.
+/// The core takes such a job, and says so: what stands on the table is known only to who mounted it. That may
+/// well be the blank that was chosen for the job instead of the profile's.
 Phrase blank_detail(const BlankDifference& difference) {
     const std::string job = number_text(difference.job_mm, 1);
     const std::string machine = number_text(difference.machine_mm, 1);
@@ -108,17 +111,38 @@ Check profile_check(const MachineSight& machine, const JobSight& job) {
     if (!job.has_job() && !is_accepted) return {name, phrase("–"), V::info};
     if (!machine.profile) return {name, phrase("not known"), V::info};
     if (job.blank_difference) {
-        const V verdict = job.blank_difference->is_in_the_way ? V::fail : V::info;
-        return {phrase("Blank matches job"), blank_detail(*job.blank_difference), verdict};
+        const Phrase of_blank =
+            job.blank_difference->is_in_the_way ? phrase("Blank in the way?") : phrase("Blank matches job");
+        return {of_blank, blank_detail(*job.blank_difference), V::warning};
     }
     return {name, phrase("%1", machine.profile->name), V::pass};
 }
 
-Check rights_check(const MachineSight& machine) {
+constexpr std::uint64_t kTicksPerMissed = 100'000;  // one in five seconds of a tick of 50 us
+
+/// What a computer too busy does to a simulated machine hurts nobody.
+Check ticks_check(const MachineSight& machine) {
+    const CoreStatus& status = *machine.status;
     const Phrase name = phrase("Real-time rights");
-    if (machine.status->has_realtime_rights != 0) return {name, phrase("granted"), V::pass};
-    if (machine.is_simulator()) return {name, phrase("not needed"), V::info};
-    return {name, phrase("missing"), V::info};
+    const bool has_rights = status.has_realtime_rights != 0;
+    if (!has_rights) {
+        if (machine.is_simulator()) return {name, phrase("not needed"), V::info};
+        return {name, phrase("missing"), V::warning};
+    }
+    const Phrase in_time = phrase("Ticks in time");
+    if (!machine.is_simulator() && status.missed_ticks > status.tick / kTicksPerMissed)
+        return {in_time, phrase("%1 missed", counted(status.missed_ticks)), V::warning};
+    const std::int64_t late_ns = late_p99_ns(status);
+    if (!machine.is_simulator() && late_ns > status.period_ns)
+        return {in_time, phrase("1 % later than %1", duration_text(late_ns)), V::warning};
+    return {name, phrase("granted"), V::pass};
+}
+
+Check override_check(const MachineSight& machine) {
+    const std::uint32_t percent = machine.status->override_percent;
+    const Phrase name = phrase("Feed override");
+    if (percent == 0) return {name, phrase("not known"), V::info};
+    return {name, phrase("%1 %", std::to_string(percent)), percent == 100 ? V::pass : V::warning};
 }
 
 }  // namespace
@@ -135,7 +159,8 @@ std::vector<Check> preflight_checks(const MachineSight& machine, const JobSight&
     checks.push_back(clearance_check(machine, checks.back()));
     checks.push_back(profile_check(machine, shown));
     checks.push_back(published_check(machine, shown));
-    checks.push_back(rights_check(machine));
+    checks.push_back(ticks_check(machine));
+    checks.push_back(override_check(machine));
     return checks;
 }
 

@@ -11,15 +11,21 @@
 namespace psicarve::session {
 
 struct Check {
-    enum class Verdict : std::uint8_t { pass, fail, info };
+    enum class Verdict : std::uint8_t {
+        pass,
+        fail,     ///< nothing starts
+        info,     ///< it says nothing here: neither passed nor failed
+        warning,  ///< to be looked at; who has done that may start
+    };
     Phrase name;
     Phrase detail;
     Verdict verdict = Verdict::fail;
 };
 
-inline constexpr std::size_t kMostChecks = 9;
+inline constexpr std::size_t kMostChecks = 10;
 
-/// What must be so before Start, in the order in which it is put right.
+/// What must be so before Start, in the order in which it is put right. Start is locked exactly while one of
+/// them fails (action_lock.hpp); docs/operator.md has a table of them.
 std::vector<Check> preflight_checks(const MachineSight& machine, const JobSight& job);
 
 }  // namespace psicarve::session

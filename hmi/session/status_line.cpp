@@ -12,6 +12,7 @@ bool StatusLine::look(const MessageLog& log, Clock::time_point now) {
     seen_ = log.count();
     bool is_other = false;
     for (auto i = all.size() - fresh; i < all.size(); ++i) {
+        if (all[i].is_from_before) continue;
         const bool is_trouble = all[i].severity != Severity::info;
         const bool stays = shown_ && shown_->severity != Severity::info && now - since_ < kTroubleStays;
         if (stays && !is_trouble) {

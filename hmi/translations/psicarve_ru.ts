@@ -184,6 +184,10 @@
             <translation>в %1 нельзя писать</translation>
         </message>
         <message>
+            <source>%1 missed</source>
+            <translation>пропущено: %1</translation>
+        </message>
+        <message>
             <source>%1 mm</source>
             <translation>%1 mm</translation>
         </message>
@@ -226,6 +230,10 @@
         <message>
             <source>%1 of %2 pass</source>
             <translation>пройдено %1 из %2</translation>
+        </message>
+        <message>
+            <source>%1 of %2 pass, %3 to look at</source>
+            <translation>%1 из %2, взглянуть: %3</translation>
         </message>
         <message>
             <source>%1 of %2 s, %3 missed, at most %4 late</source>
@@ -398,6 +406,10 @@
         <message>
             <source>--port io:ADDRESS is refused</source>
             <translation>--port io:ADDRESS отклоняется</translation>
+        </message>
+        <message>
+            <source>1 % later than %1</source>
+            <translation>1 % позже %1</translation>
         </message>
         <message>
             <source>1 change not saved</source>
@@ -644,6 +656,10 @@
             <translation>Было</translation>
         </message>
         <message>
+            <source>Before this window was there: %1</source>
+            <translation>До этого окна: %1</translation>
+        </message>
+        <message>
             <source>Begins at</source>
             <translation>Начало</translation>
         </message>
@@ -674,6 +690,10 @@
         <message>
             <source>Blank height</source>
             <translation>H заготовки</translation>
+        </message>
+        <message>
+            <source>Blank in the way?</source>
+            <translation>Заготовка мешает?</translation>
         </message>
         <message>
             <source>Blank matches job</source>
@@ -3081,6 +3101,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Некоторые грани вывернуты относительно соседних; режется так, будто это не так.</translation>
         </message>
         <message>
+            <source>Sound at an alarm</source>
+            <translation>Звук при аварии</translation>
+        </message>
+        <message>
             <source>Source size</source>
             <translation>Размер модели</translation>
         </message>
@@ -3189,6 +3213,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пуск: пауза; продолжите или остановите</translation>
         </message>
         <message>
+            <source>Start: pre-flight, %1: %2</source>
+            <translation>Пуск: проверка перед пуском, %1: %2</translation>
+        </message>
+        <message>
             <source>Start: reset the alarm first</source>
             <translation>Пуск: сначала сбросьте аварию</translation>
         </message>
@@ -3199,6 +3227,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Start: stopping</source>
             <translation>Пуск: идёт остановка</translation>
+        </message>
+        <message>
+            <source>Start: the drives are off; home all axes</source>
+            <translation>Пуск: приводы отключены; найдите нуль всех осей</translation>
         </message>
         <message>
             <source>Start: the heads are on their way</source>
@@ -3465,6 +3497,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Предел глубины %1 mm под поверхностью заготовки не пускает головки в %2 точек, недорез до %3 mm.</translation>
         </message>
         <message>
+            <source>The desktop's bell, once at each new alarm; not for recordings, nor for what was there before the window</source>
+            <translation>Сигнал рабочего стола, один раз при каждой новой аварии; не для записей и не для того, что было до этого окна</translation>
+        </message>
+        <message>
             <source>The drawing does not say how large it is: its units are taken as 1/96 inch (0.26 mm).</source>
             <translation>В чертеже не указан размер: единица принята за 1/96 дюйма (0.26 mm).</translation>
         </message>
@@ -3633,6 +3669,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Профиль ещё сохраняется. Потерять то, что ещё не сохранено?</translation>
         </message>
         <message>
+            <source>The real machine at port %1</source>
+            <translation>Настоящий станок на порту %1</translation>
+        </message>
+        <message>
             <source>The shared memory was removed or damaged from outside: reset the alarm and publish the job again.</source>
             <translation>Общая память удалена или повреждена извне: сбросьте аварию и передайте задание снова.</translation>
         </message>
@@ -3721,6 +3761,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Такты по запаздыванию (логарифмически)</translation>
         </message>
         <message>
+            <source>Ticks in time</source>
+            <translation>Такты вовремя</translation>
+        </message>
+        <message>
             <source>Ticks in which a step waited for its pin</source>
             <translation>Такты с ожиданием вывода</translation>
         </message>
@@ -3751,6 +3795,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>To a position: one axis or several, straight or on an arc</source>
             <translation>В положение: одна или несколько осей, по прямой или по дуге</translation>
+        </message>
+        <message>
+            <source>To be looked at before Start: %1</source>
+            <translation>Взглянуть перед пуском: %1</translation>
         </message>
         <message>
             <source>To the begin</source>
@@ -4637,6 +4685,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>drive a real machine from a real computer</source>
             <translation>управляйте настоящим станком с настоящего компьютера</translation>
+        </message>
+        <message>
+            <source>drives off</source>
+            <translation>приводы отключены</translation>
         </message>
         <message>
             <source>drives-off</source>
@@ -5567,6 +5619,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>run и pass не растут по одному</translation>
         </message>
         <message>
+            <source>says nothing here</source>
+            <translation>здесь ничего не значит</translation>
+        </message>
+        <message>
             <source>see in the kernel's messages why the tsc is not trusted; often the firmware is to blame</source>
             <translation>посмотрите в сообщениях ядра ОС, почему tsc не доверяют; часто виновата прошивка</translation>
         </message>
@@ -5957,6 +6013,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>tick gap</source>
             <translation>разрыв тактов</translation>
+        </message>
+        <message>
+            <source>to look at</source>
+            <translation>взглянуть</translation>
         </message>
         <message>
             <source>too deep %1 material left&lt;br&gt;±%2 mm, ±%3 pulses</source>

@@ -184,6 +184,10 @@
             <translation>%1 不可写</translation>
         </message>
         <message>
+            <source>%1 missed</source>
+            <translation>丢失 %1</translation>
+        </message>
+        <message>
             <source>%1 mm</source>
             <translation>%1 mm</translation>
         </message>
@@ -226,6 +230,10 @@
         <message>
             <source>%1 of %2 pass</source>
             <translation>%2 项中 %1 项通过</translation>
+        </message>
+        <message>
+            <source>%1 of %2 pass, %3 to look at</source>
+            <translation>%2 项通过 %1，留意 %3</translation>
         </message>
         <message>
             <source>%1 of %2 s, %3 missed, at most %4 late</source>
@@ -398,6 +406,10 @@
         <message>
             <source>--port io:ADDRESS is refused</source>
             <translation>--port io:ADDRESS 会被拒绝</translation>
+        </message>
+        <message>
+            <source>1 % later than %1</source>
+            <translation>1 % 晚于 %1</translation>
         </message>
         <message>
             <source>1 change not saved</source>
@@ -644,6 +656,10 @@
             <translation>原值</translation>
         </message>
         <message>
+            <source>Before this window was there: %1</source>
+            <translation>本窗口打开之前：%1</translation>
+        </message>
+        <message>
             <source>Begins at</source>
             <translation>起始方向</translation>
         </message>
@@ -674,6 +690,10 @@
         <message>
             <source>Blank height</source>
             <translation>毛坯高度</translation>
+        </message>
+        <message>
+            <source>Blank in the way?</source>
+            <translation>毛坯挡路？</translation>
         </message>
         <message>
             <source>Blank matches job</source>
@@ -3076,6 +3096,10 @@ N、Shift+N  下一条、上一条记录
             <translation>有些面与相邻面朝向相反；按朝向正确雕刻。</translation>
         </message>
         <message>
+            <source>Sound at an alarm</source>
+            <translation>报警时发声</translation>
+        </message>
+        <message>
             <source>Source size</source>
             <translation>模型大小</translation>
         </message>
@@ -3184,6 +3208,10 @@ N、Shift+N  下一条、上一条记录
             <translation>启动：已暂停；请继续或停止</translation>
         </message>
         <message>
+            <source>Start: pre-flight, %1: %2</source>
+            <translation>启动：启动前检查，%1：%2</translation>
+        </message>
+        <message>
             <source>Start: reset the alarm first</source>
             <translation>启动：请先复位报警</translation>
         </message>
@@ -3194,6 +3222,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Start: stopping</source>
             <translation>启动：正在停止</translation>
+        </message>
+        <message>
+            <source>Start: the drives are off; home all axes</source>
+            <translation>启动：驱动已关闭；请全部回零</translation>
         </message>
         <message>
             <source>Start: the heads are on their way</source>
@@ -3460,6 +3492,10 @@ N、Shift+N  下一条、上一条记录
             <translation>毛坯表面以下 %1 mm 的深度限制使刀头在 %2 的点上未切到位，最多差 %3 mm。</translation>
         </message>
         <message>
+            <source>The desktop's bell, once at each new alarm; not for recordings, nor for what was there before the window</source>
+            <translation>桌面提示音，每次新报警响一次；回放以及窗口打开之前的报警不响</translation>
+        </message>
+        <message>
             <source>The drawing does not say how large it is: its units are taken as 1/96 inch (0.26 mm).</source>
             <translation>图形未注明大小：其单位按 1/96 英寸（0.26 mm）计。</translation>
         </message>
@@ -3628,6 +3664,10 @@ N、Shift+N  下一条、上一条记录
             <translation>配置仍在保存。要放弃尚未保存的内容吗？</translation>
         </message>
         <message>
+            <source>The real machine at port %1</source>
+            <translation>端口 %1 上的真实机床</translation>
+        </message>
+        <message>
             <source>The shared memory was removed or damaged from outside: reset the alarm and publish the job again.</source>
             <translation>共享内存被外部删除或损坏：复位报警并重新发布作业。</translation>
         </message>
@@ -3716,6 +3756,10 @@ N、Shift+N  下一条、上一条记录
             <translation>按迟滞量统计的节拍（对数）</translation>
         </message>
         <message>
+            <source>Ticks in time</source>
+            <translation>节拍准时</translation>
+        </message>
+        <message>
             <source>Ticks in which a step waited for its pin</source>
             <translation>步进等待引脚的节拍</translation>
         </message>
@@ -3746,6 +3790,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>To a position: one axis or several, straight or on an arc</source>
             <translation>移动到某位置：一个或多个轴，直线或圆弧</translation>
+        </message>
+        <message>
+            <source>To be looked at before Start: %1</source>
+            <translation>启动前请留意：%1</translation>
         </message>
         <message>
             <source>To the begin</source>
@@ -4630,6 +4678,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>drive a real machine from a real computer</source>
             <translation>请用真实计算机驱动真实机床</translation>
+        </message>
+        <message>
+            <source>drives off</source>
+            <translation>驱动已关闭</translation>
         </message>
         <message>
             <source>drives-off</source>
@@ -5560,6 +5612,10 @@ N、Shift+N  下一条、上一条记录
             <translation>run 和 pass 没有逐一递增</translation>
         </message>
         <message>
+            <source>says nothing here</source>
+            <translation>此处不适用</translation>
+        </message>
+        <message>
             <source>see in the kernel's messages why the tsc is not trusted; often the firmware is to blame</source>
             <translation>查看内核消息，了解为何不信任 tsc；常为固件原因</translation>
         </message>
@@ -5950,6 +6006,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>tick gap</source>
             <translation>节拍中断</translation>
+        </message>
+        <message>
+            <source>to look at</source>
+            <translation>留意</translation>
         </message>
         <message>
             <source>too deep %1 material left&lt;br&gt;±%2 mm, ±%3 pulses</source>

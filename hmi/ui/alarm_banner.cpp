@@ -55,6 +55,7 @@ AlarmBanner::AlarmBanner(Bench& bench, QWidget* parent)
     });
     detail_->setObjectName("alarm_detail");
     steps_->setObjectName("alarm_steps");
+    reason_->setObjectName("alarm_reason");
     for (QLabel* label : {detail_, steps_, reason_}) label->setWordWrap(true);
     auto* text = new QVBoxLayout;
     text->setContentsMargins(0, kGap, kGap, kGap);
@@ -96,8 +97,12 @@ void AlarmBanner::back_off() {
 /// Without a core there is nothing to be reset.
 void AlarmBanner::refresh_buttons() {
     const session::MachineSight& sight = bench_.machine.sight();
-    back_off_->refresh(bench_);
-    reason_->setText(reset_->refresh(bench_));
+    QStringList reasons;
+    for (ActionButton* button : {back_off_, reset_}) {
+        const QString& reason = button->refresh(bench_);
+        if (!reason.isEmpty() && !reasons.contains(reason)) reasons << reason;
+    }
+    reason_->setText(reasons.join('\n'));
     const bool has_core = sight.is_heard();
     for (QWidget* widget :
          {static_cast<QWidget*>(back_off_), static_cast<QWidget*>(reset_), static_cast<QWidget*>(reason_)}) {

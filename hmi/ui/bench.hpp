@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QApplication>
+
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <utility>
 
 #include "hmi/replay/replay_desk.hpp"
+#include "hmi/session/alarm_bell.hpp"
 #include "hmi/session/error_phrase.hpp"
 #include "hmi/session/estimate_desk.hpp"
 #include "hmi/session/file_desk.hpp"
@@ -51,6 +54,7 @@ struct Bench {
     std::unique_ptr<SettingsStore> settings;
     session::SaveLedger saves;  ///< of everything that is written here
     session::MessageLog log;
+    session::AlarmBell bell{[] { QApplication::beep(); }};
     session::MachineSession machine;
     session::JobDesk desk;
     session::RunWatch runs;
@@ -102,6 +106,7 @@ struct Bench {
     /// A look at the machine and at what is under way.
     void poll() {
         machine.poll();
+        bell.poll(log);
         desk.poll(machine.sight());
         runs.note(machine.sight(), session::RunWatch::Clock::now());
         note_job_of_run();

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/job_panel.hpp"
 
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QMessageBox>
 #include <QResizeEvent>
 #include <QSlider>
 #include <QSpinBox>
-
-#include <algorithm>
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/preflight.hpp"
@@ -17,6 +14,7 @@
 #include "hmi/ui/job_facts_view.hpp"
 #include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/motion_buttons.hpp"
+#include "hmi/ui/preflight_list.hpp"
 #include "hmi/ui/report_dialog.hpp"
 #include "hmi/ui/tick_box.hpp"
 #include "hmi/ui/words.hpp"
@@ -25,10 +23,7 @@ namespace psicarve::ui {
 namespace {
 
 using session::Action;
-using session::Check;
 
-constexpr std::size_t kCheckRows = session::kMostChecks;
-constexpr int kJobPanelIconSide = 14;
 constexpr int kFullPercent = 100;
 constexpr int kFullHeight_px = 612;  // of the panel with its buttons as high as they should be
 
@@ -36,7 +31,9 @@ constexpr int kFullHeight_px = 612;  // of the panel with its buttons as high as
 
 JobPanel::JobPanel(Bench& bench, QWidget* parent) : Dock(tr("Job"), parent), bench_(bench) {
     make_facts();
-    make_checks();
+    body().addSpacing(kSmallGap);
+    checks_ = new PreflightList;
+    body().addWidget(checks_);
     body().addStretch();
     make_buttons();
     make_override();
@@ -64,30 +61,6 @@ void JobPanel::make_facts() {
     next_->setWordWrap(true);
     next_->hide();
     body().addWidget(next_);
-}
-
-void JobPanel::make_checks() {
-    auto* head = new QHBoxLayout;
-    checks_title_ = role_label("head");
-    head->addWidget(checks_title_);
-    head->addStretch();
-    verdict_ = role_label("head");
-    head->addWidget(verdict_);
-    body().addSpacing(kSmallGap);
-    body().addLayout(head);
-    body().addWidget(rule());
-    check_rows_ = new QGridLayout;
-    check_rows_->setColumnStretch(1, 1);
-    for (std::size_t i = 0; i < kCheckRows; ++i) {
-        CheckRow row{new QLabel, new QLabel, role_label("label")};
-        row.icon->setFixedSize(kJobPanelIconSide + 4, kJobPanelIconSide + 3);
-        const int line = static_cast<int>(i);
-        check_rows_->addWidget(row.icon, line, 0);
-        check_rows_->addWidget(row.name, line, 1);
-        check_rows_->addWidget(row.detail, line, 2, Qt::AlignRight);
-        checks_.push_back(row);
-    }
-    body().addLayout(check_rows_);
 }
 
 void JobPanel::make_buttons() {
@@ -216,6 +189,7 @@ void JobPanel::show_report() {
 
 void JobPanel::set_theme(const Tokens& tokens) {
     tokens_ = &tokens;
+    checks_->set_theme(tokens);
     start_->set_glyph(Glyph::play, tokens, true);
     hold_->set_glyph(Glyph::pause, tokens);
     stop_->set_glyph(Glyph::stop, tokens);
@@ -264,7 +238,7 @@ void JobPanel::refresh_facts() {
 
 void JobPanel::resizeEvent(QResizeEvent* event) {
     const bool is_low = event->size().height() < kFullHeight_px;
-    check_rows_->setVerticalSpacing(is_low ? 0 : 2);
+    checks_->set_low(is_low);
     for (ActionButton* button : {start_, hold_, resume_, stop_})
         set_styled(button, "low", is_low ? "yes" : "no");
     Dock::resizeEvent(event);
@@ -295,54 +269,9 @@ void JobPanel::refresh_next() {
                            : tr("Opened, not sliced yet: %1").arg(name));
 }
 
-/// As much as there is room for beside the name; all of it in the tooltip.
-void JobPanel::show_detail(const CheckRow& row, const QString& text) const {
-    constexpr int kRims = 30;  // margins, frame, and what is between the columns
-    int names_width = 0;       // the widest has the others' details at its end, too
-    for (const CheckRow& each : checks_) {
-        if (!each.name->isHidden()) names_width = std::max(names_width, each.name->sizeHint().width());
-    }
-    const int room = width() - kRims - row.icon->width() - names_width;
-    const QString shown =
-        row.detail->fontMetrics().elidedText(text, Qt::ElideMiddle, std::max(room, 4 * kGap));
-    row.detail->setText(shown);
-    row.detail->setToolTip(shown == text ? QString{} : text);
-}
-
 void JobPanel::refresh_checks() {
-    const bool is_replay = bench_.replay.is_open();
-    checks_title_->setText(is_replay ? tr("In the recording") : tr("Pre-flight"));
-    const std::vector<Check> checks =
-        is_replay ? bench_.replay.facts().contents
-                  : session::preflight_checks(bench_.machine.sight(), bench_.desk.sight());
-    std::size_t passed = 0;
-    for (std::size_t i = 0; i < checks_.size(); ++i) {
-        const bool is_there = i < checks.size();
-        CheckRow& row = checks_[i];
-        for (QLabel* label : {row.icon, row.name, row.detail}) label->setVisible(is_there);
-        if (!is_there) continue;
-        const Check& check = checks[i];
-        const bool fails = check.verdict == Check::Verdict::fail;
-        if (!fails) ++passed;
-        const Glyph glyph = fails                                   ? Glyph::cross
-                            : check.verdict == Check::Verdict::pass ? Glyph::check
-                                                                    : Glyph::info;
-        const QColor colour = fails                                   ? tokens_->alarm
-                              : check.verdict == Check::Verdict::pass ? tokens_->run
-                                                                      : tokens_->text2;
-        const QString look = QString{"%1 %2"}.arg(static_cast<int>(glyph)).arg(colour.name());
-        if (row.icon->property("look") != look) {
-            row.icon->setProperty("look", look);
-            row.icon->setPixmap(glyph_pixmap(glyph, kJobPanelIconSide, colour));
-            row.icon->setAccessibleName(fails ? tr("missing") : tr("passed"));
-        }
-        row.name->setText(words(check.name));
-        show_detail(row, words(check.detail));
-    }
-    verdict_->setText(is_replay ? QString{} : tr("%1 of %2 pass").arg(passed).arg(checks.size()));
-    const QColor colour = passed == checks.size() ? tokens_->run : tokens_->alarm;
-    const QString style = QString{"color: %1"}.arg(colour.name());
-    if (verdict_->styleSheet() != style) verdict_->setStyleSheet(style);
+    if (bench_.replay.is_open()) return checks_->show_contents(bench_.replay.facts().contents);
+    checks_->show_checks(session::preflight_checks(bench_.machine.sight(), bench_.desk.sight()));
 }
 
 void JobPanel::refresh_buttons() {
@@ -354,7 +283,10 @@ void JobPanel::refresh_buttons() {
     from_layer_->set_hint(
         resumable ? tr("Leaves out the layers before it; %1 was the last that was finished").arg(*resumable)
                   : tr("Leaves out the layers before it"));
-    reason_->setText(why_locked({start_, hold_, resume_, stop_}));
+    const QString& to_look_at = checks_->to_look_at();
+    reason_->setText(start_->isEnabled() && !to_look_at.isEmpty()
+                         ? tr("To be looked at before Start: %1").arg(to_look_at)
+                         : why_locked({start_, hold_, resume_, stop_}));
     refresh_layer();
 }
 

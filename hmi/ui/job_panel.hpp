@@ -3,8 +3,6 @@
 
 #include <QCoreApplication>
 
-#include <vector>
-
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/frames.hpp"
@@ -13,11 +11,11 @@
 class QCheckBox;
 class QSlider;
 class QSpinBox;
-class QGridLayout;
 
 namespace psicarve::ui {
 
 class JobFactsView;
+class PreflightList;
 
 /// The job: what it is, what is missing before it can start, and its buttons.
 class JobPanel : public Dock {
@@ -35,19 +33,12 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    struct CheckRow {
-        QLabel* icon;
-        QLabel* name;
-        QLabel* detail;
-    };
     void make_facts();
-    void make_checks();
     void make_buttons();
     void make_override();
     void refresh_facts();
     replay::JobPointer job_shown() const;
     void refresh_next();
-    void show_detail(const CheckRow& row, const QString& text) const;
     void refresh_checks();
     void refresh_buttons();
     void refresh_layer();
@@ -65,10 +56,7 @@ private:
     QLabel* next_;
     QLabel* name_;
     JobFactsView* facts_;
-    QLabel* checks_title_;
-    QLabel* verdict_;
-    std::vector<CheckRow> checks_;
-    QGridLayout* check_rows_ = nullptr;
+    PreflightList* checks_;
     QCheckBox* dry_run_;
     ActionButton* start_;
     ActionButton* hold_;

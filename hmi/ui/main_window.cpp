@@ -214,6 +214,7 @@ void MainWindow::count_in_tabs() {
     const auto& all = bench_.log.messages();
     const auto fresh = std::min<std::uint64_t>(bench_.log.count() - read_messages_, all.size());
     for (auto i = all.size() - fresh; i < all.size(); ++i) {
+        if (all[i].is_from_before) continue;
         unread += all[i].severity != session::Severity::info ? 1 : 0;
         if (all[i].severity == session::Severity::alarm) tone = BadgeTone::alarm;
     }

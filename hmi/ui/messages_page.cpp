@@ -21,6 +21,7 @@
 #include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
+#include "hmi/ui/tick_box.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/atomic_file.hpp"
 #include "shared/layout.hpp"
@@ -39,6 +40,18 @@ constexpr int kLeastSearchWidth = 90;
 Glyph glyph_of(Severity severity) {
     if (severity == Severity::alarm) return Glyph::octagon;
     return severity == Severity::warning ? Glyph::triangle : Glyph::info;
+}
+
+bool is_known(const session::Message& message) {
+    return message.time != decltype(message.time){};
+}
+
+/// Of another day with the day, in as much room.
+QString short_time(const session::Message& message) {
+    if (!is_known(message)) return QStringLiteral("\u2013");
+    const QString day = local_time(message.time, "MM-dd");
+    const bool is_today = QDateTime::currentDateTime().toString("MM-dd") == day;
+    return local_time(message.time, is_today ? "HH:mm:ss.zzz" : "MM-dd HH:mm:ss");
 }
 
 }  // namespace
@@ -79,6 +92,7 @@ MessagesPage::MessagesPage(Bench& bench, QWidget* parent)
     head->addWidget(role_label("label", tr("Show")));
     head->addWidget(least_);
     head->addWidget(find_);
+    head->addWidget(make_sound());
     head->add_end();
     auto* save = new QPushButton{tr("Save log…")};
     save->setObjectName("save_log");
@@ -95,6 +109,18 @@ MessagesPage::MessagesPage(Bench& bench, QWidget* parent)
     all->setContentsMargins(kGap, kGap, kGap, kGap);
     all->addLayout(head);
     all->addWidget(table_, 1);
+}
+
+QWidget* MessagesPage::make_sound() {
+    auto* sound = new TickBox{tr("Sound at an alarm")};
+    sound->setObjectName("alarm_sound");
+    sound->setFocusPolicy(Qt::TabFocus);
+    sound->setChecked(true);
+    sound->setToolTip(
+        tr("The desktop's bell, once at each new alarm; not for recordings, nor for what was "
+           "there before the window"));
+    connect(sound, &QCheckBox::toggled, this, [this](bool is_on) { bench_.bell.set_on(is_on); });
+    return sound;
 }
 
 QString MessagesPage::name_of_severity(Severity severity) {
@@ -176,13 +202,14 @@ void MessagesPage::add(const session::Message& message) {
                           : message.severity == Severity::warning ? tokens_->warn
                                                                   : tokens_->text2;
     table_->insertRow(0);
-    const QString texts[kColumns] = {local_time(message.time, "HH:mm:ss.zzz"),
-                                     name_of_severity(message.severity),
+    const QString texts[kColumns] = {short_time(message), name_of_severity(message.severity),
                                      message.axes.empty() ? tr("–") : QString::fromStdString(message.axes),
                                      words(message.what), words(message.remedy)};
     for (int column = 0; column < kColumns; ++column) {
         auto* item = new QTableWidgetItem{texts[column]};
-        item->setToolTip(texts[column]);
+        item->setToolTip(column == kTime && is_known(message)
+                             ? local_time(message.time, "yyyy-MM-dd HH:mm:ss.zzz")
+                             : texts[column]);
         if (is_alarm) item->setBackground(tokens_->alarm_ground);
         if (column == kKind) {
             item->setForeground(colour);

@@ -15,7 +15,7 @@ class QTableWidget;
 
 namespace psicarve::ui {
 
-/// What happened since the window was opened, newest first.
+/// What happened since the window was opened, newest first, and the alarms before that.
 class MessagesPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MessagesPage)
 public:
@@ -32,6 +32,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    QWidget* make_sound();
     void choose_log();
     void choose_bundle();
     session::WorkLane::Finish told(const Result<void>& done, const session::Phrase& success);

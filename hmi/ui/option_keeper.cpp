@@ -43,6 +43,7 @@ constexpr const char* kKeptFields[] = {
     "stepover",
     "colouring",
     "messages_least",
+    "alarm_sound",
     "latency_seconds",
     "latency_period",
     "latency_cpu",
@@ -74,6 +75,7 @@ QVariant key_of(const QComboBox& box, int index) {
 
 QVariant value_of(const QObject& field) {
     if (const auto* group = qobject_cast<const QButtonGroup*>(&field)) return group->checkedId();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&field)) return button->isChecked() ? 1 : 0;
     if (const auto* box = qobject_cast<const QComboBox*>(&field)) return key_of(*box, box->currentIndex());
     if (const auto* number = qobject_cast<const QSpinBox*>(&field)) return number->value();
     if (const auto* number = qobject_cast<const QDoubleSpinBox*>(&field)) return number->value();
@@ -102,6 +104,7 @@ void put(QObject& field, const QVariant& kept) {
         QAbstractButton* const button = group->button(kept.toInt());
         if (button != nullptr) button->setChecked(true);
     }
+    if (auto* tick = qobject_cast<QAbstractButton*>(&field)) tick->setChecked(value != 0.0);
     if (auto* number = qobject_cast<QSpinBox*>(&field)) put_number(*number, value);
     if (auto* number = qobject_cast<QDoubleSpinBox*>(&field)) put_number(*number, value);
     if (auto* slider = qobject_cast<QAbstractSlider*>(&field)) put_number(*slider, value);
@@ -113,6 +116,8 @@ void at_each_change(QObject& field, QObject& listener, Told told) {
         QObject::connect(group, &QButtonGroup::idToggled, &listener, [told](int, bool is_on) {
             if (is_on) told();
         });
+    if (auto* button = qobject_cast<QAbstractButton*>(&field))
+        QObject::connect(button, &QAbstractButton::toggled, &listener, told);
     if (auto* box = qobject_cast<QComboBox*>(&field))
         QObject::connect(box, &QComboBox::currentIndexChanged, &listener, told);
     if (auto* number = qobject_cast<QSpinBox*>(&field))

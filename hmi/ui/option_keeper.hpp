@@ -17,8 +17,9 @@ namespace psicarve::ui {
 class WindowSettings;
 
 /// Brings back what the operator has chosen in the window's fields: numbers of slicing, steps and speeds of a
-/// jog, colours, filters, widths of columns. Never anything that moves, arms or drives the machine faster: no
-/// feed override, no dry run, no armed keys; and nothing that belongs to one model or recording.
+/// jog, colours, filters, the sound at an alarm, widths of columns. Never anything that moves, arms or drives
+/// the machine faster: no feed override, no dry run, no armed keys; and nothing that belongs to one model or
+/// recording.
 class OptionKeeper : public QObject {
 public:
     /// Fills the fields of the window in; `changed` is called at each later change of one. What cannot be a

@@ -117,7 +117,7 @@ QWidget* PositionPanel::make_row(Axis axis) {
     row.sensor = lamp();
     grid->addWidget(row.bar, 0, 0, 3, 1);
     grid->addWidget(row.name, 0, 1);
-    grid->addWidget(row.second, 1, 1);
+    grid->addWidget(row.second, 1, 1, 2, 1, Qt::AlignTop);
     grid->addWidget(row.value, 0, 2, 2, 1);
     grid->addWidget(row.pulses, 2, 2);
     grid->addWidget(row.unit, 0, 3, 2, 1);
@@ -212,9 +212,14 @@ void PositionPanel::refresh_row(Axis axis) {
     // A zero is the operator's, for the machine that is there.
     const auto distance =
         bench_.replay.is_open() ? std::nullopt : session::from_zero(sight, axis, zero_.of(axis));
-    row.second->setText(distance
-                            ? QString{"Δ %1"}.arg(QString::fromStdString(session::number_text(*distance, 2)))
-                            : usual[index_of(axis)]);
+    QString second = usual[index_of(axis)];
+    if (distance) {
+        const QString from_zero =
+            QString{"Δ %1"}.arg(QString::fromStdString(session::number_text(*distance, 2)));
+        // The turns are the machine's own, like the large number: a zero is an angle, and knows of none.
+        second = axis == Axis::psi ? from_zero + '\n' + second : from_zero;
+    }
+    if (row.second->text() != second) row.second->setText(second);
     row.second->setToolTip(distance
                                ? tr("From your zero of %1. The large number is the machine's own position.")
                                      .arg(session::axis_letter(axis))

@@ -90,6 +90,7 @@ Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
     time_->setObjectName("time_left");
     time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     heart_->setObjectName("heart");
+    badge_->setObjectName("badge");
     progress_->setRange(0, kStripProgressSteps);
     progress_->setTextVisible(false);
     progress_->setObjectName("progress");
@@ -174,8 +175,7 @@ void Strip::refresh() {
     } else {
         refresh_progress();
     }
-    badge_->setVisible(is_replay || bench_.machine.sight().is_simulator());
-    badge_->setText(is_replay ? tr("REPLAY") : tr("SIMULATOR"));
+    refresh_badge();
     emergency_second_->setText(is_replay ? tr("F1 · the live machine") : tr("F1 · works everywhere"));
 }
 
@@ -191,6 +191,20 @@ void Strip::refresh_pill() {
                                   session::phrase("Live machine: %1", words(live.word).toStdString()),
                                   session::Tone::replay};
     pill_->show_state(text, Glyph::replay, *tokens_);
+}
+
+/// Violet is what is not the real thing; a real port has its name there.
+void Strip::refresh_badge() {
+    const session::MachineSight& sight = bench_.machine.sight();
+    const bool is_replay = bench_.replay.is_open();
+    const bool is_real = !is_replay && !sight.is_simulator();
+    const QString port = QString::fromStdString(sight.port_name);
+    set_styled(badge_, "role", is_real ? "port" : "badge");
+    badge_->setText(is_replay ? tr("REPLAY")
+                    : is_real ? port.mid(port.lastIndexOf('/') + 1)  // "parport0", "io:0x378"
+                              : tr("SIMULATOR"));
+    badge_->setToolTip(is_real ? tr("The real machine at port %1").arg(port) : QString{});
+    badge_->setVisible(!is_real || (sight.status && !port.isEmpty()));
 }
 
 void Strip::refresh_replay() {

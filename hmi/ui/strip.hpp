@@ -37,6 +37,7 @@ public:
 private:
     void refresh_pill();
     void refresh_heartbeat();
+    void refresh_badge();
     void refresh_replay();
     void refresh_progress();
     QString time_words() const;

@@ -31,6 +31,7 @@ QLabel[role="digits"] { font-size: 28px; }
 QLabel[role="title"] { font-size: 15px; font-weight: 700; }
 QLabel[role="percent"] { font-size: 18px; font-weight: 700; }
 QLabel[role="badge"] { color: @sim; border: 2px solid @sim; border-radius: 4px; font-weight: 700; padding: 0 10px; }
+QLabel[role="port"] { color: @text; border: 1px solid @edge; border-radius: 4px; font-weight: 700; padding: 0 10px; }
 QLabel[role="estop"] { color: @on_fill; font-weight: 700; font-size: 14px; }
 QLabel[role="estop_second"] { color: @on_fill; font-size: 11px; }
 QLabel[lamp="off"] { color: @text2; border: 1px solid @line; border-radius: 3px; font-size: 11px; padding: 0 4px; }

@@ -2,6 +2,7 @@
 #include "rtcore/port/port_address.hpp"
 
 #include <charconv>
+#include <cstdio>
 #include <string_view>
 
 namespace psicarve::port {
@@ -41,6 +42,14 @@ Result<PortAddress> parse_port_address(const std::string& text) {
     address.device = text.substr(kPpdev.size());
     if (!address.device.starts_with('/')) return bad_port(text, "not the path of a device");
     return address;
+}
+
+std::string port_text(const PortAddress& address) {
+    if (address.kind == PortKind::simulated) return "sim";
+    if (address.kind == PortKind::ppdev) return std::string{kPpdev} + address.device;
+    char digits[8];
+    std::snprintf(digits, sizeof digits, "0x%x", unsigned{address.base});
+    return std::string{kRaw} + digits;
 }
 
 }  // namespace psicarve::port

@@ -21,5 +21,7 @@ struct PortAddress {
 
 /// "sim", "ppdev:/dev/parport0" or "io:0x378". Says nothing about whether there is such a port.
 Result<PortAddress> parse_port_address(const std::string& text);
+/// As parse_port_address() reads it.
+std::string port_text(const PortAddress& address);
 
 }  // namespace psicarve::port

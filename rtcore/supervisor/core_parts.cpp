@@ -73,6 +73,7 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
     auto parts = std::make_unique<CoreParts>();
     parts->profile = profile;
     parts->period_ns = tick_period_ns(profile);
+    parts->port_name = port::port_text(options.port);
     parts->layer_times_path = options.layer_times_path;
     const auto pin_map = PinMap::from_profile(profile);
     if (!pin_map) return pin_map.error();

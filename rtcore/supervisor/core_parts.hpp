@@ -34,6 +34,7 @@ struct CoreParts {
     rtcore::SideThread files;  ///< what others asked to be written meanwhile
     Profile profile;
     std::int64_t period_ns = 0;
+    std::string port_name;                  ///< as --port says it
     std::unique_ptr<sim::Machine> machine;  ///< behind the simulated port; null: a real one
     std::unique_ptr<port::Port> port;
     std::unique_ptr<guard::GuardLink> guard;        ///< of a real port; null: there is none

@@ -7,6 +7,7 @@
 #include "shared/event.hpp"
 #include "shared/recording.hpp"
 #include "shared/shared_record.hpp"
+#include "shared/shared_text.hpp"
 
 namespace psicarve::supervisor {
 namespace {
@@ -62,11 +63,18 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
       loader_(parts.profile, !facts.is_virtual_clock),
       layer_times_(parts.layer_times_path, parts.files),
       slept_ns_(first_sleep_ns()) {
-    segment_->header().core_profile_hash.store(profile_hash(parts.profile));
+    introduce();
     parts.traces.set_recording_taker([this](std::uint32_t token, std::span<const std::uint8_t> bytes) {
         recording_.put(segment_->header(), token, bytes, std::chrono::steady_clock::now());
     });
     publish_status();
+}
+
+void Supervisor::introduce() {
+    PortName port{};
+    text_into_field(port.text, parts_->port_name);
+    write_record(segment_->header().port, port);
+    segment_->header().core_profile_hash.store(profile_hash(parts_->profile));
 }
 
 bool Supervisor::poll(Hearing hearing) {
@@ -332,7 +340,7 @@ void Supervisor::take_new_segment() {
     if (!fresh->claim_core() || !fresh->fit_rights(options.group)) return;
     desk_.forget_all();
     segment_ = std::make_shared<Segment>(std::move(*fresh));
-    segment_->header().core_profile_hash.store(profile_hash(parts_->profile));
+    introduce();
     // It is new: whatever has been asked for in it was asked of us.
     stop_seen_ = 0;
     estop_seen_ = 0;

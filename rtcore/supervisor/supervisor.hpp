@@ -98,6 +98,8 @@ private:
     void watch_sleep();
     void check_segment();
     void take_new_segment();
+    /// Into the segment: who drives what.
+    void introduce();
 
     static constexpr std::uint64_t kOwnRequest = 0;  ///< sequence of requests that nobody waits for
     static constexpr std::uint64_t kJobRequest = ~std::uint64_t{0};

@@ -162,24 +162,25 @@ TEST(Preflight, TellsOfAnotherBlankThanTheMachinesProfile) {
         job.blank_difference = blank_difference(of_job, of_machine);
         for (const Check& check : preflight_checks(machine, job)) {
             const std::string name = in_english(check.name);
-            if (name == "Blank matches job" || name == "Profile matches job") return check;
+            if (name.starts_with("Blank ") || name == "Profile matches job") return check;
         }
         return Check{};
     };
     EXPECT_EQ(row_for({20.0, 60.0}, {20.0, 60.0}).verdict, Check::Verdict::pass);
     const Check larger = row_for({20.0, 60.0}, {25.0, 60.0});
-    EXPECT_EQ(larger.verdict, Check::Verdict::fail);
-    EXPECT_EQ(in_english(larger.name), "Blank matches job");
+    EXPECT_EQ(larger.verdict, Check::Verdict::warning) << "the core takes it: who mounts it knows";
+    EXPECT_EQ(in_english(larger.name), "Blank in the way?");
     EXPECT_EQ(in_english(larger.detail), "r 20.0 ≠ 25.0");
     const Check smaller = row_for({20.0, 60.0}, {15.0, 60.0});
-    EXPECT_EQ(smaller.verdict, Check::Verdict::info);
+    EXPECT_EQ(smaller.verdict, Check::Verdict::warning);
+    EXPECT_EQ(in_english(smaller.name), "Blank matches job");
     EXPECT_EQ(in_english(smaller.detail), "r 20.0 ≠ 15.0");
     EXPECT_EQ(in_english(row_for({20.0, 60.0}, {20.0, 62.0}).detail), "h 60.0 ≠ 62.0");
     EXPECT_EQ(in_english(row_for({20.0, 60.0}, {20.0, 60.0, 3.0, 4.0}).detail), "5.0 mm beside");
     // The core's own, where nothing is open.
     job.state = DeskState::empty;
     machine.status->job_generation = 1;
-    EXPECT_EQ(row_for({20.0, 60.0}, {25.0, 60.0}).verdict, Check::Verdict::fail);
+    EXPECT_EQ(row_for({20.0, 60.0}, {25.0, 60.0}).verdict, Check::Verdict::warning);
 }
 
 TEST(Preflight, TellsInWhatTheJobsMachineIsAnother) {
@@ -226,16 +227,109 @@ TEST(Preflight, IsOfTheRunningJobWhileOneRuns) {
     EXPECT_EQ(failing_check(machine_in(S::ready), DeskState::job), "Job published: publish first; ");
 }
 
-TEST(Preflight, PassesExactlyWhenStartIsNotLocked) {
-    for (std::uint8_t homed = 0; homed <= test::kAllHomed; ++homed) {
-        for (const DeskState desk :
-             {DeskState::empty, DeskState::opening, DeskState::model, DeskState::slicing, DeskState::job,
-              DeskState::publishing, DeskState::published}) {
-            const MachineSight machine = machine_in(S::ready, homed);
-            EXPECT_EQ(failing_check(machine, desk).empty(), lock(Action::start, machine, desk).empty())
-                << int{homed} << " " << static_cast<int>(desk);
+/// Of each kind of thing that a check looks at: as it should be, and not.
+std::vector<MachineSight> machines_at_rest() {
+    std::vector<MachineSight> machines;
+    for (const S state : {S::off, S::ready}) {
+        for (std::uint8_t homed = 0; homed <= test::kAllHomed; ++homed)
+            machines.push_back(machine_in(state, homed));
+    }
+    for (const Axis axis : {Axis::r1, Axis::r2, Axis::y}) {
+        machines.push_back(machine_in(S::ready));
+        machines.back().status->signals = bit_of(sensor_of(axis));
+    }
+    for (const CoreLife life : {CoreLife::late, CoreLife::silent, CoreLife::none}) {
+        machines.push_back(machine_in(S::ready));
+        machines.back().life = life;
+    }
+    machines.push_back(machine_in(S::ready));
+    machines.back().status->job_generation = 0;
+    machines.push_back(machine_in(S::ready));
+    machines.back().profile.reset();
+    machines.push_back(machine_in(S::ready));
+    machines.back().status->override_percent = 40;
+    machines.push_back(machine_in(S::ready));
+    machines.back().status->is_simulator = 0;
+    return machines;
+}
+
+std::vector<JobSight> jobs_on_the_desk() {
+    std::vector<JobSight> jobs;
+    for (const DeskState desk : {DeskState::empty, DeskState::opening, DeskState::model, DeskState::slicing,
+                                 DeskState::job, DeskState::publishing, DeskState::published}) {
+        jobs.push_back({desk, false, 10});
+        jobs.push_back({desk, false, 10});
+        jobs.back().profile_difference = "r1.pulses_per_mm";
+        jobs.push_back({desk, false, 10});
+        jobs.back().blank_difference = blank_difference({20.0, 60.0}, {25.0, 60.0});
+    }
+    return jobs;
+}
+
+TEST(Preflight, FailsExactlyWhenStartIsLocked) {
+    for (const MachineSight& machine : machines_at_rest()) {
+        for (const JobSight& job : jobs_on_the_desk()) {
+            std::string failing;
+            for (const Check& check : preflight_checks(machine, job)) {
+                if (check.verdict == Check::Verdict::fail) failing += in_english(check.name) + "; ";
+            }
+            for (const Action action : {Action::start, Action::one_layer, Action::from_layer}) {
+                const auto why = lock_of(action, machine, job);
+                EXPECT_EQ(failing.empty(), !why.has_value())
+                    << failing << (why ? in_english(*why) : "") << " " << static_cast<int>(job.state);
+            }
         }
     }
+}
+
+TEST(Preflight, IsNamedByStartWhereNothingElseLocksIt) {
+    MachineSight machine = machine_in(S::ready);
+    machine.status->signals = bit_of(Signal::r2_limit);
+    EXPECT_EQ(lock(Action::start, machine), "Start: pre-flight, Limits clear: R2 closed");
+    machine.status->state = S::waiting;
+    EXPECT_EQ(lock(Action::start, machine), "Start: pre-flight, Limits clear: R2 closed") << "to go on, too";
+    EXPECT_EQ(lock(Action::start, machine_in(S::waiting)), "");
+    EXPECT_EQ(lock(Action::start, machine_in(S::off)), "Start: the drives are off; home all axes");
+}
+
+std::string to_look_at(const MachineSight& machine) {
+    std::string named;
+    for (const Check& check : preflight_checks(machine, JobSight{DeskState::published, false, 10})) {
+        if (check.verdict == Check::Verdict::warning)
+            named += in_english(check.name) + ": " + in_english(check.detail) + "; ";
+    }
+    EXPECT_EQ(lock(Action::start, machine), "");
+    return named;
+}
+
+TEST(Preflight, WarnsOfWhatTheCoreAllows) {
+    MachineSight machine = machine_in(S::ready);
+    EXPECT_EQ(to_look_at(machine), "");
+    machine.status->override_percent = 80;
+    EXPECT_EQ(to_look_at(machine), "Feed override: 80 %; ");
+    machine.status->override_percent = 100;
+    machine.status->is_simulator = 0;
+    EXPECT_EQ(to_look_at(machine), "Real-time rights: missing; ");
+    machine.status->has_realtime_rights = 1;
+    EXPECT_EQ(to_look_at(machine), "");
+}
+
+TEST(Preflight, WarnsOfTicksThatComeTooLate) {
+    MachineSight machine = machine_in(S::ready);
+    machine.status->is_simulator = 0;
+    machine.status->has_realtime_rights = 1;
+    machine.status->tick = 1'000'000;
+    machine.status->missed_ticks = 10;
+    EXPECT_EQ(to_look_at(machine), "") << "now and then";
+    machine.status->missed_ticks = 11;
+    EXPECT_EQ(to_look_at(machine), "Ticks in time: 11 missed; ");
+    machine.status->missed_ticks = 0;
+    machine.status->max_lateness_ns = 60'000;
+    machine.status->lateness_histogram[10] = 980'000;  // 1 to 2 us
+    machine.status->lateness_histogram[15] = 20'000;   // about the period
+    EXPECT_EQ(to_look_at(machine), "Ticks in time: 1 % later than 60 µs; ");
+    machine.status->is_simulator = 1;
+    EXPECT_EQ(to_look_at(machine), "") << "nothing is at stake";
 }
 
 }  // namespace

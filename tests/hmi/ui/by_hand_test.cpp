@@ -177,6 +177,36 @@ TEST_F(ByHand, AZeroIsShownKeptAndForgottenAndMovesNothing) {
     EXPECT_NE(window_->findChild<QLabel*>("position_y")->text(), machine);
 }
 
+// A zero is an angle: the turns are the machine's own before it and after it.
+TEST_F(ByHand, TheTableTellsItsTurnsWhateverItsZero) {
+    open_homed();
+    auto* const second = window_->findChild<QLabel*>("second_psi");
+    auto* const position = window_->findChild<QLabel*>("position_psi");
+    const std::int64_t per_rev = sight().profile->psi.pulses_per_rev;
+    Command turn{};
+    turn.kind = CommandKind::jog;
+    turn.axis = static_cast<std::uint32_t>(index_of(Axis::psi));
+    turn.value = 2 * 360.0 + 90.0;
+    turn.lease_token = 7;
+    turn.lease_ms = 2000;
+    const std::int64_t begin_pulses = pulses(Axis::psi);
+    window_->bench().machine.order(turn, session::phrase("Turn"));
+    ASSERT_TRUE(comes_true([&] { return pulses(Axis::psi) > begin_pulses; })) << all_messages().toStdString();
+    ASSERT_TRUE(comes_to(S::ready));
+    const std::int64_t turns = pulses(Axis::psi) / per_rev;
+    ASSERT_GT(turns, 1);
+    const QString told = QString{"%1 turns"}.arg(turns);
+    EXPECT_EQ(second->text(), told);
+    const QString angle = position->text();
+    select("axis_psi");
+    ASSERT_TRUE(click("zero_one"));
+    EXPECT_EQ(second->text(), "Δ 0.00\n" + told);
+    EXPECT_EQ(position->text(), angle) << "the machine's own, 0 to 360";
+    take_picture("zero_of_psi_light");
+    ASSERT_TRUE(click("zero_one"));
+    EXPECT_EQ(second->text(), told);
+}
+
 TEST_F(ByHand, TestsTheWiringOfOneOutputWithTheDrivesOff) {
     open_homed();
     window_->findChild<QTabWidget*>()->setCurrentIndex(kPorts);

@@ -44,6 +44,7 @@ protected:
     }
     static double value_of(QObject& field) {
         if (auto* group = qobject_cast<QButtonGroup*>(&field)) return group->checkedId();
+        if (auto* tick = qobject_cast<QAbstractButton*>(&field)) return tick->isChecked() ? 1 : 0;
         if (auto* box = qobject_cast<QComboBox*>(&field)) return box->currentIndex();
         if (auto* number = qobject_cast<QSpinBox*>(&field)) return number->value();
         if (auto* number = qobject_cast<QDoubleSpinBox*>(&field)) return number->value();
@@ -58,6 +59,7 @@ protected:
                 if (!button->isChecked()) return button->click();
             }
         }
+        if (auto* tick = qobject_cast<QAbstractButton*>(&field)) tick->click();
         if (auto* box = qobject_cast<QComboBox*>(&field)) box->setCurrentIndex(1);
         if (auto* number = qobject_cast<QSpinBox*>(&field)) number->setValue(number->value() + 7);
         if (auto* number = qobject_cast<QDoubleSpinBox*>(&field)) number->setValue(number->value() + 1.25);

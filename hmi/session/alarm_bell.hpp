@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+
+#include "hmi/session/message_log.hpp"
+
+namespace psicarve::session {
+
+/// Calls somebody who does not look at the screen, once for whatever alarms are new. What is from before the
+/// window was there, and what a recording shows, is none.
+class AlarmBell {
+public:
+    explicit AlarmBell(std::function<void()> ring) : ring_(std::move(ring)) {}
+
+    void set_ring(std::function<void()> ring) { ring_ = std::move(ring); }
+    /// Off, it stays silent about what comes meanwhile for good.
+    void set_on(bool is_on) noexcept { is_on_ = is_on; }
+    /// At every look at the machine.
+    void poll(const MessageLog& log);
+
+private:
+    std::function<void()> ring_;
+    bool is_on_ = true;
+    std::uint64_t seen_ = 0;
+};
+
+}  // namespace psicarve::session

@@ -115,7 +115,8 @@ void ProfilePage::report(const Result<void>& saved) {
     if (saved) {
         bench_.log.add(Severity::info, session::phrase("Profile saved: %1", draft().path()));
     } else {
-        bench_.log.add(Severity::warning, session::phrase("Profile not saved: %1", saved.error().message));
+        bench_.log.add(Severity::warning, session::joined(session::phrase("Profile not saved"),
+                                                          session::error_phrase(saved.error().message)));
     }
     look_for_files();
     show_state();

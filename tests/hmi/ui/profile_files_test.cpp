@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QTimer>
 
+#include <algorithm>
 #include <fstream>
 
 #include "tests/hmi/ui/pages_rig.hpp"
@@ -181,6 +182,35 @@ TEST_F(ProfileFiles, BackupsAreReadBySomebodyElse) {
     EXPECT_EQ(profile().draft().changed_count(), 1U) << "nothing is saved yet";
     EXPECT_TRUE(field(kSpeed).isEnabled());
 }
+
+class ProfileProblems : public ProfileFiles, public ::testing::WithParamInterface<Language> {
+protected:
+    ProfileProblems() { use_language(GetParam()); }
+    ~ProfileProblems() override { use_language(Language::english); }
+};
+
+// The words of this language, and what stands in them is the same in all.
+TEST_P(ProfileProblems, AreToldInTheOperatorsLanguage) {
+    ASSERT_NO_FATAL_FAILURE(open_file());
+    edit(kSpeed, "10001");
+    const auto* const row = window_->findChild<QWidget*>(QString{"row_"} + kSpeed);
+    const QString told = field(kSpeed).accessibleDescription();
+    EXPECT_TRUE(told.contains("10001 mm/s") && told.contains("0.001")) << told.toStdString();
+    const auto labels = row->findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&told](const QLabel* label) {
+        return label->isVisible() && label->text() == told;
+    }));
+    EXPECT_EQ(told.contains("is impossible; give a value from"), GetParam() == Language::english)
+        << told.toStdString();
+    std::ofstream(path_) << "[axis.r1]\nspeed_mms = 8\n";
+    profile().open(QString::fromStdString(path_));
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("axis.r1.speed_mms"); }));
+    EXPECT_EQ(all_messages().contains("unknown key"), GetParam() == Language::english)
+        << all_messages().toStdString();
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ProfileProblems,
+                         ::testing::Values(Language::english, Language::chinese, Language::russian));
 
 }  // namespace
 }  // namespace psicarve::ui

@@ -452,6 +452,10 @@
             <translation>%1: посмотреть %2</translation>
         </message>
         <message>
+            <source>%1: %2 values become others</source>
+            <translation>%1: изменятся значения: %2</translation>
+        </message>
+        <message>
             <source>%1: homed</source>
             <translation>%1: ноль найден</translation>
         </message>
@@ -478,6 +482,10 @@
         <message>
             <source>%1: not homed</source>
             <translation>%1: ноль не найден</translation>
+        </message>
+        <message>
+            <source>%1: one value becomes another</source>
+            <translation>%1: изменится одно значение</translation>
         </message>
         <message>
             <source>%1: somebody has changed this file since it was opened; save under another name, or open it again and lose these changes</source>
@@ -914,6 +922,10 @@
         <message>
             <source>Centre of the arc, %1</source>
             <translation>Центр дуги, %1</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>Изменённые</translation>
         </message>
         <message>
             <source>Changed since it was sliced: slice again to take it over.</source>
@@ -1645,6 +1657,10 @@ F12  этот список</translation>
             <translation>Если что-то ещё движется, нажмите проводной аварийный останов</translation>
         </message>
         <message>
+            <source>In the file</source>
+            <translation>В файле</translation>
+        </message>
+        <message>
             <source>In the file: %1</source>
             <translation>В файле: %1</translation>
         </message>
@@ -2133,6 +2149,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Нужен перезапуск: у ядра %1, пока его не запустят заново</translation>
         </message>
         <message>
+            <source>New</source>
+            <translation>Новое</translation>
+        </message>
+        <message>
             <source>Next</source>
             <translation>Далее</translation>
         </message>
@@ -2255,6 +2275,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Nothing is wrong.</source>
             <translation>Всё в порядке.</translation>
+        </message>
+        <message>
+            <source>Nothing was changed</source>
+            <translation>Ничего не изменено</translation>
         </message>
         <message>
             <source>Nowhere too deep</source>
@@ -3001,6 +3025,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Сохранить изображение</translation>
         </message>
         <message>
+            <source>Save the profile</source>
+            <translation>Сохранение профиля</translation>
+        </message>
+        <message>
             <source>Save the profile as</source>
             <translation>Сохранить профиль как</translation>
         </message>
@@ -3115,6 +3143,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Shows only what differs from the built-in profile</source>
             <translation>Показывает только отличия от встроенного профиля</translation>
+        </message>
+        <message>
+            <source>Shows only what differs from the file, and would be saved</source>
+            <translation>Показывает только то, что отличается от файла и было бы сохранено</translation>
         </message>
         <message>
             <source>Side</source>

@@ -452,6 +452,10 @@
             <translation>%1：有 %2 条需要查看</translation>
         </message>
         <message>
+            <source>%1: %2 values become others</source>
+            <translation>%1：%2 个值将改变</translation>
+        </message>
+        <message>
             <source>%1: homed</source>
             <translation>%1：已回零</translation>
         </message>
@@ -478,6 +482,10 @@
         <message>
             <source>%1: not homed</source>
             <translation>%1：未回零</translation>
+        </message>
+        <message>
+            <source>%1: one value becomes another</source>
+            <translation>%1：1 个值将改变</translation>
         </message>
         <message>
             <source>%1: somebody has changed this file since it was opened; save under another name, or open it again and lose these changes</source>
@@ -914,6 +922,10 @@
         <message>
             <source>Centre of the arc, %1</source>
             <translation>圆弧中心，%1</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>已修改</translation>
         </message>
         <message>
             <source>Changed since it was sliced: slice again to take it over.</source>
@@ -1644,6 +1656,10 @@ F12  本列表</translation>
             <translation>如仍有运动，请按硬接线急停</translation>
         </message>
         <message>
+            <source>In the file</source>
+            <translation>文件中</translation>
+        </message>
+        <message>
             <source>In the file: %1</source>
             <translation>文件中为：%1</translation>
         </message>
@@ -2132,6 +2148,10 @@ N、Shift+N  下一条、上一条记录
             <translation>需要重启：内核重新启动前使用 %1</translation>
         </message>
         <message>
+            <source>New</source>
+            <translation>新值</translation>
+        </message>
+        <message>
             <source>Next</source>
             <translation>下一步</translation>
         </message>
@@ -2254,6 +2274,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Nothing is wrong.</source>
             <translation>一切正常。</translation>
+        </message>
+        <message>
+            <source>Nothing was changed</source>
+            <translation>没有修改</translation>
         </message>
         <message>
             <source>Nowhere too deep</source>
@@ -2996,6 +3020,10 @@ N、Shift+N  下一条、上一条记录
             <translation>保存图片</translation>
         </message>
         <message>
+            <source>Save the profile</source>
+            <translation>保存配置</translation>
+        </message>
+        <message>
             <source>Save the profile as</source>
             <translation>配置另存为</translation>
         </message>
@@ -3110,6 +3138,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Shows only what differs from the built-in profile</source>
             <translation>只显示与内置配置不同之处</translation>
+        </message>
+        <message>
+            <source>Shows only what differs from the file, and would be saved</source>
+            <translation>只显示与文件不同、将要保存的值</translation>
         </message>
         <message>
             <source>Side</source>

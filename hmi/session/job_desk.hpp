@@ -54,6 +54,8 @@ public:
     void forget_refused_file() noexcept { refused_file_.reset(); }
     /// The file that is open was written since.
     bool has_changed() const noexcept { return watch_.has_changed(); }
+    /// In what state the file that is open was read; nothing where that is not known.
+    std::optional<FileWatch::Stamp> stamp() const { return watch_.opened(); }
     /// Makes another body of the drawing or picture that is open; none when it cannot be made, until the next
     /// wish: what is sliced is what was asked for.
     void reshape(const flat::FlatOptions& options);

@@ -560,6 +560,10 @@
             <translation>Скорость подвода головки к первой точке.</translation>
         </message>
         <message>
+            <source>A job is being made; cancel it first</source>
+            <translation>Создаётся задание; сначала отмените его</translation>
+        </message>
+        <message>
             <source>A sensor counts once it has stood this long; the emergency stop is never filtered.</source>
             <translation>Датчик считается сработавшим, если сигнал держится столько; аварийный останов не фильтруется никогда.</translation>
         </message>
@@ -574,6 +578,10 @@
         <message>
             <source>A tool becomes shorter as it wears: a piece that comes out thicker on the half of %1 by so much in radius. It is counted from the head's touch-off.</source>
             <translation>Инструмент при износе становится короче: деталь на половине %1 выходит толще на столько по радиусу. Считается от касания этой головки.</translation>
+        </message>
+        <message>
+            <source>A window ended before it was published or saved. Nothing is published, nothing moves.</source>
+            <translation>Окно закрылось раньше, чем это было передано или сохранено. Ничего не передаётся и не движется.</translation>
         </message>
         <message>
             <source>ALARM</source>
@@ -1341,6 +1349,10 @@ F12  этот список</translation>
             <translation>Следить за станком: он режет не это задание</translation>
         </message>
         <message>
+            <source>Forget it</source>
+            <translation>Забыть</translation>
+        </message>
+        <message>
             <source>Forgets the zero of %1</source>
             <translation>Забывает отсчёт %1</translation>
         </message>
@@ -1699,6 +1711,10 @@ F12  этот список</translation>
         <message>
             <source>Iso</source>
             <translation>Изометрия</translation>
+        </message>
+        <message>
+            <source>It is not offered again; the file stays</source>
+            <translation>Больше не предлагается; файл остаётся</translation>
         </message>
         <message>
             <source>Its guard could not switch drives and spindle off: the port does not answer.</source>
@@ -2249,6 +2265,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Не открыто, так как не открыт профиль станка: %1</translation>
         </message>
         <message>
+            <source>Not published when a window ended: %1 (page Model)</source>
+            <translation>Не передано, когда окно закрылось: %1 (страница «Модель»)</translation>
+        </message>
+        <message>
             <source>Not saved: %1</source>
             <translation>Не сохранено: %1</translation>
         </message>
@@ -2399,6 +2419,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Opened, not sliced yet: %1</source>
             <translation>Открыто, ещё не нарезано: %1</translation>
+        </message>
+        <message>
+            <source>Opens the model with the form it had</source>
+            <translation>Открывает модель с прежними настройками</translation>
         </message>
         <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
@@ -3469,6 +3493,18 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Таблицы (*.csv)</translation>
         </message>
         <message>
+            <source>Take up again</source>
+            <translation>Вернуть на стол</translation>
+        </message>
+        <message>
+            <source>Take up again: %1, %2 layers × %3 points</source>
+            <translation>Вернуть на стол: %1, слоёв %2 × точек %3</translation>
+        </message>
+        <message>
+            <source>Take up again: %1, %2 layers × %3 points, sliced</source>
+            <translation>Вернуть на стол: %1, слоёв %2 × точек %3, нарезано</translation>
+        </message>
+        <message>
             <source>Takes the position that the core counts now</source>
             <translation>Берёт положение, которое сейчас считает ядро</translation>
         </message>
@@ -3617,8 +3653,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Файл кончается без endsolid.</translation>
         </message>
         <message>
+            <source>The file is not there any more</source>
+            <translation>Файла больше нет</translation>
+        </message>
+        <message>
             <source>The file was written since it was opened</source>
             <translation>Файл изменён после открытия</translation>
+        </message>
+        <message>
+            <source>The file was written since: it comes as it is now, and is not sliced.</source>
+            <translation>Файл с тех пор записан заново: он откроется таким, какой есть, и без нарезки.</translation>
         </message>
         <message>
             <source>The finishing pass alone</source>

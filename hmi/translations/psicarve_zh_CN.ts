@@ -560,6 +560,10 @@
             <translation>刀头进给到第一点的速度。</translation>
         </message>
         <message>
+            <source>A job is being made; cancel it first</source>
+            <translation>正在生成作业；请先取消</translation>
+        </message>
+        <message>
             <source>A sensor counts once it has stood this long; the emergency stop is never filtered.</source>
             <translation>传感器信号保持这么久才算数；急停从不滤波。</translation>
         </message>
@@ -574,6 +578,10 @@
         <message>
             <source>A tool becomes shorter as it wears: a piece that comes out thicker on the half of %1 by so much in radius. It is counted from the head's touch-off.</source>
             <translation>刀具磨损后变短：工件在 %1 的一半半径会大出这么多。自该刀头对刀时算起。</translation>
+        </message>
+        <message>
+            <source>A window ended before it was published or saved. Nothing is published, nothing moves.</source>
+            <translation>窗口在其发布或保存之前结束。不会发布，也不会运动。</translation>
         </message>
         <message>
             <source>ALARM</source>
@@ -1340,6 +1348,10 @@ F12  本列表</translation>
             <translation>跟随机床：机床没有在加工此作业</translation>
         </message>
         <message>
+            <source>Forget it</source>
+            <translation>忘记</translation>
+        </message>
+        <message>
             <source>Forgets the zero of %1</source>
             <translation>清除 %1 的显示零点</translation>
         </message>
@@ -1698,6 +1710,10 @@ F12  本列表</translation>
         <message>
             <source>Iso</source>
             <translation>轴测</translation>
+        </message>
+        <message>
+            <source>It is not offered again; the file stays</source>
+            <translation>不再提示；文件保留</translation>
         </message>
         <message>
             <source>Its guard could not switch drives and spindle off: the port does not answer.</source>
@@ -2248,6 +2264,10 @@ N、Shift+N  下一条、上一条记录
             <translation>未打开，因为机床配置未能打开：%1</translation>
         </message>
         <message>
+            <source>Not published when a window ended: %1 (page Model)</source>
+            <translation>窗口结束时尚未发布：%1（模型页）</translation>
+        </message>
+        <message>
             <source>Not saved: %1</source>
             <translation>未保存：%1</translation>
         </message>
@@ -2398,6 +2418,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Opened, not sliced yet: %1</source>
             <translation>已打开、尚未切片：%1</translation>
+        </message>
+        <message>
+            <source>Opens the model with the form it had</source>
+            <translation>按原来的设置打开模型</translation>
         </message>
         <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
@@ -3464,6 +3488,18 @@ N、Shift+N  下一条、上一条记录
             <translation>表格 (*.csv)</translation>
         </message>
         <message>
+            <source>Take up again</source>
+            <translation>取回</translation>
+        </message>
+        <message>
+            <source>Take up again: %1, %2 layers × %3 points</source>
+            <translation>取回：%1，%2 层 × %3 点</translation>
+        </message>
+        <message>
+            <source>Take up again: %1, %2 layers × %3 points, sliced</source>
+            <translation>取回：%1，%2 层 × %3 点，已切片</translation>
+        </message>
+        <message>
             <source>Takes the position that the core counts now</source>
             <translation>取内核当前计数的位置</translation>
         </message>
@@ -3612,8 +3648,16 @@ N、Shift+N  下一条、上一条记录
             <translation>文件结尾缺少 endsolid。</translation>
         </message>
         <message>
+            <source>The file is not there any more</source>
+            <translation>文件已不存在</translation>
+        </message>
+        <message>
             <source>The file was written since it was opened</source>
             <translation>文件在打开后被改写</translation>
+        </message>
+        <message>
+            <source>The file was written since: it comes as it is now, and is not sliced.</source>
+            <translation>该文件之后被改写：按现在的内容打开，不切片。</translation>
         </message>
         <message>
             <source>The finishing pass alone</source>

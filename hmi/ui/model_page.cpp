@@ -27,6 +27,7 @@
 #include "hmi/ui/view_buttons.hpp"
 #include "hmi/ui/warning_list.hpp"
 #include "hmi/ui/words.hpp"
+#include "hmi/ui/work_bar.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -45,8 +46,11 @@ ModelPage::ModelPage(Bench& bench, Drawing drawing, QWidget* parent)
     sides_ = new QBoxLayout{QBoxLayout::LeftToRight, this};
     sides_->setContentsMargins(kGap, kGap, kGap, kGap);
     sides_->setSpacing(kGap);
-    sides_->addWidget(make_view(), 1);
+    QWidget* const view = make_view();
+    sides_->addWidget(view, 1);
     sides_->addWidget(make_form());
+    work_ = new WorkBar{bench_, {room_->widget(), [this] { slice(); }}};
+    static_cast<QVBoxLayout*>(view->layout())->insertWidget(0, work_);
 }
 
 void ModelPage::resizeEvent(QResizeEvent* event) {
@@ -233,6 +237,11 @@ void ModelPage::refresh() {
     show_blank();
     show_reasons();
     show_why_empty();
+    work_->refresh(changes_, is_stale());
+}
+
+void ModelPage::forget_work() {
+    work_->forget();
 }
 
 void ModelPage::show_facts() {

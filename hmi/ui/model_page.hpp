@@ -23,6 +23,7 @@ class PiecePanel;
 class SlicingPanel;
 class TurnForm;
 class WarningList;
+class WorkBar;
 
 /// The model, how it is to stand and be sliced, and what was noticed about it.
 class ModelPage : public QWidget {
@@ -33,6 +34,8 @@ public:
     void set_theme(const Tokens& tokens);
     void refresh();
     void slice();
+    /// The window goes in order: nothing is to be taken up again.
+    void forget_work();
     /// What was noticed about model and job.
     std::size_t warning_count() const noexcept { return warning_count_; }
 
@@ -97,6 +100,7 @@ private:
     QPointer<ModelReportDialog> report_;
     session::Phrase no_piece_;  ///< why there is no piece to be expected
     SlicingPanel* slicing_ = nullptr;
+    WorkBar* work_ = nullptr;
 };
 
 }  // namespace psicarve::ui

@@ -18,10 +18,9 @@ constexpr std::size_t kMostInALine = 2;
 
 std::string degrees_text(const report::Span& span) {
     std::array<char, 96> text{};
-    const bool passes_zero = span.to > kDegPerRev;
-    std::snprintf(text.data(), text.size(), "%.0f-%.0f deg%s (%.1f %%)", span.from,
-                  passes_zero ? span.to - kDegPerRev : span.to, passes_zero ? ", through 0" : "",
-                  100.0 * span.share);
+    const report::Directions told = report::directions_of(span);
+    std::snprintf(text.data(), text.size(), "%.0f-%.0f deg%s (%.1f %%)", told.from_deg, told.to_deg,
+                  told.passes_zero ? ", through 0" : "", 100.0 * span.share);
     return text.data();
 }
 

@@ -77,6 +77,11 @@ const char* probable_unit(const model::MeshFacts& facts) noexcept {
     return largest > 5000.0 ? "um" : "mm";
 }
 
+Directions directions_of(const Span& span_deg) noexcept {
+    const bool passes_zero = span_deg.to > kDegPerRev;
+    return {span_deg.from, passes_zero ? span_deg.to - kDegPerRev : span_deg.to, passes_zero};
+}
+
 std::vector<Span> worst_of(std::vector<Span> spans, std::size_t most) {
     std::sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.share > b.share; });
     spans.resize(std::min(spans.size(), most));

@@ -46,6 +46,15 @@ struct Span {
     double to = 0.0;
     double share = 0.0;
 };
+/// Directions of a span as they are told: 350 to 10, through 0, instead of 350 to 370.
+struct Directions {
+    double from_deg = 0.0;
+    double to_deg = 0.0;
+    bool passes_zero = false;
+
+    bool operator==(const Directions&) const = default;
+};
+Directions directions_of(const Span& span_deg) noexcept;
 /// The largest shares, the largest first.
 std::vector<Span> worst_of(std::vector<Span> spans, std::size_t most);
 

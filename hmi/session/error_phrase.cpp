@@ -9,6 +9,7 @@
 #include "hmi/session/calibration_phrase.hpp"
 #include "hmi/session/core_phrase.hpp"
 #include "hmi/session/flat_phrase.hpp"
+#include "hmi/session/profile_phrase.hpp"
 #include "hmi/session/sentence.hpp"
 #include "hmi/session/warning_phrase.hpp"
 
@@ -244,6 +245,7 @@ Phrase error_phrase(const std::string& message) {
     if (auto found = phrase_for(of_a_job(), message)) return *found;
     if (auto found = phrase_for(of_roughing(), message)) return *found;
     if (auto found = calibration_phrase(message)) return *found;
+    if (auto found = profile_error_phrase(message)) return *found;
     if (auto found = file_phrase(message)) return *found;
     if (auto found = file_line_phrase(message)) return *found;
     return core_phrase(message);

@@ -71,10 +71,14 @@ void FileDesk::save_snapshot(const std::string& path) {
 }
 
 void FileDesk::save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job) {
-    post(path, [this, path, job = std::move(job)] {
+    post(path, [this, path, job = std::move(job)]() -> WorkLane::Finish {
         Snapshot file;  // a job file is a snapshot without a status
         file.job_blob = job->blob;
-        return told(psicarve::save_snapshot(file, path), path);
+        const auto saved = psicarve::save_snapshot(file, path);
+        return [this, job, is_saved = saved.has_value(), tell = told(saved, path)] {
+            if (is_saved) saved_job_ = job;
+            tell();
+        };
     });
 }
 

@@ -29,6 +29,8 @@ public:
     /// From now on this file, which was opened in that state; without one nothing is watched.
     void watch(const std::string& path, const std::optional<Stamp>& opened);
     void poll(Clock::time_point now);
+    /// In what state it was opened.
+    const std::optional<Stamp>& opened() const noexcept { return opened_; }
     /// A file that is gone has not changed: many programs write another and move it here.
     bool has_changed() const noexcept { return has_changed_; }
 

@@ -1,100 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/session/job_desk.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
-#include "hmi/cam/table_job.hpp"
-#include "hmi/machine/machine_link.hpp"
-#include "hmi/model/turned_mesh.hpp"
+#include "hmi/session/core_job.hpp"
 #include "hmi/session/error_phrase.hpp"
 #include "hmi/session/job_making.hpp"
 #include "hmi/session/warning_phrase.hpp"
 
 namespace psicarve::session {
 
-/// A mesh, a job or an error.
-struct JobDesk::Opened {
-    std::shared_ptr<const model::Mesh> mesh;
-    std::shared_ptr<const model::Mesh> file_mesh;  ///< before it was turned
-    flat::ModelKind kind = flat::ModelKind::mesh;
-    flat::FlatOptions shape;
-    bool is_line_art = false;  ///< open lines alone: engraved, as nothing else becomes of them
-    std::shared_ptr<const MeshScene> scene;
-    std::uint64_t mesh_bytes = 0;
-    JobPointer job;
-    std::optional<FileWatch::Stamp> stamp;  ///< of the file, before it was read
-    std::optional<Error> error;
-};
-
 namespace {
 
-using machine::MachineLink;
 using JobPointer = std::shared_ptr<const cam::PreparedJob>;
-
-constexpr std::chrono::milliseconds kJudgePoll{100};
-constexpr std::chrono::milliseconds kCopyLimit{2000};
-
 using MeshPointer = std::shared_ptr<const model::Mesh>;
-
-/// The same one where nothing is turned.
-MeshPointer turned_mesh(const MeshPointer& mesh, const model::MeshTurn& turn) {
-    return turn.any() ? std::make_shared<const model::Mesh>(model::turned(*mesh, turn)) : mesh;
-}
 
 Result<JobPointer> make_job(const model::Mesh& mesh, const Profile& profile, const cam::JobOptions& options) {
     auto built = cam::build_job(mesh, profile, options);
     if (!built) return built.error();
     return prepared(std::move(*built), profile, mesh.source_name);
-}
-
-/// Lines are cut with the machine's tool into its blank, as far as it tells of them.
-flat::FlatOptions engraved_on(const Profile& machine) {
-    flat::FlatOptions options;
-    options.engraving.emplace();
-    options.engraving->tool = machine.tool;
-    if (machine.blank.radius_mm > 0.0) options.diameter_mm = 2.0 * machine.blank.radius_mm;
-    return options;
-}
-
-/// As `psicarve slice` makes it of a table.
-Result<JobPointer> job_of_table(const std::string& path, const Profile& machine) {
-    auto built = cam::job_from_table(path, machine, std::nullopt);
-    if (!built) return built.error();
-    return prepared(std::move(*built), machine, path);
-}
-
-/// Publishes, and waits for the core's word until it comes or the wait is cancelled.
-Result<std::uint64_t> publish_and_wait(const std::string& segment, const std::string& group,
-                                       const cam::PreparedJob& job, const std::atomic<bool>& cancels) {
-    auto link = MachineLink::attach(segment, group);
-    if (!link) return link.error();
-    if (const auto core = link->require_core(); !core) return core.error();
-    const auto generation = publish_job(link->segment(), job.blob);
-    while (generation) {
-        const auto accepted = wait_for_acceptance(link->segment(), *generation, kJudgePoll);
-        if (accepted) break;
-        if (accepted.error().code != ErrorCode::timed_out) return accepted.error();
-        if (cancels.load()) return Error{ErrorCode::cancelled, "publishing was cancelled"};
-    }
-    return generation;
-}
-
-Result<JobPointer> job_in_segment(const std::string& segment, const std::string& group) {
-    auto link = MachineLink::attach(segment, group);
-    if (!link) return link.error();
-    auto published = copy_current_job(link->segment(), kCopyLimit);
-    if (!published) return published.error();
-    const auto view = JobView::check(published->blob);
-    if (!view) return view.error();
-    auto profile = job_profile(*view);
-    if (!profile) return profile.error();
-    auto job = cam::prepare_blob(std::move(published->blob), std::move(*profile), segment);
-    if (!job) return job.error();
-    return with_least_times(std::move(*job));
 }
 
 }  // namespace
@@ -128,46 +54,10 @@ void JobDesk::post_open(const std::string& path, bool may_be_recording) {
         if (may_be_recording && is_recording_ && is_recording_(path))
             return [this, path] { take_recording_(path); };
         const auto stamp = FileWatch::stamp_of(path);
-        const auto opened = std::make_shared<Opened>(read(path, machine, shape, turn));
+        const auto opened = std::make_shared<OpenedFile>(read_opened(path, machine, shape, turn));
         opened->stamp = stamp;
         return [this, path, opened] { take_opened(path, std::move(*opened)); };
     });
-}
-
-JobDesk::Opened JobDesk::read(const std::string& path, const Profile& machine,
-                              const std::optional<flat::FlatOptions>& shape, const model::MeshTurn& turn) {
-    const bool is_job = is_snapshot_file(path);
-    if (!is_job && !cam::is_table_file(path)) {
-        Opened opened = read_model(path, shape.value_or(flat::FlatOptions{}), turn);
-        if (shape || !opened.error || !flat::has_only_open_lines(path)) return opened;
-        opened = read_model(path, engraved_on(machine), turn);
-        opened.is_line_art = true;
-        return opened;
-    }
-    Opened opened;
-    const auto job = is_job ? read_job(path) : job_of_table(path, machine);
-    if (job) opened.job = *job;
-    if (!job) opened.error = job.error();
-    return opened;
-}
-
-JobDesk::Opened JobDesk::read_model(const std::string& path, const flat::FlatOptions& options,
-                                    const model::MeshTurn& turn) {
-    Opened opened;
-    opened.kind = flat::kind_of_model(path);
-    opened.shape = options;
-    auto mesh = flat::load_model(path, options);
-    if (!mesh) {
-        opened.error = mesh.error();
-        return opened;
-    }
-    std::error_code unknown;
-    const auto bytes = std::filesystem::file_size(path, unknown);
-    if (!unknown) opened.mesh_bytes = bytes;
-    opened.file_mesh = std::make_shared<const model::Mesh>(std::move(*mesh));
-    opened.mesh = turned_mesh(opened.file_mesh, turn);
-    opened.scene = std::make_shared<const MeshScene>(make_mesh_scene(*opened.mesh));
-    return opened;
 }
 
 void JobDesk::reshape(const flat::FlatOptions& options) {
@@ -179,7 +69,7 @@ void JobDesk::reshape(const flat::FlatOptions& options) {
     begin(DeskState::opening);
     lane_.post([this, path = path_, options, turn = turn_]() -> WorkLane::Finish {
         const auto stamp = FileWatch::stamp_of(path);
-        const auto opened = std::make_shared<Opened>(read_model(path, options, turn));
+        const auto opened = std::make_shared<OpenedFile>(read_opened_model(path, options, turn));
         opened->stamp = stamp;
         return [this, opened] {
             watch(opened->stamp);
@@ -189,7 +79,7 @@ void JobDesk::reshape(const flat::FlatOptions& options) {
 }
 
 /// Another body of the same file, or none: never one that was not asked for.
-void JobDesk::take_body(Opened opened) {
+void JobDesk::take_body(OpenedFile opened) {
     if (cancels_.load()) {
         opened = {};
         opened.error = Error{ErrorCode::cancelled, path_ + ": opening was cancelled"};
@@ -215,15 +105,12 @@ void JobDesk::turn_again() {
     if (!file_mesh_) return;
     begin(DeskState::opening);
     lane_.post([this, mesh = file_mesh_, turn = turn_]() -> WorkLane::Finish {
-        const auto opened = std::make_shared<Opened>();
-        opened->file_mesh = mesh;
-        opened->mesh = turned_mesh(mesh, turn);
-        opened->scene = std::make_shared<const MeshScene>(make_mesh_scene(*opened->mesh));
+        const auto opened = std::make_shared<OpenedFile>(turned_again(mesh, turn));
         return [this, opened] { take_body(std::move(*opened)); };
     });
 }
 
-void JobDesk::take_opened(const std::string& path, Opened opened) {
+void JobDesk::take_opened(const std::string& path, OpenedFile opened) {
     if (cancels_.load()) opened.error = Error{ErrorCode::cancelled, path + ": opening was cancelled"};
     const bool is_cancelled = cancels_.load();
     // Lines that do not fit the usual cylinder are there to be given another one.

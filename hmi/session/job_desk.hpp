@@ -17,6 +17,7 @@
 #include "hmi/session/machine_sight.hpp"
 #include "hmi/session/mesh_scene.hpp"
 #include "hmi/session/message_log.hpp"
+#include "hmi/session/opened_file.hpp"
 #include "hmi/session/refused_file.hpp"
 #include "hmi/session/work_lane.hpp"
 
@@ -53,6 +54,8 @@ public:
     void forget_refused_file() noexcept { refused_file_.reset(); }
     /// The file that is open was written since.
     bool has_changed() const noexcept { return watch_.has_changed(); }
+    /// In what state the file that is open was read; nothing where that is not known.
+    std::optional<FileWatch::Stamp> stamp() const { return watch_.opened(); }
     /// Makes another body of the drawing or picture that is open; none when it cannot be made, until the next
     /// wish: what is sliced is what was asked for.
     void reshape(const flat::FlatOptions& options);
@@ -93,19 +96,14 @@ public:
     std::uint64_t edition() const noexcept { return edition_; }
 
 private:
-    struct Opened;
     using JobPointer = std::shared_ptr<const cam::PreparedJob>;
 
     void begin(DeskState state);
     void post_open(const std::string& path, bool may_be_recording);
-    static Opened read(const std::string& path, const Profile& machine,
-                       const std::optional<flat::FlatOptions>& shape, const model::MeshTurn& turn);
-    static Opened read_model(const std::string& path, const flat::FlatOptions& options,
-                             const model::MeshTurn& turn);
     void turn_again();
-    void take_body(Opened opened);
+    void take_body(OpenedFile opened);
     void compare_profiles(const MachineSight& machine);
-    void take_opened(const std::string& path, Opened opened);
+    void take_opened(const std::string& path, OpenedFile opened);
     void watch(const std::optional<FileWatch::Stamp>& opened);
     void note_change();
     void take_job(JobPointer job, std::uint64_t generation, std::shared_ptr<const model::Mesh> mesh = {});

@@ -74,17 +74,25 @@ Phrase volume_phrase(const ModelKnowledge& known) {
 
 enum class PlaceUnit { degrees, mm };
 
-/// "40–70° (12.0 %), 200–210° (5.0 %) …"
+Phrase directions_phrase(const report::Span& span, const std::string& share) {
+    const report::Directions told = report::directions_of(span);
+    const std::string from = number_text(told.from_deg, 0);
+    const std::string to = number_text(told.to_deg, 0);
+    return told.passes_zero ? phrase("%1–%2°, through 0° (%3 %)", from, to, share)
+                            : phrase("%1–%2° (%3 %)", from, to, share);
+}
+
+Phrase heights_phrase(const report::Span& span, const std::string& share) {
+    return phrase("%1–%2 mm high (%3 %)", number_text(span.from, 1), number_text(span.to, 1), share);
+}
+
+/// "40–70° (12.0 %), 350–10°, through 0° (5.0 %) …"
 Phrase places_phrase(const std::vector<report::Span>& spans, PlaceUnit unit) {
-    const bool is_degrees = unit == PlaceUnit::degrees;
-    const int decimals = is_degrees ? 0 : 1;
     std::vector<Phrase> places;
     for (const report::Span& span : report::worst_of(spans, kMostPlaces)) {
-        const std::string from = number_text(span.from, decimals);
-        const std::string to = number_text(span.to, decimals);
         const std::string share = number_text(kPercentOfMesh * span.share, 1);
-        places.push_back(is_degrees ? phrase("%1–%2° (%3 %)", from, to, share)
-                                    : phrase("%1–%2 mm high (%3 %)", from, to, share));
+        places.push_back(unit == PlaceUnit::degrees ? directions_phrase(span, share)
+                                                    : heights_phrase(span, share));
     }
     if (spans.size() > kMostPlaces) places.push_back(phrase("…"));
     return listed(std::move(places));

@@ -32,6 +32,18 @@
             <translation>%1 один ищет свой ноль</translation>
         </message>
         <message>
+            <source>%1 and %2 are both on output pin %3; give one of them another pin (only enables may share)</source>
+            <translation>%1 и %2 оба на выходном выводе %3; дайте одному из них другой вывод (делить можно только сигналы разрешения)</translation>
+        </message>
+        <message>
+            <source>%1 and %2 share pin %3, one active high and one active low; give both the same sign</source>
+            <translation>%1 и %2 делят вывод %3: у одного активен высокий уровень, у другого низкий; дайте обоим один знак</translation>
+        </message>
+        <message>
+            <source>%1 and %2 share pin %3: what homing looks for would be an emergency stop; give one of them another pin, or 0</source>
+            <translation>%1 и %2 делят вывод %3: то, что ищет выход в ноль, было бы аварийным остановом; дайте одному из них другой вывод или 0</translation>
+        </message>
+        <message>
             <source>%1 and %2: %3 differences</source>
             <translation>%1 и %2: отличий %3</translation>
         </message>
@@ -112,12 +124,28 @@
             <translation>используется: %1</translation>
         </message>
         <message>
+            <source>%1 is above the axis' top speed of %2; lower it, or raise %3</source>
+            <translation>%1 больше наибольшей скорости оси, %2; уменьшите значение или увеличьте %3</translation>
+        </message>
+        <message>
+            <source>%1 is half a revolution of %2 pulses or more, so lost steps would never be noticed; lower it</source>
+            <translation>%1 — это пол-оборота из %2 импульсов или больше, и потерянные шаги не были бы замечены; уменьшите значение</translation>
+        </message>
+        <message>
+            <source>%1 is impossible; give a value from %2 to %3</source>
+            <translation>%1 недопустимо; задайте значение от %2 до %3</translation>
+        </message>
+        <message>
             <source>%1 is no group code</source>
             <translation>%1 — не код группы</translation>
         </message>
         <message>
             <source>%1 is no head of a table: y_mm,r_mm or y_pulses,r_pulses, or what snapshot export writes</source>
             <translation>%1 — не заголовок таблицы: нужен y_mm,r_mm, или y_pulses,r_pulses, или то, что пишет snapshot export</translation>
+        </message>
+        <message>
+            <source>%1 is no number to work with; give a finite one</source>
+            <translation>%1 — не пригодное число; задайте конечное</translation>
         </message>
         <message>
             <source>%1 is not a number</source>
@@ -140,6 +168,10 @@
             <translation>%1 — не слово текстового STL</translation>
         </message>
         <message>
+            <source>%1 is not possible here; give %2</source>
+            <translation>%1 здесь недопустимо; задайте %2</translation>
+        </message>
+        <message>
             <source>%1 is not the number of a vertex</source>
             <translation>%1 — не номер вершины</translation>
         </message>
@@ -154,6 +186,10 @@
         <message>
             <source>%1 is not wired to any pin</source>
             <translation>%1 не подключён ни к одному контакту</translation>
+        </message>
+        <message>
+            <source>%1 is odd, so half a revolution is no whole number of pulses; give an even number</source>
+            <translation>%1 нечётно, и пол-оборота не целое число импульсов; задайте чётное число</translation>
         </message>
         <message>
             <source>%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis Y</source>
@@ -192,12 +228,32 @@
             <translation>%1 mm</translation>
         </message>
         <message>
+            <source>%1 mm as the max sensor's edge leaves nothing of the travel of %2 to %3 mm; put it at the travel's upper end, or correct %4</source>
+            <translation>%1 mm как край датчика max не оставляет ничего от хода от %2 до %3 mm; поставьте его на верхний конец хода или исправьте %4</translation>
+        </message>
+        <message>
+            <source>%1 mm as the min sensor's edge leaves nothing of the travel of %2 to %3 mm; put it at the travel's lower end, or correct %4</source>
+            <translation>%1 mm как край датчика min не оставляет ничего от хода от %2 до %3 mm; поставьте его на нижний конец хода или исправьте %4</translation>
+        </message>
+        <message>
             <source>%1 mm beside</source>
             <translation>рядом, %1 мм</translation>
         </message>
         <message>
             <source>%1 mm deep goes to the middle of a cylinder of %2 mm diameter</source>
             <translation>глубина %1 mm доходит до середины цилиндра диаметром %2 mm</translation>
+        </message>
+        <message>
+            <source>%1 mm is more than the tool is wide, %2 mm; set it lower, or to 0</source>
+            <translation>%1 mm больше ширины инструмента, %2 mm; уменьшите значение или задайте 0</translation>
+        </message>
+        <message>
+            <source>%1 mm is out of the reach of head %2; lower it, or widen %3</source>
+            <translation>до %1 mm головка %2 не достаёт; уменьшите значение или расширьте %3</translation>
+        </message>
+        <message>
+            <source>%1 mm lies outside the travel of %2 to %3 mm by more than the %4 mm of overtravel; give a position that the axis can reach</source>
+            <translation>%1 mm лежит вне хода от %2 до %3 mm больше чем на перебег %4 mm; укажите положение, до которого ось доходит</translation>
         </message>
         <message>
             <source>%1 mm, r ≤ %2</source>
@@ -316,12 +372,32 @@
             <translation>%1 об.</translation>
         </message>
         <message>
+            <source>%1 us are too short for a pulse and its gap, which take %2 us in ticks; lengthen it, or shorten tick.period_us</source>
+            <translation>%1 us мало для импульса с паузой: в тактах они занимают %2 us; увеличьте значение или сократите tick.period_us</translation>
+        </message>
+        <message>
+            <source>%1 us is longer than the %2 us from pulse to pulse; shorten it, or lengthen tick.io_us</source>
+            <translation>%1 us больше, чем %2 us от импульса до импульса; уменьшите значение или увеличьте tick.io_us</translation>
+        </message>
+        <message>
+            <source>%1 us is no whole number of periods of %2 us; give a multiple of tick.period_us</source>
+            <translation>%1 us — не целое число периодов по %2 us; задайте кратное tick.period_us</translation>
+        </message>
+        <message>
             <source>%1 was not opened</source>
             <translation>Файл %1 не открыт</translation>
         </message>
         <message>
             <source>%1 was written since it was opened: Reload takes it as it is now</source>
             <translation>Файл %1 изменён после открытия: «Перечитать» возьмёт его новым</translation>
+        </message>
+        <message>
+            <source>%1 where %2 is expected; correct the value</source>
+            <translation>здесь %1, а ожидается: %2; исправьте значение</translation>
+        </message>
+        <message>
+            <source>%1 where the table [%2] is expected; put its keys below [%3]</source>
+            <translation>здесь %1, а ожидается таблица [%2]; её ключи пишите под [%3]</translation>
         </message>
         <message>
             <source>%1 would bring the tips closer than head_clearance_mm, %2</source>
@@ -384,16 +460,44 @@
             <translation>%1: посмотреть %2</translation>
         </message>
         <message>
+            <source>%1: %2 values become others</source>
+            <translation>%1: изменятся значения: %2</translation>
+        </message>
+        <message>
             <source>%1: homed</source>
             <translation>%1: ноль найден</translation>
+        </message>
+        <message>
+            <source>%1: it would not say what is shown here; open it again</source>
+            <translation>%1: в файле оказалось бы не то, что показано здесь; откройте его снова</translation>
         </message>
         <message>
             <source>%1: its flight recorder tells of another run; its entries are not shown</source>
             <translation>%1: его самописец рассказывает о другом запуске; его записи не показаны</translation>
         </message>
         <message>
+            <source>%1: line %2: %3 cannot be set as this is written; give its table a header, [%4], and each key a line below it</source>
+            <translation>%1: строка %2: при такой записи %3 задать нельзя; дайте таблице заголовок [%4] и каждому ключу строку под ним</translation>
+        </message>
+        <message>
+            <source>%1: line %2: %3 has no place: a table of that name stands here; rename it</source>
+            <translation>%1: строка %2: для %3 нет места: здесь таблица с этим именем; переименуйте её</translation>
+        </message>
+        <message>
+            <source>%1: line %2: %3 has no place: a value of that name stands here; rename it</source>
+            <translation>%1: строка %2: для %3 нет места: здесь значение с этим именем; переименуйте его</translation>
+        </message>
+        <message>
             <source>%1: not homed</source>
             <translation>%1: ноль не найден</translation>
+        </message>
+        <message>
+            <source>%1: one value becomes another</source>
+            <translation>%1: изменится одно значение</translation>
+        </message>
+        <message>
+            <source>%1: somebody has changed this file since it was opened; save under another name, or open it again and lose these changes</source>
+            <translation>%1: этот файл кто-то изменил после открытия; сохраните под другим именем или откройте его снова и потеряйте эти изменения</translation>
         </message>
         <message>
             <source>%1: whether it was homed is not recorded</source>
@@ -402,6 +506,14 @@
         <message>
             <source>%1–%2 mm high (%3 %)</source>
             <translation>на высоте %1–%2 mm (%3 %)</translation>
+        </message>
+        <message>
+            <source>%1–%2°, through 0° (%3 %)</source>
+            <translation>%1–%2°, через 0° (%3 %)</translation>
+        </message>
+        <message>
+            <source>%3 where the table [%1] is expected; put its keys below [%2]</source>
+            <translation>здесь %3, а ожидается таблица [%1]; её ключи пишите под [%2]</translation>
         </message>
         <message>
             <source>--port io:ADDRESS is refused</source>
@@ -460,6 +572,10 @@
             <translation>Скорость подвода головки к первой точке.</translation>
         </message>
         <message>
+            <source>A job is being made; cancel it first</source>
+            <translation>Создаётся задание; сначала отмените его</translation>
+        </message>
+        <message>
             <source>A sensor counts once it has stood this long; the emergency stop is never filtered.</source>
             <translation>Датчик считается сработавшим, если сигнал держится столько; аварийный останов не фильтруется никогда.</translation>
         </message>
@@ -474,6 +590,10 @@
         <message>
             <source>A tool becomes shorter as it wears: a piece that comes out thicker on the half of %1 by so much in radius. It is counted from the head's touch-off.</source>
             <translation>Инструмент при износе становится короче: деталь на половине %1 выходит толще на столько по радиусу. Считается от касания этой головки.</translation>
+        </message>
+        <message>
+            <source>A window ended before it was published or saved. Nothing is published, nothing moves.</source>
+            <translation>Окно закрылось раньше, чем это было передано или сохранено. Ничего не передаётся и не движется.</translation>
         </message>
         <message>
             <source>ALARM</source>
@@ -830,6 +950,10 @@
         <message>
             <source>Centre of the arc, %1</source>
             <translation>Центр дуги, %1</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>Изменённые</translation>
         </message>
         <message>
             <source>Changed since it was sliced: slice again to take it over.</source>
@@ -1245,6 +1369,10 @@ F12  этот список</translation>
             <translation>Следить за станком: он режет не это задание</translation>
         </message>
         <message>
+            <source>Forget it</source>
+            <translation>Забыть</translation>
+        </message>
+        <message>
             <source>Forgets the zero of %1</source>
             <translation>Забывает отсчёт %1</translation>
         </message>
@@ -1561,6 +1689,10 @@ F12  этот список</translation>
             <translation>Если что-то ещё движется, нажмите проводной аварийный останов</translation>
         </message>
         <message>
+            <source>In the file</source>
+            <translation>В файле</translation>
+        </message>
+        <message>
             <source>In the file: %1</source>
             <translation>В файле: %1</translation>
         </message>
@@ -1599,6 +1731,10 @@ F12  этот список</translation>
         <message>
             <source>Iso</source>
             <translation>Изометрия</translation>
+        </message>
+        <message>
+            <source>It is not offered again; the file stays</source>
+            <translation>Больше не предлагается; файл остаётся</translation>
         </message>
         <message>
             <source>Its guard could not switch drives and spindle off: the port does not answer.</source>
@@ -2049,6 +2185,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Нужен перезапуск: у ядра %1, пока его не запустят заново</translation>
         </message>
         <message>
+            <source>New</source>
+            <translation>Новое</translation>
+        </message>
+        <message>
             <source>Next</source>
             <translation>Далее</translation>
         </message>
@@ -2145,6 +2285,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Не открыто, так как не открыт профиль станка: %1</translation>
         </message>
         <message>
+            <source>Not published when a window ended: %1 (page Model)</source>
+            <translation>Не передано, когда окно закрылось: %1 (страница «Модель»)</translation>
+        </message>
+        <message>
             <source>Not saved: %1</source>
             <translation>Не сохранено: %1</translation>
         </message>
@@ -2171,6 +2315,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Nothing is wrong.</source>
             <translation>Всё в порядке.</translation>
+        </message>
+        <message>
+            <source>Nothing was changed</source>
+            <translation>Ничего не изменено</translation>
         </message>
         <message>
             <source>Nowhere too deep</source>
@@ -2291,6 +2439,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Opened, not sliced yet: %1</source>
             <translation>Открыто, ещё не нарезано: %1</translation>
+        </message>
+        <message>
+            <source>Opens the model with the form it had</source>
+            <translation>Открывает модель с прежними настройками</translation>
         </message>
         <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
@@ -2477,8 +2629,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Профиль подходит</translation>
         </message>
         <message>
-            <source>Profile not saved: %1</source>
-            <translation>Профиль не сохранён: %1</translation>
+            <source>Profile not saved</source>
+            <translation>Профиль не сохранён</translation>
         </message>
         <message>
             <source>Profile saved: %1</source>
@@ -2917,6 +3069,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Сохранить изображение</translation>
         </message>
         <message>
+            <source>Save the profile</source>
+            <translation>Сохранение профиля</translation>
+        </message>
+        <message>
             <source>Save the profile as</source>
             <translation>Сохранить профиль как</translation>
         </message>
@@ -3031,6 +3187,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Shows only what differs from the built-in profile</source>
             <translation>Показывает только отличия от встроенного профиля</translation>
+        </message>
+        <message>
+            <source>Shows only what differs from the file, and would be saved</source>
+            <translation>Показывает только то, что отличается от файла и было бы сохранено</translation>
         </message>
         <message>
             <source>Side</source>
@@ -3365,6 +3525,18 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Таблицы (*.csv)</translation>
         </message>
         <message>
+            <source>Take up again</source>
+            <translation>Вернуть на стол</translation>
+        </message>
+        <message>
+            <source>Take up again: %1, %2 layers × %3 points</source>
+            <translation>Вернуть на стол: %1, слоёв %2 × точек %3</translation>
+        </message>
+        <message>
+            <source>Take up again: %1, %2 layers × %3 points, sliced</source>
+            <translation>Вернуть на стол: %1, слоёв %2 × точек %3, нарезано</translation>
+        </message>
+        <message>
             <source>Takes the position that the core counts now</source>
             <translation>Берёт положение, которое сейчас считает ядро</translation>
         </message>
@@ -3517,8 +3689,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Файл кончается без endsolid.</translation>
         </message>
         <message>
+            <source>The file is not there any more</source>
+            <translation>Файла больше нет</translation>
+        </message>
+        <message>
             <source>The file was written since it was opened</source>
             <translation>Файл изменён после открытия</translation>
+        </message>
+        <message>
+            <source>The file was written since: it comes as it is now, and is not sliced.</source>
+            <translation>Файл с тех пор записан заново: он откроется таким, какой есть, и без нарезки.</translation>
         </message>
         <message>
             <source>The finishing pass alone</source>
@@ -4247,6 +4427,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>двоичный чертёж DXF; сохраните его текстом (ASCII DXF)</translation>
         </message>
         <message>
+            <source>a control character in the text; remove it</source>
+            <translation>в тексте управляющий символ; удалите его</translation>
+        </message>
+        <message>
             <source>a coordinate is not a finite number</source>
             <translation>координата — не конечное число</translation>
         </message>
@@ -4275,6 +4459,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>повреждённое изображение TIFF: его точки не распаковываются</translation>
         </message>
         <message>
+            <source>a date or time</source>
+            <translation>дата или время</translation>
+        </message>
+        <message>
             <source>a drawing without a width goes not all round</source>
             <translation>чертёж без ширины не обойдёт весь оборот</translation>
         </message>
@@ -4299,8 +4487,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слой из одной точки никуда не ведёт; нужны две</translation>
         </message>
         <message>
+            <source>a number</source>
+            <translation>число</translation>
+        </message>
+        <message>
             <source>a number that no machine has</source>
             <translation>число, которого нет ни у одного станка</translation>
+        </message>
+        <message>
+            <source>a number with a fraction</source>
+            <translation>число с дробной частью</translation>
         </message>
         <message>
             <source>a packed file (gzip), as SVGZ is; unpack it first</source>
@@ -4347,6 +4543,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>опубликованное задание ещё проверяется; запускайте, когда оно будет принято</translation>
         </message>
         <message>
+            <source>a pulse, its gap and the writes take %1 us, more than a tick of %2 us; lengthen tick.period_us, shorten port.step_high_ns or port.step_low_ns, or set port.pulses = "over-ticks"</source>
+            <translation>импульс, пауза и запись в порт занимают %1 us, больше такта в %2 us; увеличьте tick.period_us, сократите port.step_high_ns или port.step_low_ns или задайте port.pulses = "over-ticks"</translation>
+        </message>
+        <message>
             <source>a recorded run is being replayed</source>
             <translation>повторяется записанный прогон</translation>
         </message>
@@ -4363,8 +4563,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>шаг слоёв %1 больше ширины инструмента, %2</translation>
         </message>
         <message>
+            <source>a string</source>
+            <translation>строка</translation>
+        </message>
+        <message>
+            <source>a table</source>
+            <translation>таблица</translation>
+        </message>
+        <message>
             <source>a table of layers is no spiral: choose Joining continuous or zigzag in the profile</source>
             <translation>таблица слоёв — не спираль: выберите в профиле непрерывную связь слоёв или зигзаг</translation>
+        </message>
+        <message>
+            <source>a text of %1 bytes; give %2 to %3 bytes</source>
+            <translation>текст длиной %1 байт; допустимо от %2 до %3 байт</translation>
         </message>
         <message>
             <source>a tool does not become %1 mm shorter; 0 to %2 mm, else touch the head off anew</source>
@@ -4377,6 +4589,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>a virtual machine</source>
             <translation>виртуальная машина</translation>
+        </message>
+        <message>
+            <source>a whole number</source>
+            <translation>целое число</translation>
         </message>
         <message>
             <source>about %1</source>
@@ -4417,6 +4633,22 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>allowed by CAP_SYS_RAWIO</source>
             <translation>разрешено CAP_SYS_RAWIO</translation>
+        </message>
+        <message>
+            <source>an array</source>
+            <translation>массив</translation>
+        </message>
+        <message>
+            <source>an array of two numbers</source>
+            <translation>массив из двух чисел</translation>
+        </message>
+        <message>
+            <source>an input cannot be on pin %1, which is an output; use pin 10 to 13 or 15</source>
+            <translation>вход не может быть на выводе %1: это выход; возьмите вывод от 10 до 13 или 15</translation>
+        </message>
+        <message>
+            <source>an output cannot be on pin %1, which is an input; use pin 1 to 9, 14, 16 or 17</source>
+            <translation>выход не может быть на выводе %1: это вход; возьмите вывод от 1 до 9, 14, 16 или 17</translation>
         </message>
         <message>
             <source>an output is being tested; end the test first</source>
@@ -4489,6 +4721,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>auto</source>
             <translation>авто</translation>
+        </message>
+        <message>
+            <source>axis %1 would need %2 pulses/s, but the tick and the pulse times allow %3 pulses/s; lower it to %4, or shorten tick.period_us, port.step_high_ns or port.step_low_ns</source>
+            <translation>оси %1 нужно %2 импульсов/с, но такт и времена импульса допускают %3 импульсов/с; уменьшите до %4 или сократите tick.period_us, port.step_high_ns или port.step_low_ns</translation>
+        </message>
+        <message>
+            <source>axis %1 would need %2 pulses/s, but the two-timer schedule allows %3 pulses/s; lower it to %4, or shorten tick.io_us</source>
+            <translation>оси %1 нужно %2 импульсов/с, но схема two-timer допускает %3 импульсов/с; уменьшите до %4 или сократите tick.io_us</translation>
         </message>
         <message>
             <source>back-off</source>
@@ -4629,6 +4869,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>continuous</source>
             <translation>непрерывно</translation>
+        </message>
+        <message>
+            <source>continuous, zigzag or spiral</source>
+            <translation>continuous, zigzag или spiral</translation>
         </message>
         <message>
             <source>core lost</source>
@@ -4831,6 +5075,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>высокий</translation>
         </message>
         <message>
+            <source>high or low</source>
+            <translation>high или low</translation>
+        </message>
+        <message>
             <source>hold</source>
             <translation>пауза</translation>
         </message>
@@ -4895,6 +5143,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>дюймы</translation>
         </message>
         <message>
+            <source>index or none</source>
+            <translation>index или none</translation>
+        </message>
+        <message>
             <source>info</source>
             <translation>сведения</translation>
         </message>
@@ -4915,6 +5167,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>это архив zip, но без модели 3MF</translation>
         </message>
         <message>
+            <source>is counted from the blank's surface, and nobody knows where that is; set blank.radius_mm</source>
+            <translation>отсчитывается от поверхности заготовки, а где она, неизвестно; задайте blank.radius_mm</translation>
+        </message>
+        <message>
             <source>is no 3MF file: these are zip archives</source>
             <translation>не файл 3MF: это архивы zip</translation>
         </message>
@@ -4927,8 +5183,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>не обычный файл</translation>
         </message>
         <message>
+            <source>is not wired, but %1 = %2 needs it; give its pin, or set %3 = "none"</source>
+            <translation>не подключён, но нужен для %1 = %2; укажите вывод или задайте %3 = "none"</translation>
+        </message>
+        <message>
+            <source>is not wired, so axis %1 cannot move; give its pin</source>
+            <translation>не подключён, и ось %1 не может двигаться; укажите вывод</translation>
+        </message>
+        <message>
             <source>isolated: %1; the tick takes %2</source>
             <translation>изолированы: %1; такт берёт %2</translation>
+        </message>
+        <message>
+            <source>it has a character that is none to print; remove it</source>
+            <translation>в тексте есть непечатаемый символ; удалите его</translation>
         </message>
         <message>
             <source>its &lt;use&gt; elements draw more than two million elements</source>
@@ -5039,6 +5307,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>отброшено: %1</translation>
         </message>
         <message>
+            <source>lift or stay</source>
+            <translation>lift или stay</translation>
+        </message>
+        <message>
             <source>limit</source>
             <translation>концевик</translation>
         </message>
@@ -5067,6 +5339,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>закреплённая память</translation>
         </message>
         <message>
+            <source>lookahead or angle</source>
+            <translation>lookahead или angle</translation>
+        </message>
+        <message>
             <source>looking for the best axis was cancelled</source>
             <translation>поиск лучшей оси отменён</translation>
         </message>
@@ -5093,6 +5369,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>memory touched</source>
             <translation>память занята заранее</translation>
+        </message>
+        <message>
+            <source>min, max or none</source>
+            <translation>min, max или none</translation>
         </message>
         <message>
             <source>missed %1</source>
@@ -5391,6 +5671,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>выход</translation>
         </message>
         <message>
+            <source>over-ticks or within-tick</source>
+            <translation>over-ticks или within-tick</translation>
+        </message>
+        <message>
             <source>override</source>
             <translation>коррекция</translation>
         </message>
@@ -5413,6 +5697,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>plan starved</source>
             <translation>расчёт не успел</translation>
+        </message>
+        <message>
+            <source>point, ball, flat or vee</source>
+            <translation>point, ball, flat или vee</translation>
         </message>
         <message>
             <source>points</source>
@@ -5647,6 +5935,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>молчит</translation>
         </message>
         <message>
+            <source>single or two-timer</source>
+            <translation>single или two-timer</translation>
+        </message>
+        <message>
             <source>slice first</source>
             <translation>нарежьте</translation>
         </message>
@@ -5781,6 +6073,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the blank reaches out to %1, but head %2 only to %3: it would stand in the blank before the carving begins; take a smaller blank</source>
             <translation>заготовка доходит до %1, а головка %2 только до %3: она стояла бы в заготовке ещё до начала; возьмите заготовку меньше</translation>
+        </message>
+        <message>
+            <source>the built-in profile has no file: save it under a name</source>
+            <translation>у встроенного профиля нет файла: сохраните его под именем</translation>
         </message>
         <message>
             <source>the computer has too little free memory: end other programs</source>
@@ -5927,6 +6223,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>драйвер принтера может занять порт</translation>
         </message>
         <message>
+            <source>the profile is %1 bytes long; the most is %2</source>
+            <translation>профиль занимает %1 байт; допустимо не больше %2</translation>
+        </message>
+        <message>
             <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>
             <translation>шаг вглубь должен быть больше 0 mm и не больше %1, а не %2</translation>
         </message>
@@ -5951,12 +6251,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>точки таблицы, %1 на круг, выровнены до %2</translation>
         </message>
         <message>
+            <source>the table's axis would be outside a blank of radius %1 mm; set blank.radius_mm, or a lesser offset</source>
+            <translation>ось стола оказалась бы вне заготовки радиусом %1 mm; задайте blank.radius_mm или меньшее смещение</translation>
+        </message>
+        <message>
             <source>the table's last layer is not whole, or there is none</source>
             <translation>последний слой таблицы не полон, или слоёв нет</translation>
         </message>
         <message>
             <source>the tip of %1 would stand %2 mm further out than counted; is the pin's diameter %3 mm, and does the tip touch it at %4 mm?</source>
             <translation>острие %1 стояло бы на %2 mm дальше, чем считается; диаметр штифта %3 mm, и острие касается его на %4 mm?</translation>
+        </message>
+        <message>
+            <source>the travel from %1 to %2 mm is empty or reversed; give the lowest position first</source>
+            <translation>ход от %1 до %2 mm пуст или перевёрнут; сначала укажите нижнее положение</translation>
         </message>
         <message>
             <source>the zip archive is cut off or damaged</source>
@@ -5983,8 +6291,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>аварии нет</translation>
         </message>
         <message>
+            <source>these are no two numbers; enter them as 0.0 ... 60.0</source>
+            <translation>это не два числа; введите их так: 0.0 ... 60.0</translation>
+        </message>
+        <message>
             <source>this is no DXF file: it does not begin with a section</source>
             <translation>это не файл DXF: он не начинается с раздела</translation>
+        </message>
+        <message>
+            <source>this is no number; enter %1 &lt;= value &lt;= %2</source>
+            <translation>это не число; введите от %1 до %2</translation>
+        </message>
+        <message>
+            <source>this is no whole number; enter %1 &lt;= value &lt;= %2</source>
+            <translation>это не целое число; введите от %1 до %2</translation>
+        </message>
+        <message>
+            <source>this is not TOML: %1; correct the line</source>
+            <translation>это не TOML: %1; исправьте строку</translation>
         </message>
         <message>
             <source>this is not well-formed XML</source>
@@ -6031,6 +6355,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слишком много команд сразу; подождите остальные</translation>
         </message>
         <message>
+            <source>true or false</source>
+            <translation>true или false</translation>
+        </message>
+        <message>
             <source>turn of the table in a layer [pulses]</source>
             <translation>поворот стола в слое [импульсы]</translation>
         </message>
@@ -6053,6 +6381,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>unknown</source>
             <translation>неизвестно</translation>
+        </message>
+        <message>
+            <source>unknown key; did you mean %1?</source>
+            <translation>неизвестный ключ; имелся в виду %1?</translation>
+        </message>
+        <message>
+            <source>unknown key; see profile show for all keys</source>
+            <translation>неизвестный ключ; все ключи показывает profile show</translation>
         </message>
         <message>
             <source>unlimited</source>

@@ -32,6 +32,18 @@
             <translation>%1 单独回零</translation>
         </message>
         <message>
+            <source>%1 and %2 are both on output pin %3; give one of them another pin (only enables may share)</source>
+            <translation>%1 与 %2 都在输出引脚 %3；请给其中一个另一引脚（只有使能信号可以共用）</translation>
+        </message>
+        <message>
+            <source>%1 and %2 share pin %3, one active high and one active low; give both the same sign</source>
+            <translation>%1 与 %2 共用引脚 %3，一个高有效、一个低有效；请给两者相同的符号</translation>
+        </message>
+        <message>
+            <source>%1 and %2 share pin %3: what homing looks for would be an emergency stop; give one of them another pin, or 0</source>
+            <translation>%1 与 %2 共用引脚 %3：回零所寻找的信号就成了急停；请给其中一个另一引脚，或设为 0</translation>
+        </message>
+        <message>
             <source>%1 and %2: %3 differences</source>
             <translation>%1 与 %2：%3 处不同</translation>
         </message>
@@ -112,12 +124,28 @@
             <translation>%1 个在用</translation>
         </message>
         <message>
+            <source>%1 is above the axis' top speed of %2; lower it, or raise %3</source>
+            <translation>%1 高于该轴最高速度 %2；请降低，或提高 %3</translation>
+        </message>
+        <message>
+            <source>%1 is half a revolution of %2 pulses or more, so lost steps would never be noticed; lower it</source>
+            <translation>%1 达到 %2 脉冲的半转或更多，丢步将永远不会被发现；请减小</translation>
+        </message>
+        <message>
+            <source>%1 is impossible; give a value from %2 to %3</source>
+            <translation>%1 不允许；请输入 %2 到 %3</translation>
+        </message>
+        <message>
             <source>%1 is no group code</source>
             <translation>%1 不是组码</translation>
         </message>
         <message>
             <source>%1 is no head of a table: y_mm,r_mm or y_pulses,r_pulses, or what snapshot export writes</source>
             <translation>%1 不是表格的表头：应为 y_mm,r_mm 或 y_pulses,r_pulses，或 snapshot export 所写的表头</translation>
+        </message>
+        <message>
+            <source>%1 is no number to work with; give a finite one</source>
+            <translation>%1 不是可用的数字；请输入有限的数</translation>
         </message>
         <message>
             <source>%1 is not a number</source>
@@ -140,6 +168,10 @@
             <translation>%1 不是 ASCII STL 的关键字</translation>
         </message>
         <message>
+            <source>%1 is not possible here; give %2</source>
+            <translation>%1 在此不允许；请输入 %2</translation>
+        </message>
+        <message>
             <source>%1 is not the number of a vertex</source>
             <translation>%1 不是顶点编号</translation>
         </message>
@@ -154,6 +186,10 @@
         <message>
             <source>%1 is not wired to any pin</source>
             <translation>%1 未接到任何引脚</translation>
+        </message>
+        <message>
+            <source>%1 is odd, so half a revolution is no whole number of pulses; give an even number</source>
+            <translation>%1 是奇数，半转就不是整数个脉冲；请输入偶数</translation>
         </message>
         <message>
             <source>%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis Y</source>
@@ -192,12 +228,32 @@
             <translation>%1 mm</translation>
         </message>
         <message>
+            <source>%1 mm as the max sensor's edge leaves nothing of the travel of %2 to %3 mm; put it at the travel's upper end, or correct %4</source>
+            <translation>%1 mm 作为 max 传感器的边沿，行程 %2 到 %3 mm 就没有剩余；请放到行程上端，或改正 %4</translation>
+        </message>
+        <message>
+            <source>%1 mm as the min sensor's edge leaves nothing of the travel of %2 to %3 mm; put it at the travel's lower end, or correct %4</source>
+            <translation>%1 mm 作为 min 传感器的边沿，行程 %2 到 %3 mm 就没有剩余；请放到行程下端，或改正 %4</translation>
+        </message>
+        <message>
             <source>%1 mm beside</source>
             <translation>偏 %1 mm</translation>
         </message>
         <message>
             <source>%1 mm deep goes to the middle of a cylinder of %2 mm diameter</source>
             <translation>深度 %1 mm 已到达直径 %2 mm 圆柱的中心</translation>
+        </message>
+        <message>
+            <source>%1 mm is more than the tool is wide, %2 mm; set it lower, or to 0</source>
+            <translation>%1 mm 大于刀具宽度 %2 mm；请减小，或设为 0</translation>
+        </message>
+        <message>
+            <source>%1 mm is out of the reach of head %2; lower it, or widen %3</source>
+            <translation>%1 mm 超出刀头 %2 的可及范围；请减小，或加大 %3</translation>
+        </message>
+        <message>
+            <source>%1 mm lies outside the travel of %2 to %3 mm by more than the %4 mm of overtravel; give a position that the axis can reach</source>
+            <translation>%1 mm 超出行程 %2 到 %3 mm，且超过超程 %4 mm；请给出该轴能到达的位置</translation>
         </message>
         <message>
             <source>%1 mm, r ≤ %2</source>
@@ -316,12 +372,32 @@
             <translation>%1 圈</translation>
         </message>
         <message>
+            <source>%1 us are too short for a pulse and its gap, which take %2 us in ticks; lengthen it, or shorten tick.period_us</source>
+            <translation>%1 us 容不下一个脉冲及其间隔，它们按节拍需 %2 us；请加长，或缩短 tick.period_us</translation>
+        </message>
+        <message>
+            <source>%1 us is longer than the %2 us from pulse to pulse; shorten it, or lengthen tick.io_us</source>
+            <translation>%1 us 长于脉冲之间的 %2 us；请缩短，或加长 tick.io_us</translation>
+        </message>
+        <message>
+            <source>%1 us is no whole number of periods of %2 us; give a multiple of tick.period_us</source>
+            <translation>%1 us 不是 %2 us 周期的整数倍；请输入 tick.period_us 的倍数</translation>
+        </message>
+        <message>
             <source>%1 was not opened</source>
             <translation>未能打开 %1</translation>
         </message>
         <message>
             <source>%1 was written since it was opened: Reload takes it as it is now</source>
             <translation>%1 在打开后被改写：点“重新载入”读取现在的内容</translation>
+        </message>
+        <message>
+            <source>%1 where %2 is expected; correct the value</source>
+            <translation>此处应为%2，却是%1；请改正</translation>
+        </message>
+        <message>
+            <source>%1 where the table [%2] is expected; put its keys below [%3]</source>
+            <translation>此处应为表 [%2]，却是%1；请把它的键写在 [%3] 之下</translation>
         </message>
         <message>
             <source>%1 would bring the tips closer than head_clearance_mm, %2</source>
@@ -384,16 +460,44 @@
             <translation>%1：有 %2 条需要查看</translation>
         </message>
         <message>
+            <source>%1: %2 values become others</source>
+            <translation>%1：%2 个值将改变</translation>
+        </message>
+        <message>
             <source>%1: homed</source>
             <translation>%1：已回零</translation>
+        </message>
+        <message>
+            <source>%1: it would not say what is shown here; open it again</source>
+            <translation>%1：文件写出后与此处所示不符；请重新打开</translation>
         </message>
         <message>
             <source>%1: its flight recorder tells of another run; its entries are not shown</source>
             <translation>%1：其运行记录属于另一次运行；不显示其条目</translation>
         </message>
         <message>
+            <source>%1: line %2: %3 cannot be set as this is written; give its table a header, [%4], and each key a line below it</source>
+            <translation>%1：第 %2 行：按现在的写法无法设置 %3；请给它的表写表头 [%4]，每个键在其下各占一行</translation>
+        </message>
+        <message>
+            <source>%1: line %2: %3 has no place: a table of that name stands here; rename it</source>
+            <translation>%1：第 %2 行：%3 没有位置：此处有同名的表；请改名</translation>
+        </message>
+        <message>
+            <source>%1: line %2: %3 has no place: a value of that name stands here; rename it</source>
+            <translation>%1：第 %2 行：%3 没有位置：此处有同名的值；请改名</translation>
+        </message>
+        <message>
             <source>%1: not homed</source>
             <translation>%1：未回零</translation>
+        </message>
+        <message>
+            <source>%1: one value becomes another</source>
+            <translation>%1：1 个值将改变</translation>
+        </message>
+        <message>
+            <source>%1: somebody has changed this file since it was opened; save under another name, or open it again and lose these changes</source>
+            <translation>%1：该文件打开后已被他人修改；请另存为其他名称，或重新打开并放弃这些修改</translation>
         </message>
         <message>
             <source>%1: whether it was homed is not recorded</source>
@@ -402,6 +506,14 @@
         <message>
             <source>%1–%2 mm high (%3 %)</source>
             <translation>高 %1–%2 mm（%3 %）</translation>
+        </message>
+        <message>
+            <source>%1–%2°, through 0° (%3 %)</source>
+            <translation>%1–%2°，经过 0°（%3 %）</translation>
+        </message>
+        <message>
+            <source>%3 where the table [%1] is expected; put its keys below [%2]</source>
+            <translation>此处应为表 [%1]，却是%3；请把它的键写在 [%2] 之下</translation>
         </message>
         <message>
             <source>--port io:ADDRESS is refused</source>
@@ -460,6 +572,10 @@
             <translation>刀头进给到第一点的速度。</translation>
         </message>
         <message>
+            <source>A job is being made; cancel it first</source>
+            <translation>正在生成作业；请先取消</translation>
+        </message>
+        <message>
             <source>A sensor counts once it has stood this long; the emergency stop is never filtered.</source>
             <translation>传感器信号保持这么久才算数；急停从不滤波。</translation>
         </message>
@@ -474,6 +590,10 @@
         <message>
             <source>A tool becomes shorter as it wears: a piece that comes out thicker on the half of %1 by so much in radius. It is counted from the head's touch-off.</source>
             <translation>刀具磨损后变短：工件在 %1 的一半半径会大出这么多。自该刀头对刀时算起。</translation>
+        </message>
+        <message>
+            <source>A window ended before it was published or saved. Nothing is published, nothing moves.</source>
+            <translation>窗口在其发布或保存之前结束。不会发布，也不会运动。</translation>
         </message>
         <message>
             <source>ALARM</source>
@@ -830,6 +950,10 @@
         <message>
             <source>Centre of the arc, %1</source>
             <translation>圆弧中心，%1</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>已修改</translation>
         </message>
         <message>
             <source>Changed since it was sliced: slice again to take it over.</source>
@@ -1244,6 +1368,10 @@ F12  本列表</translation>
             <translation>跟随机床：机床没有在加工此作业</translation>
         </message>
         <message>
+            <source>Forget it</source>
+            <translation>忘记</translation>
+        </message>
+        <message>
             <source>Forgets the zero of %1</source>
             <translation>清除 %1 的显示零点</translation>
         </message>
@@ -1560,6 +1688,10 @@ F12  本列表</translation>
             <translation>如仍有运动，请按硬接线急停</translation>
         </message>
         <message>
+            <source>In the file</source>
+            <translation>文件中</translation>
+        </message>
+        <message>
             <source>In the file: %1</source>
             <translation>文件中为：%1</translation>
         </message>
@@ -1598,6 +1730,10 @@ F12  本列表</translation>
         <message>
             <source>Iso</source>
             <translation>轴测</translation>
+        </message>
+        <message>
+            <source>It is not offered again; the file stays</source>
+            <translation>不再提示；文件保留</translation>
         </message>
         <message>
             <source>Its guard could not switch drives and spindle off: the port does not answer.</source>
@@ -2048,6 +2184,10 @@ N、Shift+N  下一条、上一条记录
             <translation>需要重启：内核重新启动前使用 %1</translation>
         </message>
         <message>
+            <source>New</source>
+            <translation>新值</translation>
+        </message>
+        <message>
             <source>Next</source>
             <translation>下一步</translation>
         </message>
@@ -2144,6 +2284,10 @@ N、Shift+N  下一条、上一条记录
             <translation>未打开，因为机床配置未能打开：%1</translation>
         </message>
         <message>
+            <source>Not published when a window ended: %1 (page Model)</source>
+            <translation>窗口结束时尚未发布：%1（模型页）</translation>
+        </message>
+        <message>
             <source>Not saved: %1</source>
             <translation>未保存：%1</translation>
         </message>
@@ -2170,6 +2314,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Nothing is wrong.</source>
             <translation>一切正常。</translation>
+        </message>
+        <message>
+            <source>Nothing was changed</source>
+            <translation>没有修改</translation>
         </message>
         <message>
             <source>Nowhere too deep</source>
@@ -2290,6 +2438,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Opened, not sliced yet: %1</source>
             <translation>已打开、尚未切片：%1</translation>
+        </message>
+        <message>
+            <source>Opens the model with the form it had</source>
+            <translation>按原来的设置打开模型</translation>
         </message>
         <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
@@ -2476,8 +2628,8 @@ N、Shift+N  下一条、上一条记录
             <translation>配置与作业相符</translation>
         </message>
         <message>
-            <source>Profile not saved: %1</source>
-            <translation>配置未保存：%1</translation>
+            <source>Profile not saved</source>
+            <translation>配置未保存</translation>
         </message>
         <message>
             <source>Profile saved: %1</source>
@@ -2912,6 +3064,10 @@ N、Shift+N  下一条、上一条记录
             <translation>保存图片</translation>
         </message>
         <message>
+            <source>Save the profile</source>
+            <translation>保存配置</translation>
+        </message>
+        <message>
             <source>Save the profile as</source>
             <translation>配置另存为</translation>
         </message>
@@ -3026,6 +3182,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Shows only what differs from the built-in profile</source>
             <translation>只显示与内置配置不同之处</translation>
+        </message>
+        <message>
+            <source>Shows only what differs from the file, and would be saved</source>
+            <translation>只显示与文件不同、将要保存的值</translation>
         </message>
         <message>
             <source>Side</source>
@@ -3360,6 +3520,18 @@ N、Shift+N  下一条、上一条记录
             <translation>表格 (*.csv)</translation>
         </message>
         <message>
+            <source>Take up again</source>
+            <translation>取回</translation>
+        </message>
+        <message>
+            <source>Take up again: %1, %2 layers × %3 points</source>
+            <translation>取回：%1，%2 层 × %3 点</translation>
+        </message>
+        <message>
+            <source>Take up again: %1, %2 layers × %3 points, sliced</source>
+            <translation>取回：%1，%2 层 × %3 点，已切片</translation>
+        </message>
+        <message>
             <source>Takes the position that the core counts now</source>
             <translation>取内核当前计数的位置</translation>
         </message>
@@ -3512,8 +3684,16 @@ N、Shift+N  下一条、上一条记录
             <translation>文件结尾缺少 endsolid。</translation>
         </message>
         <message>
+            <source>The file is not there any more</source>
+            <translation>文件已不存在</translation>
+        </message>
+        <message>
             <source>The file was written since it was opened</source>
             <translation>文件在打开后被改写</translation>
+        </message>
+        <message>
+            <source>The file was written since: it comes as it is now, and is not sliced.</source>
+            <translation>该文件之后被改写：按现在的内容打开，不切片。</translation>
         </message>
         <message>
             <source>The finishing pass alone</source>
@@ -4240,6 +4420,10 @@ N、Shift+N  下一条、上一条记录
             <translation>二进制 DXF 图形；请存为文本（ASCII DXF）</translation>
         </message>
         <message>
+            <source>a control character in the text; remove it</source>
+            <translation>文字中有控制字符；请删除</translation>
+        </message>
+        <message>
             <source>a coordinate is not a finite number</source>
             <translation>某坐标不是有限数</translation>
         </message>
@@ -4268,6 +4452,10 @@ N、Shift+N  下一条、上一条记录
             <translation>TIFF 图片已损坏：其像素无法解包</translation>
         </message>
         <message>
+            <source>a date or time</source>
+            <translation>日期或时间</translation>
+        </message>
+        <message>
             <source>a drawing without a width goes not all round</source>
             <translation>没有宽度的图形无法绕满一周</translation>
         </message>
@@ -4292,8 +4480,16 @@ N、Shift+N  下一条、上一条记录
             <translation>只有一个点的层没有走向；至少需要两个点</translation>
         </message>
         <message>
+            <source>a number</source>
+            <translation>数字</translation>
+        </message>
+        <message>
             <source>a number that no machine has</source>
             <translation>超出任何机床范围的数</translation>
+        </message>
+        <message>
+            <source>a number with a fraction</source>
+            <translation>带小数的数</translation>
         </message>
         <message>
             <source>a packed file (gzip), as SVGZ is; unpack it first</source>
@@ -4340,6 +4536,10 @@ N、Shift+N  下一条、上一条记录
             <translation>已发布的作业正在检查；接受之后再启动</translation>
         </message>
         <message>
+            <source>a pulse, its gap and the writes take %1 us, more than a tick of %2 us; lengthen tick.period_us, shorten port.step_high_ns or port.step_low_ns, or set port.pulses = "over-ticks"</source>
+            <translation>一个脉冲、其间隔和写端口共需 %1 us，超过一个 %2 us 的节拍；请加长 tick.period_us，缩短 port.step_high_ns 或 port.step_low_ns，或设 port.pulses = "over-ticks"</translation>
+        </message>
+        <message>
             <source>a recorded run is being replayed</source>
             <translation>正在重放已记录的运行</translation>
         </message>
@@ -4356,8 +4556,20 @@ N、Shift+N  下一条、上一条记录
             <translation>层距 %1 大于刀具宽度 %2</translation>
         </message>
         <message>
+            <source>a string</source>
+            <translation>字符串</translation>
+        </message>
+        <message>
+            <source>a table</source>
+            <translation>表</translation>
+        </message>
+        <message>
             <source>a table of layers is no spiral: choose Joining continuous or zigzag in the profile</source>
             <translation>分层表格不是螺旋：请在配置中将层间连接选为连续或往复</translation>
+        </message>
+        <message>
+            <source>a text of %1 bytes; give %2 to %3 bytes</source>
+            <translation>文字长 %1 字节；请输入 %2 到 %3 字节</translation>
         </message>
         <message>
             <source>a tool does not become %1 mm shorter; 0 to %2 mm, else touch the head off anew</source>
@@ -4370,6 +4582,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>a virtual machine</source>
             <translation>虚拟机</translation>
+        </message>
+        <message>
+            <source>a whole number</source>
+            <translation>整数</translation>
         </message>
         <message>
             <source>about %1</source>
@@ -4410,6 +4626,22 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>allowed by CAP_SYS_RAWIO</source>
             <translation>由 CAP_SYS_RAWIO 允许</translation>
+        </message>
+        <message>
+            <source>an array</source>
+            <translation>数组</translation>
+        </message>
+        <message>
+            <source>an array of two numbers</source>
+            <translation>两个数的数组</translation>
+        </message>
+        <message>
+            <source>an input cannot be on pin %1, which is an output; use pin 10 to 13 or 15</source>
+            <translation>输入不能接在引脚 %1，它是输出；请用引脚 10 到 13 或 15</translation>
+        </message>
+        <message>
+            <source>an output cannot be on pin %1, which is an input; use pin 1 to 9, 14, 16 or 17</source>
+            <translation>输出不能接在引脚 %1，它是输入；请用引脚 1 到 9、14、16 或 17</translation>
         </message>
         <message>
             <source>an output is being tested; end the test first</source>
@@ -4482,6 +4714,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>auto</source>
             <translation>自动</translation>
+        </message>
+        <message>
+            <source>axis %1 would need %2 pulses/s, but the tick and the pulse times allow %3 pulses/s; lower it to %4, or shorten tick.period_us, port.step_high_ns or port.step_low_ns</source>
+            <translation>轴 %1 需要 %2 脉冲/s，但节拍和脉冲时间只允许 %3 脉冲/s；请降到 %4，或缩短 tick.period_us、port.step_high_ns 或 port.step_low_ns</translation>
+        </message>
+        <message>
+            <source>axis %1 would need %2 pulses/s, but the two-timer schedule allows %3 pulses/s; lower it to %4, or shorten tick.io_us</source>
+            <translation>轴 %1 需要 %2 脉冲/s，但 two-timer 方式只允许 %3 脉冲/s；请降到 %4，或缩短 tick.io_us</translation>
         </message>
         <message>
             <source>back-off</source>
@@ -4622,6 +4862,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>continuous</source>
             <translation>连续</translation>
+        </message>
+        <message>
+            <source>continuous, zigzag or spiral</source>
+            <translation>continuous、zigzag 或 spiral</translation>
         </message>
         <message>
             <source>core lost</source>
@@ -4824,6 +5068,10 @@ N、Shift+N  下一条、上一条记录
             <translation>高</translation>
         </message>
         <message>
+            <source>high or low</source>
+            <translation>high 或 low</translation>
+        </message>
+        <message>
             <source>hold</source>
             <translation>暂停</translation>
         </message>
@@ -4888,6 +5136,10 @@ N、Shift+N  下一条、上一条记录
             <translation>英寸</translation>
         </message>
         <message>
+            <source>index or none</source>
+            <translation>index 或 none</translation>
+        </message>
+        <message>
             <source>info</source>
             <translation>信息</translation>
         </message>
@@ -4908,6 +5160,10 @@ N、Shift+N  下一条、上一条记录
             <translation>是 zip 压缩包，但不含 3MF 模型</translation>
         </message>
         <message>
+            <source>is counted from the blank's surface, and nobody knows where that is; set blank.radius_mm</source>
+            <translation>从毛坯表面算起，而表面位置未知；请设 blank.radius_mm</translation>
+        </message>
+        <message>
             <source>is no 3MF file: these are zip archives</source>
             <translation>不是 3MF 文件：3MF 是 zip 压缩包</translation>
         </message>
@@ -4920,8 +5176,20 @@ N、Shift+N  下一条、上一条记录
             <translation>不是普通文件</translation>
         </message>
         <message>
+            <source>is not wired, but %1 = %2 needs it; give its pin, or set %3 = "none"</source>
+            <translation>未接线，但 %1 = %2 需要它；请给出引脚，或设 %3 = "none"</translation>
+        </message>
+        <message>
+            <source>is not wired, so axis %1 cannot move; give its pin</source>
+            <translation>未接线，轴 %1 因此不能移动；请给出引脚</translation>
+        </message>
+        <message>
             <source>isolated: %1; the tick takes %2</source>
             <translation>已隔离：%1；节拍使用 %2</translation>
+        </message>
+        <message>
+            <source>it has a character that is none to print; remove it</source>
+            <translation>含有不可显示的字符；请删除</translation>
         </message>
         <message>
             <source>its &lt;use&gt; elements draw more than two million elements</source>
@@ -5032,6 +5300,10 @@ N、Shift+N  下一条、上一条记录
             <translation>舍去：%1</translation>
         </message>
         <message>
+            <source>lift or stay</source>
+            <translation>lift 或 stay</translation>
+        </message>
+        <message>
             <source>limit</source>
             <translation>限位</translation>
         </message>
@@ -5060,6 +5332,10 @@ N、Shift+N  下一条、上一条记录
             <translation>锁定内存</translation>
         </message>
         <message>
+            <source>lookahead or angle</source>
+            <translation>lookahead 或 angle</translation>
+        </message>
+        <message>
             <source>looking for the best axis was cancelled</source>
             <translation>已取消寻找最佳轴线</translation>
         </message>
@@ -5086,6 +5362,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>memory touched</source>
             <translation>内存已预占</translation>
+        </message>
+        <message>
+            <source>min, max or none</source>
+            <translation>min、max 或 none</translation>
         </message>
         <message>
             <source>missed %1</source>
@@ -5384,6 +5664,10 @@ N、Shift+N  下一条、上一条记录
             <translation>出</translation>
         </message>
         <message>
+            <source>over-ticks or within-tick</source>
+            <translation>over-ticks 或 within-tick</translation>
+        </message>
+        <message>
             <source>override</source>
             <translation>倍率</translation>
         </message>
@@ -5406,6 +5690,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>plan starved</source>
             <translation>规划供不应求</translation>
+        </message>
+        <message>
+            <source>point, ball, flat or vee</source>
+            <translation>point、ball、flat 或 vee</translation>
         </message>
         <message>
             <source>points</source>
@@ -5640,6 +5928,10 @@ N、Shift+N  下一条、上一条记录
             <translation>无响应</translation>
         </message>
         <message>
+            <source>single or two-timer</source>
+            <translation>single 或 two-timer</translation>
+        </message>
+        <message>
             <source>slice first</source>
             <translation>请先切片</translation>
         </message>
@@ -5774,6 +6066,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the blank reaches out to %1, but head %2 only to %3: it would stand in the blank before the carving begins; take a smaller blank</source>
             <translation>毛坯伸到 %1，而刀头 %2 只能到 %3：雕刻开始前刀头就会处在毛坯里；请用较小的毛坯</translation>
+        </message>
+        <message>
+            <source>the built-in profile has no file: save it under a name</source>
+            <translation>内置配置没有文件：请另存为一个文件</translation>
         </message>
         <message>
             <source>the computer has too little free memory: end other programs</source>
@@ -5920,6 +6216,10 @@ N、Shift+N  下一条、上一条记录
             <translation>打印机驱动可能占用端口</translation>
         </message>
         <message>
+            <source>the profile is %1 bytes long; the most is %2</source>
+            <translation>配置长 %1 字节；最多 %2 字节</translation>
+        </message>
+        <message>
             <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>
             <translation>下切步距必须大于 0 mm 且不超过 %1，而不是 %2</translation>
         </message>
@@ -5944,12 +6244,20 @@ N、Shift+N  下一条、上一条记录
             <translation>表格每圈 %1 个点已均衡为 %2 个</translation>
         </message>
         <message>
+            <source>the table's axis would be outside a blank of radius %1 mm; set blank.radius_mm, or a lesser offset</source>
+            <translation>转台轴线将在半径 %1 mm 的毛坯之外；请设 blank.radius_mm，或减小偏移</translation>
+        </message>
+        <message>
             <source>the table's last layer is not whole, or there is none</source>
             <translation>表格最后一层不完整，或没有层</translation>
         </message>
         <message>
             <source>the tip of %1 would stand %2 mm further out than counted; is the pin's diameter %3 mm, and does the tip touch it at %4 mm?</source>
             <translation>%1 的刀尖会比计数位置靠外 %2 mm；销的直径是 %3 mm 吗？刀尖在 %4 mm 处接触吗？</translation>
+        </message>
+        <message>
+            <source>the travel from %1 to %2 mm is empty or reversed; give the lowest position first</source>
+            <translation>行程 %1 到 %2 mm 为空或颠倒；请先写最低位置</translation>
         </message>
         <message>
             <source>the zip archive is cut off or damaged</source>
@@ -5976,8 +6284,24 @@ N、Shift+N  下一条、上一条记录
             <translation>没有报警</translation>
         </message>
         <message>
+            <source>these are no two numbers; enter them as 0.0 ... 60.0</source>
+            <translation>这不是两个数字；请按 0.0 ... 60.0 的形式输入</translation>
+        </message>
+        <message>
             <source>this is no DXF file: it does not begin with a section</source>
             <translation>这不是 DXF 文件：开头不是节</translation>
+        </message>
+        <message>
+            <source>this is no number; enter %1 &lt;= value &lt;= %2</source>
+            <translation>这不是数字；请输入 %1 到 %2</translation>
+        </message>
+        <message>
+            <source>this is no whole number; enter %1 &lt;= value &lt;= %2</source>
+            <translation>这不是整数；请输入 %1 到 %2</translation>
+        </message>
+        <message>
+            <source>this is not TOML: %1; correct the line</source>
+            <translation>这不是 TOML：%1；请改正该行</translation>
         </message>
         <message>
             <source>this is not well-formed XML</source>
@@ -6024,6 +6348,10 @@ N、Shift+N  下一条、上一条记录
             <translation>同时命令过多；请等待其他命令</translation>
         </message>
         <message>
+            <source>true or false</source>
+            <translation>true 或 false</translation>
+        </message>
+        <message>
             <source>turn of the table in a layer [pulses]</source>
             <translation>每层转台转动 [脉冲]</translation>
         </message>
@@ -6046,6 +6374,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>unknown</source>
             <translation>未知</translation>
+        </message>
+        <message>
+            <source>unknown key; did you mean %1?</source>
+            <translation>未知的键；是否指 %1？</translation>
+        </message>
+        <message>
+            <source>unknown key; see profile show for all keys</source>
+            <translation>未知的键；全部键见 profile show</translation>
         </message>
         <message>
             <source>unlimited</source>

@@ -294,7 +294,8 @@ void CalibrationDialog::write() {
 
 void CalibrationDialog::tell_written(const Result<void>& saved) {
     if (!saved) {
-        bench_.log.add(Severity::warning, session::phrase("Profile not saved: %1", saved.error().message));
+        bench_.log.add(Severity::warning, session::joined(session::phrase("Profile not saved"),
+                                                          session::error_phrase(saved.error().message)));
         return come_to_front();  // what was measured is not lost with a dialog that was shut meanwhile
     }
     const std::string path = desk_.draft().path();

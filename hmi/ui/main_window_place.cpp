@@ -9,6 +9,7 @@
 #include <array>
 
 #include "hmi/ui/main_window.hpp"
+#include "hmi/ui/model_page.hpp"
 #include "hmi/ui/option_keeper.hpp"
 #include "hmi/ui/place_keeper.hpp"
 #include "hmi/ui/side_panels.hpp"
@@ -71,6 +72,7 @@ void MainWindow::leave() {
     let_go();
     bench_.desk.cancel();
     write_place();
+    model_->forget_work();
     place_keeper_.reset();
     // Nobody looks any more: what is to be kept is handed on now.
     bench_.pins.end();

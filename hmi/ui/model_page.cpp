@@ -3,9 +3,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QResizeEvent>
 #include <QScrollArea>
@@ -24,41 +22,21 @@
 #include "hmi/ui/model_report_dialog.hpp"
 #include "hmi/ui/pass_view.hpp"
 #include "hmi/ui/piece_panel.hpp"
+#include "hmi/ui/slicing_panel.hpp"
 #include "hmi/ui/turn_form.hpp"
 #include "hmi/ui/view_buttons.hpp"
 #include "hmi/ui/warning_list.hpp"
 #include "hmi/ui/words.hpp"
+#include "hmi/ui/work_bar.hpp"
 
 namespace psicarve::ui {
 namespace {
 
-using session::Action;
 using session::DeskState;
 
 constexpr int kFormWidth = PassView::kWidth_px;
 constexpr int kLeastForBoth = 480;
 constexpr int kLeastFieldsHeight = 120;
-constexpr int kSteps = 1000;
-
-QString state_words(DeskState state) {
-    switch (state) {
-        case DeskState::empty:
-            return ModelPage::tr("Nothing is open.");
-        case DeskState::opening:
-            return ModelPage::tr("Reading the file …");
-        case DeskState::model:
-            return ModelPage::tr("Not sliced yet.");
-        case DeskState::slicing:
-            return ModelPage::tr("Slicing …");
-        case DeskState::job:
-            return ModelPage::tr("The job is ready to be published.");
-        case DeskState::publishing:
-            return ModelPage::tr("Publishing …");
-        case DeskState::published:
-            return ModelPage::tr("The core has this job.");
-    }
-    return {};
-}
 
 }  // namespace
 
@@ -68,8 +46,11 @@ ModelPage::ModelPage(Bench& bench, Drawing drawing, QWidget* parent)
     sides_ = new QBoxLayout{QBoxLayout::LeftToRight, this};
     sides_->setContentsMargins(kGap, kGap, kGap, kGap);
     sides_->setSpacing(kGap);
-    sides_->addWidget(make_view(), 1);
+    QWidget* const view = make_view();
+    sides_->addWidget(view, 1);
     sides_->addWidget(make_form());
+    work_ = new WorkBar{bench_, {room_->widget(), [this] { slice(); }}};
+    static_cast<QVBoxLayout*>(view->layout())->insertWidget(0, work_);
 }
 
 void ModelPage::resizeEvent(QResizeEvent* event) {
@@ -151,41 +132,8 @@ QWidget* ModelPage::make_form() {
     column->addWidget(room_, 1);
     watch_fields(*fields);
     column->addWidget(form_->pass_picture());
-    state_ = new QLabel;
-    state_->setObjectName("desk_state");
-    state_->setWordWrap(true);
-    progress_ = new QProgressBar;
-    progress_->setRange(0, kSteps);
-    progress_->setTextVisible(false);
-    reload_ = new QPushButton{tr("Reload")};
-    reload_->setObjectName("reload");
-    reload_->setFocusPolicy(Qt::TabFocus);
-    reload_->setToolTip(tr("The file was written since it was opened"));
-    connect(reload_, &QPushButton::clicked, this, [this] { reload(); });
-    cancel_ = new QPushButton{tr("Cancel")};
-    cancel_->setObjectName("cancel");
-    cancel_->setFocusPolicy(Qt::TabFocus);
-    connect(cancel_, &QPushButton::clicked, this, [this] { bench_.desk.cancel(); });
-    slice_ = new ActionButton{Action::slice, tr("Slice"), [this] { slice(); }};
-    slice_->setObjectName("slice");
-    slice_->set_hint(tr("Makes the job's tables (F5)"));
-    slice_->setShortcut(Qt::Key_F5);
-    publish_ = new ActionButton{Action::publish, tr("Publish"), [this] { bench_.desk.publish(); }};
-    publish_->setObjectName("publish");
-    publish_->set_hint(tr("Gives the job to the core, which checks it"));
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(kGap);
-    buttons->addWidget(slice_, 1);
-    buttons->addWidget(publish_, 1);
-    column->addWidget(state_);
-    column->addWidget(reload_);
-    column->addWidget(progress_);
-    column->addWidget(cancel_);
-    column->addLayout(buttons);
-    publish_reason_ = role_label("label");
-    publish_reason_->setObjectName("publish_reason");
-    publish_reason_->setWordWrap(true);
-    column->addWidget(publish_reason_);
+    slicing_ = new SlicingPanel{bench_, {[this] { slice(); }, [this] { reload(); }}};
+    column->addWidget(slicing_);
     return whole_form_;
 }
 
@@ -270,10 +218,8 @@ void ModelPage::set_theme(const Tokens& tokens) {
 }
 
 void ModelPage::refresh() {
-    slice_->refresh(bench_);
-    publish_->refresh(bench_);
     form_->show_passes(bench_.machine_profile());
-    refresh_state();
+    slicing_->refresh(is_stale());
     if (shown_edition_ != bench_.desk.edition()) {
         shown_edition_ = bench_.desk.edition();
         show_opened();
@@ -291,6 +237,11 @@ void ModelPage::refresh() {
     show_blank();
     show_reasons();
     show_why_empty();
+    work_->refresh(changes_, is_stale());
+}
+
+void ModelPage::forget_work() {
+    work_->forget();
 }
 
 void ModelPage::show_facts() {
@@ -372,16 +323,6 @@ bool ModelPage::is_stale() const {
     const bool has_sliced =
         bench_.desk.mesh() && (sight.state == DeskState::job || sight.state == DeskState::published);
     return has_sliced && changes_ != sliced_changes_;
-}
-
-void ModelPage::refresh_state() {
-    const session::JobSight& sight = bench_.desk.sight();
-    state_->setText(is_stale() ? tr("Changed since it was sliced: slice again to take it over.")
-                               : state_words(sight.state));
-    progress_->setVisible(sight.state == DeskState::slicing);
-    progress_->setValue(static_cast<int>(kSteps * bench_.desk.progress_ratio()));
-    cancel_->setVisible(sight.is_busy());
-    reload_->setVisible(bench_.desk.has_changed() && !sight.is_busy());
 }
 
 }  // namespace psicarve::ui

@@ -6,14 +6,13 @@
 #include <QWidget>
 
 #include "hmi/session/model_watch.hpp"
-#include "hmi/ui/action_button.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/space_canvas.hpp"
 
 class QBoxLayout;
 class QScrollArea;
 class QLabel;
-class QProgressBar;
+class QPushButton;
 
 namespace psicarve::ui {
 
@@ -21,8 +20,10 @@ class MeshView;
 class ModelForm;
 class ModelReportDialog;
 class PiecePanel;
+class SlicingPanel;
 class TurnForm;
 class WarningList;
+class WorkBar;
 
 /// The model, how it is to stand and be sliced, and what was noticed about it.
 class ModelPage : public QWidget {
@@ -33,6 +34,8 @@ public:
     void set_theme(const Tokens& tokens);
     void refresh();
     void slice();
+    /// The window goes in order: nothing is to be taken up again.
+    void forget_work();
     /// What was noticed about model and job.
     std::size_t warning_count() const noexcept { return warning_count_; }
 
@@ -46,7 +49,6 @@ private:
     QWidget* make_view();
     QWidget* make_form();
     bool is_stale() const;
-    void refresh_state();
     void show_opened();
     void show_facts();
     void reload();
@@ -93,17 +95,12 @@ private:
     WarningList* warnings_;
     ModelForm* form_ = nullptr;
     TurnForm* turn_ = nullptr;
-    QLabel* state_;
-    QProgressBar* progress_;
-    QPushButton* cancel_;
-    QPushButton* reload_ = nullptr;
     QPushButton* show_hidden_ = nullptr;
     QPushButton* report_button_ = nullptr;
     QPointer<ModelReportDialog> report_;
     session::Phrase no_piece_;  ///< why there is no piece to be expected
-    ActionButton* slice_;
-    ActionButton* publish_;
-    QLabel* publish_reason_ = nullptr;
+    SlicingPanel* slicing_ = nullptr;
+    WorkBar* work_ = nullptr;
 };
 
 }  // namespace psicarve::ui

@@ -82,12 +82,8 @@ void ModelPage::show_legend() {
     view_->set_legend(text);
 }
 
-/// What is locked says why: beside Publish in words, too.
+/// What is locked says why.
 void ModelPage::show_reasons() {
-    const bool is_told = bench_.desk.sight().state == session::DeskState::published;
-    const QString reason = is_told ? QString{} : publish_->reason();
-    if (publish_reason_->text() != reason) publish_reason_->setText(reason);
-    if (publish_reason_->isHidden() != reason.isEmpty()) publish_reason_->setVisible(!reason.isEmpty());
     const bool has_mesh = bench_.desk.mesh() != nullptr;
     lock_with(*report_button_, has_mesh ? QString{} : tr("Report: open a model first"),
               tr("What the mesh is made of, what is wrong with it and what no tool reaches"));

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "hmi/ui/field_value.hpp"
 #include "hmi/ui/settings.hpp"
 
 namespace psicarve::ui {
@@ -68,48 +69,6 @@ QString name_of_column(const QTableView& table, int column) {
     return QStringLiteral("%1_column_%2").arg(table.objectName()).arg(column);
 }
 
-QVariant key_of(const QComboBox& box, int index) {
-    const QVariant data = box.itemData(index);
-    return data.isValid() ? QVariant{data.toString()} : QVariant{index};
-}
-
-QVariant value_of(const QObject& field) {
-    if (const auto* group = qobject_cast<const QButtonGroup*>(&field)) return group->checkedId();
-    if (const auto* button = qobject_cast<const QAbstractButton*>(&field)) return button->isChecked() ? 1 : 0;
-    if (const auto* box = qobject_cast<const QComboBox*>(&field)) return key_of(*box, box->currentIndex());
-    if (const auto* number = qobject_cast<const QSpinBox*>(&field)) return number->value();
-    if (const auto* number = qobject_cast<const QDoubleSpinBox*>(&field)) return number->value();
-    if (const auto* slider = qobject_cast<const QAbstractSlider*>(&field)) return slider->value();
-    return {};
-}
-
-template <typename Number>
-void put_number(Number& field, double value) {
-    if (value >= field.minimum() && value <= field.maximum())
-        field.setValue(static_cast<decltype(field.value())>(value));
-}
-
-/// What stands in the file may have been written by another version, or by hand.
-void put(QObject& field, const QVariant& kept) {
-    if (auto* box = qobject_cast<QComboBox*>(&field)) {
-        for (int i = 0; i < box->count(); ++i) {
-            if (key_of(*box, i).toString() == kept.toString()) return box->setCurrentIndex(i);
-        }
-        return;
-    }
-    bool is_number = false;
-    const double value = kept.toDouble(&is_number);
-    if (!is_number) return;
-    if (auto* group = qobject_cast<QButtonGroup*>(&field)) {
-        QAbstractButton* const button = group->button(kept.toInt());
-        if (button != nullptr) button->setChecked(true);
-    }
-    if (auto* tick = qobject_cast<QAbstractButton*>(&field)) tick->setChecked(value != 0.0);
-    if (auto* number = qobject_cast<QSpinBox*>(&field)) put_number(*number, value);
-    if (auto* number = qobject_cast<QDoubleSpinBox*>(&field)) put_number(*number, value);
-    if (auto* slider = qobject_cast<QAbstractSlider*>(&field)) put_number(*slider, value);
-}
-
 template <typename Told>
 void at_each_change(QObject& field, QObject& listener, Told told) {
     if (auto* group = qobject_cast<QButtonGroup*>(&field))
@@ -137,7 +96,7 @@ OptionKeeper::OptionKeeper(QWidget& window, WindowSettings& settings, std::funct
     for (const char* const name : kKeptFields) {
         auto* const field = window_.findChild<QObject*>(name);
         if (field != nullptr)
-            at_each_change(*field, *this, [this, field, name] { keep(name, value_of(*field)); });
+            at_each_change(*field, *this, [this, field, name] { keep(name, value_of_field(*field)); });
     }
     for (const KeptColumns& kept : kKeptColumns) {
         if (auto* const table = window_.findChild<QTableView*>(kept.table)) watch(*table, kept.count);
@@ -158,7 +117,7 @@ void OptionKeeper::fill_in(const char* name) {
     const auto chosen = fresh_.find(name);
     const QVariant value = chosen != fresh_.end() ? chosen->second : settings_.option(name);
     auto* const field = window_.findChild<QObject*>(name);
-    if (field != nullptr && value.isValid()) put(*field, value);
+    if (field != nullptr && value.isValid()) put_into_field(*field, value);
 }
 
 void OptionKeeper::fill_in_tables() {

@@ -66,7 +66,8 @@ ProfilePage::ProfilePage(Bench& bench, QWidget* parent)
     make_groups();
     connect(list_, &QListWidget::currentRowChanged, this, [this] { show_rows(); });
     connect(find_, &QLineEdit::textChanged, this, [this] { show_rows(); });
-    connect(compare_, &QPushButton::toggled, this, [this] { show_rows(); });
+    for (QPushButton* filter : {only_changed_, compare_})
+        connect(filter, &QPushButton::toggled, this, [this] { show_rows(); });
     list_->setCurrentRow(0);
 }
 
@@ -80,9 +81,14 @@ QWidget* ProfilePage::make_head() {
     find_->setPlaceholderText(tr("Find a key"));
     find_->setClearButtonEnabled(true);
     find_->setFixedWidth(kFindWidth);
+    only_changed_ = push_button("profile_only_changed", tr("Changed"));
+    only_changed_->setToolTip(tr("Shows only what differs from the file, and would be saved"));
     compare_ = push_button("profile_compare", tr("Compare with defaults"));
-    compare_->setCheckable(true);
-    leave_room_for_bold(*compare_);
+    compare_->setToolTip(tr("Shows only what differs from the built-in profile"));
+    for (QPushButton* filter : {only_changed_, compare_}) {
+        filter->setCheckable(true);
+        leave_room_for_bold(*filter);
+    }
     calibrate_ = new ActionButton{
         [this](const Bench&) -> std::optional<session::Phrase> {
             if (const auto busy = busy_lock()) return busy;
@@ -98,13 +104,13 @@ QWidget* ProfilePage::make_head() {
         tr("Calibrate…"), [this] { calibrate(); }};
     calibrate_->setObjectName("profile_calibrate");
     calibrate_->set_hint(tr("Touch-off, two marks and tool wear become values of the profile, step by step"));
-    compare_->setToolTip(tr("Shows only what differs from the built-in profile"));
     auto* head = new QWidget;
     auto* row = new FlowLayout{head};
     row->addWidget(file_);
     row->addWidget(changes_);
     row->add_end();
     row->addWidget(find_);
+    row->addWidget(only_changed_);
     row->addWidget(compare_);
     row->addWidget(calibrate_);
     return head;
@@ -122,10 +128,10 @@ QWidget* ProfilePage::make_foot() {
     make_menus();
     connect(undo_, &QPushButton::clicked, this, [this] {
         desk_.undo_all();
-        show_state();
+        show_changed();
     });
     connect(save_as_, &QPushButton::clicked, this, [this] { ask_save_as(); });
-    connect(save_, &QPushButton::clicked, this, [this] { save(); });
+    connect(save_, &QPushButton::clicked, this, [this] { ask_save(); });
     auto* foot = new QWidget;
     auto* rows = new QVBoxLayout{foot};
     rows->setContentsMargins(0, 0, 0, 0);
@@ -170,19 +176,37 @@ void ProfilePage::set_theme(const Tokens& tokens) {
     show_state();
 }
 
+bool ProfilePage::is_filtered() const {
+    return only_changed_->isChecked() || compare_->isChecked();
+}
+
 bool ProfilePage::belongs(std::size_t key) const {
     const std::string& path = profile_keys()[key].path;
     const QString wanted = find_->text().trimmed();
     const bool searches = !wanted.isEmpty();
     if (searches && !QString::fromStdString(path).contains(wanted, Qt::CaseInsensitive)) return false;
-    if (compare_->isChecked()) return draft().differs_from_built_in(key);
-    if (searches) return true;
+    if (only_changed_->isChecked() && !draft().is_changed(key)) return false;
+    if (compare_->isChecked() && !draft().differs_from_built_in(key)) return false;
+    if (searches || is_filtered()) return true;
     const int row = list_->currentRow();
     return row >= 0 && groups_[static_cast<std::size_t>(row)].table == table_of_key(path);
 }
 
+QString ProfilePage::why_no_rows() const {
+    if (only_changed_->isChecked() && draft().changed_count() == 0) return tr("Nothing was changed");
+    if (compare_->isChecked() && find_->text().trimmed().isEmpty())
+        return tr("Nothing differs from the built-in profile");
+    return tr("No key has these letters");
+}
+
+/// Other values than those that were typed into these rows.
+void ProfilePage::show_changed() {
+    if (only_changed_->isChecked()) return show_rows();
+    show_state();
+}
+
 void ProfilePage::show_rows() {
-    const bool in_full = compare_->isChecked() || !find_->text().trimmed().isEmpty();
+    const bool in_full = is_filtered() || !find_->text().trimmed().isEmpty();
     list_->setEnabled(!in_full);
     auto* sheet = new QWidget;
     sheet->setObjectName("profile_sheet");
@@ -201,9 +225,9 @@ void ProfilePage::show_rows() {
         column->addWidget(rule());
     }
     if (rows_.empty()) {
-        column->addWidget(role_label("label", compare_->isChecked()
-                                                  ? tr("Nothing differs from the built-in profile")
-                                                  : tr("No key has these letters")));
+        auto* const why = role_label("label", why_no_rows());
+        why->setObjectName("profile_no_rows");
+        column->addWidget(why);
     }
     column->addStretch();
     area_->setWidget(sheet);

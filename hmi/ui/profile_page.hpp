@@ -73,8 +73,12 @@ private:
     void show_other();
     void ask_open();
     void ask_save_as();
+    void ask_save();
     void show_rows();
     bool belongs(std::size_t key) const;
+    bool is_filtered() const;
+    QString why_no_rows() const;
+    void show_changed();
     void type(std::size_t key, const QString& text);
     void show_state();
     void show_locks();
@@ -100,6 +104,7 @@ private:
     QLabel* file_;
     QLabel* changes_;
     QLineEdit* find_;
+    QPushButton* only_changed_;
     QPushButton* compare_;
     QBoxLayout* middle_ = nullptr;
     QWidget* header_ = nullptr;

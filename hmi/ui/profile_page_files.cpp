@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What page Profile does with files, none of it in the thread that draws.
+#include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -7,8 +8,10 @@
 #include <utility>
 
 #include "hmi/session/error_phrase.hpp"
+#include "hmi/session/profile_changes.hpp"
 #include "hmi/ui/calibration_dialog.hpp"
 #include "hmi/ui/dialogs.hpp"
+#include "hmi/ui/differences_dialog.hpp"
 #include "hmi/ui/profile_menus.hpp"
 #include "hmi/ui/profile_page.hpp"
 #include "hmi/ui/settings.hpp"
@@ -44,7 +47,7 @@ void ProfilePage::make_menus() {
             if (is_kept(busy_text())) return;
             desk_.take_backup(backup, [this](const Result<void>& taken) {
                 if (!taken) report(taken);
-                show_state();
+                show_changed();
             });
             show_state();
         });
@@ -115,10 +118,27 @@ void ProfilePage::report(const Result<void>& saved) {
     if (saved) {
         bench_.log.add(Severity::info, session::phrase("Profile saved: %1", draft().path()));
     } else {
-        bench_.log.add(Severity::warning, session::phrase("Profile not saved: %1", saved.error().message));
+        bench_.log.add(Severity::warning, session::joined(session::phrase("Profile not saved"),
+                                                          session::error_phrase(saved.error().message)));
     }
     look_for_files();
-    show_state();
+    show_changed();
+}
+
+/// What becomes another is looked at before.
+void ProfilePage::ask_save() {
+    if (is_kept(lock())) return;
+    const QString name = QFileInfo{QString::fromStdString(draft().path())}.fileName();
+    const auto count = draft().changed_count();
+    DifferencesDialog question{{.title = tr("Save the profile"),
+                                .text = count == 1 ? tr("%1: one value becomes another").arg(name)
+                                                   : tr("%1: %2 values become others").arg(name).arg(count),
+                                .before = tr("In the file"),
+                                .after = tr("New"),
+                                .accept = tr("Save")},
+                               session::profile_changes(draft()),
+                               window()};
+    if (run_dialog(question) == QDialog::Accepted) save();
 }
 
 void ProfilePage::save() {

@@ -14,8 +14,10 @@
 
 #include "hmi/profile/typed_value.hpp"
 #include "hmi/session/display_text.hpp"
+#include "hmi/session/profile_phrase.hpp"
 #include "hmi/ui/choice_box.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/words.hpp"
 #include "shared/profile_text.hpp"
 
 namespace psicarve::ui {
@@ -198,12 +200,13 @@ void ProfileRow::show_state(const profile::ProfileDraft& draft, const QString& i
     font.setBold(draft.differs_from_built_in(key_));
     built_in_->setFont(font);
     const std::string& problem = draft.problem(key_);
-    problem_->setText(QString::fromStdString(problem));
+    const QString told = problem.empty() ? QString{} : words(session::profile_problem_phrase(problem));
+    problem_->setText(told);
     problem_->setVisible(!problem.empty());
     set_styled(this, "invalid", !problem.empty());
     QWidget* editor = line_ != nullptr ? static_cast<QWidget*>(line_) : words_;
     set_styled(editor, "invalid", !problem.empty());
-    editor->setAccessibleDescription(QString::fromStdString(problem));
+    editor->setAccessibleDescription(told);
 }
 
 }  // namespace psicarve::ui

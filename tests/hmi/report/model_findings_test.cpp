@@ -63,5 +63,12 @@ TEST(ModelFindings, NameTheWorstFirst) {
     EXPECT_EQ(sut[1].from, 40.0);
 }
 
+TEST(ModelFindings, TellDirectionsThroughZeroAsOnATurntable) {
+    EXPECT_EQ(directions_of({350.0, 370.0, 0.5}), (Directions{350.0, 10.0, true}));
+    EXPECT_EQ(directions_of({350.0, 360.0, 0.5}), (Directions{350.0, 360.0, false}));
+    EXPECT_EQ(directions_of({0.0, 360.0, 0.5}), (Directions{0.0, 360.0, false}));
+    EXPECT_EQ(directions_of({40.0, 70.0, 0.5}), (Directions{40.0, 70.0, false}));
+}
+
 }  // namespace
 }  // namespace psicarve::report

@@ -105,7 +105,7 @@ TEST(MeshText, ReportsAModelAsItBecomesKnown) {
     EXPECT_EQ(rows[6], "Undercut: about 8.4 % of the surface");
     EXPECT_EQ(rows_of({mesh, &sight, &findings, &piece, {}, 0.0831})[6], "Undercut: 8.31 % of the surface")
         << "as the job has it";
-    EXPECT_EQ(rows[7], "350–370° (50.0 %), 60–70° (20.0 %), 40–50° (3.0 %), …");
+    EXPECT_EQ(rows[7], "350–10°, through 0° (50.0 %), 60–70° (20.0 %), 40–50° (3.0 %), …");
     EXPECT_EQ(rows[8], "4.0–7.0 mm high (25.0 %)");
     EXPECT_EQ(rows[9], "Open in directions: none");
     EXPECT_EQ(rows[10], "The tool leaves (draft): More than 0.1 mm on 25.00 % of the surface");

@@ -139,7 +139,7 @@ TEST_F(Calibration, LeavesWhatIsTypedIntoThePageMeanwhile) {
     EXPECT_TRUE(comes_true([&] { return button("profile_open").isEnabled(); }));
     EXPECT_EQ(part<QWidget>("row_core_radius_mm").findChild<QLineEdit*>()->text(), "1.7");
     EXPECT_DOUBLE_EQ(on_file().r1.tool_wear_mm, 0.04);
-    ASSERT_TRUE(click("profile_save"));
+    ASSERT_TRUE(click_and_answer("profile_save", "differences_accept"));
     EXPECT_TRUE(comes_true([&] { return all_messages().contains("Profile saved: "); }))
         << all_messages().toStdString();
     EXPECT_DOUBLE_EQ(on_file().r1.tool_wear_mm, 0.04);
@@ -155,7 +155,7 @@ TEST_F(Calibration, DoesNotWriteWhileThePageSaves) {
     type("calibrate_3_wear", "0.04");
     for (int i = 0; i < 5; ++i) ASSERT_TRUE(click("calibrate_next"));
     ASSERT_TRUE(comes_true([&] { return button("calibrate_write").isEnabled(); }));
-    button("profile_save").click();
+    ASSERT_TRUE(click_and_answer("profile_save", "differences_accept"));
     button("calibrate_write").click();
     EXPECT_EQ(text("calibration_reason"), "The profile is being saved");
     ASSERT_TRUE(comes_true([&] { return all_messages().contains("Profile saved"); }));

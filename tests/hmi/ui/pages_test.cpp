@@ -148,7 +148,7 @@ TEST_F(Pages, ProfileChecksAsOneTypesAndSavesWithABackup) {
     edit("axis.r1.start_stop_mm_s", "0.8");
     edit("axis.r1.speed_mm_s", "9");
     EXPECT_EQ(profile().problem_count(), 0U);
-    ASSERT_TRUE(click("profile_save"));
+    ASSERT_TRUE(click_and_answer("profile_save", "differences_accept"));
     ASSERT_TRUE(comes_true([&] { return all_messages().contains("Profile saved"); }));
     EXPECT_EQ(load_profile(path)->r1.speed_mm_s, 9.0);
     EXPECT_EQ(load_profile(path + ".bak")->r1.speed_mm_s, 8.0);

@@ -2,11 +2,14 @@
 // Page Profile waits for no file: it says what is under way, and locks what would get in the way of it.
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QMessageBox>
+#include <QTableWidget>
 #include <QTimer>
 
+#include <algorithm>
 #include <fstream>
 
 #include "tests/hmi/ui/pages_rig.hpp"
@@ -100,7 +103,7 @@ TEST_F(ProfileFiles, AreSavedBySomebodyElseWhileOneTypesOn) {
     EXPECT_EQ(load_profile(path_)->r1.backlash_mm, 0.0);
     EXPECT_EQ(field(kSpeed).text(), "10") << "what was typed since is not lost";
     EXPECT_EQ(profile().draft().changed_count(), 2U);
-    ASSERT_TRUE(click("profile_save"));
+    ASSERT_TRUE(click_and_answer("profile_save", "differences_accept"));
     ASSERT_TRUE(comes_true([&] { return profile().draft().changed_count() == 0; }))
         << all_messages().toStdString();
     EXPECT_EQ(load_profile(path_)->r1.speed_mm_s, 10.0);
@@ -119,7 +122,7 @@ TEST_F(ProfileFiles, ThatCannotBeSavedLeaveWhatWasTyped) {
     ASSERT_NO_FATAL_FAILURE(open_file());
     edit(kSpeed, "9");
     std::ofstream(path_) << "name = \"another\"\n";
-    ASSERT_TRUE(click("profile_save"));
+    ASSERT_TRUE(click_and_answer("profile_save", "differences_accept"));
     ASSERT_TRUE(comes_true([&] { return all_messages().contains("Profile not saved"); }));
     EXPECT_EQ(field(kSpeed).text(), "9");
     EXPECT_EQ(profile().draft().changed_count(), 1U);
@@ -171,7 +174,7 @@ TEST_F(ProfileFiles, AreReadAndWrittenOneAfterTheOther) {
 TEST_F(ProfileFiles, BackupsAreReadBySomebodyElse) {
     ASSERT_NO_FATAL_FAILURE(open_file());
     edit(kSpeed, "9");
-    ASSERT_TRUE(click("profile_save"));
+    ASSERT_TRUE(click_and_answer("profile_save", "differences_accept"));
     ASSERT_TRUE(comes_true([&] { return button("profile_restore").isEnabled(); }));
     ASSERT_TRUE(choose("profile_backups_menu", entries_of("profile_backups_menu").value(0)));
     EXPECT_EQ(field(kSpeed).text(), "9");
@@ -181,6 +184,90 @@ TEST_F(ProfileFiles, BackupsAreReadBySomebodyElse) {
     EXPECT_EQ(profile().draft().changed_count(), 1U) << "nothing is saved yet";
     EXPECT_TRUE(field(kSpeed).isEnabled());
 }
+
+// What is saved is looked at before: each key with what stands in the file and what will.
+TEST_F(ProfileFiles, AreSavedOnceTheirChangesWereLookedAt) {
+    ASSERT_NO_FATAL_FAILURE(open_file());
+    edit(kSpeed, "9");
+    auto* const home = window_->findChild<QWidget*>("row_axis.r1.home")->findChild<QComboBox*>();
+    home->setCurrentText("none");
+    QStringList told;
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, window_.get(), [&] {
+        auto* const table = window_->findChild<QTableWidget*>("differences_table");
+        if (table == nullptr || !table->isVisible()) return;
+        told += part<QLabel>("differences_said").text();
+        for (int row = 0; row < table->rowCount(); ++row) {
+            for (int column = 0; column < table->columnCount(); ++column)
+                told += table->item(row, column)->text();
+        }
+        look.stop();
+    });
+    look.start(0);
+    ASSERT_TRUE(click_and_answer("profile_save", "differences_cancel"));
+    EXPECT_EQ(told, (QStringList{"machine.toml: 2 values become others", kSpeed, "8.0 mm/s", "9 mm/s",
+                                 "axis.r1.home", "\"max\"", "\"none\""}));
+    EXPECT_EQ(load_profile(path_)->r1.speed_mm_s, 8.0) << "nothing was saved";
+    EXPECT_EQ(profile().draft().changed_count(), 2U) << "and nothing is lost";
+    ASSERT_TRUE(click_and_answer("profile_save", "differences_accept"));
+    ASSERT_TRUE(comes_true([&] { return profile().draft().changed_count() == 0; }));
+    EXPECT_EQ(load_profile(path_)->r1.speed_mm_s, 9.0);
+}
+
+TEST_F(ProfileFiles, ShowOnlyWhatIsNotSavedWhereThatIsAskedFor) {
+    const auto shown = [this](const char* key) {
+        return window_->findChild<QWidget*>(QString{"row_"} + key) != nullptr;
+    };
+    ASSERT_NO_FATAL_FAILURE(open_file());
+    EXPECT_TRUE(shown("axis.r1.accel_mm_s2"));
+    ASSERT_TRUE(click("profile_only_changed"));
+    EXPECT_FALSE(shown(kSpeed)) << "it differs from the default, not from the file";
+    EXPECT_EQ(text_of("profile_no_rows"), "Nothing was changed");
+    ASSERT_TRUE(click("profile_only_changed"));
+    edit(kSpeed, "9");
+    choose_group(0);
+    edit("core_radius_mm", "1.7");
+    ASSERT_TRUE(click("profile_only_changed"));
+    EXPECT_TRUE(shown(kSpeed));
+    EXPECT_TRUE(shown("core_radius_mm")) << "of whatever part";
+    EXPECT_FALSE(shown("axis.r1.accel_mm_s2"));
+    take_picture("profile_changed_light");
+    edit(kSpeed, "8.0");
+    EXPECT_TRUE(shown(kSpeed)) << "a row does not go while somebody types into it";
+    ASSERT_TRUE(click_and_answer("profile_save", "differences_accept"));
+    ASSERT_TRUE(comes_true([&] { return profile().draft().changed_count() == 0; }));
+    EXPECT_FALSE(shown("core_radius_mm"));
+    EXPECT_FALSE(shown(kSpeed));
+}
+
+class ProfileProblems : public ProfileFiles, public ::testing::WithParamInterface<Language> {
+protected:
+    ProfileProblems() { use_language(GetParam()); }
+    ~ProfileProblems() override { use_language(Language::english); }
+};
+
+// The words of this language, and what stands in them is the same in all.
+TEST_P(ProfileProblems, AreToldInTheOperatorsLanguage) {
+    ASSERT_NO_FATAL_FAILURE(open_file());
+    edit(kSpeed, "10001");
+    const auto* const row = window_->findChild<QWidget*>(QString{"row_"} + kSpeed);
+    const QString told = field(kSpeed).accessibleDescription();
+    EXPECT_TRUE(told.contains("10001 mm/s") && told.contains("0.001")) << told.toStdString();
+    const auto labels = row->findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&told](const QLabel* label) {
+        return label->isVisible() && label->text() == told;
+    }));
+    EXPECT_EQ(told.contains("is impossible; give a value from"), GetParam() == Language::english)
+        << told.toStdString();
+    std::ofstream(path_) << "[axis.r1]\nspeed_mms = 8\n";
+    profile().open(QString::fromStdString(path_));
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("axis.r1.speed_mms"); }));
+    EXPECT_EQ(all_messages().contains("unknown key"), GetParam() == Language::english)
+        << all_messages().toStdString();
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ProfileProblems,
+                         ::testing::Values(Language::english, Language::chinese, Language::russian));
 
 }  // namespace
 }  // namespace psicarve::ui

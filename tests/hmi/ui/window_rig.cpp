@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QPixmap>
 #include <QSettings>
+#include <QTimer>
 
 #include "hmi/ui/words.hpp"
 #include "tests/places.hpp"
@@ -81,6 +82,21 @@ QAbstractButton& WindowRig::button(const char* name) {
         return ::testing::AssertionFailure() << name << ": " << button(name).toolTip().toStdString();
     button(name).click();
     return ::testing::AssertionSuccess();
+}
+
+::testing::AssertionResult WindowRig::click_and_answer(const char* name, const char* answer) {
+    bool is_answered = false;
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, window_.get(), [&] {
+        auto* const found = window_->findChild<QAbstractButton*>(answer);
+        if (found == nullptr || !found->isVisible()) return;
+        is_answered = true;
+        found->click();
+    });
+    look.start(0);
+    if (auto clicked = click(name); !clicked) return clicked;
+    if (is_answered) return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << name << " has not asked";
 }
 
 QString WindowRig::all_messages() const {

@@ -49,6 +49,8 @@ protected:
     QAbstractButton& button(const char* name);
     /// Waits until it can be pressed, presses it, and says why it could not be.
     ::testing::AssertionResult click(const char* name);
+    /// The same, where that asks something that another button answers.
+    ::testing::AssertionResult click_and_answer(const char* name, const char* answer);
     QString all_messages() const;
     const session::MachineSight& sight() { return window_->bench().machine.sight(); }
     /// A widget of the window or of its dialogs.

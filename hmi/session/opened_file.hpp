@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "hmi/cam/prepared_job.hpp"
+#include "hmi/flat/load_model.hpp"
+#include "hmi/model/mesh.hpp"
+#include "hmi/model/turned_mesh.hpp"
+#include "hmi/session/file_watch.hpp"
+#include "hmi/session/mesh_scene.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::session {
+
+/// A mesh, a job or an error.
+struct OpenedFile {
+    std::shared_ptr<const model::Mesh> mesh;
+    std::shared_ptr<const model::Mesh> file_mesh;  ///< before it was turned
+    flat::ModelKind kind = flat::ModelKind::mesh;
+    flat::FlatOptions shape;
+    bool is_line_art = false;  ///< open lines alone: engraved, as nothing else becomes of them
+    std::shared_ptr<const MeshScene> scene;
+    std::uint64_t mesh_bytes = 0;
+    std::shared_ptr<const cam::PreparedJob> job;
+    std::optional<FileWatch::Stamp> stamp;  ///< of the file, before it was read
+    std::optional<Error> error;
+};
+
+/// A model, a job, a snapshot or a table, which becomes a job of this machine. Without a shape a drawing of
+/// open lines alone is engraved with the machine's tool.
+OpenedFile read_opened(const std::string& path, const Profile& machine,
+                       const std::optional<flat::FlatOptions>& shape, const model::MeshTurn& turn);
+/// A model as this body.
+OpenedFile read_opened_model(const std::string& path, const flat::FlatOptions& options,
+                             const model::MeshTurn& turn);
+/// The same model, turned otherwise.
+OpenedFile turned_again(const std::shared_ptr<const model::Mesh>& file_mesh, const model::MeshTurn& turn);
+
+}  // namespace psicarve::session

@@ -175,7 +175,10 @@ bool JobPanel::may_start_from_layer(std::uint32_t layer, session::RunKind kind) 
     QPushButton* go =
         box.addButton((is_dry ? tr("Start dry run from layer %1") : tr("Start from layer %1")).arg(layer),
                       QMessageBox::AcceptRole);
-    box.setDefaultButton(box.addButton(tr("Cancel"), QMessageBox::RejectRole));
+    go->setObjectName("from_layer_go");
+    QPushButton* none = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+    none->setObjectName("from_layer_cancel");
+    box.setDefaultButton(none);
     run_dialog(box);
     // A minute may have passed: ask again whether it may start.
     return box.clickedButton() == go && from_layer_->refresh(bench_).isEmpty();

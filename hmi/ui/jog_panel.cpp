@@ -103,6 +103,8 @@ QWidget* JogPanel::step_row(const QString& unit, const std::vector<double>& step
     group = new QButtonGroup{row};
     for (std::size_t i = 0; i < steps.size(); ++i) {
         auto* button = new QPushButton{QString::number(steps[i])};
+        button->setObjectName(
+            QStringLiteral("jog_step_%1_%2").arg(button->text(), unit == "mm" ? "mm" : "deg"));
         button->setCheckable(true);
         button->setProperty("small", true);
         button->setFocusPolicy(Qt::TabFocus);

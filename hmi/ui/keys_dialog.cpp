@@ -4,6 +4,7 @@
 #include <QBoxLayout>
 #include <QDialogButtonBox>
 #include <QGridLayout>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QStringList>
 #include <QVBoxLayout>
@@ -79,6 +80,7 @@ KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
     both->addLayout(left);
     both->addLayout(right);
     auto* buttons = new QDialogButtonBox{QDialogButtonBox::Ok};
+    buttons->button(QDialogButtonBox::Ok)->setObjectName("keys_ok");
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     auto* all = new QVBoxLayout{this};
     all->addWidget(has_room ? sheet : static_cast<QWidget*>(scrolled_list(sheet)));

@@ -180,6 +180,7 @@ void LayersPage::refresh() {
 }
 
 void LayersPage::choose_number() {
+    refresh();  // a job that came while another page was shown is not shown here yet
     number_->setFocus(Qt::ShortcutFocusReason);
     number_->selectAll();
 }

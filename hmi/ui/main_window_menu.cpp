@@ -57,6 +57,7 @@ void MainWindow::show_menu_bar(bool is_shown) {
 
 void MainWindow::make_file_menu() {
     QAction* open_action = file_menu_->addAction(tr("Open model, job or recording…"));
+    open_action->setObjectName("open_action");
     open_action->setShortcut(QKeySequence::Open);
     connect(open_action, &QAction::triggered, this, [this] { choose_file(); });
     recent_ = file_menu_->addMenu(tr("Open recent"));
@@ -67,24 +68,29 @@ void MainWindow::make_file_menu() {
     make_keeping_actions();
     file_menu_->addSeparator();
     QAction* quit = file_menu_->addAction(tr("Close the window"));
-    quit->setShortcut(QKeySequence::Quit);
+    quit->setObjectName("close_action");
+    quit->setShortcut(Qt::CTRL | Qt::Key_Q);  // desktops that Qt does not know have no key for it
     connect(quit, &QAction::triggered, this, [this] { close(); });
     addActions({open_action, quit});
 }
 
 void MainWindow::make_help_menu() {
     QAction* keys = help_menu_->addAction(tr("Keys…"));
+    keys->setObjectName("keys_action");
     keys->setShortcut(Qt::Key_F12);
     connect(keys, &QAction::triggered, this, [this] {
         KeysDialog list{this};
         run_dialog(list);
     });
     QAction* about = help_menu_->addAction(tr("About Psicarve…"));
+    about->setObjectName("about_action");
     connect(about, &QAction::triggered, this, [this] {
         QMessageBox box{
             QMessageBox::Information, tr("About Psicarve"),
             QStringLiteral("Psicarve " PSICARVE_VERSION "\nQt %1\nGPL-3.0-or-later").arg(qVersion()),
             QMessageBox::Ok, this};
+        box.setObjectName("about");
+        box.button(QMessageBox::Ok)->setObjectName("about_ok");
         run_dialog(box);
     });
     addAction(keys);
@@ -94,33 +100,41 @@ void MainWindow::make_places() {
     constexpr int kTabs = 7;
     for (int i = 0; i < kTabs; ++i) {
         auto* show = new QAction{this};
+        show->setObjectName(QStringLiteral("page_%1_key").arg(i + 1));
         show->setShortcut(QKeySequence{Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)});
         connect(show, &QAction::triggered, this, [this, i] { tabs_->setCurrentIndex(i); });
         addAction(show);
     }
-    const std::pair<QKeySequence, std::function<void()>> places[] = {
-        {QKeySequence{Qt::CTRL | Qt::Key_L},
+    struct Place {
+        const char* name;
+        QKeySequence keys;
+        std::function<void()> go;
+    };
+    const Place places[] = {
+        {"layer_number_key", QKeySequence{Qt::CTRL | Qt::Key_L},
          [this] {
              show_page(layers_);
              layers_->choose_number();
          }},
-        {QKeySequence{Qt::Key_F6}, [this] { go_to_next_pane(); }},
-        {QKeySequence{Qt::Key_F10},
+        {"next_pane_key", QKeySequence{Qt::Key_F6}, [this] { go_to_next_pane(); }},
+        {"menu_key", QKeySequence{Qt::Key_F10},
          [this] {
              if (menuBar()->isVisible()) menuBar()->setActiveAction(menuBar()->actions().front());
              if (!menuBar()->isVisible()) strip_->open_menu();
          }},
     };
-    for (const auto& [keys_of_place, go] : places) {
+    for (const Place& place : places) {
         auto* action = new QAction{this};
-        action->setShortcut(keys_of_place);
-        connect(action, &QAction::triggered, this, [go = go] { go(); });
+        action->setObjectName(place.name);
+        action->setShortcut(place.keys);
+        connect(action, &QAction::triggered, this, [go = place.go] { go(); });
         addAction(action);
     }
 }
 
 void MainWindow::make_job_keys() {
     auto* pause = new QAction{this};
+    pause->setObjectName("pause_key");
     pause->setShortcut(Qt::Key_Pause);
     pause->setShortcutContext(Qt::ApplicationShortcut);  // from dialogs, too
     connect(pause, &QAction::triggered, this, [this] {
@@ -129,16 +143,22 @@ void MainWindow::make_job_keys() {
         bench_.machine.order(kind, is_held ? session::phrase("Resume") : session::phrase("Hold"));
     });
     addAction(pause);
-    const std::pair<QKeySequence, int> feeds[] = {
-        {QKeySequence{Qt::CTRL | Qt::Key_0}, 0},
-        {QKeySequence{Qt::CTRL | Qt::Key_Minus}, -5},
-        {QKeySequence{Qt::CTRL | Qt::Key_Plus}, 5},
-        {QKeySequence{Qt::CTRL | Qt::Key_Equal}, 5},
+    struct Feed {
+        const char* name;
+        QList<QKeySequence> keys;
+        int by_percent;
     };
-    for (const auto& [keys_of_feed, percent] : feeds) {
+    const Feed feeds[] = {
+        {"feed_full_key", {QKeySequence{Qt::CTRL | Qt::Key_0}}, 0},
+        {"feed_less_key", {QKeySequence{Qt::CTRL | Qt::Key_Minus}}, -5},
+        {"feed_more_key", {QKeySequence{Qt::CTRL | Qt::Key_Plus}, QKeySequence{Qt::CTRL | Qt::Key_Equal}}, 5},
+    };
+    for (const Feed& feed : feeds) {
         auto* change = new QAction{this};
-        change->setShortcut(keys_of_feed);
-        connect(change, &QAction::triggered, this, [this, by = percent] { job_->change_override(by); });
+        change->setObjectName(feed.name);
+        change->setShortcuts(feed.keys);
+        connect(change, &QAction::triggered, this,
+                [this, by = feed.by_percent] { job_->change_override(by); });
         addAction(change);
     }
 }
@@ -164,11 +184,17 @@ void MainWindow::go_to_next_pane() {
 void MainWindow::make_theme_menu() {
     QMenu* themes = view_menu_->addMenu(tr("Theme"));
     auto* group = new QActionGroup{this};
-    const std::pair<QString, ThemeChoice> choices[] = {{tr("As the desktop"), ThemeChoice::system},
-                                                       {tr("Light"), ThemeChoice::light},
-                                                       {tr("Dark"), ThemeChoice::dark}};
-    for (const auto& [name, choice] : choices) {
+    struct Choice {
+        const char* id;
+        QString name;
+        ThemeChoice choice;
+    };
+    const Choice choices[] = {{"theme_system", tr("As the desktop"), ThemeChoice::system},
+                              {"theme_light", tr("Light"), ThemeChoice::light},
+                              {"theme_dark", tr("Dark"), ThemeChoice::dark}};
+    for (const auto& [id, name, choice] : choices) {
         QAction* action = themes->addAction(name);
+        action->setObjectName(id);
         action->setCheckable(true);
         action->setChecked(choice == settings_.theme());
         group->addAction(action);
@@ -182,8 +208,9 @@ void MainWindow::make_language_menu() {
     QMenu* languages = view_menu_->addMenu(tr("Language"));
     languages->setObjectName("languages");
     auto* group = new QActionGroup{this};
-    const auto add = [&](const QString& name, std::optional<Language> choice) {
+    const auto add = [&](const QString& id, const QString& name, std::optional<Language> choice) {
         QAction* action = languages->addAction(name);
+        action->setObjectName("language_" + id);
         action->setCheckable(true);
         action->setChecked(choice == settings_.language());
         group->addAction(action);
@@ -195,8 +222,9 @@ void MainWindow::make_language_menu() {
                            session::phrase("The language changes when the window is opened the next time"));
         });
     };
-    add(tr("As the desktop"), std::nullopt);
-    for (const LanguageName& name : kLanguages) add(QString::fromUtf8(name.own), name.language);
+    add("system", tr("As the desktop"), std::nullopt);
+    for (const LanguageName& name : kLanguages)
+        add(QLatin1String(name.code), QString::fromUtf8(name.own), name.language);
 }
 
 void MainWindow::choose_file() {
@@ -218,6 +246,7 @@ void MainWindow::fill_recent() {
     for (const QString& path : files) {
         if (bench_.presence.seen(path.toStdString()).state == session::FilePresence::State::gone) continue;
         QAction* action = recent_->addAction(QFileInfo{path}.fileName());
+        action->setObjectName("recent_file");
         action->setToolTip(path);
         connect(action, &QAction::triggered, this, [this, path] { open(path); });
     }
@@ -232,7 +261,12 @@ CloseChoice MainWindow::ask_what_to_do() {
     QPushButton* leave = box.addButton(tr("Leave running"), QMessageBox::AcceptRole);
     QPushButton* hold = box.addButton(tr("Hold"), QMessageBox::ActionRole);
     QPushButton* stop = box.addButton(tr("Stop"), QMessageBox::ActionRole);
-    box.setEscapeButton(box.addButton(tr("Cancel"), QMessageBox::RejectRole));
+    QPushButton* stay = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+    leave->setObjectName("close_leave_running");
+    hold->setObjectName("close_hold");
+    stop->setObjectName("close_stop");
+    stay->setObjectName("close_cancel");
+    box.setEscapeButton(stay);
     box.setObjectName("close_question");
     box.setDefaultButton(leave);
     // What it asks about may end while it is asked: by a stop, by the last layer.

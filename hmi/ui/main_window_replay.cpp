@@ -18,16 +18,22 @@ namespace psicarve::ui {
 
 void MainWindow::make_replay_keys() {
     replay::ReplayDesk& desk = bench_.replay;
-    const std::pair<QKeySequence, std::function<void()>> keys[] = {
-        {Qt::Key_K, [this] { replay_->play_or_pause(); }},
-        {Qt::Key_J, [&desk] { desk.clock().slower(); }},
-        {Qt::Key_L, [&desk] { desk.clock().faster(); }},
-        {Qt::Key_N, [this] { replay_->go_to_next_entry(); }},
-        {Qt::SHIFT | Qt::Key_N, [this] { replay_->go_to_entry_before(); }},
-        {Qt::Key_Comma, [&desk] { desk.step_layer(-1); }},
-        {Qt::Key_Period, [&desk] { desk.step_layer(1); }}};
-    for (const auto& [key, act] : keys) {
+    struct Act {
+        const char* name;
+        QKeySequence key;
+        std::function<void()> act;
+    };
+    const Act keys[] = {
+        {"replay_play_key", Qt::Key_K, [this] { replay_->play_or_pause(); }},
+        {"replay_slower_key", Qt::Key_J, [&desk] { desk.clock().slower(); }},
+        {"replay_faster_key", Qt::Key_L, [&desk] { desk.clock().faster(); }},
+        {"replay_next_key", Qt::Key_N, [this] { replay_->go_to_next_entry(); }},
+        {"replay_before_key", Qt::SHIFT | Qt::Key_N, [this] { replay_->go_to_entry_before(); }},
+        {"layer_before_key", Qt::Key_Comma, [&desk] { desk.step_layer(-1); }},
+        {"next_layer_key", Qt::Key_Period, [&desk] { desk.step_layer(1); }}};
+    for (const auto& [name, key, act] : keys) {
         auto* action = new QAction{this};
+        action->setObjectName(name);
         action->setShortcut(key);
         action->setEnabled(false);
         connect(action, &QAction::triggered, this, [wanted = act] { wanted(); });
@@ -35,6 +41,7 @@ void MainWindow::make_replay_keys() {
         replay_actions_.push_back(action);
     }
     QAction* leave = file_menu_->addAction(tr("Leave replay"));
+    leave->setObjectName("leave_replay");
     leave->setEnabled(false);
     connect(leave, &QAction::triggered, this, [&desk] { desk.leave(); });
     replay_actions_.push_back(leave);

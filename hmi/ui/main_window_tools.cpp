@@ -28,12 +28,14 @@ void MainWindow::save_as(const QString& title, const QString& name, const QStrin
 
 void MainWindow::make_keeping_actions() {
     save_job_ = file_menu_->addAction(tr("Save the job…"));
+    save_job_->setObjectName("save_job");
     connect(save_job_, &QAction::triggered, this, [this] {
         save_as(tr("Save the job"), "job.psi", tr("Jobs (*.job *.psi)"), [this](const std::string& path) {
             if (bench_.desk.job()) bench_.files.save_job(path, bench_.desk.job());
         });
     });
     save_tables_ = file_menu_->addAction(tr("Save its tables…"));
+    save_tables_->setObjectName("save_tables");
     connect(save_tables_, &QAction::triggered, this, [this] {
         save_as(tr("Save the tables"), "job.csv", tr("Tables (*.csv *.json)"),
                 [this](const std::string& path) {
@@ -51,15 +53,19 @@ void MainWindow::make_keeping_actions() {
 
 void MainWindow::make_machine_menu() {
     QAction* go_to = machine_menu_->addAction(tr("Go to…"));
+    go_to->setObjectName("go_to_action");
     connect(go_to, &QAction::triggered, this, [this] { jog_->go_to(); });
     QAction* spindle = machine_menu_->addAction(tr("Spindle on or off"));
+    spindle->setObjectName("spindle_action");
     connect(spindle, &QAction::triggered, this, [this] { jog_->turn_spindle(); });
     QAction* wiring = machine_menu_->addAction(tr("Wiring test, recording pins…"));
+    wiring->setObjectName("wiring_action");
     connect(wiring, &QAction::triggered, this, [this] { show_page(ports_); });
 }
 
 void MainWindow::make_tools_menu() {
     verify_ = tools_menu_->addAction(QString{});
+    verify_->setObjectName("verify_action");
     connect(verify_, &QAction::triggered, this, [this] {
         if (bench_.judge.is_judging()) return bench_.judge.cancel();
         choose_trace_to_verify();
@@ -117,6 +123,7 @@ void MainWindow::make_panels_menu() {
     panels->setObjectName("panels");
     for (std::size_t i = 0; i < SidePanels::kCount; ++i) {
         QAction* action = panels->addAction(SidePanels::name(i));
+        action->setObjectName(QStringLiteral("float_%1").arg(kPanelKeys[i]));
         action->setCheckable(true);
         connect(action, &QAction::toggled, this, [this, i](bool floats) { float_panel(i, floats); });
         float_actions_.push_back(action);

@@ -31,6 +31,7 @@ ModelReportDialog::ModelReportDialog(QWidget* parent)
     all->addStretch();
     auto* buttons = new QDialogButtonBox;
     QPushButton* close_button = buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole);
+    close_button->setObjectName("model_report_close");
     connect(close_button, &QPushButton::clicked, this, [this] { close(); });
     all->addWidget(buttons);
 }

@@ -65,6 +65,7 @@ MoveDialog::MoveDialog(Bench& bench, QWidget* parent)
     auto* here = new QPushButton{tr("Present positions")};
     here->setObjectName("move_here");
     auto* shut = new QPushButton{tr("Close")};
+    shut->setObjectName("move_close");
     for (QPushButton* button : {here, shut}) {
         button->setAutoDefault(false);
         button->setFocusPolicy(Qt::TabFocus);

@@ -32,17 +32,21 @@ void fill_profile_menu(QMenu& menu, const QStringList& recent, const FilePresenc
                        const std::function<void()>& choose, const std::function<void(const QString&)>& open,
                        const std::function<void()>& open_built_in) {
     menu.clear();
-    QObject::connect(menu.addAction(ProfileMenus::tr("Choose a file...")), &QAction::triggered, choose);
+    QAction* const other = menu.addAction(ProfileMenus::tr("Choose a file..."));
+    other->setObjectName("profile_choose_file");
+    QObject::connect(other, &QAction::triggered, choose);
     menu.addSeparator();
     for (const QString& path : recent) {
         if (presence.seen(path.toStdString()).state == FilePresence::State::gone) continue;
         QAction* const action = menu.addAction(QFileInfo{path}.fileName());
+        action->setObjectName("profile_recent_file");
         action->setToolTip(path);
         QObject::connect(action, &QAction::triggered, [open, path] { open(path); });
     }
     menu.addSeparator();
-    QObject::connect(menu.addAction(ProfileMenus::tr("Built-in profile")), &QAction::triggered,
-                     open_built_in);
+    QAction* const built_in = menu.addAction(ProfileMenus::tr("Built-in profile"));
+    built_in->setObjectName("profile_built_in");
+    QObject::connect(built_in, &QAction::triggered, open_built_in);
 }
 
 void fill_backup_menu(QMenu& menu, const std::string& path, const FilePresence& presence,
@@ -54,6 +58,7 @@ void fill_backup_menu(QMenu& menu, const std::string& path, const FilePresence& 
         const QString time = time_of(seen.written).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
         const QString name = QFileInfo{QString::fromStdString(backup)}.fileName();
         QAction* const action = menu.addAction(QStringLiteral("%1  %2").arg(time, name));
+        action->setObjectName("profile_backup");
         QObject::connect(action, &QAction::triggered, [take, backup] { take(backup); });
     }
 }

@@ -178,6 +178,8 @@ bool ProfilePage::may_lose_changes() {
                                          : tr("%1. Lose them?").arg(unsaved_text());
     QMessageBox box{QMessageBox::Question, tr("Profile"), question,
                     QMessageBox::Discard | QMessageBox::Cancel, window()};
+    box.button(QMessageBox::Discard)->setObjectName("profile_discard");
+    box.button(QMessageBox::Cancel)->setObjectName("profile_keep");
     box.setDefaultButton(QMessageBox::Cancel);
     return run_dialog(box) == QMessageBox::Discard;
 }

@@ -40,6 +40,8 @@ ReportDialog::ReportDialog(const session::RunWatch& runs, std::shared_ptr<const 
     auto* buttons = new QDialogButtonBox;
     QPushButton* save_button = buttons->addButton(tr("Save as JSON…"), QDialogButtonBox::ActionRole);
     QPushButton* close_button = buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole);
+    save_button->setObjectName("report_save");
+    close_button->setObjectName("report_close");
     connect(save_button, &QPushButton::clicked, this, [this] {
         const QString path =
             ask_where_to_save(this, tr("Save the report"), "report.json", tr("JSON (*.json)"));

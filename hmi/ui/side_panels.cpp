@@ -55,6 +55,10 @@ MotionBlock::MotionBlock(Bench& bench)
     auto* grid = new QGridLayout{this};
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(kSmallGap);
+    buttons_.start->setObjectName("motion_start");
+    buttons_.hold->setObjectName("motion_hold");
+    buttons_.resume->setObjectName("motion_resume");
+    buttons_.stop->setObjectName("motion_stop");
     int place = 0;
     for (ActionButton* button : buttons_.all()) {
         grid->addWidget(button, place / 2, place % 2);

@@ -77,6 +77,7 @@ Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
     setAttribute(Qt::WA_StyledBackground);
     setFixedHeight(kStripHeight);
     pill_->setObjectName("state_pill");
+    menu_button_->setObjectName("menu_button");
     menu_button_->setMenu(menu);
     menu_button_->setPopupMode(QToolButton::InstantPopup);
     menu_button_->setFixedSize(40, 32);
@@ -95,6 +96,7 @@ Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
     progress_->setTextVisible(false);
     progress_->setObjectName("progress");
     progress_->setAccessibleName(tr("Progress"));
+    emergency_->setObjectName("emergency_stop");
     emergency_->setProperty("estop", true);
     emergency_->setFixedSize(kEmergency);
     emergency_->setFocusPolicy(Qt::TabFocus);

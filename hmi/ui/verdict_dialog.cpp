@@ -45,6 +45,7 @@ VerdictDialog::VerdictDialog(const std::shared_ptr<const session::Judgement>& ju
     QPushButton* picture = buttons->addButton(tr("Save picture…"), QDialogButtonBox::ActionRole);
     picture->setObjectName("save_picture");
     QPushButton* shut = buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole);
+    shut->setObjectName("verdict_close");
     connect(picture, &QPushButton::clicked, this, [this, judgement, &files] {
         const QString path =
             ask_where_to_save(this, tr("Save the picture"), "carved.png", tr("Pictures (*.png)"));

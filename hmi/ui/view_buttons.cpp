@@ -4,7 +4,6 @@
 #include <QPushButton>
 
 #include <functional>
-#include <utility>
 
 #include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/mesh_view.hpp"
@@ -13,15 +12,20 @@ namespace psicarve::ui {
 
 FlowLayout* view_buttons(MeshView& view) {
     using Side = MeshView::Side;
-    const std::pair<QString, std::function<void()>> buttons[] = {
-        {MeshView::tr("Front"), [&view] { view.look_from(Side::front); }},
-        {MeshView::tr("Side"), [&view] { view.look_from(Side::side); }},
-        {MeshView::tr("Top"), [&view] { view.look_from(Side::top); }},
-        {MeshView::tr("Iso"), [&view] { view.look_from(Side::iso); }},
-        {MeshView::tr("Fit"), [&view] { view.fit(); }}};
+    struct Button {
+        const char* id;
+        QString name;
+        std::function<void()> act;
+    };
+    const Button buttons[] = {{"front", MeshView::tr("Front"), [&view] { view.look_from(Side::front); }},
+                              {"side", MeshView::tr("Side"), [&view] { view.look_from(Side::side); }},
+                              {"top", MeshView::tr("Top"), [&view] { view.look_from(Side::top); }},
+                              {"iso", MeshView::tr("Iso"), [&view] { view.look_from(Side::iso); }},
+                              {"fit", MeshView::tr("Fit"), [&view] { view.fit(); }}};
     auto* row = new FlowLayout;
-    for (const auto& [name, act] : buttons) {
+    for (const auto& [id, name, act] : buttons) {
         auto* button = new QPushButton{name};
+        button->setObjectName(QStringLiteral("%1_%2").arg(view.objectName(), id));
         button->setProperty("small", true);
         button->setFocusPolicy(Qt::TabFocus);
         QObject::connect(button, &QPushButton::clicked, &view, [act = act] { act(); });

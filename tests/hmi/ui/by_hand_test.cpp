@@ -91,6 +91,7 @@ TEST_F(ByHand, ArmedKeysAreDisarmedByATextFieldADialogAndTheEmergencyStop) {
     ASSERT_TRUE(click("arm_keys"));
     {
         QMessageBox dialog{window_.get()};
+        dialog.setObjectName("test_question");
         dialog.setModal(true);
         dialog.open();
         QApplication::processEvents();

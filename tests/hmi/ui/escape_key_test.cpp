@@ -66,6 +66,7 @@ TEST_F(EscapeKey, HoldsAndNeitherResumesNorEnds) {
 TEST_F(EscapeKey, ClosesADialogAndDoesNothingElseThere) {
     ASSERT_NO_FATAL_FAILURE(carve());
     QMessageBox dialog{window_.get()};
+    dialog.setObjectName("test_question");
     dialog.setModal(false);
     dialog.addButton(QMessageBox::Cancel);
     dialog.show();
@@ -108,6 +109,7 @@ TEST_F(EscapeKey, ClosesAMenuAListAndACompletion) {
 TEST_F(EscapeKey, WithShiftStopsFromADialogWhichStaysOpen) {
     ASSERT_NO_FATAL_FAILURE(carve());
     QMessageBox dialog{window_.get()};
+    dialog.setObjectName("test_question");
     dialog.setModal(false);
     dialog.addButton(QMessageBox::Cancel);
     dialog.show();

@@ -4,9 +4,12 @@
 #include <QDir>
 #include <QPixmap>
 #include <QSettings>
+#include <QTest>
 #include <QTimer>
 
 #include "hmi/ui/words.hpp"
+#include "tests/hmi/ui/press_log.hpp"
+#include "tests/hmi/ui/press_table.hpp"
 #include "tests/places.hpp"
 
 namespace psicarve::ui::test {
@@ -36,9 +39,12 @@ private:
 WindowRig::WindowRig() {
     qputenv("XDG_STATE_HOME", QByteArray::fromStdString(file("state")));
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, QString::fromStdString(file("settings")));
+    PressLog::instance().forget();
 }
 
-WindowRig::~WindowRig() = default;
+WindowRig::~WindowRig() {
+    if (!HasFailure()) expect_pressed_as_in_table(PressLog::instance());
+}
 
 std::unique_ptr<SettingsStore> WindowRig::kept_settings() {
     auto settings = std::make_unique<SettingsStore>();
@@ -80,7 +86,17 @@ QAbstractButton& WindowRig::button(const char* name) {
 ::testing::AssertionResult WindowRig::click(const char* name) {
     if (!comes_true([&] { return button(name).isEnabled(); }))
         return ::testing::AssertionFailure() << name << ": " << button(name).toolTip().toStdString();
-    button(name).click();
+    QAbstractButton& wanted = button(name);
+    const QPoint at = wanted.rect().center();
+    // Pages that are not shown have no mouse on them.
+    if (!wanted.isVisible() || !wanted.visibleRegion().contains(at)) {
+        wanted.click();
+        return ::testing::AssertionSuccess();
+    }
+    QWidget* const under = wanted.window()->childAt(wanted.mapTo(wanted.window(), at));
+    const bool is_hit = under == &wanted || wanted.isAncestorOf(under);
+    if (!is_hit) return ::testing::AssertionFailure() << name << " lies under something";
+    QTest::mouseClick(&wanted, Qt::LeftButton, Qt::NoModifier, at);
     return ::testing::AssertionSuccess();
 }
 

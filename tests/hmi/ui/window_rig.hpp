@@ -47,7 +47,8 @@ protected:
     ::testing::AssertionResult comes_to(MachineState state);
     ::testing::AssertionResult comes_to(session::DeskState state);
     QAbstractButton& button(const char* name);
-    /// Waits until it can be pressed, presses it, and says why it could not be.
+    /// Waits until it can be pressed, presses it, by the mouse where it is seen, and says why it could not
+    /// be.
     ::testing::AssertionResult click(const char* name);
     /// The same, where that asks something that another button answers.
     ::testing::AssertionResult click_and_answer(const char* name, const char* answer);

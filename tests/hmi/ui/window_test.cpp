@@ -44,6 +44,7 @@ TEST_F(Window, LocksEveryMotionWithoutACoreAndSaysWhy) {
 TEST_F(Window, KeepsTheEmergencyStopInReachOnF1AlsoInADialog) {
     open_window();
     QMessageBox dialog{window_.get()};
+    dialog.setObjectName("test_question");
     dialog.setModal(true);
     dialog.open();
     QApplication::processEvents();
@@ -99,6 +100,7 @@ TEST_F(Window, StartsNoMotionBySpaceOrEnter) {
 TEST_F(Window, LetsTheEmergencyStopBePressedBesideADialog) {
     open_window();
     QMessageBox box{QMessageBox::Question, "A question", "?", QMessageBox::Ok, window_.get()};
+    box.setObjectName("test_question");
     QTimer::singleShot(0, [&] {
         EXPECT_EQ(open_dialog(), &box);
         EXPECT_EQ(QApplication::activeModalWidget(), nullptr);

@@ -105,9 +105,14 @@ Result<void> RobustMutex::initialise(MutexStorage& storage) {
     return {};
 }
 
+Result<void> RobustMutex::make_whole(MutexStorage& storage) {
+    return is_one_of_ours(storage.native) ? Result<void>{} : initialise(storage);
+}
+
 Result<void> RobustMutex::lock_within(std::chrono::milliseconds limit) {
     if (!is_one_of_ours(storage_->native)) {
-        return bad_input("the segment's mutex is overwritten: end all psicarve programs, then start again");
+        return bad_input(
+            "the segment's mutex is overwritten: end the core and start it again, which makes it anew");
     }
     const int failed = lock_native(storage_->native, limit);
     if (failed == ETIMEDOUT) {

@@ -21,6 +21,11 @@ public:
     /// Once, by the creator of the segment, before `ready`.
     static Result<void> initialise(MutexStorage& storage);
 
+    /// By whoever alone serves the segment, as it begins: made anew where its bytes are no mutex. Nobody
+    /// holds one of those, and who tries to lock it meanwhile is refused. Otherwise it stays as it is, held
+    /// or not.
+    static Result<void> make_whole(MutexStorage& storage);
+
     explicit RobustMutex(MutexStorage& storage) noexcept : storage_(&storage) {}
 
     void lock();  ///< waits at most kLockLimit; throws boost::interprocess::lock_exception then

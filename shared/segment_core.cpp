@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "shared/process_identity.hpp"
+#include "shared/robust_mutex.hpp"
 #include "shared/segment.hpp"
 #include "shared/segment_commands.hpp"
 #include "shared/segment_mapping.hpp"
@@ -33,6 +34,7 @@ Result<void> Segment::take_core_lock() {
     }
     mapping_->core_owner_pid = own_pid();
     SegmentHeader& shared = header();
+    if (auto whole = RobustMutex::make_whole(shared.mutex); !whole) return whole;
     shared.core.pid.store(0);
     shared.core_profile_hash.store(0);
     write_record(shared.port, PortName{});

@@ -10,12 +10,14 @@
 
 #include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "shared/robust_mutex.hpp"
 #include "shared/segment.hpp"
 #include "shared/segment_object.hpp"
 #include "tests/shared/segment_fixture.hpp"
@@ -49,6 +51,42 @@ protected:
     Result<Segment> create() const { return Segment::create_or_attach(name_.options()); }
     test::SegmentName name_;
 };
+
+TEST_F(SegmentCreation, ACoreThatBeginsMakesAnOverwrittenMutexAnew) {
+    auto segment = create();
+    ASSERT_TRUE(segment) << segment.error().message;
+    for (const int fill : {0x00, 0xFF, 0x5A}) {
+        std::memset(static_cast<void*>(&segment->header().mutex.native), fill, sizeof(pthread_mutex_t));
+        const auto refused = RobustMutex{segment->header().mutex}.lock_within(milliseconds{10});
+        ASSERT_FALSE(refused);
+        EXPECT_THAT(refused.error().message, HasSubstr("end the core and start it again"));
+        {
+            auto core = create();
+            ASSERT_TRUE(core && core->claim_core());
+            core->release_core();
+        }
+        RobustMutex sut{segment->header().mutex};
+        ASSERT_TRUE(sut.lock_within(milliseconds{1000})) << fill;
+        sut.unlock();
+    }
+}
+
+TEST_F(SegmentCreation, ACoreThatBeginsLeavesAMutexThatIsHeld) {
+    auto segment = create();
+    ASSERT_TRUE(segment) << segment.error().message;
+    ChildProcess holder{[&](ChildProcess::Signal holds) {
+        RobustMutex mutex{segment->header().mutex};
+        if (mutex.try_lock()) holds.raise();
+        pause();
+    }};
+    ASSERT_TRUE(holder.wait_for_signal());
+    auto core = create();
+    ASSERT_TRUE(core && core->claim_core());
+    const auto late = RobustMutex{segment->header().mutex}.lock_within(milliseconds{10});
+    ASSERT_FALSE(late);
+    EXPECT_EQ(late.error().code, ErrorCode::timed_out);
+    core->release_core();
+}
 
 TEST_F(SegmentCreation, ProcessesThatComeAtOnceShareOneObject) {
     constexpr int kProcesses = 6;

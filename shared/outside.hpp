@@ -31,13 +31,13 @@ struct OutsideRule {
 };
 OutsideRule outside_rule(const Profile& machine);
 
-/// How far out material is taken to stand before a job is carved [mm], all round: the most of the blank
-/// (`blank_mm`, 0: not known), of what each pass says, and of the finishing pass' tips, for a blank holds
-/// what is made of it. Where neither blank nor passes tell, as far as any tip of the table.
+/// How far out material is taken to stand before a job is carved [mm], all round, by ways into and out of it:
+/// the most of the blank (`blank_mm`, 0: not known), of what each pass says, and of all tips of the table.
 double assumed_blank_mm(const JobView& job, const std::array<HeadScale, 2>& heads, double blank_mm) noexcept;
 
-/// Likewise, of the blank in the job's own profile and that of the machine's; 0 where neither the job's
-/// profile nor its passes tell.
+/// How far out it stands at most: the most of what each pass says, of the blanks in the job's own profile and
+/// the machine's, and of the finishing pass' tips, for a blank holds what is made of it. 0: not known, where
+/// the job has one pass alone or any pass does not say it, whatever profiles do.
 double known_blank_mm(const JobView& job, const OutsideRule& rule);
 
 /// From which radius on, as counted, a head is outside: wherever the table turns, whatever its tool is and
@@ -59,6 +59,7 @@ struct HeadsOutside {
 /// Of a machine around whose table material stands no further out than that; 0: not known, and nowhere is
 /// outside.
 HeadsOutside heads_outside(double standing_mm, const OutsideRule& rule) noexcept;
+/// Nowhere, too, where a whole pass of the job would be outside: then it lies.
 HeadsOutside heads_outside(const JobView& job, const OutsideRule& rule);
 
 }  // namespace psicarve

@@ -30,7 +30,7 @@ Result<PreparedJob> prepare_snapshot(Snapshot snapshot, const std::string& path)
 
 Result<PreparedJob> prepare_for(PreparedJob job, Profile machine, const std::string& path) {
     const auto other = blank_difference(job.profile.blank, machine.blank);
-    if (job.profile.blank.radius_mm > 0.0) machine.blank = job.profile.blank;  // as the core does
+    if (job.profile.blank.radius_mm > 0.0) machine.blank = job.profile.blank;  // as the core's ways do
     auto made = prepare_blob(std::move(job.blob), std::move(machine), path);
     if (made && other) made->warnings.push_back(path + ": " + blank_difference_text(*other));
     return made;

@@ -25,7 +25,7 @@ namespace {
 using session::Action;
 
 constexpr int kFullPercent = 100;
-constexpr int kFullHeight_px = 612;  // of the panel with its buttons as high as they should be
+constexpr int kFullHeight_px = 632;  // of the panel with its buttons as high as they should be
 
 }  // namespace
 

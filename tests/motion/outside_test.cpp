@@ -64,14 +64,17 @@ protected:
         profile.job.feed_mm_s = 6.0;
     }
     /// The heads stand alike, as on the ways between passes pulses of two may change places. Outside are the
-    /// first and the last third of each layer of the first roughing pass, and the whole of the second's.
+    /// first and the last third of each layer of the first roughing pass, and the second's but for its last
+    /// layer's middle.
     JobTable table(double more_blank_mm = 0.0) const {
         constexpr std::uint32_t points = 31;
         const auto shape = [](double at, std::uint32_t) { return 10.0 + 0.2 * std::cos(2.0 * at); };
         JobTable job = with_roughing(table_of(profile, shape, 3, points, GetParam().joining), 2, 0);
         set_radii(job, [&](std::uint32_t layer, std::uint32_t point) {
             const bool is_third = point < points / 3 || point > 2 * points / 3;
-            return layer >= job.passes[1].first_layer || is_third ? kOut_pulses : kIn_pulses;
+            const bool is_second = layer >= job.passes[1].first_layer;
+            const bool is_middle = layer + 1 == job.passes[2].first_layer && point == points / 2;
+            return is_third || (is_second && !is_middle) ? kOut_pulses : kIn_pulses;
         });
         tell_blank(job, more_blank_mm);
         return job;

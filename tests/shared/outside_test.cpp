@@ -21,6 +21,7 @@ HeadsOutside outside_of(const Profile& made_for, const Profile& machine,
                         const std::function<void(JobTable&)>& change = {}) {
     JobTable table = with_roughing(small_job(made_for), 1, 400);
     for (JobPass& pass : table.passes) pass.clear_mm = made_for.blank.reach_mm();
+    table.r_left_pulses.front() = table.r_left_pulses.back();  // wherever the others are: no pass is all air
     if (change) change(table);
     const auto blob = job_blob_from_table(table);
     const auto job = JobView::check(blob);
@@ -82,6 +83,30 @@ TEST(HeadsOutside, AreNowhereWhereNobodyTellsOfABlank) {
     // Nor is what one of the passes says enough.
     const auto one_tells = [](JobTable& table) { table.passes[0].clear_mm = 12.0; };
     EXPECT_EQ(outside_of(none, none, one_tells).from_pulses, kNowhere.from_pulses);
+    // Nor a blank in the job's profile, where passes say that they do not know what they find.
+    const auto unknown = [](JobTable& table) {
+        for (JobPass& pass : table.passes) pass.clear_mm = 0.0;
+    };
+    const auto half_known = [](JobTable& table) { table.passes[0].clear_mm = 0.0; };
+    const Profile told = with_blank(10.2);
+    EXPECT_EQ(outside_of(told, told, unknown).from_pulses, kNowhere.from_pulses);
+    EXPECT_EQ(outside_of(told, told, half_known).from_pulses, kNowhere.from_pulses);
+}
+
+// A table may say anything. One that roughs where, by its own words, nothing stands does not know.
+TEST(HeadsOutside, AreNowhereWhereAWholePassWouldBeInTheAir) {
+    const Profile profile = with_blank(10.2);
+    const auto roughs_at = [&](std::int32_t left_pulses, std::int32_t right_pulses) {
+        return outside_of(profile, profile, [=](JobTable& table) {
+            const std::size_t count = std::size_t{table.passes[0].layer_count} * table.point_count;
+            std::fill_n(table.r_left_pulses.begin(), count, left_pulses);
+            std::fill_n(table.r_right_pulses.begin(), count, right_pulses);
+        });
+    };
+    const std::int32_t least = static_cast<std::int32_t>(outside_of(profile, profile).from_pulses[0]);
+    EXPECT_EQ(roughs_at(least, least).from_pulses, kNowhere.from_pulses);
+    EXPECT_EQ(roughs_at(least - 1, least).from_pulses[0], least);
+    EXPECT_EQ(roughs_at(least, least - 1).from_pulses[0], least);
 }
 
 TEST(HeadsOutside, AreNowhereInAFinishingPassAlone) {

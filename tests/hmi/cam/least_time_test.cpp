@@ -50,10 +50,10 @@ TEST(LeastTime, IsTheHeadsWhereTheyHaveALongWay) {
     EXPECT_NEAR(seconds_of(10.0, 20.0, 1000.0), 200 * 10.0 / profile.r1.speed_mm_s, 1e-6);
 }
 
-/// A roughing and a finishing layer of half a turn, with a blank of 12 mm.
+/// A roughing layer of half a turn, another one and two finishing ones at 8 mm, with a blank of 12 mm.
 LeastTime time_of_roughing(double left_mm, double right_mm) {
     const Profile profile;
-    JobTable table = with_roughing(small_job(profile, 1, 101, 8.0), 1, 0);
+    JobTable table = with_roughing(small_job(profile, 2, 101, 8.0), 1, 0);
     for (JobPass& pass : table.passes) pass.clear_mm = 12.0;
     for (std::size_t point = 0; point < 101; ++point) {
         table.r_left_pulses[point] = static_cast<std::int32_t>(400.0 * left_mm);
@@ -71,7 +71,7 @@ TEST(LeastTime, AHeadThatIsOutsideOfTheBlankHasNoFeed) {
     const LeastTime both = time_of_roughing(15.0, 15.0);
     EXPECT_NEAR(both.layer_seconds[0], 180.0 / profile.psi.speed_deg_s, 1e-9);
     EXPECT_NEAR(both.axis_seconds[index_of(Axis::psi)], 180.0 / profile.psi.speed_deg_s, 1e-9);
-    EXPECT_NEAR(both.layer_seconds[1], 8.0 * std::numbers::pi / 8.0, 1e-9);
+    EXPECT_NEAR(both.layer_seconds[2], 8.0 * std::numbers::pi / 8.0, 1e-9);
     EXPECT_NEAR(both.layer_path_mm[0][0], 15.0 * std::numbers::pi, 1e-9);
     // Within the clearance of the blank.
     EXPECT_NEAR(time_of_roughing(14.0, 10.0).layer_seconds[0], 14.0 * std::numbers::pi / 8.0, 1e-9);

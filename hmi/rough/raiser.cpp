@@ -126,7 +126,8 @@ bool Raiser::lift(std::vector<std::int32_t>& radii, std::size_t head, const Run&
             radius = begin + std::ceil(up.after_mm(from * line_seconds(begin)) * scale.pulses_per_mm);
         if (to < down_lines)
             radius = end + std::ceil(down.after_mm(to * line_seconds(end)) * scale.pulses_per_mm);
-        radii[point] = std::max(radii[point], static_cast<std::int32_t>(radius));
+        // By rounding the last step of a rise may be a pulse too much.
+        radii[point] = std::max(radii[point], std::min(out, static_cast<std::int32_t>(radius)));
     }
     return true;
 }

@@ -13,6 +13,7 @@ import dataclasses
 
 import numpy as np
 
+from outside import nodes_at_the_feed
 from tube import tube_of
 
 BAND = 6  # unknowns further apart never meet in a limit
@@ -38,6 +39,7 @@ class JointProblem:
         self.grid, self.limits = grid, limits
         self.nodes = len(grid.node_rad)
         self.tubes = [tube_of(layer, head, grid, limits) for head in (0, 1)]
+        self._is_fed = [nodes_at_the_feed(grid, head) for head in layer.is_outside]
         rows = grid.value(self.tubes[0].at_rad)
         self._node_value, self._middle_value = _window(rows[: self.nodes], 2), _window(rows[self.nodes :], 3)
         self._node_slope, self._cell_bend = _window(grid.node_slope, 2), _window(grid.second, 3)
@@ -130,7 +132,8 @@ class JointProblem:
         return found
 
     def _speed_rules(self, head, r, slope, b):
-        axis, feed = self.limits.heads[head], self.limits.feed_mm_s**2
+        axis = self.limits.heads[head]
+        feed = np.where(self._is_fed[head], self.limits.feed_mm_s**2, np.inf)
         top = np.full(len(b), axis.speed**2)
         top[[0, -1]] = min(axis.speed, axis.start_stop) ** 2
         of_speed, of_feed = {B_HERE: slope**2 / top}, {B_HERE: (slope**2 + r**2) / feed}

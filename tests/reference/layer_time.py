@@ -8,6 +8,7 @@ import numpy as np
 from barrier_method import fastest_inside, is_inside
 from joint_problem import JointProblem
 from least_bending import NoCurve, least_bending
+from outside import NOWHERE
 from path_timing import fastest_timing, sample_curve, seconds
 from spline_curve import SplineGrid
 from tube import cells_for, tube_of
@@ -31,11 +32,11 @@ def least_layer_time(layer, limits, converged=0.003, halvings=4, bending_only=Fa
         except NoCurve:
             grid = grid.halved()
             continue
-        bending = time_along(grid, bent, limits)
+        bending = time_along(grid, bent, limits, layer.is_outside)
         best = bending
         if not bending_only:
             coarser = solve_jointly(layer, grid, limits, bent, coarser)
-            best = min(best, time_along(grid, coarser.curve, limits))
+            best = min(best, time_along(grid, coarser.curve, limits, layer.is_outside))
         now = LayerTime(layer.number, len(layer.psi_rad), best, bending, np.inf, len(grid.width_rad))
         if last is not None:
             now.change = max(abs(last.seconds / best - 1.0), abs(last.bending_seconds / bending - 1.0))
@@ -52,9 +53,9 @@ def bending_curve(layer, grid, limits):
     return [least_bending(grid, tube_of(layer, head, grid, limits).narrowed(0.99)) for head in (0, 1)]
 
 
-def time_along(grid, curve, limits, cells=4):
+def time_along(grid, curve, limits, is_outside=NOWHERE, cells=4):
     """Of a given curve; the timing's grid is `cells` times as fine as the curve's."""
-    sampled = sample_curve(grid, curve, cells)
+    sampled = sample_curve(grid, curve, cells, is_outside)
     return seconds(sampled.width_rad, fastest_timing(sampled, limits))
 
 
@@ -75,7 +76,7 @@ def solve_jointly(layer, grid, limits, bent, coarser=None):
         share = next(share for share in (0.1, 0.3, 1.0) if problem.holds(_mixed(before, bent, share)))
         curve = _mixed(before, bent, share)
     # Well inside: from close to the limits the barrier's method creeps along them.
-    start = problem.packed(curve, 0.6 * _allowed_timing(problem, curve))
+    start = problem.packed(curve, 0.6 * _allowed_timing(problem, curve, layer.is_outside))
     *curve, b = problem.parts(fastest_inside(problem, start, 0.02 if coarser is None else 0.005))
     return JointSolution(grid, curve, b)
 
@@ -84,9 +85,9 @@ def _mixed(curve, other, share):
     return [(1.0 - share) * a + share * b for a, b in zip(curve, other)]
 
 
-def _allowed_timing(problem, curve):
+def _allowed_timing(problem, curve, is_outside):
     """b strictly inside all limits: the fastest timing, lowered where the cells' ends ask for more than their middles."""
-    sampled = sample_curve(problem.grid, curve, 1)
+    sampled = sample_curve(problem.grid, curve, 1, is_outside)
     most = np.inf
     for _ in range(30):
         b = 0.97 * fastest_timing(sampled, problem.limits, most)

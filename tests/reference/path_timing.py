@@ -16,6 +16,8 @@ import itertools
 
 import numpy as np
 
+from outside import NOWHERE, nodes_at_the_feed
+
 
 @dataclasses.dataclass(frozen=True)
 class SampledCurve:
@@ -26,10 +28,11 @@ class SampledCurve:
     node_slope: tuple
     cell_slope: tuple  # in the middle
     cell_second: tuple
+    node_is_fed: tuple  # by head: whether the feed holds
 
 
-def sample_curve(grid, curve, cells):
-    """Both heads' splines on a grid `cells` times as fine as their own."""
+def sample_curve(grid, curve, cells, is_outside=NOWHERE):
+    """Both heads' splines on a grid `cells` times as fine as their own. is_outside: by head, of each line."""
     inner = grid.node_rad[:-1, None] + grid.width_rad[:, None] * (np.arange(cells) / cells)[None, :]
     node = np.append(inner.ravel(), grid.node_rad[-1])
     middle = 0.5 * (node[1:] + node[:-1])
@@ -40,6 +43,7 @@ def sample_curve(grid, curve, cells):
         tuple(slope @ head for head in curve),
         tuple(at_middle @ head for head in curve),
         tuple(np.repeat(grid.second @ head, cells) for head in curve),
+        tuple(nodes_at_the_feed(grid, head, cells) for head in is_outside),
     )
 
 
@@ -47,10 +51,11 @@ def speed_caps(sampled, limits):
     """Greatest b at each node that top speeds, the feed and the jumps at both ends allow."""
     cap = np.full(len(sampled.width_rad) + 1, limits.psi.speed**2)
     ends = np.full(2, limits.psi.start_stop**2)
-    for axis, r, slope in zip(limits.heads, sampled.node_r_mm, sampled.node_slope):
+    heads = zip(limits.heads, sampled.node_r_mm, sampled.node_slope, sampled.node_is_fed)
+    for axis, r, slope, is_fed in heads:
         square = np.maximum(slope**2, 1e-18)
         cap = np.minimum(cap, axis.speed**2 / square)
-        cap = np.minimum(cap, limits.feed_mm_s**2 / (r**2 + square))
+        cap = np.where(is_fed, np.minimum(cap, limits.feed_mm_s**2 / (r**2 + square)), cap)
         ends = np.minimum(ends, axis.start_stop**2 / square[[0, -1]])
     cap[[0, -1]] = np.minimum(cap[[0, -1]], ends)
     return cap

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Proves the yardstick itself: each part against a closed form or against a general solver of scipy."""
 
+import dataclasses
 import math
 import sys
 import unittest
@@ -16,6 +17,7 @@ import path_timing
 from layer_time import bending_curve, least_layer_time, solve_jointly, time_along
 from least_bending import NoCurve, least_bending
 from machine_limits import AxisLimits, Layer, MachineLimits
+from outside import NOWHERE, Run, lines_outside, nodes_at_the_feed
 from spline_curve import SplineGrid
 from tube import cells_for, tube_of
 
@@ -168,6 +170,61 @@ class Lobes(unittest.TestCase):
         grid = SplineGrid(layer_of(lobed).psi_rad, np.full(500, 2))
         curve = bending_curve(layer_of(lobed), grid, machine())
         self.assertAlmostEqual(time_along(grid, curve, machine()), 3.354, delta=0.01)
+
+
+class Outside(unittest.TestCase):
+    """From 12 mm of blank on, and 2 mm clearance, 0.01 mm tolerance and a pulse."""
+
+    limits = dataclasses.replace(machine(), clearance_mm=2.0, blank_mm=12.0)
+    free_mm = 14.0125
+
+    def expect(self, expected, rough_mm, clear_mm=(12.0, 12.0), finished_mm=10.0, limits=limits):
+        """Of R1's lines; the tip of R2 is inside."""
+        inside = np.full(len(rough_mm), 12.0)
+        finished = np.full(len(rough_mm), finished_mm)
+        runs = [Run(clear_mm[0], [(np.array(rough_mm), inside)]), Run(clear_mm[-1], [(finished, finished)])]
+        found = lines_outside(runs[2 - len(clear_mm) :], limits)
+        self.assertEqual(np.broadcast_to(found[0][0], len(rough_mm) - 1).tolist(), expected)
+
+    def test_is_a_line_both_ends_of_which_are(self):
+        free, near = self.free_mm, self.free_mm - 1.0 / 400.0
+        self.expect([False, True, False], [near, free, free + 3.0, near])
+
+    def test_is_counted_from_the_most_that_tells_of_the_blank(self):
+        free = self.free_mm
+        self.expect([True], [free, free])
+        self.expect([False], [free, free], clear_mm=(12.0, 12.1))
+        self.expect([False], [free, free], finished_mm=12.1)
+        self.expect([False], [free, free], limits=dataclasses.replace(self.limits, blank_mm=12.1))
+        self.expect([True], [12.5125, 12.6], limits=dataclasses.replace(self.limits, clearance_mm=0.0))
+        self.expect([False], [12.51, 12.6], limits=dataclasses.replace(self.limits, clearance_mm=0.0))
+
+    def test_is_nowhere_if_a_pass_does_not_tell_or_there_is_one(self):
+        self.expect([False], [20.0, 20.0], clear_mm=(0.0, 12.0))
+        self.expect([False], [20.0, 20.0], clear_mm=(12.0, 0.0))
+        tips = [(np.full(2, 20.0), np.full(2, 10.0))]
+        self.assertEqual(lines_outside([Run(12.0, tips)], self.limits), [NOWHERE])
+
+    def test_is_nowhere_if_a_roughing_pass_were_so_all_over(self):
+        out, near = np.full(2, 20.0), np.full(2, 10.0)
+        runs = [Run(12.0, [(out, near)]), Run(12.0, [(out, out)]), Run(12.0, [(near, near)])]
+        self.assertEqual(lines_outside(runs, self.limits), [NOWHERE] * 3)
+
+    def test_lets_a_circle_turn_as_fast_as_the_table_does(self):
+        everywhere = (np.full(120, True), np.full(120, True))
+        layer = dataclasses.replace(layer_of(lambda psi: 20.0 + 0.0 * psi, 121), is_outside=everywhere)
+        slow, grid = machine(feed=10.0), SplineGrid(layer.psi_rad, np.full(120, 4))
+        expected = least_layer_time(dataclasses.replace(layer, is_outside=NOWHERE), machine(), bending_only=True).seconds
+        bent = bending_curve(layer, grid, slow)
+        self.assertAlmostEqual(time_along(grid, bent, slow, layer.is_outside), expected, delta=1e-3 * expected)
+        jointly = solve_jointly(layer, grid, slow, bent)
+        taken = path_timing.seconds(grid.width_rad, jointly.b)
+        self.assertAlmostEqual(taken, expected, delta=0.03 * expected)  # 0.02: where the barrier ends
+
+    def test_has_the_feed_at_both_ends(self):
+        grid = SplineGrid(np.arange(4.0), np.full(3, 2))
+        fed = nodes_at_the_feed(grid, np.array([False, True, False]))
+        self.assertEqual(fed.tolist(), [True, True, True, False, True, True, True])
 
 
 if __name__ == "__main__":

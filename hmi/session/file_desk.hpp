@@ -31,8 +31,8 @@ public:
     /// Job, status and flight recorder of the segment, with a core or without.
     void save_snapshot(const std::string& path);
     void save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
-    /// The job that was saved last; null: none was.
-    std::shared_ptr<const cam::PreparedJob> saved_job() const noexcept { return saved_job_; }
+    /// The job that was saved last; null: none was, or nobody has it any more.
+    std::shared_ptr<const cam::PreparedJob> saved_job() const noexcept { return saved_job_.lock(); }
     /// As CSV, or as JSON where the name ends so.
     void save_tables(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
     /// That is made already, and goes to the file as a whole.
@@ -52,7 +52,7 @@ private:
     std::string group_;
     MessageLog& log_;
     SaveLedger saves_;
-    std::shared_ptr<const cam::PreparedJob> saved_job_;
+    std::weak_ptr<const cam::PreparedJob> saved_job_;
     WorkLane lane_;  // last: its thread uses the others
 };
 

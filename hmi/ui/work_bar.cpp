@@ -12,6 +12,7 @@
 #include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/lock_with.hpp"
+#include "hmi/ui/main_window.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -56,56 +57,73 @@ WorkBar::WorkBar(Bench& bench, Form form, QWidget* parent)
         label->setWordWrap(true);
         all->addWidget(label);
     }
-    auto* decline = bar_button("work_forget", tr("Forget it"));
-    decline->setToolTip(tr("It is not offered again; the file stays"));
+    auto* not_wanted = bar_button("work_forget", tr("Forget it"));
+    not_wanted->setToolTip(tr("It is not offered again; the file stays"));
     connect(take_, &QPushButton::clicked, this, [this] { take_up(); });
-    connect(decline, &QPushButton::clicked, this, [this] {
-        keeper_.drop_left();
-        show_offer();
-    });
+    connect(not_wanted, &QPushButton::clicked, this, [this] { decline(); });
     auto* buttons = new FlowLayout;
     buttons->addWidget(take_);
-    buttons->addWidget(decline);
+    buttons->addWidget(not_wanted);
     all->addLayout(buttons);
     setVisible(false);
 }
 
 void WorkBar::take_up() {
     if (keeper_.left() == nullptr || bench_.desk.sight().is_busy()) return;
-    taking_ = *keeper_.left();
-    edition_before_ = bench_.desk.edition();
-    bench_.forget_refused_file();
-    bench_.desk.open(taking_->work.path.toStdString());
+    taking_ = Taking{*keeper_.left(), bench_.desk.edition()};
+    open_by_window(taking_->left.work.path);
+}
+
+/// As every file is, with what forbids that.
+void WorkBar::open_by_window(const QString& path) {
+    if (auto* const whole = dynamic_cast<MainWindow*>(window())) whole->open(path);
+}
+
+void WorkBar::decline() {
+    if (keeper_.left() != nullptr) keeper_.drop_left(QString{keeper_.left()->id});
+    show_offer();
 }
 
 void WorkBar::fill_in_taken() {
-    if (!taking_ || bench_.desk.edition() == edition_before_ || bench_.desk.sight().is_busy()) return;
-    const auto taken = std::exchange(taking_, std::nullopt);
-    if (taken->work.path.toStdString() != bench_.desk.path()) return;
-    put_into_fields(*form_.fields, taken->work.fields);
+    if (!taking_ || taking_->is_filled_in || bench_.desk.sight().is_busy()) return;
+    const UnfinishedWork& work = taking_->left.work;
+    const bool is_there =
+        bench_.desk.edition() != taking_->edition_before && bench_.desk.path() == work.path.toStdString();
+    if (!is_there) return taking_.reset();  // cancelled, or refused
     // What another program has made of it since is to be looked at first.
-    const bool is_sliced = taken->work.is_sliced && taken->file == WorkKeeper::FileState::same;
-    sliced_path_ = is_sliced ? bench_.desk.path() : std::string{};
-    if (keeper_.left() != nullptr && keeper_.left()->id == taken->id) keeper_.drop_left();
+    taking_->is_to_slice = work.is_sliced && bench_.desk.stamp() == work.stamp;
+    taking_->is_filled_in = true;
+    put_into_fields(*form_.fields, work.fields);
 }
 
-/// Turning and making another body of it go before.
-void WorkBar::slice_again() {
-    if (sliced_path_.empty() || bench_.desk.sight().state != DeskState::model) return;
-    if (std::exchange(sliced_path_, {}) == bench_.desk.path()) form_.slice();
+/// By somebody else than this window.
+bool WorkBar::is_job_kept() {
+    const auto job = bench_.desk.job();
+    if (bench_.desk.sight().state == DeskState::published) published_job_ = job;
+    return job && (bench_.files.saved_job() == job || published_job_.lock() == job);
 }
 
 void WorkBar::keep(std::uint64_t changes, bool is_stale) {
     const session::JobDesk& desk = bench_.desk;
-    const bool is_saved = desk.job() && bench_.files.saved_job() == desk.job();
-    const Seen seen{desk.edition(), changes, desk.sight().state, is_saved};
+    const Seen seen{desk.edition(), changes, desk.sight().state, is_job_kept()};
     if (!is_settled(seen.state) || seen_ == seen) return;
     seen_ = seen;
-    const bool is_done = !is_stale && (seen.state == DeskState::published || is_saved);
     const auto stamp = desk.stamp();
-    if (!desk.mesh() || !stamp || is_done) return keeper_.forget();
+    if (!desk.mesh() || !stamp || (seen.is_kept && !is_stale)) return keeper_.forget();
     keeper_.remember({QFileInfo{QString::fromStdString(desk.path())}.absoluteFilePath(), *stamp,
                       desk.job() != nullptr && !is_stale, values_of_fields(*form_.fields)});
+}
+
+/// Turning and making another body of it go before; when those are cancelled it is offered still.
+void WorkBar::settle_taken() {
+    if (!taking_ || !taking_->is_filled_in || bench_.desk.sight().is_busy()) return;
+    const Taking taken = *std::exchange(taking_, std::nullopt);
+    const bool is_here = bench_.desk.sight().state == DeskState::model &&
+                         bench_.desk.path() == taken.left.work.path.toStdString();
+    if (!is_here) return;
+    // This window has it now.
+    if (keeper_.kept() != nullptr) keeper_.drop_left(taken.left.id);
+    if (taken.is_to_slice) form_.slice();
 }
 
 void WorkBar::show_offer() {
@@ -134,11 +152,11 @@ void WorkBar::show_offer() {
 }
 
 void WorkBar::refresh(std::uint64_t changes, bool is_stale) {
-    keeper_.poll();
+    keeper_.poll(WorkKeeper::Clock::now());
     if (taking_ && bench_.refused_file() != nullptr) taking_.reset();
     fill_in_taken();
     keep(changes, is_stale);
-    slice_again();
+    settle_taken();
     show_offer();
 }
 

@@ -6,8 +6,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
-#include <string>
 
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/work_keeper.hpp"
@@ -40,13 +40,23 @@ private:
         std::uint64_t edition = 0;
         std::uint64_t changes = 0;
         session::DeskState state = session::DeskState::empty;
-        bool is_saved = false;
+        bool is_kept = false;
         bool operator==(const Seen&) const = default;
     };
+    /// Until it is as it was, or not to be had.
+    struct Taking {
+        WorkKeeper::Left left;
+        std::uint64_t edition_before = 0;  ///< of the desk, when it was asked for
+        bool is_filled_in = false;
+        bool is_to_slice = false;
+    };
     void take_up();
+    void open_by_window(const QString& path);
+    void decline();
     void fill_in_taken();
+    bool is_job_kept();
     void keep(std::uint64_t changes, bool is_stale);
-    void slice_again();
+    void settle_taken();
     void show_offer();
 
     Bench& bench_;
@@ -54,9 +64,8 @@ private:
     WorkKeeper keeper_;
     std::optional<Seen> seen_;
     QString told_;  ///< the offer that the messages have
-    std::optional<WorkKeeper::Left> taking_;
-    std::uint64_t edition_before_ = 0;  ///< of the desk, when that was asked for
-    std::string sliced_path_;           ///< to be sliced once it is as it was; empty: none
+    std::optional<Taking> taking_;
+    std::weak_ptr<const cam::PreparedJob> published_job_;  ///< that was last, whoever has a core now
     QLabel* offer_;
     QLabel* note_;
     QPushButton* take_;

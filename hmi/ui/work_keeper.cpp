@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <fstream>
 #include <iterator>
@@ -16,6 +17,8 @@ namespace psicarve::ui {
 namespace {
 
 using session::FileWatch;
+
+constexpr std::chrono::seconds kPauseOfLooks{2};
 
 /// A process that ran when the computer was started the last time is another one, whatever its number is.
 QString start_of(qint64 pid) {
@@ -76,7 +79,9 @@ SettingsChange without(const QString& id) {
 
 WorkKeeper::WorkKeeper(SettingsStore& settings) : settings_(settings) {
     static std::atomic<int> count{0};  // a process of a test has several windows
-    id_ = QString{"%1 %2 %3"}.arg(QSysInfo::machineHostName()).arg(::getpid()).arg(++count);
+    id_ = QStringList{QSysInfo::machineHostName(), QString::number(::getpid()), start_of(::getpid()),
+                      QString::number(++count)}
+              .join(' ');
 }
 
 void WorkKeeper::remember(const UnfinishedWork& work) {
@@ -94,13 +99,15 @@ void WorkKeeper::forget() {
     settings_.change(without(id_));
 }
 
-void WorkKeeper::poll() {
-    if (!has_looked_ && settings_.is_read()) look();
+void WorkKeeper::poll(Clock::time_point now) {
     lane_.deliver();
+    if (now < next_look_ || !settings_.is_read() || !lane_.is_idle()) return;
+    next_look_ = now + kPauseOfLooks;
+    if (!std::exchange(has_looked_, true)) return look();
+    if (!left_.empty()) look_for_file();
 }
 
 void WorkKeeper::look() {
-    has_looked_ = true;
     lane_.post([this, all = settings_.value(kKey).toMap()]() -> session::WorkLane::Finish {
         std::vector<Left> found;
         for (auto one = all.begin(); one != all.end(); ++one) {
@@ -113,10 +120,23 @@ void WorkKeeper::look() {
     });
 }
 
-void WorkKeeper::drop_left() {
-    if (left_.empty()) return;
-    settings_.change(without(left_.front().id));
-    left_.erase(left_.begin());
+/// A stick may be plugged in, and another program may write.
+void WorkKeeper::look_for_file() {
+    lane_.post([this, next = left_.front()]() -> session::WorkLane::Finish {
+        return [this, id = next.id, state = state_of(next.work)] {
+            for (Left& one : left_) {
+                if (one.id == id) one.file = state;
+            }
+        };
+    });
+}
+
+void WorkKeeper::drop_left(const QString& id) {
+    const auto is_it = [&id](const Left& one) { return one.id == id; };
+    const auto found = std::find_if(left_.begin(), left_.end(), is_it);
+    if (found == left_.end()) return;
+    settings_.change(without(id));
+    left_.erase(found);
 }
 
 }  // namespace psicarve::ui

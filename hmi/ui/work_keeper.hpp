@@ -4,6 +4,7 @@
 #include <QString>
 #include <QVariantMap>
 
+#include <chrono>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct UnfinishedWork {
 /// the owner's; files are looked at by another.
 class WorkKeeper {
 public:
+    using Clock = std::chrono::steady_clock;
     enum class FileState { same, changed, gone };
     struct Left {
         QString id;
@@ -40,27 +42,32 @@ public:
     explicit WorkKeeper(SettingsStore& settings);
 
     void remember(const UnfinishedWork& work);
+    /// What this window has kept; null: nothing.
+    const UnfinishedWork* kept() const noexcept { return kept_ ? &*kept_ : nullptr; }
     /// A window that goes in order leaves nothing.
     void forget();
 
-    /// At screen rate: looks once, as soon as settings are read.
-    void poll();
+    /// At screen rate: looks once what was left, as soon as settings are read, and every few seconds for the
+    /// file of the next of it.
+    void poll(Clock::time_point now);
     /// The next that was left; null: none.
     const Left* left() const noexcept { return left_.empty() ? nullptr : &left_.front(); }
     /// It was taken up, or is not wanted.
-    void drop_left();
+    void drop_left(const QString& id);
 
     /// In the settings: id -> what is kept of it.
     static constexpr const char* kKey = "work/unfinished";
 
 private:
     void look();
+    void look_for_file();
 
     SettingsStore& settings_;
     QString id_;  ///< this window's: computer, process, and when that was started
     std::optional<UnfinishedWork> kept_;
     std::vector<Left> left_;
     bool has_looked_ = false;
+    Clock::time_point next_look_{};
     session::WorkLane lane_;  // last: its thread uses the others
 };
 

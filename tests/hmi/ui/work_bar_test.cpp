@@ -2,14 +2,20 @@
 // What a window had on the desk that did not end in order is offered to be taken up again.
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
 #include <QSpinBox>
+#include <QSysInfo>
 #include <QVariantMap>
 
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "hmi/ui/work_keeper.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
@@ -37,6 +43,19 @@ protected:
         for (auto one = otherwise.begin(); one != otherwise.end(); ++one) kept[one.key()] = one.value();
         put({{"gone", kept}});
     }
+    /// Turned, so that taking it up makes another body of it.
+    void leave_turned_behind() {
+        ASSERT_NO_FATAL_FAILURE(leave_behind());
+        QVariantMap all = read();
+        QVariantMap kept = all["gone"].toMap();
+        QVariantMap fields = kept["fields"].toMap();
+        ASSERT_TRUE(fields.contains("turn") && fields.contains("turn_x"));
+        fields["turn"] = true;
+        fields["turn_x"] = 90.0;
+        kept["fields"] = fields;
+        all["gone"] = kept;
+        put(all);
+    }
     bool opens_and_slices() {
         window_->open(QString::fromStdString(path_));
         if (!comes_to(DeskState::model)) return false;
@@ -48,6 +67,14 @@ protected:
     }
     static QVariantMap read() { return test::KeptStore{}.store.value(WorkKeeper::kKey).toMap(); }
     static void put(const QVariantMap& all) { test::KeptStore{}.store.set(WorkKeeper::kKey, all); }
+    /// As the window has them by now, whether they are in the file or not.
+    QVariantMap records() { return window_->bench().settings->value(WorkKeeper::kKey).toMap(); }
+    DeskState desk_state() { return window_->bench().desk.sight().state; }
+    /// What is done unasked is done by then.
+    void look_on() {
+        constexpr int kLooks = 20;
+        for (int i = 0; i < kLooks; ++i) ASSERT_TRUE(comes_true([] { return true; }));
+    }
     bool is_offered() { return !part<QWidget>("unfinished_work").isHidden(); }
 
     const psicarve::test::TemporaryFolder folder_;
@@ -139,6 +166,160 @@ TEST_F(UnfinishedWorks, AreNoneOncePublishedOrSaved) {
     ASSERT_TRUE(comes_true([] { return read().size() == 1; }));
     window_->bench().files.save_job(folder_.path("kept.psi"), window_->bench().desk.job());
     EXPECT_TRUE(comes_true([] { return read().isEmpty(); }));
+}
+
+// In containers, and where the window is started with the computer, its number comes again.
+TEST_F(UnfinishedWorks, OfAnotherOfTheSameProcessNumberStay) {
+    ASSERT_NO_FATAL_FAILURE(leave_behind());
+    const QVariant kept = read().first();
+    QVariantMap all;
+    constexpr int kMostWindows = 300;  // that this program had before
+    for (int i = 1; i <= kMostWindows; ++i)
+        all[QString{"%1 %2 %3"}.arg(QSysInfo::machineHostName()).arg(::getpid()).arg(i)] = kept;
+    put(all);
+    open_window();
+    window_->open(QString::fromStdString(example("letter.stl")));
+    ASSERT_TRUE(comes_to(DeskState::model));
+    look_on();
+    EXPECT_EQ(records().size(), kMostWindows + 1);
+    window_->close();
+    window_.reset();
+    EXPECT_TRUE(read() == all) << "a window that goes takes its own record alone";
+}
+
+TEST_F(UnfinishedWorks, AreNeverWithoutARecordWhileTakenUp) {
+    ASSERT_NO_FATAL_FAILURE(leave_turned_behind());
+    open_window();
+    ASSERT_TRUE(comes_true([this] { return is_offered(); }));
+    ASSERT_TRUE(click("work_take"));
+    int without = 0;
+    ASSERT_TRUE(comes_true([&] {
+        without += records().isEmpty() ? 1 : 0;
+        return desk_state() == DeskState::job;
+    }));
+    EXPECT_EQ(without, 0);
+    EXPECT_EQ(part<QDoubleSpinBox>("turn_x").value(), 90.0);
+    EXPECT_FALSE(records().contains("gone"));
+    EXPECT_FALSE(is_offered());
+}
+
+TEST_F(UnfinishedWorks, AreOfferedStillWhenTurningThemIsCancelled) {
+    ASSERT_NO_FATAL_FAILURE(leave_turned_behind());
+    open_window();
+    ASSERT_TRUE(comes_true([this] { return is_offered(); }));
+    ASSERT_TRUE(click("work_take"));
+    ASSERT_TRUE(comes_true(
+        [this] { return part<QCheckBox>("turn").isChecked() && desk_state() == DeskState::opening; }));
+    window_->bench().desk.cancel();
+    ASSERT_TRUE(comes_to(DeskState::empty));
+    look_on();
+    EXPECT_TRUE(is_offered());
+    EXPECT_TRUE(records().contains("gone"));
+    // By hand it is not sliced unasked.
+    window_->open(QString::fromStdString(path_));
+    ASSERT_TRUE(comes_to(DeskState::model));
+    look_on();
+    EXPECT_EQ(desk_state(), DeskState::model);
+    EXPECT_TRUE(is_offered());
+    ASSERT_TRUE(click("work_take"));
+    EXPECT_TRUE(comes_to(DeskState::job));
+    EXPECT_FALSE(is_offered());
+}
+
+TEST_F(UnfinishedWorks, AreOfferedStillWhenOpeningThemIsCancelled) {
+    ASSERT_NO_FATAL_FAILURE(leave_behind());
+    open_window();
+    part<QSpinBox>("layers").setValue(400);
+    ASSERT_TRUE(comes_true([this] { return is_offered(); }));
+    ASSERT_TRUE(click("work_take"));
+    window_->bench().desk.cancel();
+    ASSERT_TRUE(comes_to(DeskState::empty));
+    look_on();
+    window_->open(QString::fromStdString(path_));
+    ASSERT_TRUE(comes_to(DeskState::model));
+    look_on();
+    EXPECT_EQ(desk_state(), DeskState::model);
+    EXPECT_EQ(part<QSpinBox>("layers").value(), 400);
+    EXPECT_TRUE(is_offered());
+}
+
+TEST_F(UnfinishedWorks, OfAFileThatChangesWhileOfferedAreNotSliced) {
+    ASSERT_NO_FATAL_FAILURE(leave_behind());
+    open_window();
+    ASSERT_TRUE(comes_true([this] { return is_offered(); }));
+    std::filesystem::copy_file(example("letter.stl"), path_,
+                               std::filesystem::copy_options::overwrite_existing);
+    ASSERT_TRUE(click("work_take"));
+    ASSERT_TRUE(comes_true([this] { return part<QSpinBox>("layers").value() == 17 && !is_offered(); }));
+    ASSERT_TRUE(comes_to(DeskState::model));
+    look_on();
+    EXPECT_EQ(desk_state(), DeskState::model);
+}
+
+// On a stick that is plugged in later.
+TEST_F(UnfinishedWorks, OfAFileThatComesBackCanBeTakenUp) {
+    ASSERT_NO_FATAL_FAILURE(leave_behind());
+    const std::string away = folder_.path("away.stl");
+    std::filesystem::rename(path_, away);
+    open_window();
+    ASSERT_TRUE(comes_true([this] { return is_offered(); }));
+    EXPECT_FALSE(button("work_take").isEnabled());
+    std::filesystem::rename(away, path_);
+    ASSERT_TRUE(comes_true([this] { return button("work_take").isEnabled(); }));
+    EXPECT_TRUE(part<QLabel>("work_note").text().contains("Nothing is published"));
+    std::filesystem::rename(path_, away);
+    ASSERT_TRUE(comes_true([this] { return !button("work_take").isEnabled(); }));
+    std::filesystem::rename(away, path_);
+    ASSERT_TRUE(click("work_take"));
+    EXPECT_TRUE(comes_to(DeskState::job));
+}
+
+TEST_F(UnfinishedWorks, AreNoneOncePublishedThoughTheCoreEnds) {
+    start_core();
+    open_window();
+    ASSERT_TRUE(opens_and_slices());
+    ASSERT_TRUE(click("publish"));
+    ASSERT_TRUE(comes_to(DeskState::published));
+    ASSERT_TRUE(comes_true([this] { return records().isEmpty(); }));
+    core_.reset();
+    ASSERT_TRUE(comes_to(DeskState::job));
+    look_on();
+    EXPECT_TRUE(records().isEmpty());
+    part<QSpinBox>("layers").setValue(18);
+    EXPECT_TRUE(comes_true([this] { return records().size() == 1; })) << "what is changed is not published";
+}
+
+TEST_F(UnfinishedWorks, ThatAreSavedAreNotHeldInMemory) {
+    open_window();
+    ASSERT_TRUE(opens_and_slices());
+    cam::PreparedJob copy;
+    copy.blob = window_->bench().desk.job()->blob;
+    auto job = std::make_shared<const cam::PreparedJob>(std::move(copy));
+    session::FileDesk& files = window_->bench().files;
+    files.save_job(folder_.path("kept.psi"), job);
+    ASSERT_TRUE(comes_true([&] { return files.saved_job() == job; }));
+    job.reset();
+    EXPECT_EQ(files.saved_job(), nullptr);
+}
+
+TEST_F(UnfinishedWorks, AreOpenedAsEveryFileIs) {
+    ASSERT_NO_FATAL_FAILURE(leave_behind());
+    test::KeptStore{}.store.set("files/recent", QStringList{});
+    open_window();
+    ASSERT_TRUE(comes_true([this] { return is_offered(); }));
+    // Nobody knows the machine yet.
+    window_->begin_with(QString::fromStdString(folder_.path("none.toml")), {});
+    button("work_take").click();
+    EXPECT_TRUE(all_messages().contains("the machine's profile is still being read"))
+        << all_messages().toStdString();
+    EXPECT_EQ(desk_state(), DeskState::empty);
+    ASSERT_TRUE(comes_true([this] { return all_messages().contains("none.toml"); }));
+    look_on();
+    ASSERT_TRUE(is_offered());
+    ASSERT_TRUE(click("work_take"));
+    ASSERT_TRUE(comes_to(DeskState::job));
+    EXPECT_EQ(WindowSettings{*window_->bench().settings}.recent_files(),
+              QStringList{QString::fromStdString(path_)});
 }
 
 }  // namespace

@@ -104,9 +104,8 @@ std::vector<Sentence> flat_refusals() {
          "roughing, or leave it out with --finish-only",
          phrase("roughing needs level layers, which a table of a spiral does not have: slice the model with "
                 "roughing, or choose finishing only")});
-    all.push_back(
-        {"a table of layers is no spiral: --joining continuous or zigzag",
-         phrase("a table of layers is no spiral: choose Joining continuous or zigzag in the profile")});
+    all.push_back({"a table of layers is no spiral: --joining continuous or zigzag",
+                   phrase("a table of layers is no spiral: choose Joining continuous or zigzag")});
     add_pictures(all);
     add_grooves(all);
     return all;

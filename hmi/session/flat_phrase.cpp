@@ -202,6 +202,8 @@ std::vector<Sentence> flat_line_warnings() {
         {"<%1> is not right and left out", phrase("<%1> is not right and left out.")},
         {"clipping and masks are not followed: <%1> is carved whole",
          phrase("clipping and masks are not followed: <%1> is carved whole.")},
+        {"what lies beyond the edge of <%1> is carved, too",
+         phrase("what lies beyond the edge of <%1> is carved, too.")},
         {"<use> of something that is not in this file is left out",
          phrase("<use> of something that is not in this file is left out.")},
         {"<switch> holds nothing for every language and is left out",

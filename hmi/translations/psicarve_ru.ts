@@ -6427,6 +6427,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>записан другой сборкой psicarve</translation>
         </message>
         <message>
+            <source>what lies beyond the edge of &lt;%1&gt; is carved, too.</source>
+            <translation>то, что выходит за край &lt;%1&gt;, тоже вырезается.</translation>
+        </message>
+        <message>
             <source>where %1 stands is needed</source>
             <translation>нужно положение %1</translation>
         </message>

@@ -6420,6 +6420,10 @@ N、Shift+N  下一条、上一条记录
             <translation>由另一个版本的 psicarve 写成</translation>
         </message>
         <message>
+            <source>what lies beyond the edge of &lt;%1&gt; is carved, too.</source>
+            <translation>&lt;%1&gt; 边界以外的内容也会被加工。</translation>
+        </message>
+        <message>
             <source>where %1 stands is needed</source>
             <translation>需要 %1 的位置</translation>
         </message>

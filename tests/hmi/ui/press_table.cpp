@@ -77,6 +77,8 @@ constexpr PressLine kLines[] = {
     {"colour_done", "WindowOnCore.TakesAModelFromItsFileToACarvedPiece"},
     {"colour_radius", "WindowOnCore.TakesAModelFromItsFileToACarvedPiece"},
     {"compare_action", "MenuEntries.OfToolsVerifyCompareCalibrateAndCheck"},
+    {"differences_accept", "Pages.ProfileChecksAsOneTypesAndSavesWithABackup"},
+    {"differences_cancel", "ProfileFiles.AreSavedOnceTheirChangesWereLookedAt"},
     {"differences_close", "Tools.CompareTwoSnapshotsSideBySide"},
     {"drives_off", "ByHand.TestsTheWiringOfOneOutputWithTheDrivesOff"},
     {"emergency_stop", "Window.StopsOnPressOfTheBigButtonNotOnItsRelease"},
@@ -161,6 +163,7 @@ constexpr PressLine kLines[] = {
     {"profile_compare", "Pages.ProfileFindsKeysAndShowsOnlyWhatDiffers"},
     {"profile_discard", "Pages.WhatWasTypedIntoTheProfileIsNotLostWithTheWindow"},
     {"profile_keep", "SavingByHand.LeavesEverythingAsItIsWhenAQuestionIsCancelled"},
+    {"profile_only_changed", "ProfileFiles.ShowOnlyWhatIsNotSavedWhereThatIsAskedFor"},
     {"profile_recent_file", "Pages.ProfilesThatWereOpenedAreOpenedAgain"},
     {"profile_save", "ProfileFiles.AreSavedBySomebodyElseWhileOneTypesOn"},
     {"profile_save_as", "EveryButton.SaveAsAsksForANameAndSavesUnderIt"},
@@ -217,6 +220,8 @@ constexpr PressLine kLines[] = {
     {"view_piece", "ExpectedPiece.CanBeCancelled"},
     {"view_undercut", "Window.ShowsTheBlankAndWhatTheHeadsCannotReach"},
     {"wiring_action", "MenuEntries.OfMachineGoThereTurnTheSpindleAndShowThePorts"},
+    {"work_forget", "UnfinishedWorks.AreForgottenWhenNobodyWantsThem"},
+    {"work_take", "UnfinishedWorks.AreTakenUpAsTheyWere"},
     {"zero_one", "ByHand.AZeroIsShownKeptAndForgottenAndMovesNothing"},
 };
 

@@ -223,7 +223,7 @@ std::string ModelReport::json() const {
 
 Result<void> ModelReport::write_preview(const std::string& path) const {
     if (path.empty()) return {};
-    const auto png = piece::preview_png(expected_.piece, expected_.rows, job_->profile.blank,
+    const auto png = piece::preview_png(expected_.piece, piece::shown_rows(expected_), job_->profile.blank,
                                         {std::string{job_->view.source_name()}, lines(), job_->warnings});
     if (!png) return png.error();
     return write_file_atomically(path, *png);

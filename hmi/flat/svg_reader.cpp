@@ -194,10 +194,20 @@ private:
     }
 
     void tell_of_clipping(const SvgElement& element) {
-        if (has_clipping_) return;
-        has_clipping_ = true;
+        if (clipped_ != nullptr) return;
+        clipped_ = &element;
         warnings_.insert("line " + std::to_string(element.line) + ": clipping and masks are not followed: <" +
                          element.name + "> is carved whole");
+    }
+
+    /// Of the first viewport beyond whose edge something is seen.
+    void note_edge(const Inherited& state, std::size_t first_path) {
+        if (has_edge_told_) return;
+        const SvgFrame* const frame = hiding_frame(state.frame, maker_.paths(), first_path);
+        if (frame == nullptr || frame->element == clipped_) return;  // carved whole, as was told
+        has_edge_told_ = true;
+        warnings_.insert("line " + std::to_string(frame->element->line) + ": what lies beyond the edge of <" +
+                         frame->element->name + "> is carved, too");
     }
 
     /// What an element says of itself; false where it is not drawn.
@@ -265,9 +275,7 @@ private:
         maker_.stroke(is_stroked && std::isfinite(width_mm) ? width_mm : 0.0, is_filled || is_stroked);
         const std::size_t first_path = maker_.paths().size();
         const bool is_right = draw_svg_shape(element, state.viewport, maker_);
-        const SvgFrame* hiding =
-            has_clipping_ ? nullptr : hiding_frame(state.frame, maker_.paths(), first_path);
-        if (hiding != nullptr) tell_of_clipping(*hiding->element);
+        note_edge(state, first_path);
         // What is filled has an edge that is seen between the dashes, too.
         if (!state.dashes.empty() && is_stroked && !is_filled) dash(element, state, first_path, growth);
         if (is_right) return;
@@ -346,7 +354,8 @@ private:
     std::set<std::string> warnings_;
     std::size_t visits_ = 0;
     bool is_too_deep_ = false;
-    bool has_clipping_ = false;
+    const SvgElement* clipped_ = nullptr;  ///< the first that something would hide a part of
+    bool has_edge_told_ = false;
 };
 
 }  // namespace

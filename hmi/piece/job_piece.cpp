@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/piece/job_piece.hpp"
 
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -19,6 +20,17 @@ constexpr double kModelShare = 0.1;
 constexpr double kDistanceShare = 0.2;
 
 }  // namespace
+
+std::vector<std::size_t> shown_rows(const JobPiece& piece) {
+    const std::size_t count = piece.piece.row_count();
+    const std::size_t first = piece.rows.empty() ? count : piece.rows.front();
+    std::vector<std::size_t> shown(first);
+    std::iota(shown.begin(), shown.end(), std::size_t{0});
+    shown.insert(shown.end(), piece.rows.begin(), piece.rows.end());
+    if (piece.rows.empty()) return shown;
+    for (std::size_t row = piece.rows.back() + 1; row < count; ++row) shown.push_back(row);
+    return shown;
+}
 
 Result<JobPiece> job_piece(const JobView& job, const Profile& profile, const PlacedModel* model,
                            std::size_t columns, const slice::SliceOptions& options) {

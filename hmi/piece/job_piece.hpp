@@ -23,6 +23,10 @@ struct JobPiece {
     std::optional<PieceDeviation> deviation;  ///< on these rows; nothing without a model
 };
 
+/// The rows of the piece that are seen: those that are carved, and what is left of the blank below and above
+/// them. Between carved ones those that no layer reaches are not.
+std::vector<std::size_t> shown_rows(const JobPiece& piece);
+
 /// `columns` cells once round, see blank_of(). `model`: null where nobody knows it. ErrorCode::cancelled.
 Result<JobPiece> job_piece(const JobView& job, const Profile& profile, const PlacedModel* model,
                            std::size_t columns, const slice::SliceOptions& options);

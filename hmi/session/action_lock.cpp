@@ -161,8 +161,8 @@ Lock publish_lock(const MachineSight& machine, const JobSight& job) {
 
 Lock slice_lock(const JobSight& job) {
     if (job.is_busy()) return phrase("Slice: a job is being made");
-    if (!job.has_mesh && job.has_job()) return phrase("Slice: this is a job, and already sliced");
-    if (!job.has_mesh) return phrase("Slice: open a model first");
+    if (!job.can_be_sliced && job.has_job()) return phrase("Slice: this is a job, and already sliced");
+    if (!job.can_be_sliced) return phrase("Slice: open a model first");
     return std::nullopt;
 }
 

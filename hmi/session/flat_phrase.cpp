@@ -104,9 +104,8 @@ std::vector<Sentence> flat_refusals() {
          "roughing, or leave it out with --finish-only",
          phrase("roughing needs level layers, which a table of a spiral does not have: slice the model with "
                 "roughing, or choose finishing only")});
-    all.push_back(
-        {"a table of layers is no spiral: --joining continuous or zigzag",
-         phrase("a table of layers is no spiral: choose Joining continuous or zigzag in the profile")});
+    all.push_back({"a table of layers is no spiral: --joining continuous or zigzag",
+                   phrase("a table of layers is no spiral: choose Joining continuous or zigzag")});
     add_pictures(all);
     add_grooves(all);
     return all;
@@ -203,6 +202,8 @@ std::vector<Sentence> flat_line_warnings() {
         {"<%1> is not right and left out", phrase("<%1> is not right and left out.")},
         {"clipping and masks are not followed: <%1> is carved whole",
          phrase("clipping and masks are not followed: <%1> is carved whole.")},
+        {"what lies beyond the edge of <%1> is carved, too",
+         phrase("what lies beyond the edge of <%1> is carved, too.")},
         {"<use> of something that is not in this file is left out",
          phrase("<use> of something that is not in this file is left out.")},
         {"<switch> holds nothing for every language and is left out",

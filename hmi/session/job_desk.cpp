@@ -50,13 +50,14 @@ void JobDesk::post_open(const std::string& path, bool may_be_recording) {
     const bool is_same = path == path_;
     const model::MeshTurn turn = is_same ? turn_ : model::MeshTurn{};
     const std::optional<flat::FlatOptions> shape = is_same ? std::optional{shape_} : std::nullopt;
-    lane_.post([this, path, may_be_recording, turn, shape, machine = profile_()]() -> WorkLane::Finish {
+    lane_.post([this, path, may_be_recording, turn, shape, machine = profile_(),
+                way = way_()]() -> WorkLane::Finish {
         if (may_be_recording && is_recording_ && is_recording_(path))
             return [this, path] { take_recording_(path); };
         const auto stamp = FileWatch::stamp_of(path);
-        const auto opened = std::make_shared<OpenedFile>(read_opened(path, machine, shape, turn));
+        const auto opened = std::make_shared<OpenedFile>(read_opened(path, machine, shape, turn, way));
         opened->stamp = stamp;
-        return [this, path, opened] { take_opened(path, std::move(*opened)); };
+        return [this, path, way, opened] { take_opened(path, way, std::move(*opened)); };
     });
 }
 
@@ -110,7 +111,7 @@ void JobDesk::turn_again() {
     });
 }
 
-void JobDesk::take_opened(const std::string& path, OpenedFile opened) {
+void JobDesk::take_opened(const std::string& path, const TableWay& way, OpenedFile opened) {
     if (cancels_.load()) opened.error = Error{ErrorCode::cancelled, path + ": opening was cancelled"};
     const bool is_cancelled = cancels_.load();
     // Lines that do not fit the usual cylinder are there to be given another one.
@@ -125,6 +126,7 @@ void JobDesk::take_opened(const std::string& path, OpenedFile opened) {
         wishes_turn_ = false;
     }
     shape_ = opened.shape;
+    table_way_ = opened.is_table ? std::optional{way} : std::nullopt;
     path_ = path;
     watch(opened.stamp);
     mesh_ = std::move(opened.mesh);
@@ -158,7 +160,9 @@ void JobDesk::note_change() {
 }
 
 void JobDesk::slice(const cam::JobOptions& options, const Profile& profile) {
-    if (sight_.is_busy() || !mesh_) return;
+    if (sight_.is_busy()) return;
+    if (table_way_) return make_table_job({profile, options.joining});
+    if (!mesh_) return;
     begin(DeskState::slicing);
     cam::JobOptions how = options;
     const auto show = [this](double done) {
@@ -171,6 +175,21 @@ void JobDesk::slice(const cam::JobOptions& options, const Profile& profile) {
         auto job = make_job(*mesh, profile, how);
         if (!job) return [this, error = job.error()] { fail(error); };
         return [this, made = *job, mesh] { take_job(made, 0, mesh); };
+    });
+}
+
+void JobDesk::make_table_job(TableWay way) {
+    begin(DeskState::slicing);
+    lane_.post([this, path = path_, way = std::move(way)]() -> WorkLane::Finish {
+        const auto stamp = FileWatch::stamp_of(path);
+        auto job = job_of_table(path, way);
+        if (cancels_.load()) job = Error{ErrorCode::cancelled, path + ": slicing was cancelled"};
+        if (!job) return [this, error = job.error()] { fail(error); };
+        return [this, way, stamp, made = *job] {
+            table_way_ = way;
+            watch(stamp);
+            take_job(made, 0);
+        };
     });
 }
 
@@ -240,7 +259,7 @@ void JobDesk::poll(const MachineSight& machine) {
     const bool is_there = machine.status && machine.life != CoreLife::none;
     const std::uint64_t accepted = is_there ? machine.status->job_generation : 0;
     if (job_ && generation_ != 0 && accepted == generation_) sight_.state = DeskState::published;
-    sight_.has_mesh = mesh_ != nullptr;
+    sight_.can_be_sliced = mesh_ != nullptr || table_way_;
     sight_.layer_count = job_ ? job_->view.layer_count() : 0;
     accepted_generation_ = accepted;
     compare_profiles(machine);

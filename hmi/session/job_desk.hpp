@@ -35,8 +35,10 @@ public:
         is_recording_ = std::move(is_one);
         take_recording_ = std::move(take);
     }
-    /// The machine's own, for a table, which becomes a job without slicing.
+    /// The machine's own, whose tool engraves open lines.
     void set_profile(std::function<Profile()> profile) { profile_ = std::move(profile); }
+    /// How a table becomes a job as soon as it is opened.
+    void set_table_way(std::function<TableWay()> way) { way_ = std::move(way); }
     /// Called when a file was opened that is for this desk.
     void set_opened(std::function<void()> opened) { opened_ = std::move(opened); }
 
@@ -64,7 +66,8 @@ public:
     /// Turns and mirrors the model as it is in its file, this one and as often as it is read again; another
     /// file is as it is.
     void turn(const model::MeshTurn& turn);
-    /// Requires a mesh.
+    /// Requires a mesh, or a table, which is read again and takes nothing of the options but how layers are
+    /// joined.
     void slice(const cam::JobOptions& options, const Profile& profile);
     /// Requires a job.
     void publish();
@@ -83,6 +86,8 @@ public:
     /// The mesh as it is drawn.
     std::shared_ptr<const MeshScene> scene() const noexcept { return scene_; }
     std::shared_ptr<const cam::PreparedJob> job() const noexcept { return job_; }
+    /// How the job was made of the table that is open; nothing: none is.
+    const std::optional<TableWay>& table_way() const noexcept { return table_way_; }
     /// What the job was sliced from, as it was turned then; null: it was opened as a job.
     std::shared_ptr<const model::Mesh> job_mesh() const noexcept { return job_mesh_; }
     /// The job that the core accepted last: what the machine carves, whatever is open here. Null while it is
@@ -101,9 +106,10 @@ private:
     void begin(DeskState state);
     void post_open(const std::string& path, bool may_be_recording);
     void turn_again();
+    void make_table_job(TableWay way);
     void take_body(OpenedFile opened);
     void compare_profiles(const MachineSight& machine);
-    void take_opened(const std::string& path, OpenedFile opened);
+    void take_opened(const std::string& path, const TableWay& way, OpenedFile opened);
     void watch(const std::optional<FileWatch::Stamp>& opened);
     void note_change();
     void take_job(JobPointer job, std::uint64_t generation, std::shared_ptr<const model::Mesh> mesh = {});
@@ -115,6 +121,8 @@ private:
     std::function<void(const std::string&)> take_recording_;
     std::function<void()> opened_;
     std::function<Profile()> profile_ = [] { return Profile{}; };
+    std::function<TableWay()> way_ = [] { return TableWay{}; };
+    std::optional<TableWay> table_way_;
     std::string segment_name_;
     std::string group_;
     MessageLog& log_;

@@ -96,7 +96,7 @@ enum class DeskState : std::uint8_t {
 
 struct JobSight {
     DeskState state = DeskState::empty;
-    bool has_mesh = false;               ///< that can be sliced
+    bool can_be_sliced = false;          ///< a model or a table is open
     std::uint32_t layer_count = 0;       ///< of the job, when there is one
     std::uint32_t core_layer_count = 0;  ///< of the core's job, which may be another; 0: not known
     /// The first key of motion in which the job's profile is not the core's; empty: none, or not known.

@@ -27,18 +27,22 @@ flat::FlatOptions engraved_on(const Profile& machine) {
     return options;
 }
 
-/// As `psicarve slice` makes it of a table.
-Result<std::shared_ptr<const cam::PreparedJob>> job_of_table(const std::string& path,
-                                                             const Profile& machine) {
-    auto built = cam::job_from_table(path, machine, std::nullopt);
-    if (!built) return built.error();
-    return prepared(std::move(*built), machine, path);
-}
-
 }  // namespace
 
+bool TableWay::is_as(const TableWay& other) const {
+    return profile.tool == other.profile.tool && profile.blank == other.profile.blank &&
+           profile.roughing == other.profile.roughing && joining == other.joining;
+}
+
+Result<std::shared_ptr<const cam::PreparedJob>> job_of_table(const std::string& path, const TableWay& way) {
+    auto built = cam::job_from_table(path, way.profile, way.joining);
+    if (!built) return built.error();
+    return prepared(std::move(*built), way.profile, path);
+}
+
 OpenedFile read_opened(const std::string& path, const Profile& machine,
-                       const std::optional<flat::FlatOptions>& shape, const model::MeshTurn& turn) {
+                       const std::optional<flat::FlatOptions>& shape, const model::MeshTurn& turn,
+                       const TableWay& way) {
     const bool is_job = is_snapshot_file(path);
     if (!is_job && !cam::is_table_file(path)) {
         OpenedFile opened = read_opened_model(path, shape.value_or(flat::FlatOptions{}), turn);
@@ -48,7 +52,8 @@ OpenedFile read_opened(const std::string& path, const Profile& machine,
         return opened;
     }
     OpenedFile opened;
-    const auto job = is_job ? read_job(path) : job_of_table(path, machine);
+    const auto job = is_job ? read_job(path) : job_of_table(path, way);
+    opened.is_table = !is_job;
     if (job) opened.job = *job;
     if (!job) opened.error = job.error();
     return opened;

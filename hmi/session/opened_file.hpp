@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "hmi/cam/job_builder.hpp"
 #include "hmi/cam/prepared_job.hpp"
 #include "hmi/flat/load_model.hpp"
 #include "hmi/model/mesh.hpp"
@@ -17,6 +18,14 @@
 
 namespace psicarve::session {
 
+/// What a table becomes a job with: the machine with the tool, the blank and the roughing that are wanted.
+struct TableWay {
+    Profile profile;
+    std::optional<Joining> joining;  ///< none: the profile's
+    /// Whether the other would make the same of it on the same machine.
+    bool is_as(const TableWay& other) const;
+};
+
 /// A mesh, a job or an error.
 struct OpenedFile {
     std::shared_ptr<const model::Mesh> mesh;
@@ -27,14 +36,18 @@ struct OpenedFile {
     std::shared_ptr<const MeshScene> scene;
     std::uint64_t mesh_bytes = 0;
     std::shared_ptr<const cam::PreparedJob> job;
+    bool is_table = false;                  ///< that the job was made of
     std::optional<FileWatch::Stamp> stamp;  ///< of the file, before it was read
     std::optional<Error> error;
 };
 
-/// A model, a job, a snapshot or a table, which becomes a job of this machine. Without a shape a drawing of
-/// open lines alone is engraved with the machine's tool.
+/// A model, a job, a snapshot or a table, which becomes a job in this way. Without a shape a drawing of open
+/// lines alone is engraved with the machine's tool.
 OpenedFile read_opened(const std::string& path, const Profile& machine,
-                       const std::optional<flat::FlatOptions>& shape, const model::MeshTurn& turn);
+                       const std::optional<flat::FlatOptions>& shape, const model::MeshTurn& turn,
+                       const TableWay& way);
+/// As `psicarve slice` makes it of a table.
+Result<std::shared_ptr<const cam::PreparedJob>> job_of_table(const std::string& path, const TableWay& way);
 /// A model as this body.
 OpenedFile read_opened_model(const std::string& path, const flat::FlatOptions& options,
                              const model::MeshTurn& turn);

@@ -36,17 +36,10 @@ struct DrawnRows {
 
     static constexpr std::size_t kNotCarved = std::numeric_limits<std::size_t>::max();
 
-    explicit DrawnRows(const piece::JobPiece& piece) {
-        const std::size_t first = piece.rows.empty() ? piece.piece.row_count() : piece.rows.front();
-        for (std::size_t row = 0; row < first; ++row) add(row, kNotCarved);
-        for (std::size_t i = 0; i < piece.rows.size(); ++i) add(piece.rows[i], i);
-        if (piece.rows.empty()) return;
-        for (std::size_t row = piece.rows.back() + 1; row < piece.piece.row_count(); ++row)
-            add(row, kNotCarved);
-    }
-    void add(std::size_t row, std::size_t among_carved) {
-        stock_row.push_back(row);
-        carved.push_back(among_carved);
+    explicit DrawnRows(const piece::JobPiece& piece)
+        : stock_row(piece::shown_rows(piece)), carved(stock_row.size(), kNotCarved) {
+        // Below them there is every row.
+        for (std::size_t i = 0; i < piece.rows.size(); ++i) carved[piece.rows.front() + i] = i;
     }
 };
 

@@ -588,6 +588,10 @@
             <translation>Шаговый импульс длится не меньше.</translation>
         </message>
         <message>
+            <source>A table's layers and radii are taken as they stand</source>
+            <translation>Слои и радиусы таблицы берутся как есть</translation>
+        </message>
+        <message>
             <source>A tool becomes shorter as it wears: a piece that comes out thicker on the half of %1 by so much in radius. It is counted from the head's touch-off.</source>
             <translation>Инструмент при износе становится короче: деталь на половине %1 выходит толще на столько по радиусу. Считается от касания этой головки.</translation>
         </message>
@@ -4571,8 +4575,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>таблица</translation>
         </message>
         <message>
-            <source>a table of layers is no spiral: choose Joining continuous or zigzag in the profile</source>
-            <translation>таблица слоёв — не спираль: выберите в профиле непрерывную связь слоёв или зигзаг</translation>
+            <source>a table of layers is no spiral: choose Joining continuous or zigzag</source>
+            <translation>таблица слоёв — не спираль: выберите непрерывную связь слоёв или зигзаг</translation>
         </message>
         <message>
             <source>a text of %1 bytes; give %2 to %3 bytes</source>
@@ -6421,6 +6425,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>was written by another build of psicarve</source>
             <translation>записан другой сборкой psicarve</translation>
+        </message>
+        <message>
+            <source>what lies beyond the edge of &lt;%1&gt; is carved, too.</source>
+            <translation>то, что выходит за край &lt;%1&gt;, тоже вырезается.</translation>
         </message>
         <message>
             <source>where %1 stands is needed</source>

@@ -588,6 +588,10 @@
             <translation>步进脉冲至少持续这么久。</translation>
         </message>
         <message>
+            <source>A table's layers and radii are taken as they stand</source>
+            <translation>表格的层和半径按原样采用</translation>
+        </message>
+        <message>
             <source>A tool becomes shorter as it wears: a piece that comes out thicker on the half of %1 by so much in radius. It is counted from the head's touch-off.</source>
             <translation>刀具磨损后变短：工件在 %1 的一半半径会大出这么多。自该刀头对刀时算起。</translation>
         </message>
@@ -4564,8 +4568,8 @@ N、Shift+N  下一条、上一条记录
             <translation>表</translation>
         </message>
         <message>
-            <source>a table of layers is no spiral: choose Joining continuous or zigzag in the profile</source>
-            <translation>分层表格不是螺旋：请在配置中将层间连接选为连续或往复</translation>
+            <source>a table of layers is no spiral: choose Joining continuous or zigzag</source>
+            <translation>分层表格不是螺旋：请将层间连接选为连续或往复</translation>
         </message>
         <message>
             <source>a text of %1 bytes; give %2 to %3 bytes</source>
@@ -6414,6 +6418,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>was written by another build of psicarve</source>
             <translation>由另一个版本的 psicarve 写成</translation>
+        </message>
+        <message>
+            <source>what lies beyond the edge of &lt;%1&gt; is carved, too.</source>
+            <translation>&lt;%1&gt; 边界以外的内容也会被加工。</translation>
         </message>
         <message>
             <source>where %1 stands is needed</source>

@@ -10,14 +10,10 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QResizeEvent>
-#include <QScrollArea>
-#include <QStackedWidget>
 #include <QTabBar>
-#include <QTabWidget>
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -26,27 +22,21 @@
 #include "hmi/session/action_lock.hpp"
 #include "hmi/session/escape_key.hpp"
 #include "hmi/ui/alarm_banner.hpp"
-#include "hmi/ui/carving_page.hpp"
 #include "hmi/ui/dialogs.hpp"
-#include "hmi/ui/entries_page.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/job_panel.hpp"
 #include "hmi/ui/jog_panel.hpp"
-#include "hmi/ui/layers_page.hpp"
-#include "hmi/ui/messages_page.hpp"
-#include "hmi/ui/model_page.hpp"
 #include "hmi/ui/option_keeper.hpp"
+#include "hmi/ui/page_tabs.hpp"
 #include "hmi/ui/place_keeper.hpp"
 #include "hmi/ui/ports_page.hpp"
 #include "hmi/ui/position_panel.hpp"
 #include "hmi/ui/profile_page.hpp"
-#include "hmi/ui/realtime_page.hpp"
 #include "hmi/ui/refusal_bar.hpp"
 #include "hmi/ui/replay_bar.hpp"
 #include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/stop_keys.hpp"
 #include "hmi/ui/strip.hpp"
-#include "hmi/ui/tab_badge.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
@@ -57,18 +47,6 @@ using S = MachineState;
 constexpr QSize kLeastSize{640, 360};
 /// So long the first frame waits for the settings; what comes later is taken then.
 constexpr std::chrono::milliseconds kSettingsLimit{250};
-
-/// In a small window pages may be larger than their room; their names stay where they are.
-QScrollArea* scrolled(QWidget* page) {
-    auto* room = new QScrollArea;
-    room->setObjectName("pages");
-    room->setWidgetResizable(true);
-    room->setFrameShape(QFrame::NoFrame);
-    room->setFocusPolicy(Qt::NoFocus);
-    room->setWidget(page);
-    page->setAutoFillBackground(false);  // the room has the theme's colour
-    return room;
-}
 
 /// Of a window's; such an event does not come to changeEvent().
 class PaletteEar : public QObject {
@@ -130,7 +108,7 @@ MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing,
     setMinimumSize(kLeastSize);
     take_place();
     show_theme();
-    tabs_->tabBar()->setFocus();  // not on anything that moves the machine
+    pages_->tabBar()->setFocus();  // not on anything that moves the machine
     ask_ = [this] { return ask_what_to_do(); };
     make_panels_menu();
     stop_keys_ =
@@ -159,69 +137,12 @@ QWidget* MainWindow::make_centre() {
     frame->setProperty("dock", true);
     auto* inside = new QVBoxLayout{frame};
     inside->setContentsMargins(1, 1, 1, 1);
-    tabs_ = new QTabWidget;
-    tabs_->setObjectName("tabs");
-    tabs_->setDocumentMode(true);
-    tabs_->tabBar()->setDrawBase(false);
-    model_ = new ModelPage{bench_, drawing_};
-    layers_ = new LayersPage{bench_};
-    carving_ = new CarvingPage{bench_, drawing_};
-    ports_ = new PortsPage{bench_};
-    realtime_ = new RealtimePage{bench_};
-    messages_ = new MessagesPage{bench_};
-    profile_ = new ProfilePage{bench_};
-    entries_ = new EntriesPage{bench_};
-    messages_or_entries_ = new QStackedWidget;
-    messages_or_entries_->addWidget(messages_);
-    messages_or_entries_->addWidget(entries_);
-    const std::initializer_list<QWidget*> pages{
-        model_, layers_, carving_, ports_, realtime_, messages_or_entries_, profile_};
-    for (QWidget* page : pages) tabs_->addTab(scrolled(page), QString{});
-    tabs_->setUsesScrollButtons(true);
-    name_tabs();
-    inside->addWidget(tabs_);
+    pages_ = new PageTabs{bench_, drawing_};
+    inside->addWidget(pages_);
     column->addWidget(frame, 1);
     replay_ = new ReplayBar{bench_, [this] { choose_job_of_trace(); }, [this] { verify_replay(); }};
     column->addWidget(replay_);
     return centre;
-}
-
-bool MainWindow::is_current(const QWidget* page) const {
-    return tabs_->currentWidget()->isAncestorOf(page);
-}
-
-int MainWindow::tab_of(const QWidget* page) const {
-    for (int i = 0; i < tabs_->count(); ++i) {
-        if (tabs_->widget(i)->isAncestorOf(page)) return i;
-    }
-    return -1;
-}
-
-void MainWindow::show_page(const QWidget* page) {
-    tabs_->setCurrentIndex(tab_of(page));
-}
-
-void MainWindow::name_tabs() {
-    const QString names[] = {tr("Model"),     tr("Layers"),   tr("Carving"), tr("Ports"),
-                             tr("Real time"), tr("Messages"), tr("Profile")};
-    for (int i = 0; i < tabs_->count(); ++i) tabs_->setTabText(i, names[i]);
-}
-
-void MainWindow::count_in_tabs() {
-    if (messages_->isVisible()) read_messages_ = bench_.log.count();
-    std::size_t unread = 0;
-    BadgeTone tone = BadgeTone::warning;
-    const auto& all = bench_.log.messages();
-    const auto fresh = std::min<std::uint64_t>(bench_.log.count() - read_messages_, all.size());
-    for (auto i = all.size() - fresh; i < all.size(); ++i) {
-        if (all[i].is_from_before) continue;
-        unread += all[i].severity != session::Severity::info ? 1 : 0;
-        if (all[i].severity == session::Severity::alarm) tone = BadgeTone::alarm;
-    }
-    QTabBar& bar = *tabs_->tabBar();
-    set_tab_badge(bar, tab_of(model_), model_->warning_count(), BadgeTone::warning);
-    set_tab_badge(bar, tab_of(messages_), unread, tone);
-    set_tab_badge(bar, tab_of(profile_), profile_->problem_count(), BadgeTone::alarm);
 }
 
 void MainWindow::set_theme(ThemeChoice choice) {
@@ -240,14 +161,7 @@ void MainWindow::show_theme() {
     job_->set_theme(tokens);
     banner_->set_theme(tokens);
     refusal_->set_theme(tokens);
-    model_->set_theme(tokens);
-    layers_->set_theme(tokens);
-    carving_->set_theme(tokens);
-    ports_->set_theme(tokens);
-    realtime_->set_theme(tokens);
-    messages_->set_theme(tokens);
-    profile_->set_theme(tokens);
-    entries_->set_theme(tokens);
+    pages_->set_theme(tokens);
     replay_->set_theme(tokens);
 }
 
@@ -262,14 +176,7 @@ void MainWindow::refresh() {
     sides_->buttons().refresh();
     banner_->refresh();
     refusal_->refresh();
-    model_->refresh();
-    layers_->refresh();
-    carving_->refresh();
-    ports_->refresh();
-    realtime_->refresh();
-    messages_->refresh();
-    profile_->refresh();
-    count_in_tabs();
+    pages_->refresh();
     refresh_tools();
     refresh_status_bar();
     refresh_title();
@@ -322,14 +229,14 @@ std::function<void()> MainWindow::escape_act() {
 
 void MainWindow::let_go() {
     jog_->let_go();
-    ports_->let_go();
+    pages_->ports().let_go();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
     // A jog ends when the hand may be elsewhere.
     const bool is_elsewhere =
         !isActiveWindow() && (!sides_ || !sides_->is_ours(QApplication::activeWindow()));
-    if (event->type() == QEvent::ActivationChange && is_elsewhere && ports_ != nullptr) let_go();
+    if (event->type() == QEvent::ActivationChange && is_elsewhere && pages_ != nullptr) let_go();
     QMainWindow::changeEvent(event);
 }
 
@@ -374,7 +281,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         leave();
         return event->accept();
     }
-    if (!profile_->may_lose_changes()) return event->ignore();
+    if (!pages_->profile().may_lose_changes()) return event->ignore();
     const CloseChoice choice = is_under_way() ? ask_() : CloseChoice::leave_running;
     if (choice == CloseChoice::stay_open) return event->ignore();
     if (choice == CloseChoice::hold) {

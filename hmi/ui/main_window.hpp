@@ -20,25 +20,16 @@
 class QLabel;
 class QMenu;
 class QAction;
-class QStackedWidget;
-class QTabWidget;
 
 namespace psicarve::ui {
 
 class AlarmBanner;
-class EntriesPage;
-class CarvingPage;
 class JobPanel;
 class JogPanel;
-class LayersPage;
-class MessagesPage;
-class ModelPage;
 class OptionKeeper;
+class PageTabs;
 class PlaceKeeper;
-class PortsPage;
 class PositionPanel;
-class ProfilePage;
-class RealtimePage;
 class RefusalBar;
 class ReplayBar;
 class SidePanels;
@@ -128,11 +119,6 @@ private:
     void refresh_replay();
     QWidget* make_centre();
     void make_status_bar();
-    bool is_current(const QWidget* page) const;
-    void show_page(const QWidget* page);
-    int tab_of(const QWidget* page) const;
-    void name_tabs();
-    void count_in_tabs();
     void choose_file();
     void look_for_recent();
     void fill_recent();
@@ -163,15 +149,7 @@ private:
     std::unique_ptr<SidePanels> sides_;
     AlarmBanner* banner_ = nullptr;
     RefusalBar* refusal_ = nullptr;
-    QTabWidget* tabs_ = nullptr;
-    ModelPage* model_ = nullptr;
-    LayersPage* layers_ = nullptr;
-    CarvingPage* carving_ = nullptr;
-    PortsPage* ports_ = nullptr;
-    RealtimePage* realtime_ = nullptr;
-    MessagesPage* messages_ = nullptr;
-    EntriesPage* entries_ = nullptr;
-    QStackedWidget* messages_or_entries_ = nullptr;
+    PageTabs* pages_ = nullptr;
     ReplayBar* replay_ = nullptr;
     std::vector<QAction*> float_actions_;
     QAction* save_job_ = nullptr;
@@ -179,13 +157,11 @@ private:
     QAction* verify_ = nullptr;
     std::vector<QAction*> replay_actions_;  ///< only while a recording is shown
     std::uint64_t shown_replay_ = 0;
-    ProfilePage* profile_ = nullptr;
     QWidget* status_row_ = nullptr;
     QLabel* last_message_ = nullptr;
     QLabel* profile_label_ = nullptr;
     QLabel* language_label_ = nullptr;
     session::StatusLine status_line_;
-    std::uint64_t read_messages_ = 0;  ///< that somebody had the page open for
     std::function<CloseChoice()> ask_;
     std::unique_ptr<StopKeys> stop_keys_;
     std::unique_ptr<PlaceKeeper> place_keeper_;

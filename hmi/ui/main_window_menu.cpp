@@ -5,7 +5,6 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QTabWidget>
 #include <QTimer>
 
 #include <array>
@@ -19,6 +18,7 @@
 #include "hmi/ui/keys_dialog.hpp"
 #include "hmi/ui/layers_page.hpp"
 #include "hmi/ui/main_window.hpp"
+#include "hmi/ui/page_tabs.hpp"
 #include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/strip.hpp"
 
@@ -102,7 +102,7 @@ void MainWindow::make_places() {
         auto* show = new QAction{this};
         show->setObjectName(QStringLiteral("page_%1_key").arg(i + 1));
         show->setShortcut(QKeySequence{Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)});
-        connect(show, &QAction::triggered, this, [this, i] { tabs_->setCurrentIndex(i); });
+        connect(show, &QAction::triggered, this, [this, i] { pages_->setCurrentIndex(i); });
         addAction(show);
     }
     struct Place {
@@ -113,8 +113,8 @@ void MainWindow::make_places() {
     const Place places[] = {
         {"layer_number_key", QKeySequence{Qt::CTRL | Qt::Key_L},
          [this] {
-             show_page(layers_);
-             layers_->choose_number();
+             pages_->show_page(pages_->layers());
+             pages_->layers().choose_number();
          }},
         {"next_pane_key", QKeySequence{Qt::Key_F6}, [this] { go_to_next_pane(); }},
         {"menu_key", QKeySequence{Qt::Key_F10},
@@ -165,7 +165,7 @@ void MainWindow::make_job_keys() {
 
 /// Strip, left, middle, right; only what can take the focus.
 void MainWindow::go_to_next_pane() {
-    const std::array<QWidget*, 4> panes{strip_, &sides_->left(), tabs_, &sides_->right()};
+    const std::array<QWidget*, 4> panes{strip_, &sides_->left(), pages_, &sides_->right()};
     const QWidget* const focus = focusWidget();
     std::size_t here = 0;
     for (std::size_t i = 0; focus != nullptr && i < panes.size(); ++i) {

@@ -2,7 +2,6 @@
 // Where the window stands and what becomes of it when it goes.
 #include <QApplication>
 #include <QScreen>
-#include <QTabWidget>
 #include <QTimer>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "hmi/ui/main_window.hpp"
 #include "hmi/ui/model_page.hpp"
 #include "hmi/ui/option_keeper.hpp"
+#include "hmi/ui/page_tabs.hpp"
 #include "hmi/ui/place_keeper.hpp"
 #include "hmi/ui/side_panels.hpp"
 
@@ -33,7 +33,7 @@ void MainWindow::take_place() {
 /// By settings that came after the first frame.
 void MainWindow::show_kept_place() {
     restoreGeometry(settings_.geometry());
-    if (wants_last_page_ && tabs_->currentIndex() == 0) go_to_last_page();
+    if (wants_last_page_ && pages_->currentIndex() == 0) go_to_last_page();
 }
 
 void MainWindow::go_to_last_page() {
@@ -41,7 +41,7 @@ void MainWindow::go_to_last_page() {
     const QString page = settings_.page();
     const auto found = std::find_if(kPageNames.begin(), kPageNames.end(),
                                     [&page](const char* name) { return page == QLatin1StringView{name}; });
-    if (found != kPageNames.end()) tabs_->setCurrentIndex(static_cast<int>(found - kPageNames.begin()));
+    if (found != kPageNames.end()) pages_->setCurrentIndex(static_cast<int>(found - kPageNames.begin()));
 }
 
 /// Whatever ends the program.
@@ -51,7 +51,7 @@ void MainWindow::keep_place() {
     for (std::size_t i = 0; i < SidePanels::kCount; ++i) {
         if (sides_->is_floating(i)) place_keeper_->watch(sides_->frame(i));
     }
-    connect(tabs_, &QTabWidget::currentChanged, place_keeper_.get(), [this] { place_keeper_->keep_soon(); });
+    connect(pages_, &QTabWidget::currentChanged, place_keeper_.get(), [this] { place_keeper_->keep_soon(); });
     option_keeper_ = std::make_unique<OptionKeeper>(*this, settings_, [this] {
         if (place_keeper_) place_keeper_->keep_soon();
     });
@@ -63,7 +63,7 @@ void MainWindow::write_place() {
     if (option_keeper_) option_keeper_->write();
     if (!bench_.settings->is_read()) return;  // nobody has chosen this place
     settings_.set_geometry(saveGeometry());
-    const auto page = static_cast<std::size_t>(tabs_->currentIndex());
+    const auto page = static_cast<std::size_t>(pages_->currentIndex());
     if (page < kPageNames.size()) settings_.set_page(kPageNames[page]);
     keep_panel_places();
 }
@@ -72,7 +72,7 @@ void MainWindow::leave() {
     let_go();
     bench_.desk.cancel();
     write_place();
-    model_->forget_work();
+    pages_->model().forget_work();
     place_keeper_.reset();
     // Nobody looks any more: what is to be kept is handed on now.
     bench_.pins.end();

@@ -2,16 +2,14 @@
 #include <QAction>
 #include <QFileInfo>
 #include <QMenu>
-#include <QStackedWidget>
-#include <QTabWidget>
 
 #include <functional>
 
 #include "hmi/ui/carving_page.hpp"
 #include "hmi/ui/dialogs.hpp"
-#include "hmi/ui/entries_page.hpp"
 #include "hmi/ui/main_window.hpp"
 #include "hmi/ui/model_page.hpp"
+#include "hmi/ui/page_tabs.hpp"
 #include "hmi/ui/replay_bar.hpp"
 
 namespace psicarve::ui {
@@ -55,16 +53,16 @@ void MainWindow::choose_job_of_trace() {
 
 void MainWindow::refresh_replay() {
     replay_->refresh();
-    entries_->refresh();
+    pages_->refresh_entries();
     if (shown_replay_ == bench_.replay.edition()) return;
     shown_replay_ = bench_.replay.edition();
     const bool is_open = bench_.replay.is_open();
     // Whatever a hand holds is let go: from here on it would be on something that is not the machine.
     let_go();
     for (QAction* action : replay_actions_) action->setEnabled(is_open);
-    messages_or_entries_->setCurrentIndex(is_open ? 1 : 0);
+    pages_->show_entries(is_open);
     // The model is not in a recording.
-    if (is_open && is_current(model_)) show_page(carving_);
+    if (is_open && pages_->is_current(pages_->model())) pages_->show_page(pages_->carving());
 }
 
 /// "figurine.stl – Psicarve"

@@ -5,6 +5,7 @@
 #include "hmi/session/error_phrase.hpp"
 #include "hmi/ui/main_window.hpp"
 #include "hmi/ui/option_keeper.hpp"
+#include "hmi/ui/page_tabs.hpp"
 #include "hmi/ui/position_panel.hpp"
 #include "hmi/ui/profile_page.hpp"
 
@@ -18,7 +19,7 @@ void MainWindow::take_settings() {
     if (option_keeper_) option_keeper_->fill_in_late();
     position_->take_zeros();
     look_for_recent();
-    profile_->look_for_files();
+    pages_->profile().look_for_files();
 }
 
 void MainWindow::begin_with(const QString& profile, const QString& path) {
@@ -37,7 +38,7 @@ void MainWindow::take_profile(const Result<Profile>& read, const QString& profil
             session::phrase("Not opened, as the machine's profile was not: %1", path.toStdString()));
     }
     bench_.machine.set_profile(*read);
-    profile_->open(profile);
+    pages_->profile().open(profile);
     if (!path.isEmpty()) open(path);
 }
 

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QFileInfo>
 #include <QMenu>
-#include <QTabWidget>
 
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/jog_panel.hpp"
 #include "hmi/ui/main_window.hpp"
+#include "hmi/ui/page_tabs.hpp"
 #include "hmi/ui/place_keeper.hpp"
 #include "hmi/ui/ports_page.hpp"
 #include "hmi/ui/profile_page.hpp"
@@ -60,7 +60,7 @@ void MainWindow::make_machine_menu() {
     connect(spindle, &QAction::triggered, this, [this] { jog_->turn_spindle(); });
     QAction* wiring = machine_menu_->addAction(tr("Wiring test, recording pins…"));
     wiring->setObjectName("wiring_action");
-    connect(wiring, &QAction::triggered, this, [this] { show_page(ports_); });
+    connect(wiring, &QAction::triggered, this, [this] { pages_->show_page(pages_->ports()); });
 }
 
 void MainWindow::make_tools_menu() {
@@ -74,14 +74,14 @@ void MainWindow::make_tools_menu() {
     QAction* calibrate = tools_menu_->addAction(tr("Calibrate the heads…"));
     calibrate->setObjectName("calibrate_action");
     connect(calibrate, &QAction::triggered, this, [this] {
-        show_page(profile_);
-        profile_->calibrate();
+        pages_->show_page(pages_->profile());
+        pages_->profile().calibrate();
     });
     QAction* computer = tools_menu_->addAction(tr("Check this computer"));
     computer->setObjectName("check_computer_action");
     connect(computer, &QAction::triggered, this, [this] {
-        show_page(realtime_);
-        realtime_->check_computer();
+        pages_->show_page(pages_->realtime());
+        pages_->realtime().check_computer();
     });
 }
 

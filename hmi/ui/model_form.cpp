@@ -13,6 +13,7 @@
 #include "hmi/ui/choice_box.hpp"
 #include "hmi/ui/engrave_form.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/pass_form.hpp"
 #include "hmi/ui/picture_form.hpp"
 
@@ -193,6 +194,11 @@ void ModelForm::set_fits(bool fits) {
     show_what_applies();
 }
 
+void ModelForm::set_table(bool is_table) {
+    is_table_ = is_table;
+    show_what_applies();
+}
+
 void ModelForm::begin(flat::ModelKind kind, bool is_engraved) {
     is_told_ = false;
     const bool is_other = kind != kind_;
@@ -233,21 +239,31 @@ void ModelForm::show_what_applies() {
     height_->setSpecialValueText(is_mesh                       ? tr("as in the file")
                                  : is_picture || is_engraved() ? tr("as its shape")
                                                                : tr("%1 mm").arg(flat::kUsualHeight_mm));
-    height_->setEnabled(!is_mesh || (!fits_ && scale_->value() == 0.0));
-    scale_->setEnabled(!is_mesh || (!fits_ && height_->value() == 0.0));
-    height_->setToolTip(!is_mesh               ? tr("Of the body that becomes of it")
-                        : height_->isEnabled() ? tr("Scales the model, uniformly")
-                        : fits_                ? tr("Largest sets it")
-                                               : tr("Scale sets it"));
-    scale_->setToolTip(scale_->isEnabled() ? tr("mm for each unit of the file")
-                       : fits_             ? tr("Largest sets it")
-                                           : tr("Height sets it"));
+    lock_sizes();
     const int shape = tool_->currentData().toInt();
     form_->setRowVisible(tool_diameter_, shape > static_cast<int>(ToolShape::point));
     form_->setRowVisible(tool_angle_, shape == static_cast<int>(ToolShape::vee));
     form_->setRowVisible(tool_flute_, shape > static_cast<int>(ToolShape::point));
     for (QDoubleSpinBox* of_blank : {blank_height_, blank_x_, blank_z_, depth_limit_})
         form_->setRowVisible(of_blank, blank_radius_->value() > 0.0);
+}
+
+/// What a table has of itself, and of height and scale the one that the other sets.
+void ModelForm::lock_sizes() {
+    const bool is_mesh = kind_ == flat::ModelKind::mesh;
+    const QString reason = is_table_ ? tr("A table's layers and radii are taken as they stand") : QString{};
+    for (QWidget* field :
+         {static_cast<QWidget*>(up_), static_cast<QWidget*>(axis_), static_cast<QWidget*>(axis_x_),
+          static_cast<QWidget*>(axis_y_), static_cast<QWidget*>(layers_), static_cast<QWidget*>(points_)})
+        lock_with(*field, reason);
+    const auto reason_for = [&](const QDoubleSpinBox& other, const QString& other_sets_it) {
+        if (is_table_) return reason;
+        if (is_mesh && fits_) return tr("Largest sets it");
+        return is_mesh && other.value() > 0.0 ? other_sets_it : QString{};
+    };
+    lock_with(*height_, reason_for(*scale_, tr("Scale sets it")),
+              is_mesh ? tr("Scales the model, uniformly") : tr("Of the body that becomes of it"));
+    lock_with(*scale_, reason_for(*height_, tr("Height sets it")), tr("mm for each unit of the file"));
 }
 
 cam::JobOptions ModelForm::options() const {

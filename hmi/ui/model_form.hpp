@@ -35,6 +35,8 @@ public:
     void begin(flat::ModelKind kind, bool is_engraved = false);
     /// A mesh takes its size from what fits: no height, no scale.
     void set_fits(bool fits);
+    /// A table takes tool, blank, passes and joining; the rest is locked.
+    void set_table(bool is_table);
     bool is_engraved() const;
     /// Of a drawing or picture on this machine.
     flat::FlatOptions flat_options(const Profile& machine) const;
@@ -53,6 +55,7 @@ private:
     void add_tool();
     QDoubleSpinBox* length_field(const char* name, const QString& special);
     void show_what_applies();
+    void lock_sizes();
     Profile with_tool_and_blank(Profile machine) const;
     void note_tool();
 
@@ -61,6 +64,7 @@ private:
     flat::ModelKind kind_ = flat::ModelKind::mesh;
     bool is_told_ = true;
     bool fits_ = false;
+    bool is_table_ = false;
     QFormLayout* form_;
     QComboBox* up_;
     QComboBox* axis_;

@@ -49,6 +49,7 @@ ModelPage::ModelPage(Bench& bench, Drawing drawing, QWidget* parent)
     QWidget* const view = make_view();
     sides_->addWidget(view, 1);
     sides_->addWidget(make_form());
+    bench_.desk.set_table_way([this] { return table_way(); });
     work_ = new WorkBar{bench_, {room_->widget(), [this] { slice(); }}};
     static_cast<QVBoxLayout*>(view->layout())->insertWidget(0, work_);
 }
@@ -155,6 +156,10 @@ void ModelPage::slice() {
     bench_.desk.slice(options(), form_->profile_for(bench_.machine_profile()));
 }
 
+session::TableWay ModelPage::table_way() const {
+    return {form_->profile_for(bench_.machine_profile()), form_->options().joining};
+}
+
 /// As both forms have it.
 cam::JobOptions ModelPage::options() const {
     cam::JobOptions options = form_->options();
@@ -225,7 +230,7 @@ void ModelPage::refresh() {
         show_opened();
         show_warnings();
     }
-    turn_->show_what_applies(bench_.desk.kind(), form_->is_engraved());
+    turn_->show_what_applies(bench_.desk.kind(), form_->is_engraved(), bench_.desk.table_way().has_value());
     turn_model();
     keep_engraving_cut();
     watch_.poll(report_ != nullptr);
@@ -265,6 +270,7 @@ void ModelPage::show_opened() {
         blank_warnings_.clear();
         turn_->begin_anew();
         form_->set_fits(false);
+        form_->set_table(bench_.desk.table_way().has_value());
         form_->begin(bench_.desk.kind(), bench_.desk.shape().engraving.has_value());
     }
     view_->fit();
@@ -320,9 +326,10 @@ void ModelPage::show_warnings() {
 
 bool ModelPage::is_stale() const {
     const session::JobSight& sight = bench_.desk.sight();
-    const bool has_sliced =
-        bench_.desk.mesh() && (sight.state == DeskState::job || sight.state == DeskState::published);
-    return has_sliced && changes_ != sliced_changes_;
+    if (sight.state != DeskState::job && sight.state != DeskState::published) return false;
+    // A table becomes a job without anybody's asking, too.
+    if (const auto& way = bench_.desk.table_way()) return !way->is_as(table_way());
+    return bench_.desk.mesh() && changes_ != sliced_changes_;
 }
 
 }  // namespace psicarve::ui

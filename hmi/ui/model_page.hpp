@@ -58,6 +58,7 @@ private:
     void refresh_piece();
     void refresh_report();
     cam::JobOptions options() const;
+    session::TableWay table_way() const;
     void turn_model();
     void watch_fields(QWidget& fields);
     void keep_engraving_cut();

@@ -32,10 +32,24 @@ constexpr std::chrono::milliseconds kLanguageLimit{250};
 /// So long OpenGL has to have drawn the window before it is trusted.
 constexpr std::chrono::seconds kTrial{3};
 
-Drawing drawing_for(OpenGl wanted, const GlTrial& trial) {
+/// So long the first frame waits for the disk that remembers trials, each time; then it is drawn without
+/// OpenGL.
+constexpr std::chrono::milliseconds kTrialLimit{250};
+
+/// How often it is asked for that then.
+constexpr std::chrono::milliseconds kTrialLook{100};
+
+Drawing drawing_for(OpenGl wanted, GlTrial& trial) {
     if (wanted == OpenGl::never) return Drawing::painter;
-    if (wanted == OpenGl::automatic && trial.has_crashed_before()) return Drawing::painter;
-    trial.begin();
+    if (wanted == OpenGl::automatic && trial.has_crashed_before(kTrialLimit).value_or(true))
+        return Drawing::painter;
+    if (!trial.begin(kTrialLimit)) {
+        if (wanted == OpenGl::always)
+            std::fprintf(stderr,
+                         "psicarve-hmi: no OpenGL, as the disk does not keep that it is tried; "
+                         "going on without\n");
+        return Drawing::painter;
+    }
     const GlProbe probe = probe_gl();
     if (wanted == OpenGl::always && !probe.is_usable)
         std::fprintf(stderr, "psicarve-hmi: no OpenGL here (%s); going on without\n",
@@ -59,8 +73,28 @@ Language language_for(const WindowOptions& options, SettingsStore& settings) {
     return WindowSettings{settings}.language().value_or(desktop_language());
 }
 
+/// As soon as it is known.
+void tell_of_crash(MainWindow& window, GlTrial& trial) {
+    const auto is_told = [&window, &trial] {
+        const auto has_crashed = trial.has_crashed_before(std::chrono::milliseconds{0});
+        if (has_crashed.value_or(false)) {
+            window.bench().log.add(
+                session::Severity::warning,
+                session::phrase("OpenGL took the window down the last time: drawing without it"),
+                session::phrase("psicarve-hmi --opengl tries it again"));
+        }
+        return has_crashed.has_value();
+    };
+    if (is_told()) return;
+    auto* const again = new QTimer{&window};
+    QObject::connect(again, &QTimer::timeout, again, [again, is_told] {
+        if (is_told()) again->stop();
+    });
+    again->start(kTrialLook);
+}
+
 /// Whatever disk hangs; what is being saved has its time.
-void take_away(std::unique_ptr<MainWindow> window, int exit_code) {
+void take_away(std::unique_ptr<MainWindow> window, std::unique_ptr<GlTrial> trial, int exit_code) {
     window->hide();
     QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
     const session::DepartureWatch watch{window->bench().saves, [exit_code](bool is_lost) {
@@ -68,6 +102,7 @@ void take_away(std::unique_ptr<MainWindow> window, int exit_code) {
                                             std::_Exit(is_lost ? kExitNotSaved : exit_code);
                                         }};
     window.reset();
+    trial.reset();
 }
 
 }  // namespace
@@ -85,27 +120,22 @@ int run(int argc, char** argv) {
     keep_decimal_points();
     auto settings = std::make_unique<SettingsStore>();
     use_language(language_for(options, *settings));
-    const GlTrial trial{session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME"))};
-    const bool has_crashed = options.opengl == OpenGl::automatic && trial.has_crashed_before();
-    const Drawing drawing = drawing_for(options.opengl, trial);
+    auto trial =
+        std::make_unique<GlTrial>(session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME")));
+    const Drawing drawing = drawing_for(options.opengl, *trial);
     auto window = std::make_unique<MainWindow>(
         session::SessionOptions{options.segment_name, options.group, {}}, drawing, std::move(settings));
-    if (has_crashed) {
-        window->bench().log.add(
-            session::Severity::warning,
-            session::phrase("OpenGL took the window down the last time: drawing without it"),
-            session::phrase("psicarve-hmi --opengl tries it again"));
-    }
+    if (options.opengl == OpenGl::automatic && drawing == Drawing::painter) tell_of_crash(*window, *trial);
     const QuitSignals signals_to_quit{[&window] {
         if (window) window->leave();  // not while it is taken away
         QCoreApplication::exit(0);    // quit() would ask
     }};
     window->show();
     window->begin_with(QString::fromStdString(options.profile_path), QString::fromStdString(options.path));
-    if (drawing == Drawing::opengl) QTimer::singleShot(kTrial, window.get(), [&trial] { trial.end(); });
+    if (drawing == Drawing::opengl) QTimer::singleShot(kTrial, window.get(), [&trial] { trial->end(); });
     const int exit_code = QApplication::exec();
-    if (drawing == Drawing::opengl) trial.end();
-    take_away(std::move(window), exit_code);
+    if (drawing == Drawing::opengl) trial->end();
+    take_away(std::move(window), std::move(trial), exit_code);
     return exit_code;
 }
 

@@ -10,6 +10,7 @@
 
 #include "hmi/ui/choice_box.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/tick_box.hpp"
 
 namespace psicarve::ui {
@@ -18,11 +19,9 @@ namespace {
 constexpr double kMostTurn_deg = 360.0;
 constexpr double kTurnStep_deg = 90.0;
 
-TickBox* named_tick(const char* name, const QString& text, const QString& hint) {
+TickBox* named_tick(const char* name, const QString& text) {
     auto* made = new TickBox{text};
     made->setObjectName(name);
-    made->setToolTip(hint);
-    made->setAccessibleDescription(hint);
     made->setFocusPolicy(Qt::TabFocus);
     return made;
 }
@@ -33,8 +32,8 @@ TurnForm::TurnForm(std::function<void()> turned, std::function<void()> resized, 
     : QWidget(parent),
       turned_(std::move(turned)),
       resized_(std::move(resized)),
-      turn_(named_tick("turn", tr("Turn, mirror"), tr("Turns or mirrors the model before it is placed"))),
-      fit_(named_tick("fit", tr("Largest"), tr("As large as the machine's travel and the blank let it be"))),
+      turn_(named_tick("turn", tr("Turn, mirror"))),
+      fit_(named_tick("fit", tr("Largest"))),
       details_(new QWidget),
       mirror_(new ChoiceBox) {
     auto* form = new QFormLayout{details_};
@@ -89,7 +88,7 @@ TurnForm::TurnForm(std::function<void()> turned, std::function<void()> resized, 
     column->setSpacing(kSmallGap);
     column->addLayout(ticks);
     column->addWidget(details_);
-    show_details();
+    show_what_applies(flat::ModelKind::mesh, false, false);
 }
 
 void TurnForm::begin_anew() {
@@ -101,7 +100,10 @@ void TurnForm::begin_anew() {
     is_told_ = true;
 }
 
-void TurnForm::show_what_applies(flat::ModelKind kind, bool is_engraved) {
+void TurnForm::show_what_applies(flat::ModelKind kind, bool is_engraved, bool is_table) {
+    const QString reason = is_table ? tr("A table's layers and radii are taken as they stand") : QString{};
+    lock_with(*turn_, reason, tr("Turns or mirrors the model before it is placed"));
+    lock_with(*fit_, reason, tr("As large as the machine's travel and the blank let it be"));
     may_turn_ = !is_engraved;  // grooves are cut where the drawing says
     may_fit_ = may_turn_ && kind != flat::ModelKind::picture;
     turn_->setVisible(may_turn_);

@@ -28,8 +28,8 @@ public:
 
     /// As for another file; nobody is told.
     void begin_anew();
-    /// Shows what such a model takes.
-    void show_what_applies(flat::ModelKind kind, bool is_engraved);
+    /// Shows what such a model takes; a table takes nothing of it.
+    void show_what_applies(flat::ModelKind kind, bool is_engraved, bool is_table);
     model::MeshTurn turn() const;
     bool fits() const;
 

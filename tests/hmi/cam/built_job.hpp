@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hmi/cam/job_builder.hpp"
+#include "shared/result.hpp"
 #include "tests/hmi/model/shapes.hpp"
 
 namespace psicarve::cam {
@@ -23,6 +24,13 @@ inline BuiltJob built(const model::Mesh& mesh, const Profile& profile, const Job
     auto job = build_job(mesh, profile, options);
     EXPECT_TRUE(job.has_value()) << (job ? "" : job.error().message);
     return job ? std::move(*job) : BuiltJob{};
+}
+
+/// Why there is no such job; difference_found where there is one.
+inline Error refused(const model::Mesh& mesh, const Profile& profile, const JobOptions& options) {
+    const auto job = build_job(mesh, profile, options);
+    EXPECT_FALSE(job.has_value());
+    return job ? Error{ErrorCode::difference_found, ""} : job.error();
 }
 
 inline std::int32_t left(const JobTable& table, std::size_t layer, std::size_t point) {

@@ -5,12 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json.hpp>
-#include <string>
 #include <vector>
 
 #include "hmi/model/mesh.hpp"
@@ -25,15 +22,7 @@
 namespace psicarve::cam {
 namespace {
 
-using testing::AllOf;
-using testing::Contains;
 using testing::HasSubstr;
-
-Error refused(const model::Mesh& mesh, const Profile& profile, const JobOptions& options) {
-    const auto job = build_job(mesh, profile, options);
-    EXPECT_FALSE(job.has_value());
-    return job ? Error{ErrorCode::difference_found, ""} : job.error();
-}
 
 TEST(JobBuilder, MakesAJobThatTheMachineAccepts) {
     const BuiltJob sut = built(shapes::figurine(50.0, 60, 70), Profile{}, small(40, 61));
@@ -140,9 +129,11 @@ void expect_unmirrored_letter(slice::Up up) {
 TEST(Up, ZLeavesALetterUnmirrored) {
     expect_unmirrored_letter(slice::Up::z);
 }
+
 TEST(Up, XLeavesALetterUnmirrored) {
     expect_unmirrored_letter(slice::Up::x);
 }
+
 TEST(Up, YLeavesALetterUnmirrored) {
     expect_unmirrored_letter(slice::Up::y);
 }
@@ -221,133 +212,6 @@ TEST(JobBuilder, MakesTheSameJobTwiceToTheLastByte) {
     EXPECT_EQ(first, second);
 }
 
-TEST(JobSize, HeightScalesTheWholeModel) {
-    JobOptions options = small(4, 5);
-    options.height_mm = 16.0;
-    const BuiltJob sut = built(oblong(), Profile{}, options);
-    EXPECT_EQ(sut.report.scale, 2.0);
-    EXPECT_EQ(left(sut.table, 0, 0), 6 * 400);
-    EXPECT_EQ(sut.table.layer_height_pulses.back(), 14 * 400);
-}
-
-TEST(JobSize, HeightAndScaleTogetherAreWrongUsage) {
-    JobOptions options = small(4, 5);
-    options.height_mm = 16.0;
-    options.scale = 2.0;
-    EXPECT_EQ(refused(oblong(), Profile{}, options).code, ErrorCode::bad_usage);
-}
-
-TEST(JobSize, AModelTooWideIsRefusedWithAxisAndMillimetres) {
-    JobOptions options = small(4, 5);
-    options.scale = 15.0;  // 45 by 75 mm from the axis, 120 high
-    const Error sut = refused(oblong(), Profile{}, options);
-    EXPECT_EQ(sut.code, ErrorCode::bad_input);
-    EXPECT_THAT(sut.message, AllOf(HasSubstr("larger than the machine's travel"), HasSubstr("r1"),
-                                   HasSubstr("75.00 mm"), HasSubstr("60.00")));
-}
-
-TEST(JobSize, AModelTooHighIsRefusedWithAxisAndMillimetres) {
-    JobOptions options = small(400, 5);
-    options.height_mm = 200.0;
-    const Error sut = refused(shapes::cylinder(1.0, 0.0, 10.0, 12), Profile{}, options);
-    EXPECT_THAT(sut.message, AllOf(HasSubstr("larger than the machine's travel"), HasSubstr("axis y"),
-                                   HasSubstr("150.00 mm")));
-}
-
-TEST(JobSize, AModelOfKilometresIsRefused) {
-    JobOptions options = small(4, 5);
-    options.scale = 1e30;
-    EXPECT_EQ(refused(oblong(), Profile{}, options).code, ErrorCode::bad_input);
-}
-
-TEST(JobSize, MorePointsThanPulsesAreRefused) {
-    EXPECT_EQ(built(oblong(), Profile{}, small(2, 3201)).table.point_count, 3201U);
-    EXPECT_THAT(refused(oblong(), Profile{}, small(2, 3202)).message,
-                AllOf(HasSubstr("more points than pulses"), HasSubstr("at most --points 3201")));
-}
-
-TEST(JobSize, MoreLayersThanPulsesAreRefused) {
-    model::Mesh mesh = oblong();
-    mesh.source_name = "oblong.stl";
-    EXPECT_THAT(refused(mesh, Profile{}, small(3201, 5)).message,
-                AllOf(HasSubstr("oblong.stl: more layers than pulses"), HasSubstr("at most --layers 3200")));
-}
-
-TEST(JobSize, ASmallModelGetsNoMoreLayersThanItHasPulses) {
-    const BuiltJob sut = built(shapes::cylinder(4.0, 0.0, 0.5, 20), Profile{}, JobOptions{});
-    EXPECT_EQ(sut.table.layer_count, 200U);
-    EXPECT_EQ(sut.table.point_count, 500U);
-    EXPECT_THAT(sut.report.notes, Contains(HasSubstr("200 layers, not 500")));
-}
-
-TEST(JobSize, ACoarseTableGetsNoMorePointsThanItHasPulses) {
-    Profile profile;
-    profile.psi.pulses_per_rev = 400;
-    const BuiltJob sut = built(oblong(), profile, JobOptions{});
-    EXPECT_EQ(sut.table.point_count, 201U);
-    EXPECT_THAT(sut.report.notes, Contains(HasSubstr("201 points a layer, not 500")));
-}
-
-TEST(JobSize, AUsualModelGetsTheOriginalsTable) {
-    const BuiltJob sut = built(oblong(), Profile{}, JobOptions{});
-    EXPECT_EQ(sut.table.layer_count, 500U);
-    EXPECT_EQ(sut.table.point_count, 500U);
-    EXPECT_TRUE(sut.report.notes.empty());
-}
-
-TEST(SliceReport, WarnsWhereTheFilesFloatsAreCoarserThanAPulse) {
-    model::Mesh mesh = oblong();
-    mesh.facts.coordinate_step = 0.0024;  // a pulse is 0.0025 mm
-    EXPECT_THAT(built(mesh, Profile{}, small(4, 5)).report.warnings, Not(Contains(HasSubstr("rounded to"))));
-    mesh.facts.coordinate_step = 0.0078;
-    EXPECT_THAT(built(mesh, Profile{}, small(4, 5)).report.warnings,
-                Contains(AllOf(HasSubstr("rounded to 0.0078 mm"), HasSubstr("a pulse (0.0025 mm)"))));
-}
-
-TEST(SliceReport, SuspectsInchesInATinyFigurine) {
-    const BuiltJob sut = built(shapes::cylinder(0.2, 0.0, 0.8, 20), Profile{}, JobOptions{});
-    EXPECT_THAT(sut.report.warnings, Contains(AllOf(HasSubstr("0.80 mm high"), HasSubstr("inches"))));
-}
-
-TEST(SliceReport, DoesNotSuspectAModelTwentyWide) {
-    EXPECT_TRUE(
-        built(shapes::cylinder(10.0, 0.0, 30.0, 40), Profile{}, JobOptions{}).report.warnings.empty());
-}
-
-TEST(SliceReport, DoesNotSuspectATinyModelWhoseSizeWasGiven) {
-    JobOptions options;
-    options.height_mm = 40.0;
-    EXPECT_TRUE(built(shapes::cylinder(0.2, 0.0, 0.8, 40), Profile{}, options).report.warnings.empty());
-}
-
-TEST(SliceReport, IsJsonWithWhatTheSlicerSaw) {
-    const model::Mesh mesh = shapes::torus(12.0, 4.0, 30, 40);
-    const BuiltJob sut = built(mesh, Profile{}, small(10, 30));
-    const auto json = nlohmann::json::parse(sut.table.report_json);
-    EXPECT_EQ(json["triangles"], mesh.triangles.size());
-    EXPECT_EQ(json["layers_without_axis"], 10);
-    EXPECT_EQ(json["open_points"], 0);
-    EXPECT_NEAR(json["bounding_box_mm"][2].get<double>(), 8.0, 0.1);
-    EXPECT_GT(json["undercut_share"].get<double>(), 0.3);
-    EXPECT_EQ(json["axis_at"], "centre");
-}
-
-TEST(SliceReport, OffersABetterAxisWhereOneIs) {
-    const model::Mesh mesh = shapes::Builder()
-                                 .add(shapes::box({-20, -10, 0}, {20, 10, 2}))
-                                 .add(shapes::cylinder(4.0, 2.0, 40.0, 32, 10.0, 3.0))
-                                 .mesh();
-    const BuiltJob centre = built(mesh, Profile{}, small(40, 30));
-    EXPECT_GT(centre.report.layers_without_axis, 30U);
-    EXPECT_THAT(centre.report.warnings, Contains(HasSubstr("layers, by the same look this axis")));
-    JobOptions options = small(40, 30);
-    options.axis_at = AxisAt::best;
-    const BuiltJob best = built(mesh, Profile{}, options);
-    EXPECT_EQ(best.report.layers_without_axis, 0U);
-    ASSERT_TRUE(centre.report.axis_search.has_value());
-    EXPECT_EQ(best.report.axis, centre.report.axis_search->best);
-}
-
 TEST(JobBuilder, RefusesAnAxisFromWhichNothingIsSeen) {
     JobOptions options = small(10, 11);
     options.axis_at = AxisAt::point;
@@ -365,13 +229,6 @@ TEST(JobBuilder, RefusesAnAxisFromWhichNothingIsSeen) {
     EXPECT_TRUE(build_job(shapes::box({-1, -5, 0}, {1, 5, 8}), Profile{}, options));
     // All of it within the core, but about the axis.
     EXPECT_TRUE(build_job(shapes::box({-0.5, -0.5, 0}, {0.5, 0.5, 8}), Profile{}, small(10, 11)));
-}
-
-TEST(SliceReport, CountsOpenPoints) {
-    model::Mesh mesh = shapes::cylinder(10.0, 0.0, 20.0, 24);
-    mesh.triangles.erase(mesh.triangles.begin() + 4);
-    EXPECT_GT(built(mesh, Profile{}, small(10, 97)).report.open_points, 0U);
-    EXPECT_EQ(built(shapes::cylinder(10.0, 0.0, 20.0, 24), Profile{}, small(10, 97)).report.open_points, 0U);
 }
 
 TEST(JobBuilder, EndsWhenProgressSaysSo) {

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <png.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "tests/hmi/cli/program_run.hpp"
 
 namespace psicarve::test {
@@ -147,6 +153,38 @@ TEST_F(InspectCommand, DrawsAPreviewAsSliceDoes) {
     EXPECT_EQ(jpeg.exit_code, 3);
     EXPECT_EQ(jpeg.error_lines(), 1U) << jpeg.error;
     EXPECT_EQ(psicarve({"inspect", file("a.job")}).exit_code, 3);
+}
+
+/// How many of a PNG's pixels are wood: redder than blue by more than a shade of grey.
+std::size_t wood_in(const std::string& path) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    EXPECT_NE(png_image_begin_read_from_file(&image, path.c_str()), 0) << image.message;
+    image.format = PNG_FORMAT_RGB;
+    std::vector<png_byte> rgb(PNG_IMAGE_SIZE(image));
+    EXPECT_NE(png_image_finish_read(&image, nullptr, rgb.data(), 0, nullptr), 0) << image.message;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) count += rgb[i] > rgb[i + 2] + 25 ? 1 : 0;
+    return count;
+}
+
+// Both views of the same outline: what is more is wood above the model.
+TEST_F(InspectCommand, DrawsWhatIsLeftOfTheBlankAboveTheModel) {
+    const auto drawn = [this](const std::string& name, double height_mm, const std::string& tool) {
+        const std::string model = box_stl("box" + name + ".stl", height_mm);
+        const std::string picture = file(name + ".png");
+        const Outcome outcome =
+            psicarve({"slice", model, "--layers", "12", "--points", "61", "--blank", "14x30", "--tool", tool,
+                      "-o", file(name + ".job"), "--preview", picture});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+        return wood_in(picture);
+    };
+    for (const char* tool : {"ball:3", "point"}) {
+        // The blank is wider than the box: the less of it is carved, the more wood there is.
+        const std::size_t high = drawn("high", 29.0, tool);
+        const std::size_t low = drawn("low", 6.0, tool);
+        EXPECT_GT(low, high) << tool;
+    }
 }
 
 }  // namespace

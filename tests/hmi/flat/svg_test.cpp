@@ -261,9 +261,9 @@ TEST_F(Svg, ClippingIsNamedOnceWhereItStandsFirst) {
 }
 
 TEST_F(Svg, WhatAViewportWouldHideIsWarnedOf) {
-    const auto whole = [](const std::string& line, const std::string& name) {
-        return std::vector<std::string>{"line " + line + ": clipping and masks are not followed: <" + name +
-                                        "> is carved whole"};
+    const auto beyond = [](const std::string& line, const std::string& name) {
+        return std::vector<std::string>{"line " + line + ": what lies beyond the edge of <" + name +
+                                        "> is carved, too"};
     };
     const std::vector<std::string> nothing;
     const std::string inner = "\n<svg x='10' y='10' width='10' height='20' viewBox='0 0 10 10' ";
@@ -271,18 +271,18 @@ TEST_F(Svg, WhatAViewportWouldHideIsWarnedOf) {
         return svg(inner + said + ">" + shape + "</svg>").warnings;
     };
     const std::string wide = "<rect width='30' height='10'/>";
-    EXPECT_EQ(inside("", wide), whole("2", "svg"));
-    EXPECT_EQ(inside("overflow='scroll'", wide), whole("2", "svg"));
+    EXPECT_EQ(inside("", wide), beyond("2", "svg"));
+    EXPECT_EQ(inside("overflow='scroll'", wide), beyond("2", "svg"));
     EXPECT_EQ(inside("overflow='visible'", wide), nothing);
     EXPECT_EQ(inside("style='overflow:auto'", wide), nothing);
     // The viewport is what hides, not its viewBox: there is room of 5 above and below.
     EXPECT_EQ(inside("", "<rect y='-5' width='10' height='20'/>"), nothing);
-    EXPECT_EQ(inside("", "<rect y='-5.1' width='10' height='20'/>"), whole("2", "svg"));
+    EXPECT_EQ(inside("", "<rect y='-5.1' width='10' height='20'/>"), beyond("2", "svg"));
     EXPECT_EQ(inside("transform='rotate(30 20 20)'", "<rect width='10' height='10' stroke='red'/>"), nothing);
     EXPECT_EQ(inside("transform='rotate(30 20 20)'", "<rect x='.1' width='10' height='10'/>"),
-              whole("2", "svg"));
+              beyond("2", "svg"));
     EXPECT_EQ(inside("transform='scale(0 1)'", wide + "</svg><svg><rect width='9' height='9'/>"), nothing);
-    EXPECT_EQ(inside("overflow='visible'", "<rect width='91' height='10'/>"), whole("1", "svg"))
+    EXPECT_EQ(inside("overflow='visible'", "<rect width='91' height='10'/>"), beyond("1", "svg"))
         << "beyond the page";
     // Whom nobody sees nobody misses.
     EXPECT_EQ(inside("", "<rect width='30' height='10' fill='none'/>"), nothing);
@@ -290,13 +290,13 @@ TEST_F(Svg, WhatAViewportWouldHideIsWarnedOf) {
                   "<use href='#s' width='9' height='9' x='50'/>" +
                   inner + ">" + wide + "</svg>")
                   .warnings,
-              whole("3", "symbol"));
+              beyond("3", "symbol"));
     const auto page = [this](const std::string& head, const std::string& shape) {
         return loaded(file("page.svg", "<svg " + head + ">" + shape + "</svg>")).warnings;
     };
     const std::string square = "<rect width='40' height='40'/>";
     const std::string sliced = "width='80mm' height='40mm' viewBox='0 0 40 40' preserveAspectRatio=";
-    EXPECT_EQ(page(sliced + "'xMaxYMid slice'", square), whole("1", "svg"));
+    EXPECT_EQ(page(sliced + "'xMaxYMid slice'", square), beyond("1", "svg"));
     EXPECT_EQ(page(sliced + "'xMaxYMid slice' overflow='visible'", square), nothing);
     EXPECT_EQ(page(sliced + "'xMaxYMid'", square), nothing);
     EXPECT_EQ(page("width='9mm' height='9mm'", "<rect width='9.005mm' height='9mm'/>"), nothing)
@@ -304,6 +304,12 @@ TEST_F(Svg, WhatAViewportWouldHideIsWarnedOf) {
     // Nobody says where a page without any size ends.
     EXPECT_EQ(page("", "<rect width='400' height='400'/>").size(), 1U);
     EXPECT_EQ(page("viewBox='0 0 10 10'", square).size(), 2U);
+    // Clipping is another matter, told of by itself; of one element both would say the same.
+    EXPECT_EQ(inside("", "\n<g clip-path='circle(3px)'>" + wide + "</g>"),
+              (std::vector<std::string>{"line 2: what lies beyond the edge of <svg> is carved, too",
+                                        "line 3: clipping and masks are not followed: <g> is carved whole"}));
+    EXPECT_EQ(inside("mask='url(#m)'", wide),
+              std::vector<std::string>{"line 2: clipping and masks are not followed: <svg> is carved whole"});
 }
 
 TEST_F(Svg, ShapesWithLengthsThatAreNoneAreLeftOutWithTheirLine) {

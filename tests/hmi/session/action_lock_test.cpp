@@ -86,8 +86,8 @@ TEST(ActionLock, LocksAllMotionWithoutACoreThatIsHeard) {
 }
 
 TEST(ActionLock, SlicesMeshesAlone) {
-    const auto slicing = [](DeskState desk, bool has_mesh) {
-        const auto why = lock_of(Action::slice, MachineSight{}, JobSight{desk, has_mesh, 0});
+    const auto slicing = [](DeskState desk, bool can_be_sliced) {
+        const auto why = lock_of(Action::slice, MachineSight{}, JobSight{desk, can_be_sliced, 0});
         return why ? in_english(*why) : "";
     };
     EXPECT_EQ(slicing(DeskState::model, true), "");

@@ -225,6 +225,7 @@ TEST_F(FlatPhrase, KnowsWhyATableOfASpiralIsNotRoughed) {
 
 TEST_F(FlatPhrase, KnowsWhatIsWarnedOf) {
     const std::string square = "<rect width='5' height='5'/>";
+    expect_warnings("beyond.svg", "<svg width='1mm' height='9mm'>" + square + "</svg>", 1);
     expect_warnings("bare.svg", "<svg>" + square + "</svg>", 1);
     expect_warnings("text.svg", "<svg width='9mm' height='9mm'>" + square + "<text>a</text><image/></svg>",
                     2);

@@ -25,9 +25,15 @@ class Farewell : public ::testing::Test {
 protected:
     /// Its first message is there before its window: OpenGL took a program down that is no more.
     void start() {
+        leave_a_crash();
+        run();
+    }
+    void leave_a_crash() const {
         std::filesystem::create_directories(folder_.path("state/psicarve"));
         const int gone = psicarve::test::ChildProcess{{"true"}, {}, "/dev/null"}.pid();
-        std::ofstream{folder_.path("state/psicarve/opengl-is-tried")} << gone << '\n';
+        std::ofstream{trial_} << gone << '\n';
+    }
+    void run() {
         program_ = std::make_unique<psicarve::test::ChildProcess>(
             std::vector<std::string>{in_build("bin/psicarve-hmi"), "--segment",
                                      "/psicarve-farewell-" + std::to_string(::getpid())},
@@ -52,6 +58,7 @@ protected:
     const psicarve::test::TemporaryFolder folder_;
     const std::string settings_ = folder_.path("config/psicarve/psicarve-hmi.ini");
     const std::string log_ = folder_.path("state/psicarve/psicarve-hmi.log");
+    const std::string trial_ = folder_.path("state/psicarve/opengl-is-tried");
     const std::string errors_ = folder_.path("errors");
     std::unique_ptr<psicarve::test::ChildProcess> program_;
 };
@@ -65,6 +72,31 @@ TEST_F(Farewell, IsNotDelayedByAFileThatIsNeverRead) {
     program_->send_signal(SIGTERM);
     EXPECT_EQ(program_->wait(), 0);
     EXPECT_EQ(text_of(errors_).find("saved"), std::string::npos) << text_of(errors_);
+}
+
+TEST_F(Farewell, IsNotDelayedByATrialOfOpenGlThatIsNeverRead) {
+    std::filesystem::create_directories(folder_.path("state/psicarve"));
+    ASSERT_EQ(::mkfifo(trial_.c_str(), 0600), 0);
+    run();
+    // It keeps its place soon after it is shown.
+    ASSERT_TRUE(eventually([this] { return std::filesystem::exists(settings_); }))
+        << "it waits for the trial";
+    program_->send_signal(SIGTERM);
+    EXPECT_EQ(program_->wait(), 0);
+    EXPECT_TRUE(std::filesystem::is_fifo(trial_));
+    EXPECT_EQ(text_of(errors_).find("saved"), std::string::npos) << text_of(errors_);
+}
+
+TEST_F(Farewell, TellsOfACrashThatItReadsLate) {
+    std::filesystem::create_directories(folder_.path("state/psicarve"));
+    ASSERT_EQ(::mkfifo(trial_.c_str(), 0600), 0);
+    run();
+    ASSERT_TRUE(eventually([this] { return std::filesystem::exists(settings_); }));
+    EXPECT_EQ(text_of(log_).find("OpenGL"), std::string::npos);
+    std::ofstream{trial_} << psicarve::test::ChildProcess{{"true"}, {}, "/dev/null"}.pid() << '\n';
+    EXPECT_TRUE(eventually([this] { return text_of(log_).find("OpenGL") != std::string::npos; }));
+    program_->send_signal(SIGTERM);
+    EXPECT_EQ(program_->wait(), 0);
 }
 
 TEST_F(Farewell, WaitsForWhatIsBeingSavedAndSaysSo) {

@@ -29,18 +29,21 @@ std::optional<Time> time_of(const MachineSight& machine, const AlarmRecord& alar
     return machine.status_time - std::chrono::duration_cast<std::chrono::system_clock::duration>(since);
 }
 
+bool is_latched(const MachineSight& machine, std::uint64_t number) {
+    return number + 1 == machine.status->alarm_count &&
+           (machine.state() == MachineState::alarm || machine.state() == MachineState::backing_off);
+}
+
 /// The machine in that alarm, as far as it is kept: an alarm that is over says nothing of switches now.
 MachineSight in_alarm(const MachineSight& machine, std::uint64_t number) {
     MachineSight then = machine;
     CoreStatus& status = *then.status;
     const AlarmRecord& alarm = status.alarms[number % kAlarmHistory];
-    const bool is_latched =
-        number + 1 == status.alarm_count &&
-        (machine.state() == MachineState::alarm || machine.state() == MachineState::backing_off);
+    const bool is_standing = is_latched(machine, number);
     status.alarm_count = number + 1;
     // The status may be a moment older than the list of alarms in it.
-    if (is_latched && status.alarm_cause != AlarmCause::none) return then;
-    if (!is_latched) {
+    if (is_standing && status.alarm_cause != AlarmCause::none) return then;
+    if (!is_standing) {
         status.signals = 0;
         status.is_port_silent = 0;
     }
@@ -58,7 +61,9 @@ Message alarm_message(const MachineSight& machine, std::uint64_t number, bool is
                     text.steps.empty() ? Phrase{} : std::move(text.steps.front())};
     if (then.status->alarm_axis < kAxisCount)
         message.axes = axis_letter(static_cast<Axis>(then.status->alarm_axis));
-    message.is_from_before = is_of_new_core && (!time || *time < machine.watched_since);
+    message.is_standing = is_latched(machine, number);
+    const bool is_earlier = time ? *time < machine.watched_since : machine.is_core_of_first_look;
+    message.is_from_before = is_of_new_core && is_earlier;
     if (!message.is_from_before) return message;
     message.time = time.value_or(Time{});
     Phrase marked = phrase("Before this window was there: %1");

@@ -109,7 +109,7 @@ void LogKeeper::poll(MessageLog& log) {
     {
         const std::lock_guard<std::mutex> lock(mutex_);
         for (auto i = all.size() - fresh; i < all.size(); ++i) {
-            if (!all[i].is_from_before) pending_ += log_line(all[i]);
+            if (!all[i].is_from_before || all[i].is_standing) pending_ += log_line(all[i]);
         }
     }
     lane_->post(saves_.noted(file_.path(), [this, &log]() -> WorkLane::Finish {

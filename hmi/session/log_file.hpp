@@ -41,7 +41,7 @@ private:
 };
 
 /// Carries every new message into the log file, on a thread of its own: a slow disk delays nobody. What is
-/// from before the window was there is left out: each window would write it again.
+/// from before the window was there and over is left out: each window would write it again.
 class LogKeeper {
 public:
     /// An empty folder keeps nothing.

@@ -82,7 +82,10 @@ void MachineSession::keep_attached() {
         return [this, found] {
             const bool is_missing = !*found && found->error().code == ErrorCode::no_core;
             sight_.segment_problem = *found || is_missing ? std::string{} : found->error().message;
-            if (!*found) return;
+            if (!*found) {
+                has_looked_ = true;
+                return;
+            }
             link_.emplace(std::move(*found).value());
             increments_.emplace(link_->segment().header().increments);
         };
@@ -98,10 +101,12 @@ void MachineSession::look() {
     const auto pid = link_->core_pid();
     if (pid && *pid != sight_.core_pid) {
         sight_.core_pid = *pid;
+        sight_.is_core_of_first_look = !has_looked_;
         sight_.port_name.clear();
         heartbeat_ = 0;
         heartbeat_changed_ = now;  // a core that has just begun has its time to speak
     }
+    has_looked_ = true;
     if (pid && sight_.port_name.empty()) sight_.port_name = link_->port_name();
     const auto status = link_->last_status();
     if (status && status->heartbeat != heartbeat_) {
@@ -119,6 +124,8 @@ void MachineSession::take_status(const CoreStatus& status, bool has_core) {
     // A guard's last words come when their core is gone, and move nothing: it was heard when it was heard.
     const bool is_of_heard_core = sight_.status && sight_.status->tick <= status.tick;
     sight_.missed_ticks_at_alarm = missed_ticks_at_alarm(sight_, status);
+    // Another core may have the number of the one before.
+    if (sight_.status && !is_of_heard_core) sight_.is_core_of_first_look = false;
     sight_.status = status;
     if (has_core) {
         sight_.status_time = std::chrono::system_clock::now();

@@ -117,6 +117,7 @@ private:
     Clock::time_point heartbeat_changed_{};
     Clock::time_point attach_tried_{};
     StartIntent intent_;
+    bool has_looked_ = false;  ///< for a core, and knows whether one was there
     bool watches_only_ = false;
     std::optional<std::uint32_t> wanted_override_percent_;
     JogHand jog_;

@@ -50,6 +50,8 @@ struct MachineSight {
     std::string port_name{};
     /// By the computer's clock, when somebody began to look.
     std::chrono::system_clock::time_point watched_since{};
+    /// It was there already when somebody looked for the first time.
+    bool is_core_of_first_look = false;
     /// Behind the last layer that was finished of the published job, counted from 0; nothing: none, or all
     /// were.
     std::optional<std::uint32_t> resumable_layer;

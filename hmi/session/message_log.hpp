@@ -21,8 +21,9 @@ struct Message {
     Phrase what;
     Phrase remedy;
     std::string axes{};  ///< that it is of: "R2", "R1 R2"; else empty
-    /// From before somebody watched, and so no news: nobody is called to it, no log has it again.
+    /// From before somebody watched, and so no news: nobody is called to it.
     bool is_from_before = false;
+    bool is_standing = false;  ///< an alarm that was latched when it was told
 };
 
 /// What became of the machine between two looks at it, in the order of telling. Of a core that is heard for

@@ -15,6 +15,8 @@ struct DifferenceRow {
     Phrase what;
     Phrase a;
     Phrase b;
+
+    friend bool operator==(const DifferenceRow&, const DifferenceRow&) = default;
 };
 struct Comparison {
     std::string path_a;

@@ -1542,7 +1542,7 @@ F12  этот список</translation>
         </message>
         <message>
             <source>Hold = move, click = one step.</source>
-            <translation>Удерживать = двигаться, щелчок = один шаг.</translation>
+            <translation>Держать = ход, щелчок = один шаг.</translation>
         </message>
         <message>
             <source>Hold asked for by Esc: Resume or the Pause key goes on</source>

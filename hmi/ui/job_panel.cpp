@@ -286,10 +286,7 @@ void JobPanel::refresh_buttons() {
     from_layer_->set_hint(
         resumable ? tr("Leaves out the layers before it; %1 was the last that was finished").arg(*resumable)
                   : tr("Leaves out the layers before it"));
-    const QString& to_look_at = checks_->to_look_at();
-    reason_->setText(start_->isEnabled() && !to_look_at.isEmpty()
-                         ? tr("To be looked at before Start: %1").arg(to_look_at)
-                         : why_locked({start_, hold_, resume_, stop_}));
+    reason_->setText(said_beside({start_, hold_, resume_, stop_}, checks_->to_look_at()));
     refresh_layer();
 }
 

@@ -36,6 +36,12 @@ QString why_locked(const MotionButtons& buttons) {
     return Words::tr("Hold, Resume, Stop: nothing is moving.");
 }
 
+QString said_beside(const MotionButtons& buttons, const QString& to_look_at) {
+    return buttons.start->isEnabled() && !to_look_at.isEmpty()
+               ? Words::tr("To be looked at before Start: %1").arg(to_look_at)
+               : why_locked(buttons);
+}
+
 void show_what_starts(ActionButton& start, const Bench& bench) {
     const session::MachineSight& sight = bench.machine.sight();
     const bool waits = sight.is_heard() && sight.state() == MachineState::waiting;

@@ -19,6 +19,8 @@ struct MotionButtons {
 MotionButtons make_motion_buttons(Bench& bench);
 /// The one thing to be said beside them: why Start is locked, else why the others are. Empty: nothing is.
 QString why_locked(const MotionButtons& buttons);
+/// The same, and where Start works what should be looked at before; empty: nothing.
+QString said_beside(const MotionButtons& buttons, const QString& to_look_at);
 /// Start says what it would start: the job, or a dry run of it.
 void show_what_starts(ActionButton& start, const Bench& bench);
 

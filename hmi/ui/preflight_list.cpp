@@ -19,6 +19,15 @@ constexpr int kCheckIconSide = 14;
 
 }  // namespace
 
+QString to_look_at_in(const std::vector<Check>& checks) {
+    QStringList named;
+    for (const Check& check : checks) {
+        if (check.verdict == Check::Verdict::warning)
+            named << QStringLiteral("%1: %2").arg(words(check.name), words(check.detail));
+    }
+    return named.join(", ");
+}
+
 PreflightList::PreflightList(QWidget* parent)
     : QWidget(parent), title_(role_label("head")), sum_(role_label("head")), grid_(new QGridLayout) {
     auto* head = new QHBoxLayout;
@@ -54,12 +63,7 @@ void PreflightList::show_checks(const std::vector<Check>& checks) {
     title_->setText(tr("Pre-flight"));
     show_rows(checks);
     show_sum(checks);
-    QStringList named;
-    for (const Check& check : checks) {
-        if (check.verdict == Check::Verdict::warning)
-            named << QStringLiteral("%1: %2").arg(words(check.name), words(check.detail));
-    }
-    to_look_at_ = named.join(", ");
+    to_look_at_ = to_look_at_in(checks);
 }
 
 void PreflightList::show_contents(const std::vector<Check>& contents) {

@@ -14,6 +14,9 @@ class QLabel;
 
 namespace psicarve::ui {
 
+/// The checks that passed with something to be looked at: "Feed override: 80 %, …"; empty: none.
+QString to_look_at_in(const std::vector<session::Check>& checks);
+
 /// What must be so before a job starts, line by line, and above it how much of that is so. Of a recording:
 /// what is in it.
 class PreflightList : public QWidget {
@@ -27,7 +30,7 @@ public:
     /// Requires a theme, and no more than kMostChecks.
     void show_checks(const std::vector<session::Check>& checks);
     void show_contents(const std::vector<session::Check>& contents);
-    /// The checks that passed with something to be looked at: "Feed override: 80 %, …"; empty: none.
+    /// to_look_at_in() what is shown.
     const QString& to_look_at() const noexcept { return to_look_at_; }
 
 private:

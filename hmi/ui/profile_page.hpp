@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hmi/session/profile_desk.hpp"
+#include "hmi/session/snapshot_compare.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
@@ -74,6 +75,8 @@ private:
     void ask_open();
     void ask_save_as();
     void ask_save();
+    /// Asks whether these become so in the file.
+    bool may_save(const std::vector<session::DifferenceRow>& changes);
     void show_rows();
     bool belongs(std::size_t key) const;
     bool is_filtered() const;

@@ -125,20 +125,29 @@ void ProfilePage::report(const Result<void>& saved) {
     show_changed();
 }
 
-/// What becomes another is looked at before.
+/// What becomes another is looked at before, and nothing else is saved: who has typed on, or opened another
+/// file, while that was asked is asked anew.
 void ProfilePage::ask_save() {
-    if (is_kept(lock())) return;
+    while (draft().changed_count() > 0 && !is_kept(lock())) {
+        const std::string path = draft().path();
+        const auto changes = session::profile_changes(draft());
+        if (!may_save(changes)) return;
+        if (path == draft().path() && changes == session::profile_changes(draft())) return save();
+    }
+}
+
+bool ProfilePage::may_save(const std::vector<session::DifferenceRow>& changes) {
     const QString name = QFileInfo{QString::fromStdString(draft().path())}.fileName();
-    const auto count = draft().changed_count();
+    const std::size_t count = changes.size();
     DifferencesDialog question{{.title = tr("Save the profile"),
                                 .text = count == 1 ? tr("%1: one value becomes another").arg(name)
                                                    : tr("%1: %2 values become others").arg(name).arg(count),
                                 .before = tr("In the file"),
                                 .after = tr("New"),
                                 .accept = tr("Save")},
-                               session::profile_changes(draft()),
+                               changes,
                                window()};
-    if (run_dialog(question) == QDialog::Accepted) save();
+    return run_dialog(question) == QDialog::Accepted;
 }
 
 void ProfilePage::save() {

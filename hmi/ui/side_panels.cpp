@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "hmi/session/preflight.hpp"
 #include "hmi/ui/floating_panel.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/preflight_list.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -79,7 +81,12 @@ void MotionBlock::set_theme(const Tokens& tokens) {
 void MotionBlock::refresh() {
     show_what_starts(*buttons_.start, bench_);
     for (ActionButton* button : buttons_.all()) button->refresh(bench_);
-    const QString reason = why_locked(buttons_);
+    // Start is locked in a recording.
+    const QString to_look_at =
+        buttons_.start->isEnabled() && isVisible()
+            ? to_look_at_in(session::preflight_checks(bench_.machine.sight(), bench_.desk.sight()))
+            : QString{};
+    const QString reason = said_beside(buttons_, to_look_at);
     if (reason_->toolTip() != reason) reason_->setToolTip(reason);
     const QString shown = reason_->fontMetrics().elidedText(reason, Qt::ElideRight, reason_->width());
     if (reason_->text() != shown) reason_->setText(shown);

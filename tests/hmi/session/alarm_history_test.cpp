@@ -101,14 +101,41 @@ TEST(AlarmHistory, TellsAsNewsWhatCameWhileSomebodyWatched) {
 TEST(AlarmHistory, OfAVirtualClockHasNoTime) {
     MachineSight machine = with_alarms({alarm_of(Axis::r2, 5)});
     machine.status->is_virtual_clock = 1;
+    machine.is_core_of_first_look = true;
     const auto told = fresh_alarms(MachineSight{}, machine);
     ASSERT_EQ(told.size(), 1U);
     EXPECT_TRUE(told[0].is_from_before);
     EXPECT_EQ(told[0].time, Clock::time_point{});
     EXPECT_TRUE(log_line(told[0]).starts_with("(time not known)")) << log_line(told[0]);
     machine = with_alarms({{~std::uint64_t{0}, AlarmCause::limit, 250, {}, 0, 0}});
+    machine.is_core_of_first_look = true;
     EXPECT_EQ(fresh_alarms(MachineSight{}, machine).at(0).time, Clock::time_point{})
         << "nonsense of a segment";
+}
+
+TEST(AlarmHistory, WithoutATimeIsNewsOfACoreThatCameLater) {
+    MachineSight machine = with_alarms({alarm_of(Axis::r2, 5)}, S::alarm);
+    machine.status->is_virtual_clock = 1;
+    machine.is_core_of_first_look = false;
+    const auto earliest = Clock::now();
+    const auto told = fresh_alarms(MachineSight{}, machine);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_FALSE(told[0].is_from_before);
+    EXPECT_EQ(in_english(told[0].what), "Limit switch R2 closed (outer end, pin 11)");
+    EXPECT_GE(told[0].time, earliest) << "when it was seen";
+}
+
+TEST(AlarmHistory, KnowsWhichAlarmStillStands) {
+    const std::vector<AlarmRecord> alarms{alarm_of(Axis::r1, 5), alarm_of(Axis::r2, 6)};
+    const auto standing = [&](S state) {
+        std::vector<bool> all;
+        for (const Message& alarm : fresh_alarms(MachineSight{}, with_alarms(alarms, state)))
+            all.push_back(alarm.is_standing);
+        return all;
+    };
+    EXPECT_EQ(standing(S::alarm), (std::vector<bool>{false, true}));
+    EXPECT_EQ(standing(S::backing_off), (std::vector<bool>{false, true}));
+    EXPECT_EQ(standing(S::ready), (std::vector<bool>{false, false}));
 }
 
 TEST(AlarmHistory, IsToldOnceWhenAnAxisHasBackedOff) {

@@ -71,6 +71,23 @@ TEST(LogKeeper, WritesEveryMessageOnce) {
     EXPECT_LT(text.find("message 0\n"), text.find("message 49\n"));
 }
 
+TEST(LogKeeper, LeavesOutWhatIsFromBeforeUnlessItStillStands) {
+    const psicarve::test::TemporaryFolder folder;
+    MessageLog log;
+    {
+        LogKeeper sut{folder.path("state")};
+        Message message = message_at(std::chrono::milliseconds{1'000'000'000'123}, Severity::alarm);
+        message.is_from_before = true;
+        log.add(message);
+        message.what = phrase("this one");
+        message.is_standing = true;
+        log.add(message);
+        sut.poll(log);
+    }
+    EXPECT_EQ(content_of(folder.path("state/psicarve-hmi.log")),
+              "2001-09-09T01:46:40.123Z alarm   this one: Clear it\n");
+}
+
 TEST(LogKeeper, SaysOnceThatItCannotWrite) {
     const psicarve::test::TemporaryFolder folder;
     std::ofstream{folder.path("in_the_way")} << "a file, no folder";

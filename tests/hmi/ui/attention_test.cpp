@@ -63,6 +63,47 @@ TEST_F(Attention, IsAskedBeforeAStartThatIsPossible) {
     EXPECT_FALSE(text("reason").contains("before Start"));
 }
 
+// Where the job's panel is a page that is not seen.
+TEST_F(Attention, IsAskedBesideTheButtonsOfASmallWindow) {
+    ASSERT_NO_FATAL_FAILURE(home_with_a_job());
+    window_->resize(960, 515);
+    ASSERT_TRUE(comes_true([&] { return button("motion_start").isEnabled(); }));
+    auto& line = part<QLabel>("motion_reason");
+    ASSERT_TRUE(line.isVisible());
+    EXPECT_EQ(line.toolTip(), "Hold, Resume, Stop: nothing is moving.");
+    part<QSlider>("override").setValue(80);
+    EXPECT_TRUE(comes_true([&] { return line.toolTip().contains("Feed override: 80 %"); }))
+        << line.toolTip().toStdString();
+    EXPECT_EQ(line.toolTip(), text("reason"));
+    EXPECT_TRUE(line.text().startsWith("To be looked at before Start: Feed")) << line.text().toStdString();
+    take_picture("look_before_start_small_light");
+    ASSERT_TRUE(click("motion_start"));
+    ASSERT_TRUE(comes_to(S::carving));
+    EXPECT_FALSE(line.toolTip().contains("before Start"));
+}
+
+TEST_F(Attention, IsCalledByASoundAtAnAlarmWithoutATime) {
+    open_window();
+    int rung = 0;
+    window_->bench().bell.set_ring([&rung] { ++rung; });
+    // That no core is there was seen.
+    ASSERT_TRUE(comes_true([looks = 0]() mutable { return ++looks > 30; }));
+    // Nobody looks while it begins and stops.
+    start_core();
+    request_emergency_stop(*segment_);
+    ASSERT_TRUE(reaches(S::alarm));
+    ASSERT_TRUE(comes_to(S::alarm));
+    ASSERT_NE(sight().status->is_virtual_clock, 0);
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("Emergency stop"); }));
+    EXPECT_FALSE(all_messages().contains("Before this window was there")) << all_messages().toStdString();
+    EXPECT_TRUE(comes_true([&] { return rung == 1; }));
+    // The next window finds that core there.
+    open_window();
+    window_->bench().bell.set_ring([&rung] { ++rung; });
+    ASSERT_TRUE(comes_true([&] { return all_messages().contains("Before this window was there"); }));
+    EXPECT_EQ(rung, 1);
+}
+
 TEST_F(Attention, IsCalledByASoundAtANewAlarmAlone) {
     start_core();
     open_window();

@@ -7,8 +7,10 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QStackedWidget>
+#include <QSysInfo>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QVariantMap>
 
 #include <iostream>
 #include <tuple>
@@ -16,6 +18,7 @@
 
 #include "hmi/ui/keys_dialog.hpp"
 #include "hmi/ui/language.hpp"
+#include "hmi/ui/work_keeper.hpp"
 #include "tests/hmi/ui/fit_audit.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
@@ -133,6 +136,12 @@ TEST_P(Fit, WithAJobBeforeAndWhileItIsCarved) {
     expect_panels_fit("published");
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
+    expect_fit("ready");
+    expect_panels_fit("ready");
+    window_->bench().machine.set_override(80);
+    ASSERT_TRUE(comes_true([&] { return sight().status->override_percent == 80; }));
+    expect_fit("ready_to_be_looked_at");
+    expect_panels_fit("ready_to_be_looked_at");
     ASSERT_TRUE(click("start"));
     ASSERT_TRUE(comes_to(S::carving));
     expect_pages_fit("carving");
@@ -153,6 +162,20 @@ TEST_P(Fit, WithASlicedModel) {
     ASSERT_TRUE(comes_to(session::DeskState::job));
     expect_pages_fit("sliced");
     expect_panels_fit("sliced");
+}
+
+TEST_P(Fit, WithUnfinishedWork) {
+    const QVariantMap left{{"host", QSysInfo::machineHostName()},
+                           {"pid", 0},
+                           {"start", "another start"},
+                           {"path", QString::fromStdString(file("figurine.stl"))},
+                           {"sliced", true},
+                           {"fields", QVariantMap{{"layers", 1200}, {"points", 2400}}}};
+    test::KeptStore{}.store.set(WorkKeeper::kKey, QVariantMap{{"gone", left}});
+    open_small();
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("unfinished_work").isVisible(); }));
+    expect_fit("unfinished");
+    ASSERT_TRUE(click("work_forget"));
 }
 
 TEST_P(Fit, WithADrawingAndAPicture) {

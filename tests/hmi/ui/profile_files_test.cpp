@@ -214,6 +214,35 @@ TEST_F(ProfileFiles, AreSavedOnceTheirChangesWereLookedAt) {
     EXPECT_EQ(load_profile(path_)->r1.speed_mm_s, 9.0);
 }
 
+// The page stays open to whoever types on meanwhile.
+TEST_F(ProfileFiles, AreNotSavedWithWhatWasNotLookedAt) {
+    ASSERT_NO_FATAL_FAILURE(open_file());
+    edit(kSpeed, "9");
+    QStringList said;
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, window_.get(), [&] {
+        for (auto* const table : window_->findChildren<QTableWidget*>("differences_table")) {
+            if (!table->isVisible()) continue;
+            QWidget& question = *table->window();
+            said += question.findChild<QLabel*>("differences_said")->text();
+            if (said.size() == 1) edit("axis.r1.backlash_mm", "0.02");
+            if (said.size() == 2) {
+                EXPECT_EQ(table->item(1, 0)->text(), "axis.r1.backlash_mm");
+                EXPECT_EQ(load_profile(path_)->r1.backlash_mm, 0.0);
+            }
+            return question.findChild<QAbstractButton*>("differences_accept")->click();
+        }
+    });
+    look.start(0);
+    button("profile_save").click();
+    look.stop();
+    EXPECT_EQ(said, (QStringList{"machine.toml: one value becomes another",
+                                 "machine.toml: 2 values become others"}));
+    ASSERT_TRUE(comes_true([&] { return profile().draft().changed_count() == 0; }))
+        << all_messages().toStdString();
+    EXPECT_EQ(load_profile(path_)->r1.backlash_mm, 0.02);
+}
+
 TEST_F(ProfileFiles, ShowOnlyWhatIsNotSavedWhereThatIsAskedFor) {
     const auto shown = [this](const char* key) {
         return window_->findChild<QWidget*>(QString{"row_"} + key) != nullptr;

@@ -164,7 +164,8 @@ bool PassPlanner::is_in_reach(std::size_t ring, std::size_t layer) const noexcep
 
 RoughLayer PassPlanner::make_layer(RoughPass& pass, std::size_t ring, std::size_t layer) {
     const std::size_t points = rings_.point_count();
-    RoughLayer made{ring, {}};
+    RoughLayer made;
+    made.ring = ring;
     const std::size_t first_carved = carved_point(settings_.joining, static_cast<std::uint32_t>(points),
                                                   static_cast<std::uint32_t>(layer), 0);
     ByPoint<char> cuts;
@@ -180,7 +181,8 @@ RoughLayer PassPlanner::make_layer(RoughPass& pass, std::size_t ring, std::size_
         cuts[h] = std::move(row.cuts);
     }
     // Nothing is cut in between, so the stock stays what it is.
-    raiser_.raise(made.radii, cuts);
+    made.raised = made.radii;
+    made.saved_s = raiser_.raise(made.raised, cuts);
     return made;
 }
 
@@ -269,6 +271,7 @@ void PassPlanner::clear_end(RoughLayer& before, std::size_t ring, std::size_t la
                 {}};
         clear_link(row, before.ring, last);
         before.radii[h] = std::move(row.radii);
+        before.raised[h][last] = std::max(before.raised[h][last], before.radii[h][last]);
     }
 }
 

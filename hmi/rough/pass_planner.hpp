@@ -27,6 +27,9 @@ struct PassSettings {
 struct RoughLayer {
     std::size_t ring = 0;
     std::array<std::vector<std::int32_t>, kHeads> radii;  ///< by head and point, counted
+    /// The same with heads raised out of the blank where that is sooner, and by how much [s].
+    std::array<std::vector<std::int32_t>, kHeads> raised;
+    double saved_s = 0.0;
 };
 
 struct RoughPass {

@@ -59,8 +59,9 @@ Raiser::Raiser(const Rings& rings, const Profile& profile, double feed_mm_s, dou
     }
 }
 
-void Raiser::raise(ByPoint<std::int32_t>& radii, const ByPoint<char>& cuts) const {
-    double least_s = seconds(radii);
+double Raiser::raise(ByPoint<std::int32_t>& radii, const ByPoint<char>& cuts) const {
+    const double before_s = seconds(radii);
+    double least_s = before_s;
     for (const Run& run : runs(cuts)) {
         ByPoint<std::int32_t> raised = radii;
         bool is_lifted = true;
@@ -72,6 +73,7 @@ void Raiser::raise(ByPoint<std::int32_t>& radii, const ByPoint<char>& cuts) cons
         least_s = raised_s;
         radii = std::move(raised);
     }
+    return before_s - least_s;
 }
 
 // Where both are clear first, then of each head alone.

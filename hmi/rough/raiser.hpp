@@ -33,8 +33,9 @@ public:
     /// `known_blank_mm`: no material is further out; 0: not known, and nothing is raised.
     Raiser(const Rings& rings, const Profile& profile, double feed_mm_s, double known_blank_mm);
 
-    /// `cuts`: where a head's tool is to touch, or the way from or to such a point.
-    void raise(ByPoint<std::int32_t>& radii, const ByPoint<char>& cuts) const;
+    /// `cuts`: where a head's tool is to touch, or the way from or to such a point. How much sooner the layer
+    /// is done [s]; 0: nothing was raised.
+    double raise(ByPoint<std::int32_t>& radii, const ByPoint<char>& cuts) const;
     /// What the table needs to turn through a layer from rest to rest [s], as above.
     double seconds(const ByPoint<std::int32_t>& radii) const;
 

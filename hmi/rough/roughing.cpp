@@ -47,8 +47,14 @@ double furthest_material_mm(const JobTable& table, const Rings& rings, double bl
 /// The passes in front of a table's own layers.
 class Assembly {
 public:
-    Assembly(JobTable& table, const Rings& rings, double clear_mm, double allowance_mm)
-        : table_(table), rings_(rings), clear_mm_(clear_mm), allowance_mm_(allowance_mm) {}
+    Assembly(JobTable& table, const Rings& rings, const Profile& profile, double clear_mm,
+             double allowance_mm)
+        : table_(table),
+          rings_(rings),
+          clear_mm_(clear_mm),
+          allowance_mm_(allowance_mm),
+          out_s_per_mm_(std::max(1.0 / profile.r1.speed_mm_s, 1.0 / profile.r2.speed_mm_s)),
+          in_s_per_mm_(std::max(out_s_per_mm_, 1.0 / profile.job.plunge_mm_s)) {}
 
     std::size_t layer_count() const noexcept { return heights_.size(); }
     void add(const RoughPass& pass, std::uint32_t number) {
@@ -71,6 +77,7 @@ public:
     /// The table's own layers become the finishing pass.
     void finish() {
         if (passes_.empty()) return;
+        if (saved_s_ > longer_ways_s()) radii_ = std::move(raised_);
         if (table_.joining != Joining::zigzag && layer_count() % 2 != 0) swap_heads();
         const auto own = static_cast<std::uint32_t>(table_.layer_count);
         passes_.push_back({static_cast<std::uint32_t>(PassKind::finishing), passes_.back().number + 1,
@@ -95,8 +102,25 @@ private:
     }
     void add_layer(const RoughLayer& layer) {
         heights_.push_back(rings_.height_pulses(layer.ring));
-        for (std::size_t h = 0; h < kHeads; ++h)
+        saved_s_ += layer.saved_s;
+        for (std::size_t h = 0; h < kHeads; ++h) {
             radii_[h].insert(radii_[h].end(), layer.radii[h].begin(), layer.radii[h].end());
+            raised_[h].insert(raised_[h].end(), layer.raised[h].begin(), layer.raised[h].end());
+        }
+    }
+    /// Ways into the blank and out of it begin and end beyond all radii: what raised ones make of them.
+    double longer_ways_s() const {
+        const auto most = [](const std::vector<std::int32_t>& radii) {
+            return *std::max_element(radii.begin(), radii.end());
+        };
+        double further_mm = 0.0;
+        for (std::size_t h = 0; h < kHeads; ++h) {
+            const std::vector<std::int32_t>& own = h == 0 ? table_.r_left_pulses : table_.r_right_pulses;
+            const std::int32_t before = std::max(most(radii_[h]), most(own));
+            further_mm = std::max(further_mm, (most(raised_[h]) - before) / rings_.head(h).pulses_per_mm);
+        }
+        const auto ways = static_cast<double>(passes_.size() + 1);
+        return ways * further_mm * (out_s_per_mm_ + in_s_per_mm_);
     }
     /// An odd number of half turns before them: what R1 faced, R2 faces now.
     void swap_heads() {
@@ -112,9 +136,13 @@ private:
     const Rings& rings_;
     double clear_mm_;
     double allowance_mm_;
+    double out_s_per_mm_;
+    double in_s_per_mm_;
+    double saved_s_ = 0.0;
     std::vector<JobPass> passes_;
     std::vector<std::int64_t> heights_;
     std::array<std::vector<std::int32_t>, kHeads> radii_;
+    std::array<std::vector<std::int32_t>, kHeads> raised_;
 };
 
 }  // namespace
@@ -188,7 +216,7 @@ Result<RoughingSummary> add_roughing(JobTable& table, const JobTable& level, con
                                 options.stepdown_mm, used_stepover_mm(options, profile.tool),
                                 table.feed_mm_s,     furthest_material_mm(table, rings, blank_mm)};
     PassPlanner planner(rings, stock, profile, settings);
-    Assembly assembly(table, rings, blank_mm, options.allowance_mm);
+    Assembly assembly(table, rings, profile, blank_mm, options.allowance_mm);
     RoughingSummary summary;
     summary.stepover_mm = settings.stepover_mm;
     RoughPass last;

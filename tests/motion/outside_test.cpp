@@ -253,8 +253,8 @@ TEST_P(OutsideByPlanner, ABlankOffTheAxisIsRoughedInLessTime) {
     ASSERT_EQ(raised.report.passes.size(), plain.report.passes.size());
     ASSERT_GE(raised.report.passes.size(), 3U);
     EXPECT_LT(raised.report.passes[0].seconds, 0.85 * plain.report.passes[0].seconds);
-    for (std::size_t i = 0; i < raised.report.passes.size(); ++i)
-        EXPECT_LE(raised.report.passes[i].seconds, 1.001 * plain.report.passes[i].seconds) << i;
+    // The ways from pass to pass go by the largest radius.
+    EXPECT_LT(raised.carve_s, 0.98 * plain.carve_s);
     RecordProperty("raised_s", std::to_string(raised.report.passes[0].seconds));
     RecordProperty("plain_s", std::to_string(plain.report.passes[0].seconds));
 }

@@ -136,7 +136,7 @@ int outside_lines(const JobTable& table, const Profile& machine) {
 
 TEST_F(ExportedTable, ReadBackGoesOutsideOfItsOwnBlankButNotOfALargerOne) {
     Profile profile;
-    profile.blank = {.radius_mm = 14.0, .offset_x_mm = 5.0};
+    profile.blank = {.radius_mm = 14.0, .offset_x_mm = 8.0};
     profile.roughing = {3.0, 0.3, 0.0};
     profile.job.feed_mm_s = 2.0;
     const JobTable table = built(oblong(), profile, small(5, 61)).table;

@@ -147,7 +147,11 @@ RoughLayer PassPlanner::idle_layer(const RoughPass& pass, std::size_t layer) {
         if (is_in_reach(other, layer)) ring = other;
     }
     RoughPass alone;
-    return make_layer(alone, ring, layer);
+    RoughLayer idle = make_layer(alone, ring, layer);
+    // It is a run of its own: one that is outside altogether would belie the blank (shared/outside.hpp).
+    idle.raised = idle.radii;
+    idle.saved_s = 0.0;
+    return idle;
 }
 
 bool PassPlanner::is_in_reach(std::size_t ring, std::size_t layer) const noexcept {

@@ -78,6 +78,7 @@ public:
     void finish() {
         if (passes_.empty()) return;
         if (saved_s_ > longer_ways_s()) radii_ = std::move(raised_);
+        raised_ = {};
         if (table_.joining != Joining::zigzag && layer_count() % 2 != 0) swap_heads();
         const auto own = static_cast<std::uint32_t>(table_.layer_count);
         passes_.push_back({static_cast<std::uint32_t>(PassKind::finishing), passes_.back().number + 1,

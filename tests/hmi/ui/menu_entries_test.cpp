@@ -124,7 +124,8 @@ TEST_F(MenuEntries, OfViewChooseThemeLanguageAndPanels) {
         {"float_position", "home"}, {"float_jog", "jog_y_up"}, {"float_job", "start"}};
     for (const auto& [name, inside] : panels) {
         EXPECT_TRUE(choose_entry(name));
-        EXPECT_TRUE(comes_true([&] { return button(inside).window() != window_.get(); })) << name;
+        EXPECT_TRUE(comes_true([&, inside = inside] { return button(inside).window() != window_.get(); }))
+            << name;
     }
     EXPECT_TRUE(choose_entry("float_jog")) << "and back";
     EXPECT_EQ(button("jog_y_up").window(), window_.get());

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Of an inline function or a template that several objects have, the linker keeps the first. Tests and command lines, which
+# are compiled with less optimisation (PSICARVE_UNHURRIED_FLAGS), stand before the libraries, and without what follows these
+# would run with the slow copies of all that they share with the tests.
+
+# psicarve_link_quick_first(FOLDER): every program of FOLDER and below has all of those of its libraries that are optimised
+# before everything else. Call it when all stand.
+function(psicarve_link_quick_first folder)
+    if(PSICARVE_UNHURRIED_FLAGS STREQUAL "")
+        return()
+    endif()
+    get_directory_property(targets DIRECTORY "${folder}" BUILDSYSTEM_TARGETS)
+    foreach(target IN LISTS targets)
+        get_target_property(type ${target} TYPE)
+        if(type STREQUAL "EXECUTABLE")
+            psicarve_link_libraries_first(${target})
+        endif()
+    endforeach()
+    get_directory_property(folders DIRECTORY "${folder}" SUBDIRECTORIES)
+    foreach(below IN LISTS folders)
+        psicarve_link_quick_first("${below}")
+    endforeach()
+endfunction()
+
+function(psicarve_link_libraries_first program)
+    set(found "")
+    get_target_property(open ${program} LINK_LIBRARIES)
+    while(open)
+        list(POP_FRONT open name)
+        string(REGEX REPLACE "^\\$<LINK_ONLY:(.*)>$" "\\1" name "${name}")
+        if(NOT TARGET "${name}" OR name IN_LIST found)
+            continue()
+        endif()
+        list(APPEND found "${name}")
+        get_target_property(further "${name}" INTERFACE_LINK_LIBRARIES)
+        if(further)
+            list(APPEND open ${further})
+        endif()
+    endwhile()
+    set(first "")
+    foreach(library shared_contract rtcore_lib hmi_core)
+        if(library IN_LIST found)
+            list(APPEND first "$<TARGET_FILE:${library}>")
+        endif()
+    endforeach()
+    if(first AND psicarve_unhurried_options IN_LIST found)
+        # Options, not libraries: these stand before the objects.
+        target_link_options(${program} PRIVATE "LINKER:--whole-archive" ${first} "LINKER:--no-whole-archive")
+    endif()
+endfunction()

@@ -62,8 +62,9 @@ std::string suggestion_for(const std::string& path) {
 }
 
 bool is_table_path(const std::string& path) {
-    return std::any_of(key_table().begin(), key_table().end(),
-                       [&](const KeySpec& key) { return key.path.starts_with(path + "."); });
+    return std::any_of(key_table().begin(), key_table().end(), [&path](const KeySpec& key) {
+        return key.path.size() > path.size() && key.path[path.size()] == '.' && key.path.starts_with(path);
+    });
 }
 
 const char* type_name(const toml::node& node) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 namespace psicarve::profile_detail {
@@ -290,10 +291,13 @@ const std::vector<KeySpec>& key_table() {
 }
 
 const KeySpec* find_key(std::string_view path) {
-    for (const KeySpec& key : key_table()) {
-        if (key.path == path) return &key;
-    }
-    return nullptr;
+    static const std::unordered_map<std::string_view, const KeySpec*> by_path = [] {
+        std::unordered_map<std::string_view, const KeySpec*> found;
+        for (const KeySpec& key : key_table()) found.emplace(key.path, &key);
+        return found;
+    }();
+    const auto found = by_path.find(path);
+    return found == by_path.end() ? nullptr : found->second;
 }
 
 Field field_of(const KeySpec& key, const Profile& profile) {

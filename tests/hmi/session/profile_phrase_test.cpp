@@ -15,6 +15,7 @@
 #include "shared/profile_text.hpp"
 #include "tests/hmi/profile/key_named.hpp"
 #include "tests/shared/temporary_folder.hpp"
+#include "tests/thoroughness.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -127,8 +128,10 @@ protected:
                                  machine.find(b.path + " ") != std::string::npos;
             if (is_said) continue;
             for (const std::string& first : possible_values(a)) {
-                for (const std::string& second : possible_values(b))
+                for (const std::string& second : possible_values(b)) {
+                    if (!machine.empty() && pairs_++ % kPairStride != 0) continue;
                     look_at(machine + line_of(a.path, first) + line_of(b.path, second));
+                }
             }
         }
     }
@@ -152,6 +155,10 @@ protected:
         }
     }
 
+    /// Of the pairs on machines other than the usual one; with it all problems are met, too.
+    static inline const std::size_t kPairStride = psicarve::test::is_thorough() ? 1 : 5;
+
+    std::size_t pairs_ = 0;
     std::set<std::string> seen_;
     std::set<std::string> met_;
 };

@@ -18,6 +18,7 @@
 #include "shared/snapshot_file.hpp"
 #include "shared/units.hpp"
 #include "tests/shared/temporary_folder.hpp"
+#include "tests/thoroughness.hpp"
 #include "tests/two_process/core_process.hpp"
 
 namespace psicarve::two_process {
@@ -30,9 +31,11 @@ inline constexpr milliseconds kLimit{120'000};
 /// A job that is no body of revolution, for the machine of `profile`.
 JobTable lobed_job(std::uint32_t layers, std::uint32_t points, const Profile& profile = Profile{});
 
-/// So long that a test can interfere while it is carved, however busy the computer is.
+/// So long that a test can interfere while it is carved, however busy the computer is. A sanitizer's core
+/// takes three times as long for each layer, at least.
+inline constexpr std::uint32_t kLongLayers = test::kIsSanitized ? 2000 : 4000;
 inline JobTable long_job() {
-    return lobed_job(4000, 201);
+    return lobed_job(kLongLayers, 201);
 }
 
 /// A segment of its own for each test, and cores on it.

@@ -81,7 +81,8 @@ TEST_F(WindowOnCore, CarvesHoldsResumesStopsInAnEmergencyAndGoesOn) {
     EXPECT_EQ(window_->findChild<QLabel*>("alarm_title")->text(), "Emergency stop");
     const int layer = window_->findChild<QSpinBox*>("layer")->value();
     const CoreStatus& stopped = *sight().status;
-    EXPECT_EQ(layer, static_cast<int>(stopped.points_done / (stopped.points_total / 4000)) + 1);
+    EXPECT_EQ(layer,
+              static_cast<int>(stopped.points_done / (stopped.points_total / two_process::kLongLayers)) + 1);
     ASSERT_TRUE(click("reset_alarm"));
     ASSERT_TRUE(comes_to(S::off));
     EXPECT_TRUE(button("start").toolTip().endsWith("is not homed"))
@@ -322,7 +323,7 @@ TEST_F(WindowOnCore, TellsTheRunningJobFromTheOneThatWasSlicedMeanwhile) {
     ASSERT_EQ(sight().state(), S::carving) << all_messages().toStdString();
     ASSERT_TRUE(comes_true([&] { return next->text() == "Sliced, not published yet: small.stl"; }));
     EXPECT_EQ(window_->bench().desk.core_job(), running);
-    EXPECT_EQ(window_->bench().desk.sight().core_layer_count, 4000U);
+    EXPECT_EQ(window_->bench().desk.sight().core_layer_count, two_process::kLongLayers);
     auto& view = *static_cast<MeshView*>(window_->findChild<QWidget*>("carving_view"));
     EXPECT_FALSE(view.picture().bodies.empty());
     take_picture("running_and_next_light");

@@ -32,6 +32,15 @@ struct SegmentOptions {
 /// this is for capacities that somebody asks for.
 Result<void> check_shared_memory_for(std::uint32_t capacity_layers, std::uint32_t capacity_points);
 
+/// How long a core that has just got the lock may take until the words no longer name the one before it.
+inline constexpr std::chrono::milliseconds kSigningLimit{50};
+
+/// Somebody holds the core's lock. The lock says that there is a core; the words say which.
+struct CoreGlance {
+    std::uint32_t pid;  ///< as the words have it; 0: one that is starting or ending
+    bool is_signed;     ///< by a process that lives; else of the one before, or one that we cannot see
+};
+
 /// The mapped shared-memory object. Move-only; unmaps when destroyed, never removes.
 /// Not for the tick. Exceptions of Boost end here.
 class Segment {
@@ -94,7 +103,10 @@ public:
     void sign_core() noexcept;
     void release_core() noexcept;
     /// A living core serves the segment: its pid, else nothing. Asks the lock, not the words.
+    /// Waits up to kSigningLimit for one that has got the lock and has not signed.
     std::optional<std::uint32_t> core_pid() const noexcept;
+    /// The same for whoever must not wait; nothing when nobody has the lock.
+    std::optional<CoreGlance> glance_at_core() const noexcept;
 
     struct Mapping;  ///< segment_mapping.hpp, for the segment's own sources
 

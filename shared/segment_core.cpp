@@ -11,12 +11,6 @@
 #include "shared/shared_record.hpp"
 
 namespace psicarve {
-namespace {
-
-/// How long a core that has just got the lock may take to write its pid.
-constexpr std::chrono::milliseconds kSigningLimit{50};
-
-}  // namespace
 
 Result<void> Segment::claim_core() {
     if (auto taken = take_core_lock(); !taken) return taken;
@@ -64,15 +58,17 @@ void Segment::release_core() noexcept {
     mapping_->core_owner_pid = 0;
 }
 
+std::optional<CoreGlance> Segment::glance_at_core() const noexcept {
+    if (mapping_->core_owner_pid != 0) return CoreGlance{mapping_->core_owner_pid, true};
+    if (!mapping_->object.is_locked_by_another(LockByte::core)) return std::nullopt;
+    const std::uint32_t pid = header().core.pid.load();
+    return CoreGlance{pid, is_process_alive(pid, header().core.start_time.load())};
+}
+
 std::optional<std::uint32_t> Segment::core_pid() const noexcept {
-    if (mapping_->core_owner_pid != 0) return mapping_->core_owner_pid;
     const auto deadline = std::chrono::steady_clock::now() + kSigningLimit;
-    // The lock says that there is a core; the words say which. Between the two may lie the instant in which a
-    // core has got the lock and the words still name the one before it.
-    while (mapping_->object.is_locked_by_another(LockByte::core)) {
-        const std::uint32_t pid = header().core.pid.load();
-        const bool is_signed = is_process_alive(pid, header().core.start_time.load());
-        if (is_signed || std::chrono::steady_clock::now() >= deadline) return pid;
+    while (const auto core = glance_at_core()) {
+        if (core->is_signed || std::chrono::steady_clock::now() >= deadline) return core->pid;
         std::this_thread::sleep_for(std::chrono::milliseconds{1});
     }
     return std::nullopt;

@@ -92,13 +92,27 @@ void MachineSession::keep_attached() {
     });
 }
 
+/// Segment::core_pid() without its wait: a core may take seconds until it signs, when it plans the job that
+/// was left. Until then it is none, as it hears nothing.
+std::optional<std::uint32_t> MachineSession::core_now() noexcept {
+    const auto now = Clock::now();
+    const auto core = link_->segment().glance_at_core();
+    if (!core || core->is_signed || core->pid == 0) {
+        unsigned_since_.reset();
+        return core && core->is_signed ? std::optional{core->pid} : std::nullopt;
+    }
+    // The one before it, for an instant; or one whose process cannot be seen from here.
+    if (!unsigned_since_) unsigned_since_ = now;
+    return now - *unsigned_since_ < kSigningLimit ? std::nullopt : std::optional{core->pid};
+}
+
 void MachineSession::look() {
     const auto now = Clock::now();
     if (!link_) {
         sight_.life = CoreLife::none;
         return;
     }
-    const auto pid = link_->core_pid();
+    const auto pid = core_now();
     if (pid && *pid != sight_.core_pid) {
         sight_.core_pid = *pid;
         sight_.is_core_of_first_look = !has_looked_;
@@ -196,13 +210,13 @@ bool MachineSession::stop() noexcept {
     forget_wishes();
     if (!link_) return false;
     link_->stop();
-    return link_->core_pid().has_value();
+    return core_now().has_value();
 }
 
 bool MachineSession::emergency_stop() noexcept {
     if (link_) link_->emergency_stop();
     forget_wishes();
-    const bool has_core = link_ && link_->core_pid().has_value();
+    const bool has_core = link_ && core_now().has_value();
     sight_.unheard_stop = !has_core || sight_.life == CoreLife::silent;
     return !sight_.unheard_stop;
 }

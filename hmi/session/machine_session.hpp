@@ -99,6 +99,7 @@ private:
 
     void send(const Command& command, const Phrase& name, Then then, Then otherwise = {});
     void keep_attached();
+    std::optional<std::uint32_t> core_now() noexcept;
     void look();
     void take_status(const CoreStatus& status, bool has_core);
     void find_profile();
@@ -116,6 +117,7 @@ private:
     std::uint64_t heartbeat_ = 0;
     Clock::time_point heartbeat_changed_{};
     Clock::time_point attach_tried_{};
+    std::optional<Clock::time_point> unsigned_since_;  ///< so long the lock's words name nobody who lives
     StartIntent intent_;
     bool has_looked_ = false;  ///< for a core, and knows whether one was there
     bool watches_only_ = false;

@@ -4,6 +4,10 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QResizeEvent>
+#include <QScrollArea>
+
+#include <algorithm>
 
 #include "hmi/session/lost_core.hpp"
 #include "hmi/ui/action_button.hpp"
@@ -16,7 +20,10 @@ namespace {
 
 constexpr int kIconWidth = 48;
 constexpr int kIconSide = 28;
+constexpr int kNarrowIconWidth = 36;
 constexpr int kButtonWidth = 140;
+constexpr int kLeastForBoth = 480;     // text, and buttons beside it
+constexpr int kLeastTextHeight = 100;  // the title, and what to do or some of why
 
 /// "From layer 52" is not torn at the end of a line.
 QString whole_if_short(QString step) {
@@ -38,9 +45,9 @@ AlarmBanner::AlarmBanner(Bench& bench, QWidget* parent)
           session::Action::reset_alarm, tr("Reset alarm"),
           [this] { bench_.machine.order(CommandKind::reset_alarm, session::phrase("Reset alarm")); }}),
       acknowledge_(new QPushButton{tr("Acknowledge")}),
-      reason_(role_label("label")) {
+      reason_(role_label("label")),
+      room_(new QScrollArea) {
     setObjectName("banner");
-    icon_->setFixedWidth(kIconWidth);
     icon_->setAlignment(Qt::AlignCenter);
     title_->setObjectName("alarm_title");
     back_off_->setObjectName("back_off");
@@ -56,26 +63,97 @@ AlarmBanner::AlarmBanner(Bench& bench, QWidget* parent)
     detail_->setObjectName("alarm_detail");
     steps_->setObjectName("alarm_steps");
     reason_->setObjectName("alarm_reason");
-    for (QLabel* label : {detail_, steps_, reason_}) label->setWordWrap(true);
-    auto* text = new QVBoxLayout;
-    text->setContentsMargins(0, kGap, kGap, kGap);
-    text->setSpacing(1);
-    for (QLabel* label : {title_, detail_, steps_}) text->addWidget(label);
-    auto* buttons = new QVBoxLayout;
-    buttons->setContentsMargins(0, kGap, kGap, kGap);
-    for (QWidget* widget : {static_cast<QWidget*>(back_off_), static_cast<QWidget*>(reset_),
-                            static_cast<QWidget*>(acknowledge_), static_cast<QWidget*>(reason_)}) {
-        widget->setFixedWidth(kButtonWidth);
-        buttons->addWidget(widget);
-    }
-    buttons->addStretch();
-    auto* all = new QHBoxLayout{this};
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(0);
-    all->addWidget(icon_);
-    all->addLayout(text, 1);
-    all->addLayout(buttons);
+    for (QLabel* label : {title_, detail_, steps_, reason_}) label->setWordWrap(true);
+    make_text();
+    make_keys();
+    auto* said = new QHBoxLayout;
+    said->setSpacing(0);
+    said->addWidget(icon_);
+    said->addWidget(room_, 1);
+    parts_ = new QBoxLayout{QBoxLayout::LeftToRight, this};
+    parts_->setContentsMargins(0, 0, 0, 0);
+    parts_->setSpacing(0);
+    parts_->addLayout(said, 1);
+    parts_->addLayout(keys_);
+    arrange(false);
     setVisible(false);
+}
+
+void AlarmBanner::make_text() {
+    auto* inside = new QWidget;
+    text_ = new QVBoxLayout{inside};
+    text_->setContentsMargins(0, kGap, kGap, kGap);
+    text_->setSpacing(1);
+    for (QLabel* label : {title_, detail_, steps_}) text_->addWidget(label);
+    text_->addStretch();
+    room_->setObjectName("alarm_room");
+    room_->setWidgetResizable(true);
+    room_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    room_->setFrameShape(QFrame::NoFrame);
+    room_->setFocusPolicy(Qt::NoFocus);
+    room_->setMinimumHeight(0);
+    room_->setWidget(inside);
+}
+
+void AlarmBanner::make_keys() {
+    keys_ = new QBoxLayout{QBoxLayout::TopToBottom};
+    keys_->setSpacing(kSmallGap);
+    for (QWidget* key : {static_cast<QWidget*>(back_off_), static_cast<QWidget*>(reset_),
+                         static_cast<QWidget*>(acknowledge_), static_cast<QWidget*>(reason_)})
+        keys_->addWidget(key);
+    keys_->addStretch();
+}
+
+void AlarmBanner::arrange(bool is_narrow) {
+    is_narrow_ = is_narrow;
+    parts_->setDirection(is_narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    keys_->setDirection(is_narrow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    keys_->setContentsMargins(is_narrow ? kGap : 0, is_narrow ? 0 : kGap, kGap, kGap);
+    for (QWidget* key : {static_cast<QWidget*>(back_off_), static_cast<QWidget*>(reset_),
+                         static_cast<QWidget*>(acknowledge_), static_cast<QWidget*>(reason_)}) {
+        key->setMinimumWidth(is_narrow ? 0 : kButtonWidth);
+        key->setMaximumWidth(is_narrow ? QWIDGETSIZE_MAX : kButtonWidth);
+    }
+    // Beside its buttons the reason would be a word wide.
+    text_->removeWidget(reason_);
+    keys_->removeWidget(reason_);
+    QBoxLayout& place = is_narrow ? static_cast<QBoxLayout&>(*text_) : *keys_;
+    place.insertWidget(3, reason_);
+    icon_->setFixedWidth(is_narrow ? kNarrowIconWidth : kIconWidth);
+}
+
+void AlarmBanner::resizeEvent(QResizeEvent* event) {
+    const bool is_narrow = event->size().width() < kLeastForBoth;
+    if (is_narrow != is_narrow_) arrange(is_narrow);
+    refresh_height();
+    QFrame::resizeEvent(event);
+}
+
+int AlarmBanner::keys_height() const {
+    return keys_->hasHeightForWidth() ? keys_->heightForWidth(keys_->sizeHint().width())
+                                      : keys_->sizeHint().height();
+}
+
+int AlarmBanner::full_height() const {
+    const int beside = icon_->width() + (is_narrow_ ? 0 : keys_->sizeHint().width());
+    const int text = text_->heightForWidth(std::max(1, contentsRect().width() - beside));
+    return frame_height() + (is_narrow_ ? text + keys_height() : std::max(text, keys_height()));
+}
+
+void AlarmBanner::refresh_height() {
+    const int needed = full_height();
+    if (needed == full_height_) return;
+    full_height_ = needed;
+    updateGeometry();
+}
+
+QSize AlarmBanner::sizeHint() const {
+    return {QFrame::sizeHint().width(), full_height_};
+}
+
+QSize AlarmBanner::minimumSizeHint() const {
+    const int least = frame_height() + keys_height() + (is_narrow_ ? kLeastTextHeight : 0);
+    return {QFrame::minimumSizeHint().width(), std::min(least, full_height_)};
 }
 
 void AlarmBanner::set_theme(const Tokens& tokens) {
@@ -121,7 +199,7 @@ void AlarmBanner::refresh() {
     const bool is_past = !sight.is_heard() && sight.status;
     detail_->setText(is_past ? QStringLiteral("%1 (%2)").arg(words(text->detail), last_known(sight))
                              : words(text->detail));
-    detail_->setToolTip(detail_->text());  // a very small window has no room for all of it
+    detail_->setToolTip(detail_->text());  // a very low window has no room for all of it
     QString steps;
     for (std::size_t i = 0; i < text->steps.size(); ++i) {
         steps += QString{"%1<b>%2</b>&nbsp;%3"}
@@ -131,6 +209,7 @@ void AlarmBanner::refresh() {
     }
     steps_->setText(steps);
     setAccessibleName(tr("Alarm: %1").arg(title_->text()));
+    refresh_height();
 }
 
 }  // namespace psicarve::ui

@@ -57,6 +57,8 @@ CarvingPage::CarvingPage(Bench& bench, Drawing drawing, QWidget* parent)
       axes_(new AxisTable{bench}),
       colourings_(new QButtonGroup{this}),
       done_(role_label("label")),
+      blank_(role_label("label")),
+      behind_(role_label("label")),
       feed_(role_label("label")),
       point_(role_label("title")) {
     view_->setObjectName("carving_view");
@@ -65,12 +67,14 @@ CarvingPage::CarvingPage(Bench& bench, Drawing drawing, QWidget* parent)
     view_->look_from(MeshView::Side::front);
     point_->setObjectName("carving_point");
     done_->setObjectName("carving_done");
+    blank_->setObjectName("carving_blank");
+    behind_->setObjectName("carving_behind");
     feed_->setObjectName("carving_feed");
     feed_->setToolTip(tr("Of the faster head's tool over the surface, in the last second"));
     setObjectName("carving_page");
     auto* foot = new FlowLayout;
     foot->setSpacing(kGap);
-    foot->addWidget(done_);
+    for (QLabel* label : {done_, blank_, behind_}) foot->addWidget(label);
     foot->add_end();
     foot->addWidget(feed_);
     foot->addWidget(point_);
@@ -303,9 +307,8 @@ QString CarvingPage::behind_text(const session::LivePiece& piece) {
     constexpr std::uint32_t kFewLayers = 2;
     constexpr std::size_t kFewIncrements = 2'000;  // two seconds of a machine's work
     const std::uint32_t layers = piece.layers_to_come();
-    const QString apart = QStringLiteral(" &nbsp; ");
-    if (layers > kFewLayers) return apart + tr("catching up: %1 layers").arg(layers);
-    return piece.waiting() > kFewIncrements ? apart + tr("catching up") : QString{};
+    if (layers > kFewLayers) return tr("catching up: %1 layers").arg(layers);
+    return piece.waiting() > kFewIncrements ? tr("catching up") : QString{};
 }
 
 void CarvingPage::say() {
@@ -314,13 +317,12 @@ void CarvingPage::say() {
     const session::CarvingRecord* const record = shown_record();
     const auto job = bench_.job_at_work();
     if (bench_.replay.carving_ratio() < 1.0) {
-        point_->clear();
+        for (QLabel* label : {blank_, behind_, point_}) label->clear();
         return done_->setText(
             tr("Working the piece out: %1 %").arg(qRound(100.0 * bench_.replay.carving_ratio())));
     }
     if (record == nullptr || !job || !status || status->points_total == 0) {
-        done_->clear();
-        point_->clear();
+        for (QLabel* label : {done_, blank_, behind_, point_}) label->clear();
         return;
     }
     const std::uint32_t layers = job->view.layer_count();
@@ -331,9 +333,9 @@ void CarvingPage::say() {
     const QString carved = is_planned     ? tr("carved, as planned")
                            : planned == 0 ? tr("carved")
                                           : tr("carved (%1 layers not seen: as planned)").arg(planned);
-    done_->setText(colour_square(kDoneColour) + carved + QStringLiteral(" &nbsp; ") +
-                   colour_square(kBlankColour) + tr("blank") +
-                   (live != nullptr ? behind_text(*live) : QString{}));
+    done_->setText(colour_square(kDoneColour) + carved);
+    blank_->setText(colour_square(kBlankColour) + tr("blank"));
+    behind_->setText(live != nullptr ? behind_text(*live) : QString{});
     point_->setText(tr("Layer %1 / %2, point %3 / %4")
                         .arg(std::min(status->layer + 1, layers))
                         .arg(layers)

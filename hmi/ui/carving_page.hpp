@@ -84,6 +84,8 @@ private:
     double least_mm_ = 0.0;
     double most_mm_ = 1.0;
     QLabel* done_;
+    QLabel* blank_;
+    QLabel* behind_;
     QLabel* feed_;
     QLabel* point_;
 };

@@ -11,8 +11,10 @@
 #include "hmi/session/preflight.hpp"
 #include "hmi/session/start_intent.hpp"
 #include "hmi/ui/dialogs.hpp"
+#include "hmi/ui/elided_label.hpp"
 #include "hmi/ui/job_facts_view.hpp"
 #include "hmi/ui/lock_with.hpp"
+#include "hmi/ui/long_names.hpp"
 #include "hmi/ui/motion_buttons.hpp"
 #include "hmi/ui/preflight_list.hpp"
 #include "hmi/ui/report_dialog.hpp"
@@ -40,7 +42,9 @@ JobPanel::JobPanel(Bench& bench, QWidget* parent) : Dock(tr("Job"), parent), ben
 }
 
 void JobPanel::make_facts() {
-    name_ = role_label("title");
+    name_ = new ElidedLabel;
+    name_->setProperty("role", "title");
+    name_->setObjectName("job_name");
     auto* title = new QHBoxLayout;
     title->addWidget(name_, 1);
     report_ = new ActionButton{[](const Bench& now) -> std::optional<session::Phrase> {
@@ -232,10 +236,10 @@ void JobPanel::refresh_facts() {
     refresh_next();
     facts_->show_job(job);
     if (job) {
-        name_->setText(QString::fromStdString(std::string{job->view.source_name()}));
+        name_->show_text(QString::fromStdString(std::string{job->view.source_name()}));
         layer_->setMaximum(static_cast<int>(job->view.layer_count()));
     } else {
-        name_->setText(mesh ? QString::fromStdString(mesh->source_name) : tr("No job"));
+        name_->show_text(mesh ? QString::fromStdString(mesh->source_name) : tr("No job"));
     }
 }
 
@@ -267,7 +271,7 @@ void JobPanel::refresh_next() {
     next_->setVisible(is_other);
     if (!is_other) return;
     const QString name =
-        QString::fromStdString(waiting ? std::string{waiting->view.source_name()} : mesh->source_name);
+        breakable(short_file_name(waiting ? std::string{waiting->view.source_name()} : mesh->source_name));
     next_->setText(waiting ? tr("Sliced, not published yet: %1").arg(name)
                            : tr("Opened, not sliced yet: %1").arg(name));
 }

@@ -14,6 +14,7 @@ class QSpinBox;
 
 namespace psicarve::ui {
 
+class ElidedLabel;
 class JobFactsView;
 class PreflightList;
 
@@ -54,7 +55,7 @@ private:
     std::uint32_t shown_layer_ = 0;
     replay::JobPointer shown_job_;
     QLabel* next_;
-    QLabel* name_;
+    ElidedLabel* name_;
     JobFactsView* facts_;
     PreflightList* checks_;
     QCheckBox* dry_run_;

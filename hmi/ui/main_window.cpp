@@ -137,7 +137,7 @@ QWidget* MainWindow::make_centre() {
     frame->setProperty("dock", true);
     auto* inside = new QVBoxLayout{frame};
     inside->setContentsMargins(1, 1, 1, 1);
-    pages_ = new PageTabs{bench_, drawing_};
+    pages_ = new PageTabs{bench_, drawing_, [this](const QString& path) { open(path); }};
     inside->addWidget(pages_);
     column->addWidget(frame, 1);
     replay_ = new ReplayBar{bench_, [this] { choose_job_of_trace(); }, [this] { verify_replay(); }};

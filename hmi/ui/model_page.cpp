@@ -40,7 +40,7 @@ constexpr int kLeastFieldsHeight = 120;
 
 }  // namespace
 
-ModelPage::ModelPage(Bench& bench, Drawing drawing, QWidget* parent)
+ModelPage::ModelPage(Bench& bench, Drawing drawing, Open open, QWidget* parent)
     : QWidget(parent), bench_(bench), watch_(kReachable_rgb, kUndercut_rgb), view_(new MeshView{drawing}) {
     setObjectName("model_page");
     sides_ = new QBoxLayout{QBoxLayout::LeftToRight, this};
@@ -50,7 +50,7 @@ ModelPage::ModelPage(Bench& bench, Drawing drawing, QWidget* parent)
     sides_->addWidget(view, 1);
     sides_->addWidget(make_form());
     bench_.desk.set_table_way([this] { return table_way(); });
-    work_ = new WorkBar{bench_, {room_->widget(), [this] { slice(); }}};
+    work_ = new WorkBar{bench_, {room_->widget(), [this] { slice(); }, std::move(open)}};
     static_cast<QVBoxLayout*>(view->layout())->insertWidget(0, work_);
 }
 

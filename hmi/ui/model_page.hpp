@@ -5,6 +5,8 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <functional>
+
 #include "hmi/session/model_watch.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/space_canvas.hpp"
@@ -29,7 +31,9 @@ class WorkBar;
 class ModelPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::ModelPage)
 public:
-    explicit ModelPage(Bench& bench, Drawing drawing, QWidget* parent = nullptr);
+    /// Opens a file as every one is opened, with what forbids that.
+    using Open = std::function<void(const QString& path)>;
+    ModelPage(Bench& bench, Drawing drawing, Open open, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "hmi/ui/carving_page.hpp"
 #include "hmi/ui/entries_page.hpp"
@@ -35,10 +36,11 @@ QScrollArea* scrolled(QWidget* page) {
 
 }  // namespace
 
-PageTabs::PageTabs(Bench& bench, Drawing drawing, QWidget* parent)
+PageTabs::PageTabs(Bench& bench, Drawing drawing, std::function<void(const QString& path)> open,
+                   QWidget* parent)
     : QTabWidget(parent),
       bench_(bench),
-      model_(new ModelPage{bench, drawing}),
+      model_(new ModelPage{bench, drawing, std::move(open)}),
       layers_(new LayersPage{bench}),
       carving_(new CarvingPage{bench, drawing}),
       ports_(new PortsPage{bench}),

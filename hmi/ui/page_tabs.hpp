@@ -5,6 +5,7 @@
 #include <QTabWidget>
 
 #include <cstdint>
+#include <functional>
 
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/space_canvas.hpp"
@@ -27,7 +28,9 @@ struct Tokens;
 class PageTabs : public QTabWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::PageTabs)
 public:
-    PageTabs(Bench& bench, Drawing drawing, QWidget* parent = nullptr);
+    /// `open`: a file, as every one is opened.
+    PageTabs(Bench& bench, Drawing drawing, std::function<void(const QString& path)> open,
+             QWidget* parent = nullptr);
 
     ModelPage& model() const noexcept { return *model_; }
     LayersPage& layers() const noexcept { return *layers_; }

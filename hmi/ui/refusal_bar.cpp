@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/refusal_bar.hpp"
 
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -9,6 +8,7 @@
 
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
+#include "hmi/ui/long_names.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
@@ -20,28 +20,6 @@ constexpr int kRefusalIconWidth = 40;
 void show_text(QLabel& label, const QString& text) {
     if (label.text() != text) label.setText(text);
     if (label.isHidden() != text.isEmpty()) label.setVisible(!text.isEmpty());
-}
-
-/// A long name has no spaces to end a line at, and would make the whole window as wide as it is.
-QString breakable(const QString& text) {
-    constexpr qsizetype kLongest = 16;
-    QString broken;
-    qsizetype run = 0;
-    for (const QChar letter : text) {
-        run = letter.isSpace() ? 0 : run + 1;
-        broken += letter;
-        if (run % kLongest == 0 && run > 0) broken += QChar{0x200B};  // a space of no width
-    }
-    return broken;
-}
-
-/// Its begin and its end, where it is very long.
-QString file_name(const std::string& path) {
-    constexpr qsizetype kMost = 32;
-    constexpr qsizetype kBegin = 18;
-    const QString name = QFileInfo{QString::fromStdString(path)}.fileName();
-    if (name.size() <= kMost) return name;
-    return name.left(kBegin) + QChar{0x2026} + name.right(kMost - kBegin - 1);
 }
 
 }  // namespace
@@ -89,14 +67,14 @@ void RefusalBar::set_theme(const Tokens& tokens) {
 }
 
 QString RefusalBar::title_of(const session::RefusedFile& refused) {
-    return breakable(tr("%1 was not opened").arg(file_name(refused.path)));
+    return breakable(tr("%1 was not opened").arg(short_file_name(refused.path)));
 }
 
 QString RefusalBar::why_of(const session::RefusedFile& refused) {
     QString why = words(refused.why);
     const QString name = QString::fromStdString(refused.path);
     if (why.startsWith(name + ": ")) why.remove(0, name.size() + 2);
-    return breakable(why.replace(name, file_name(refused.path)));
+    return breakable(why.replace(name, short_file_name(refused.path)));
 }
 
 /// Somebody who expects another file on the machine is to know what is there.
@@ -105,7 +83,7 @@ QString RefusalBar::what_stays() const {
         return breakable(tr("The machine still has its job of before: Start carves %1.")
                              .arg(QString::fromStdString(std::string{job->view.source_name()})));
     const std::string open = bench_.replay.is_open() ? bench_.replay.facts().path : bench_.desk.path();
-    return open.empty() ? QString{} : breakable(tr("Still open: %1").arg(file_name(open)));
+    return open.empty() ? QString{} : breakable(tr("Still open: %1").arg(short_file_name(open)));
 }
 
 void RefusalBar::refresh() {

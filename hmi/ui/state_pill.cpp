@@ -16,7 +16,8 @@ namespace {
 constexpr int kWidth = 200;
 constexpr int kNarrowWidth = 156;
 constexpr int kWideWidth = 256;
-constexpr int kHeight = 48;
+constexpr int kHeight = 56;
+constexpr int kLeastMargin = 2;  // above and below its lines
 constexpr int kGlyphSide = 26;
 constexpr int kTextLeft = 44;
 constexpr int kTextRight = 4;
@@ -74,28 +75,29 @@ int StatePill::text_width() const {
     return width() - kTextLeft - kTextRight;
 }
 
-/// A second line that is too long becomes two, under a word that moves up.
+/// A second line that is too long becomes two, under a smaller word. All of them stand in the middle.
 StatePill::Lines StatePill::lines() const {
     const QFont second = fitting(second_, kSecondHeight, false);
-    if (QFontMetrics{second}.horizontalAdvance(second_) < text_width()) {
-        return {fitting(word_, kWordHeight, true), second, QRect{kTextLeft, 4, text_width(), 24},
-                QRect{kTextLeft, 26, text_width(), 18}};
-    }
-    return {fitting(word_, kLowWordHeight, true), second,
-            QRect{kTextLeft, 1, text_width(), kLowWordHeight + 2},
-            QRect{kTextLeft, kLowWordHeight + 3, text_width(), kHeight - kLowWordHeight - 3}};
+    const QFontMetrics small{second};
+    const bool is_one_line = small.horizontalAdvance(second_) < text_width();
+    const QFont word = fitting(word_, is_one_line ? kWordHeight : kLowWordHeight, true);
+    const int upper = QFontMetrics{word}.height();
+    const QRect room{0, 0, text_width(), kHeight};
+    const int lower = small.boundingRect(room, Qt::TextWordWrap, second_).height();
+    const int top = (kHeight - upper - lower) / 2;
+    return {word, second, QRect{kTextLeft, top, text_width(), upper},
+            QRect{kTextLeft, top + upper, text_width(), lower}};
 }
 
 bool StatePill::is_cut_off() const {
     const Lines now = lines();
-    const QRect room{0, 0, text_width(), kHeight};
     const QFontMetrics small{now.second};
     const QStringList parts = second_.split(' ');
     const bool is_part_too_long = std::any_of(parts.begin(), parts.end(), [&](const QString& part) {
         return small.horizontalAdvance(part) > text_width();
     });
     return QFontMetrics{now.word}.horizontalAdvance(word_) > text_width() || is_part_too_long ||
-           small.boundingRect(room, Qt::TextWordWrap, second_).height() > now.lower.height();
+           now.upper.top() < kLeastMargin;
 }
 
 void StatePill::paintEvent(QPaintEvent* /*event*/) {

@@ -12,7 +12,7 @@
 #include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/lock_with.hpp"
-#include "hmi/ui/main_window.hpp"
+#include "hmi/ui/long_names.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -29,8 +29,8 @@ QPushButton* bar_button(const char* name, const QString& text) {
 QString offer_text(const UnfinishedWork& work) {
     const QString text = work.is_sliced ? WorkBar::tr("Take up again: %1, %2 layers × %3 points, sliced")
                                         : WorkBar::tr("Take up again: %1, %2 layers × %3 points");
-    return text.arg(QFileInfo{work.path}.fileName(), work.fields.value("layers").toString(),
-                    work.fields.value("points").toString());
+    return text.arg(breakable(short_file_name(work.path.toStdString())),
+                    work.fields.value("layers").toString(), work.fields.value("points").toString());
 }
 
 /// Nothing is under way with it.
@@ -71,12 +71,7 @@ WorkBar::WorkBar(Bench& bench, Form form, QWidget* parent)
 void WorkBar::take_up() {
     if (keeper_.left() == nullptr || bench_.desk.sight().is_busy()) return;
     taking_ = Taking{*keeper_.left(), bench_.desk.edition()};
-    open_by_window(taking_->left.work.path);
-}
-
-/// As every file is, with what forbids that.
-void WorkBar::open_by_window(const QString& path) {
-    if (auto* const whole = dynamic_cast<MainWindow*>(window())) whole->open(path);
+    form_.open(taking_->left.work.path);
 }
 
 void WorkBar::decline() {

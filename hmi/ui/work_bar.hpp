@@ -26,6 +26,7 @@ public:
     struct Form {
         QWidget* fields;  ///< lives as long as this
         std::function<void()> slice;
+        std::function<void(const QString& path)> open;  ///< as every file is, with what forbids that
     };
     WorkBar(Bench& bench, Form form, QWidget* parent = nullptr);
 
@@ -51,7 +52,6 @@ private:
         bool is_to_slice = false;
     };
     void take_up();
-    void open_by_window(const QString& path);
     void decline();
     void fill_in_taken();
     bool is_job_kept();

@@ -269,6 +269,24 @@ TEST_F(SegmentTest, SecondCoreIsRefusedWithTheFirstOnesPid) {
     EXPECT_TRUE(second.claim_core().has_value());
 }
 
+TEST_F(SegmentTest, GlanceTellsWhetherACoreHasSigned) {
+    Segment core = make();
+    const Segment window = make();
+    EXPECT_FALSE(window.glance_at_core());
+    ASSERT_TRUE(core.take_core_lock());
+    const auto starting = window.glance_at_core();
+    ASSERT_TRUE(starting);
+    EXPECT_EQ(starting->pid, 0U);
+    EXPECT_FALSE(starting->is_signed);
+
+    core.sign_core();
+
+    const auto serving = window.glance_at_core();
+    ASSERT_TRUE(serving);
+    EXPECT_EQ(serving->pid, own_pid());
+    EXPECT_TRUE(serving->is_signed);
+}
+
 TEST_F(SegmentTest, NewCoreClearsWhatTheOldOneLeftButKeepsTheJob) {
     Segment segment = make();
     const auto generation = publish_job(segment, test::make_job(1));

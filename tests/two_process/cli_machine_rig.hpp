@@ -15,6 +15,9 @@ namespace psicarve::test {
 
 using std::chrono::milliseconds;
 
+/// At what a host may spoil that takes the computer away for longer than a rotor coasts.
+inline constexpr int kMostTries = 8;
+
 /// A core on a segment of its own that users talk to by commands.
 class Machine : public CliTest {
 protected:

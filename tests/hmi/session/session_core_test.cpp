@@ -6,6 +6,7 @@
 
 #include "hmi/session/job_desk.hpp"
 #include "hmi/session/machine_session.hpp"
+#include "shared/process_identity.hpp"
 #include "tests/places.hpp"
 #include "tests/two_process/core_rig.hpp"
 
@@ -140,6 +141,30 @@ TEST_F(SessionOnCore, SaysThatTheCoreIsGoneAndFindsTheNext) {
     start_core();
     ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::alive; }));
     home_session();
+}
+
+// It may plan the job that was left first, which takes seconds: no frame waits for that.
+TEST_F(SessionOnCore, TakesACoreThatHasNotSignedForNone) {
+    SegmentOptions options;
+    options.name = segment_name_;
+    auto core = Segment::create_or_attach(options);
+    ASSERT_TRUE(core) << core.error().message;
+    ASSERT_TRUE(core->take_core_lock());
+    constexpr std::uint64_t kHash = 77;
+    core->header().core_profile_hash.store(kHash);
+    open_session();
+    ASSERT_TRUE(comes_true([&] { return session_->sight().core_profile_hash == kHash; })) << "it is attached";
+    EXPECT_EQ(session_->sight().life, CoreLife::none);
+    EXPECT_FALSE(session_->stop()) << "nobody hears it";
+
+    core->sign_core();
+
+    ASSERT_TRUE(comes_true([&] { return session_->sight().core_pid == own_pid(); }));
+    EXPECT_TRUE(session_->stop());
+    // As one in another container has it: alive by its lock, and its number is nobody's here.
+    core->header().core.start_time.store(0);
+    core->header().core.pid.store(1);
+    EXPECT_TRUE(comes_true([&] { return session_->sight().core_pid == 1U; }));
 }
 
 /// As a core's guard does once it has made the port safe.

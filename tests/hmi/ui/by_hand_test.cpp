@@ -10,6 +10,11 @@
 #include <QTabWidget>
 #include <QTableWidget>
 
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "tests/hmi/ui/press_log.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 
 namespace psicarve::ui {
@@ -67,16 +72,40 @@ TEST_F(ByHand, KeysMoveTheMachineOnlyWhileTheyAreArmed) {
     EXPECT_EQ(sight().state(), S::moving);
     let_go(Qt::Key_Up);
     ASSERT_TRUE(comes_to(S::ready));
-    const auto r1_pulses = pulses(Axis::r1);
-    const auto r2_pulses = pulses(Axis::r2);
-    press(Qt::Key_PageDown, Qt::ControlModifier | Qt::ShiftModifier);
-    ASSERT_TRUE(comes_true([&] { return pulses(Axis::r2) == r2_pulses - 40; }))
-        << all_messages().toStdString();
-    EXPECT_EQ(pulses(Axis::r1), r1_pulses);
-    ASSERT_TRUE(comes_to(S::ready));
     ASSERT_TRUE(click("arm_keys"));
     EXPECT_FALSE(is_armed());
     EXPECT_FALSE(window_->findChild<QLabel*>("jog_keys")->isVisible());
+}
+
+TEST_F(ByHand, EveryKeyMovesItsAxisByAStepItsWay) {
+    open_homed();
+    ASSERT_TRUE(click("arm_keys"));
+    test::PressLog::instance().hear_first();  // armed, the window keeps these keys to itself
+    struct Key {
+        int code;
+        Qt::KeyboardModifiers with;
+        Axis axis;
+        std::int64_t way_pulses;
+    };
+    constexpr int kStep_pulses = 40;  // 0.1 mm
+    const auto degree_pulses = std::llround(axis_motion(Profile{}, Axis::psi).pulses_per_unit);
+    // Homed heads stand outside: in before out.
+    for (const Key one : {Key{Qt::Key_PageDown, Qt::NoModifier, Axis::r1, -kStep_pulses},
+                          Key{Qt::Key_PageUp, Qt::NoModifier, Axis::r1, kStep_pulses},
+                          Key{Qt::Key_PageDown, Qt::ControlModifier, Axis::r2, -kStep_pulses},
+                          Key{Qt::Key_PageUp, Qt::ControlModifier, Axis::r2, kStep_pulses},
+                          Key{Qt::Key_Up, Qt::NoModifier, Axis::y, kStep_pulses},
+                          Key{Qt::Key_Down, Qt::NoModifier, Axis::y, -kStep_pulses},
+                          Key{Qt::Key_Right, Qt::NoModifier, Axis::psi, degree_pulses},
+                          Key{Qt::Key_Left, Qt::NoModifier, Axis::psi, -degree_pulses}}) {
+        auto wanted = std::to_array(sight().status->position_pulses);
+        wanted[index_of(one.axis)] += one.way_pulses;
+        press(one.code, one.with | Qt::ShiftModifier);
+        ASSERT_TRUE(comes_true([&] {
+            return sight().state() == S::ready && std::to_array(sight().status->position_pulses) == wanted;
+        })) << name_of(one.axis)
+            << ' ' << one.way_pulses << all_messages().toStdString();
+    }
 }
 
 TEST_F(ByHand, ArmedKeysAreDisarmedByATextFieldADialogAndTheEmergencyStop) {

@@ -84,7 +84,7 @@ protected:
         if (bodies.empty()) return false;
         const auto& rgb = bodies.front().scene->vertex_rgb;
         return std::count(rgb.begin(), rgb.end(), rgb[rgb.size() / 2]) > std::ssize(rgb) / 3 &&
-               !part<QLabel>("carving_done").text().contains("catching up");
+               !part<QLabel>("carving_behind").text().contains("catching up");
     }
     MeshView& view() { return part<MeshView>("carving_view"); }
     /// Of all that stands between two heights [mm above the table].

@@ -5,21 +5,22 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "tests/hmi/ui/program_watch.hpp"
 #include "tests/hmi/x11/child_process.hpp"
 #include "tests/places.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve::ui {
 namespace {
+
+using test::eventually;
+using test::text_of;
 
 class Farewell : public ::testing::Test {
 protected:
@@ -40,20 +41,6 @@ protected:
             std::vector<std::string>{"QT_QPA_PLATFORM=offscreen", "XDG_CONFIG_HOME=" + folder_.path("config"),
                                      "XDG_STATE_HOME=" + folder_.path("state")},
             errors_);
-    }
-    static std::string text_of(const std::string& path) {
-        std::ifstream file{path};
-        return {std::istreambuf_iterator<char>{file}, {}};
-    }
-    template <typename Condition>
-    static bool eventually(Condition condition) {
-        constexpr std::chrono::seconds kLimit{120};
-        const auto end = std::chrono::steady_clock::now() + kLimit;
-        while (!condition()) {
-            if (std::chrono::steady_clock::now() > end) return false;
-            std::this_thread::sleep_for(std::chrono::milliseconds{1});
-        }
-        return true;
     }
     const psicarve::test::TemporaryFolder folder_;
     const std::string settings_ = folder_.path("config/psicarve/psicarve-hmi.ini");

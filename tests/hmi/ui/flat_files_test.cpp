@@ -210,7 +210,7 @@ TEST_F(FlatFiles, WrapAPictureRoundACylinder) {
     ASSERT_TRUE(shows("30.0 × 30.0 × 94.2")) << facts().toStdString();
     set("relief_around", 62.83);
     set("relief_black", 4.0);
-    part<QCheckBox>("relief_invert").setChecked(true);
+    button("relief_invert").click();
     EXPECT_TRUE(window_->bench().desk.sight().is_busy()) << "the second wish waits for the first";
     ASSERT_TRUE(comes_true([&] { return !window_->bench().desk.sight().is_busy(); }));
     ASSERT_NO_FATAL_FAILURE(slice_coarsely());
@@ -256,7 +256,7 @@ TEST_F(FlatFiles, ShowAPictureOnItsCylinderBeforeAnythingIsSliced) {
     ASSERT_TRUE(before);
     expect_depths(*before, 10.0, 7.0);
     take_picture("picture_unsliced");
-    part<QCheckBox>("relief_invert").setChecked(true);
+    button("relief_invert").click();
     const auto inverted = settled();
     ASSERT_TRUE(inverted);
     EXPECT_NE(inverted->vertices, before->vertices);
@@ -314,7 +314,7 @@ TEST_F(FlatFiles, ShowNoBodyThatWasNotAskedFor) {
         << all_messages().toStdString();
     EXPECT_TRUE(comes_true([&] { return !button("slice").isEnabled(); }));
     EXPECT_EQ(facts(), "");
-    part<QCheckBox>("relief_full_turn").setChecked(true);
+    button("relief_full_turn").click();
     ASSERT_TRUE(shows("40.0 × 40.0 × 150.0")) << all_messages().toStdString();
     EXPECT_TRUE(comes_true([&] { return button("slice").isEnabled(); }));
 }

@@ -4,21 +4,20 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <chrono>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "tests/hmi/ui/program_watch.hpp"
 #include "tests/hmi/x11/child_process.hpp"
 #include "tests/places.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve::ui {
 namespace {
+
+using test::eventually;
+using test::text_of;
 
 class KilledWindow : public ::testing::Test {
 protected:
@@ -36,26 +35,12 @@ protected:
                                      "XDG_STATE_HOME=" + folder_.path(name)},
             folder_.path(name + ".errors"));
     }
-    static std::string text_of(const std::string& path) {
-        std::ifstream file{path};
-        return {std::istreambuf_iterator<char>{file}, {}};
-    }
     std::string log_of(const std::string& name) const {
         return text_of(folder_.path(name + "/psicarve/psicarve-hmi.log"));
     }
     bool has_record() const { return text_of(settings_).find("unfinished") != std::string::npos; }
     bool offers(const std::string& name) const {
         return log_of(name).find("Not published when a window ended: small.stl") != std::string::npos;
-    }
-    template <typename Condition>
-    static bool eventually(Condition condition) {
-        constexpr std::chrono::seconds kLimit{120};
-        const auto end = std::chrono::steady_clock::now() + kLimit;
-        while (!condition()) {
-            if (std::chrono::steady_clock::now() > end) return false;
-            std::this_thread::sleep_for(std::chrono::milliseconds{1});
-        }
-        return true;
     }
 
     const psicarve::test::TemporaryFolder folder_;

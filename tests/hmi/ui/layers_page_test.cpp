@@ -119,7 +119,7 @@ TEST_F(Layers, FollowTheMachineUntilAnotherPlaceIsChosen) {
     const int before = machine_layer();
     ASSERT_TRUE(comes_true([&] { return machine_layer() > before; }));
     EXPECT_EQ(layer().value(), layer().maximum()) << "another layer of the machine takes it away";
-    follow().setChecked(true);
+    follow().click();
     EXPECT_TRUE(comes_true([&] { return layer().value() == machine_layer(); }));
     ASSERT_TRUE(click("stop"));
     ASSERT_TRUE(comes_to(S::ready));

@@ -207,13 +207,13 @@ TEST_F(ModelFormOf, EngravesTheLinesOfADrawing) {
     choose("axis_at", 1);
     set("scale", 0.5);
     reshaped_ = 0;
-    field<QCheckBox>("engrave").setChecked(true);
+    field<QCheckBox>("engrave").click();
     EXPECT_EQ(reshaped_, 1);
     EXPECT_TRUE(field<QDoubleSpinBox>("engrave_depth").isVisible());
     EXPECT_FALSE(field<QComboBox>("axis_at").isVisible());
     set("engrave_depth", 0.25);
     set("engrave_start", 90.0);
-    field<QCheckBox>("engrave_widths").setChecked(true);
+    field<QCheckBox>("engrave_widths").click();
     flat::FlatOptions options = sut_.flat_options(machine);
     ASSERT_TRUE(options.engraving);
     EXPECT_DOUBLE_EQ(options.engraving->depth_mm, 0.25);
@@ -224,7 +224,7 @@ TEST_F(ModelFormOf, EngravesTheLinesOfADrawing) {
     EXPECT_DOUBLE_EQ(options.scale, 0.5);
     EXPECT_EQ(sut_.options().axis_at, cam::AxisAt::centre);
     set("engrave_diameter", 44.0);
-    field<QCheckBox>("engrave_full_turn").setChecked(true);
+    field<QCheckBox>("engrave_full_turn").click();
     reshaped_ = 0;
     choose("tool", 3);
     EXPECT_EQ(reshaped_, 1) << "its grooves are as wide as the tool";
@@ -244,7 +244,7 @@ TEST_F(ModelFormOf, SlicesEngravedLines) {
     part<QSpinBox>("points").setValue(200);
     part<QComboBox>("tool").setCurrentIndex(2);
     part<QDoubleSpinBox>("tool_diameter").setValue(1.0);
-    part<QCheckBox>("engrave").setChecked(true);
+    button("engrave").click();
     ASSERT_TRUE(comes_true([&] {
         return window_->bench().desk.mesh() != nullptr && window_->bench().desk.mesh()->grooves != nullptr;
     })) << all_messages().toStdString();

@@ -37,7 +37,9 @@ protected:
     bool shows(const QString& wanted) {
         return comes_true([&] { return size() == wanted; });
     }
-    void tick(const char* name, bool is_on = true) { part<QCheckBox>(name).setChecked(is_on); }
+    void tick(const char* name, bool is_on = true) {
+        if (button(name).isChecked() != is_on) button(name).click();
+    }
     void set(const char* name, double value) { part<QDoubleSpinBox>(name).setValue(value); }
     nlohmann::json sliced_report() {
         part<QSpinBox>("layers").setValue(20);

@@ -5,7 +5,6 @@
 #include <QAction>
 #include <QActionEvent>
 #include <QApplication>
-#include <QCheckBox>
 #include <QFileDialog>
 #include <QKeyEvent>
 #include <QMenu>
@@ -35,6 +34,11 @@ PressLog::PressLog() : QObject(qApp) {
     qApp->installEventFilter(this);
 }
 
+void PressLog::hear_first() {
+    qApp->removeEventFilter(this);
+    qApp->installEventFilter(this);
+}
+
 void PressLog::forget() {
     pressed_.clear();
     seen_.clear();
@@ -58,8 +62,7 @@ bool PressLog::is_for_table(const QAbstractButton& button) {
     const auto* const push = qobject_cast<const QPushButton*>(&button);
     const bool has_entries = push != nullptr && push->menu() != nullptr;
     const bool is_of_test = button.window()->objectName().startsWith("test_");
-    return !has_entries && !is_of_test && !is_of_qt(button) &&
-           qobject_cast<const QCheckBox*>(&button) == nullptr;
+    return !has_entries && !is_of_test && !is_of_qt(button);
 }
 
 void PressLog::hear_button(QObject& widget) {

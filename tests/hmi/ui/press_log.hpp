@@ -19,6 +19,8 @@ public:
     static PressLog& instance();
 
     void forget();
+    /// Before a window that was opened since, which keeps some keys to itself.
+    void hear_first();
     /// Names of buttons and entries that were pressed, and keys as QKeySequence writes them ("Ctrl+L").
     const std::set<std::string>& pressed() const noexcept { return pressed_; }
     /// Buttons that were shown and are for the table, pressed or not; one without a name as "nameless: its
@@ -27,8 +29,7 @@ public:
 
     /// Its name, or what it says.
     static std::string name_of(const QObject& button, const QString& text);
-    /// Not: tick boxes, which are fields as others are; what only shows a menu, whose entries count; what is
-    /// in a test's own dialog, called "test_...".
+    /// Not: what only shows a menu, whose entries count; what is in a test's own dialog, called "test_...".
     static bool is_for_table(const QAbstractButton& button);
     /// Made by Qt for a dialog or a field of its own.
     static bool is_of_qt(const QObject& button);

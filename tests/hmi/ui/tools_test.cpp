@@ -63,7 +63,15 @@ TEST_F(Tools, GoToAPositionStraightAndOnAnArcAndSayWhatIsInTheWay) {
     open_homed();
     ASSERT_TRUE(click("go_to"));
     ASSERT_TRUE(comes_true([&] { return part<QDialog>("move_dialog").isVisible(); }));
-    EXPECT_EQ(button("move_go").toolTip(), "Go to: choose an axis");
+    for (const char* axis : {"move_r1", "move_r2", "move_psi", "move_y"}) {
+        EXPECT_TRUE(comes_true([&] { return button("move_go").toolTip() == "Go to: choose an axis"; }))
+            << axis;
+        button(axis).click();
+        EXPECT_TRUE(comes_true([&] { return button("move_go").toolTip() != "Go to: choose an axis"; }))
+            << axis;
+        button(axis).click();
+    }
+    EXPECT_TRUE(comes_true([&] { return button("move_go").toolTip() == "Go to: choose an axis"; }));
     part<QDoubleSpinBox>("move_to_r1").setValue(30.0);
     part<QDoubleSpinBox>("move_to_y").setValue(20.0);
     EXPECT_TRUE(part<QCheckBox>("move_r1").isChecked()) << "who writes a position wants it";
@@ -83,7 +91,7 @@ TEST_F(Tools, GoToAPositionStraightAndOnAnArcAndSayWhatIsInTheWay) {
     ASSERT_TRUE(comes_true([&] { return pulses(Axis::y) == 12000 && sight().state() == S::ready; }))
         << all_messages().toStdString();
     EXPECT_EQ(pulses(Axis::r1), 8000);
-    part<QCheckBox>("move_psi").setChecked(true);
+    button("move_psi").click();
     EXPECT_TRUE(
         comes_true([&] { return button("move_go").toolTip() == "Go to: Ψ moves in straight lines only"; }));
 }

@@ -58,6 +58,7 @@ void WindowRig::open_window() {
     options.hand_limit = kLongestJogLease;  // however slow a sanitizer on a busy computer
     KeptSettings{}.set_theme(ThemeChoice::light);
     window_ = std::make_unique<MainWindow>(options, Drawing::painter, kept_settings());
+    PressLog::instance().hear_first();
     window_->resize(1280, 720);  // the platform's screen is smaller
     window_->show();
 }

@@ -203,6 +203,32 @@ TEST_F(UnfinishedWorks, AreNeverWithoutARecordWhileTakenUp) {
     EXPECT_FALSE(is_offered());
 }
 
+TEST_F(UnfinishedWorks, AreOfferedStillWhenTurningThemIsCancelled) {
+    ASSERT_NO_FATAL_FAILURE(leave_turned_behind());
+    open_window();
+    ASSERT_TRUE(comes_true([this] { return is_offered(); }));
+    ASSERT_TRUE(click("work_take"));
+    // Look by look, without the window's own clock: the look after the one that begins the turn may end it.
+    ASSERT_TRUE(eventually([this] {
+        window_->refresh();
+        return part<QCheckBox>("turn").isChecked() && desk_state() == DeskState::opening;
+    }));
+    window_->bench().desk.cancel();
+    ASSERT_TRUE(comes_to(DeskState::empty));
+    look_on();
+    EXPECT_TRUE(is_offered());
+    EXPECT_TRUE(records().contains("gone"));
+    // By hand it is not sliced unasked.
+    window_->open(QString::fromStdString(path_));
+    ASSERT_TRUE(comes_to(DeskState::model));
+    look_on();
+    EXPECT_EQ(desk_state(), DeskState::model);
+    EXPECT_TRUE(is_offered());
+    ASSERT_TRUE(click("work_take"));
+    EXPECT_TRUE(comes_to(DeskState::job));
+    EXPECT_FALSE(is_offered());
+}
+
 TEST_F(UnfinishedWorks, AreOfferedStillWhenOpeningThemIsCancelled) {
     ASSERT_NO_FATAL_FAILURE(leave_behind());
     open_window();

@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
+#include <sstream>
 
 #include "hmi/cli/command_set.hpp"
 #include "hmi/cli/commands.hpp"
@@ -124,6 +126,14 @@ int finish(const Result<int>& outcome, bool as_json) {
     return *outcome;
 }
 
+/// Help, or the version.
+int print_what_was_asked(const CLI::App& program, const CLI::Success& success) {
+    std::ostringstream text;
+    program.exit(success, text, text);
+    std::fputs(text.str().c_str(), stdout);
+    return finish(kExitDone, false);
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
@@ -139,7 +149,7 @@ int run(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {
-        return program.exit(success);
+        return print_what_was_asked(program, success);
     } catch (const CLI::ParseError& error) {
         return report_error(Error{ErrorCode::bad_usage, usage_error(program, error)},
                             asks_for_json(argc, argv));

@@ -4,8 +4,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <cstring>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +21,7 @@ namespace {
 
 constexpr std::uint32_t kLargestCapacity = 1'000'000;
 constexpr int kExitUsage = 2;
+constexpr int kExitBadOutput = 3;
 
 bool parse_count(std::string_view text, std::uint32_t& count) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
@@ -134,6 +138,16 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
     app.set_version_flag("--version", PSICARVE_VERSION);
 }
 
+/// Help, or the version.
+int print_what_was_asked(const CLI::App& app, const CLI::Success& success) {
+    std::ostringstream text;
+    app.exit(success, text, text);
+    std::fputs(text.str().c_str(), stdout);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return 0;
+    std::fprintf(stderr, "psicarve-rtcore: standard output: %s\n", std::strerror(errno));
+    return kExitBadOutput;
+}
+
 /// What would be ignored in silence is not what was meant.
 Result<void> check_meant(const CLI::App& app, const CoreOptions& options) {
     const auto wrong = [](const char* option, const char* why) {
@@ -200,8 +214,11 @@ std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
     describe(app, options, texts);
     try {
         app.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        return print_what_was_asked(app, success);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : kExitUsage;
+        app.exit(error);
+        return kExitUsage;
     }
     if (!texts.clock.empty()) {
         options.clock = texts.clock == "real" ? ClockKind::real : ClockKind::virtual_time;

@@ -40,7 +40,8 @@ const std::vector<std::string> kCommands{"carve",
                                          "doctor",
                                          "latency",
                                          "profile check",
-                                         "profile show"};
+                                         "profile show",
+                                         "completion"};
 
 class EachCommand : public TestWithParam<std::string> {};
 

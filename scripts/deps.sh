@@ -15,7 +15,8 @@ window_packages=(qt6-base-dev libqt6opengl6-dev libqcustomplot-dev qt6-l10n-tool
 test_packages=(git ccache lld python3 python3-numpy python3-scipy libgtest-dev libgmock-dev sigrok-cli librecad-data libcgal-demo glmark2-data occt-misc clang-14 clang-format-14 clang-tidy-14
     libclang-rt-14-dev fonts-wqy-microhei fonts-noto-core xvfb openbox xdotool libgl1-mesa-dri
     qemu-system-x86 busybox-static cpio rt-tests systemd
-    fish zsh man-db groff-base mandoc)
+    fish zsh man-db groff-base mandoc
+    desktop-file-utils appstream shared-mime-info libglib2.0-bin)
 bench_packages=(libembree-dev admesh linuxcnc-uspace)
 
 usage() { printf 'usage: %s build|window|test|bench [--list]\n' "${0##*/}"; }

@@ -126,6 +126,7 @@ int run(int argc, char** argv) {
     QApplication application{argc, argv};
     QApplication::setApplicationName("psicarve-hmi");
     QApplication::setApplicationDisplayName("Psicarve");
+    QApplication::setDesktopFileName("org.psicarve.hmi");  // its icon and name where Wayland looks for them
     QApplication::setStyle("Fusion");
     keep_decimal_points();
     auto settings = std::make_unique<SettingsStore>();

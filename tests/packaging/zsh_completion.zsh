@@ -3,7 +3,8 @@
 PROMPT=
 fpath=($COMPLETIONS $fpath)
 autoload -Uz compinit
-compinit -u -D
+# What the first of them finds the next ones read.
+compinit -C -d $HOME/dump
 bindkey '^I' complete-word
 zstyle ':completion:*' insert-tab false
 compadd() {

@@ -112,8 +112,9 @@ void take_command(const PlacedCommand& placed, const std::string& function, Bash
         for (const std::string& name : option.names) {
             names += (names.empty() ? "" : " ") + name;
             if (!takes_value(option)) continue;
-            parts.values.push_back(quoted(command + ":" + name));
-            parts.of_options.add(quoted(command + ":" + name), bash_action(completion_of(option), function));
+            const std::string label = quoted(labelled(command, name));
+            parts.values.push_back(label);
+            parts.of_options.add(label, bash_action(completion_of(option), function));
         }
     }
     parts.option_names.add(quoted(command), function + "_words '" + names + "'");

@@ -51,6 +51,13 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
     return text;
 }
 
+std::string labelled(const std::string& command, const std::string& what) {
+    std::string label = command;
+    label += ':';
+    label += what;
+    return label;
+}
+
 void take_footer(const std::string& footer, CommandTable& table) {
     std::istringstream lines{footer};
     std::string paragraph;

@@ -52,6 +52,9 @@ std::vector<PlacedCommand> all_commands(const CommandTable& program);
 /// The words with this between them; those before `first` left out.
 std::string joined(const std::vector<std::string>& words, const std::string& between, std::size_t first = 0);
 
+/// "slice:--up": an option, or where an argument stands, of a command.
+std::string labelled(const std::string& command, const std::string& what);
+
 /// Takes what a help page says after its options: paragraphs, "Example:" with one line each, and
 /// "Exit codes: 0 done; 2 wrong usage; ...".
 void take_footer(const std::string& footer, CommandTable& table);

@@ -101,12 +101,15 @@ std::string fish_command(const PlacedCommand& placed, const std::string& head, c
     for (const CommandTable& below : table.commands)
         text += head + at(" 0") + " -a " + below.name + " -d " + fish_text(below.summary) + "\n";
     for (const OptionRow& option : table.options)
-        text += head + at("") + fish_option(option, function) + "\n";
+        text.append(head).append(at("")).append(fish_option(option, function)).append("\n");
     for (std::size_t i = 0; i < table.arguments.size(); ++i) {
         const ArgumentRow& argument = table.arguments[i];
         const std::string words = fish_words(completion_of(argument, placed.words), function);
         if (!words.empty())
-            text += head + at(argument.is_repeated ? "" : " " + std::to_string(i)) + words + "\n";
+            text.append(head)
+                .append(at(argument.is_repeated ? "" : " " + std::to_string(i)))
+                .append(words)
+                .append("\n");
     }
     return text;
 }
@@ -122,7 +125,7 @@ std::string fish_completion(const CommandTable& program) {
         if (!command.empty()) commands += " " + fish_text(command);
         for (const OptionRow& option : placed.table->options) {
             for (const std::string& option_name : option.names)
-                if (takes_value(option)) values += " " + fish_text(command + ":" + option_name);
+                if (takes_value(option)) values += " " + fish_text(labelled(command, option_name));
         }
         rules += fish_command(placed, "complete -c " + program.name, "__" + name);
     }

@@ -39,6 +39,7 @@ const std::map<std::string, Endings>& endings_by_type() {
 
 std::vector<std::string> axis_words(const std::string& tail) {
     std::vector<std::string> words;
+    words.reserve(kAxisCount);
     for (const Axis axis : kAllAxes) words.push_back(std::string{name_of(axis)} + tail);
     return words;
 }

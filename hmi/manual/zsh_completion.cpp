@@ -53,8 +53,8 @@ std::string option_specifications(const OptionRow& option) {
     const std::string excluded = option.is_repeated ? "*" : "(" + joined(option.names, " ") + ")";
     for (const std::string& name : option.names) {
         const bool is_long = name.size() > 1 && name[1] == '-';
-        all += " \\\n        '" + excluded + name + (takes_value(option) && is_long ? "=" : "") + "[" +
-               zsh_text(option.help) + "]";
+        all.append(" \\\n        '").append(excluded).append(name);
+        all.append(takes_value(option) && is_long ? "=[" : "[").append(zsh_text(option.help)).append("]");
         if (takes_value(option)) all += ":" + zsh_text(option.type) + ":" + zsh_action(completion_of(option));
         all += "'";
     }

@@ -3,6 +3,7 @@
 # Installs the Debian packages that are missing, and only these. docs/dependencies.md says why each is here.
 #   scripts/deps.sh build    what building and carving need
 #   scripts/deps.sh window   that, and what the operator's window needs
+#   scripts/deps.sh package  that, and what makes Debian packages of it (packaging/build_packages.sh)
 #   scripts/deps.sh test     that, and what the tests need besides
 #   scripts/deps.sh bench    that, and what the benchmarks compare with
 # With --list it prints the names and installs nothing.
@@ -12,19 +13,23 @@ build_packages=(cmake ninja-build g++ libboost-dev libtomlplusplus-dev nlohmann-
     libxxhash-dev libzip-dev libexpat1-dev pkg-config libcairo2-dev libpolyclipping-dev
     libpng-dev libjpeg-dev libtiff-dev fonts-dejavu-core)
 window_packages=(qt6-base-dev libqt6opengl6-dev libqcustomplot-dev qt6-l10n-tools qt6-translations-l10n)
+package_packages=(debhelper fakeroot)
 test_packages=(git ccache lld python3 python3-numpy python3-scipy libgtest-dev libgmock-dev sigrok-cli librecad-data libcgal-demo glmark2-data occt-misc clang-14 clang-format-14 clang-tidy-14
     libclang-rt-14-dev fonts-wqy-microhei fonts-noto-core xvfb openbox xdotool libgl1-mesa-dri
-    qemu-system-x86 busybox-static cpio rt-tests systemd)
+    qemu-system-x86 busybox-static cpio rt-tests systemd
+    fish zsh man-db groff-base mandoc
+    desktop-file-utils appstream shared-mime-info libglib2.0-bin lintian)
 bench_packages=(libembree-dev admesh linuxcnc-uspace)
 
-usage() { printf 'usage: %s build|window|test|bench [--list]\n' "${0##*/}"; }
+usage() { printf 'usage: %s build|window|package|test|bench [--list]\n' "${0##*/}"; }
 
 if [[ ${1-} == --help ]]; then usage; exit 0; fi
 case "${1-}" in
     build) wanted=("${build_packages[@]}") ;;
     window) wanted=("${build_packages[@]}" "${window_packages[@]}") ;;
-    test) wanted=("${build_packages[@]}" "${window_packages[@]}" "${test_packages[@]}") ;;
-    bench) wanted=("${build_packages[@]}" "${window_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}") ;;
+    package) wanted=("${build_packages[@]}" "${window_packages[@]}" "${package_packages[@]}") ;;
+    test) wanted=("${build_packages[@]}" "${window_packages[@]}" "${package_packages[@]}" "${test_packages[@]}") ;;
+    bench) wanted=("${build_packages[@]}" "${window_packages[@]}" "${package_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}") ;;
     *) usage >&2; exit 2 ;;
 esac
 case "${2-}" in

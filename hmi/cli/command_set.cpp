@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "hmi/cli/command_table.hpp"
+
 namespace psicarve::cli {
 namespace {
 
@@ -187,6 +189,10 @@ Syntax CommandSet::add_to(const CommandText& text, CommandBody body, bool has_js
 
 void CommandSet::add_common_options() {
     add_common(*app_, *common_, true);
+}
+
+manual::CommandTable CommandSet::table() const {
+    return table_of(*app_);
 }
 
 CommandSet CommandSet::group(const char* name, const char* summary) {

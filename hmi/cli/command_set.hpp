@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hmi/manual/command_table.hpp"
 #include "shared/layout.hpp"
 #include "shared/result.hpp"
 #include "shared/segment.hpp"
@@ -87,6 +88,8 @@ public:
     /// For commands whose output is not a report: without --json.
     Syntax add_plain(const CommandText& text, CommandBody body);
     CommandSet group(const char* name, const char* summary);
+    /// What all of them take, as --help tells it. The program's, if these are all its commands.
+    manual::CommandTable table() const;
     /// The common options may also stand before the command's name.
     void add_common_options();
 

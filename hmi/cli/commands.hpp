@@ -9,6 +9,7 @@ namespace psicarve::cli {
 void add_back_off(CommandSet& commands);
 void add_calibrate(CommandSet& commands);
 void add_carve(CommandSet& commands);
+void add_completion(CommandSet& commands);
 void add_doctor(CommandSet& commands);
 void add_drives_off(CommandSet& commands);
 void add_estimate(CommandSet& commands);

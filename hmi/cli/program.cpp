@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
+#include <sstream>
 
 #include "hmi/cli/command_set.hpp"
 #include "hmi/cli/commands.hpp"
@@ -55,7 +57,26 @@ void add_all_commands(CommandSet& commands) {
     CommandSet profile = commands.group("profile", "Check and show machine profiles");
     add_profile_check(profile);
     add_profile_show(profile);
+    add_completion(commands);
 }
+
+/// The parser with all commands. Nothing of it moves.
+struct Grammar {
+    Grammar() {
+        program.require_subcommand(1);
+        program.set_version_flag("--version", PSICARVE_VERSION);
+        program.footer(std::string{"psicarve COMMAND --help explains each with an example.\n"} + kExitCodes);
+        commands.add_common_options();
+        add_all_commands(commands);
+    }
+    Grammar(const Grammar&) = delete;
+    Grammar& operator=(const Grammar&) = delete;
+
+    CLI::App program{"Slices models, publishes jobs and runs the two-head engraver.", "psicarve"};
+    CommonOptions common;
+    CommandBody chosen;
+    CommandSet commands{program, common, chosen};
+};
 
 /// The innermost command that was typed.
 CLI::App& typed_command(CLI::App& program) {
@@ -124,22 +145,24 @@ int finish(const Result<int>& outcome, bool as_json) {
     return *outcome;
 }
 
+/// Help, or the version.
+int print_what_was_asked(const CLI::App& program, const CLI::Success& success) {
+    std::ostringstream text;
+    program.exit(success, text, text);
+    std::fputs(text.str().c_str(), stdout);
+    return finish(kExitDone, false);
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
-    CLI::App program{"Slices models, publishes jobs and runs the two-head engraver.", "psicarve"};
-    program.require_subcommand(1);
-    program.set_version_flag("--version", PSICARVE_VERSION);
-    program.footer(std::string{"psicarve COMMAND --help explains each with an example.\n"} + kExitCodes);
-    CommonOptions common;
-    CommandBody chosen;
-    CommandSet commands{program, common, chosen};
-    commands.add_common_options();
-    add_all_commands(commands);
+    Grammar grammar;
+    CLI::App& program = grammar.program;
+    const CommonOptions& common = grammar.common;
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {
-        return program.exit(success);
+        return print_what_was_asked(program, success);
     } catch (const CLI::ParseError& error) {
         return report_error(Error{ErrorCode::bad_usage, usage_error(program, error)},
                             asks_for_json(argc, argv));
@@ -149,7 +172,11 @@ int run(int argc, char** argv) {
         if (const auto profile = chosen_profile(common); !profile)
             return report_error(profile.error(), common.json);
     }
-    return finish(chosen(common), common.json);
+    return finish(grammar.chosen(common), common.json);
+}
+
+manual::CommandTable program_table() {
+    return Grammar{}.commands.table();
 }
 
 }  // namespace psicarve::cli

@@ -4,10 +4,12 @@
 #include <QApplication>
 #include <QLocale>
 #include <QTimer>
+#include <cerrno>
 #include <chrono>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <utility>
@@ -25,6 +27,7 @@ namespace psicarve::ui {
 namespace {
 
 constexpr int kExitNotSaved = 3;
+constexpr int kExitNotPrinted = 3;
 
 /// So long the program waits for the language that was chosen; after that it is the desktop's.
 constexpr std::chrono::milliseconds kLanguageLimit{250};
@@ -105,17 +108,25 @@ void take_away(std::unique_ptr<MainWindow> window, std::unique_ptr<GlTrial> tria
     trial.reset();
 }
 
+/// Help, the version, or what is wrong with the command line.
+int print_and_end(const WindowOptions& options) {
+    const int exit_code = *options.exit_code;
+    std::FILE* const stream = exit_code == 0 ? stdout : stderr;
+    std::fputs(options.text.c_str(), stream);
+    if (std::fflush(stream) == 0 && std::ferror(stream) == 0) return exit_code;
+    std::fprintf(stderr, "psicarve-hmi: standard output: %s\n", std::strerror(errno));
+    return exit_code == 0 ? kExitNotPrinted : exit_code;
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
     const WindowOptions options = parse_window_options({argv + 1, argv + argc});
-    if (options.exit_code) {
-        std::fputs(options.text.c_str(), *options.exit_code == 0 ? stdout : stderr);
-        return *options.exit_code;
-    }
+    if (options.exit_code) return print_and_end(options);
     QApplication application{argc, argv};
     QApplication::setApplicationName("psicarve-hmi");
     QApplication::setApplicationDisplayName("Psicarve");
+    QApplication::setDesktopFileName("org.psicarve.hmi");  // its icon and name where Wayland looks for them
     QApplication::setStyle("Fusion");
     keep_decimal_points();
     auto settings = std::make_unique<SettingsStore>();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/window_options.hpp"
 
+#include <utility>
+
+#include "hmi/manual/window_table.hpp"
 #include "shared/segment.hpp"
 
 namespace psicarve::ui {
@@ -8,20 +11,6 @@ namespace {
 
 constexpr int kExitDone = 0;
 constexpr int kExitUsage = 2;
-
-constexpr const char* kHelp =
-    "usage: psicarve-hmi [FILE] [--segment NAME] [--profile FILE] [--group NAME]\n"
-    "                    [--language en|zh_CN|ru] [--opengl | --no-opengl]\n\n"
-    "The operator's window. Shows the machine whose core serves the segment, opens models and jobs, slices,\n"
-    "publishes, starts, holds and stops. A saved snapshot or a binary trace is shown as a replay.\n\n"
-    "  --segment NAME   the core's shared-memory segment (default /psicarve)\n"
-    "  --profile FILE   the machine's profile, as the core has it (default: the built-in one)\n"
-    "  --group NAME     the segment belongs to this group\n"
-    "  --language CODE  en, zh_CN or ru, for this time (default: chosen in the menu, or the desktop's)\n"
-    "  --opengl         draw the views of the space with OpenGL even where no graphics card does it\n"
-    "  --no-opengl      draw them without\n"
-    "  --help, --version\n\n"
-    "example: psicarve-rtcore --port sim --clock real & psicarve-hmi examples/figurine.stl\n";
 
 WindowOptions ended(int exit_code, std::string text) {
     WindowOptions options;
@@ -34,8 +23,9 @@ WindowOptions misused(const std::string& what) {
     return ended(kExitUsage, "psicarve-hmi: " + what + "; see psicarve-hmi --help\n");
 }
 
-/// Where the value of an option goes; null: no such option.
+/// Where the value of an option goes; null: no such option. What --help does not tell of is none.
 std::string* target_of(const std::string& name, WindowOptions& options) {
+    if (manual::window_option(name) == nullptr) return nullptr;
     if (name == "--segment") return &options.segment_name;
     if (name == "--profile") return &options.profile_path;
     if (name == "--group") return &options.group;
@@ -61,7 +51,7 @@ WindowOptions parse_window_options(const std::vector<std::string>& arguments) {
         if (!only_files && word == "--") {
             only_files = true;
         } else if (!only_files && (word == "--help" || word == "-h")) {
-            return ended(kExitDone, kHelp);
+            return ended(kExitDone, manual::window_help());
         } else if (!only_files && word == "--version") {
             return ended(kExitDone, "psicarve-hmi " PSICARVE_VERSION "\n");
         } else if (!only_files && (word == "--opengl" || word == "--no-opengl")) {

@@ -4,8 +4,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <cstring>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,7 +20,11 @@ namespace psicarve::supervisor {
 namespace {
 
 constexpr std::uint32_t kLargestCapacity = 1'000'000;
+constexpr const char* kProgramName = "psicarve-rtcore";
+constexpr const char* kAbout =
+    "The real-time core of Psicarve: carves what is published in a shared-memory segment.";
 constexpr int kExitUsage = 2;
+constexpr int kExitBadOutput = 3;
 
 bool parse_count(std::string_view text, std::uint32_t& count) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
@@ -55,48 +62,59 @@ struct Texts {
 
 void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
     app.footer(
-        "Example: psicarve-rtcore --port sim --clock real --profile machine.toml\n"
-        "Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 alarm (replay), 5 no segment.");
+        "Example:\n  psicarve-rtcore --port sim --clock real --profile machine.toml\n\n"
+        "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 alarm (replay); 5 no segment.");
     app.add_option("--segment", options.segment_name, "Shared-memory segment to serve")
+        ->type_name("NAME")
         ->capture_default_str()
         ->check(check_segment_name);
     app.add_option(
            "--port", texts.port,
            "Where the signals go: sim (a simulated machine), ppdev:/dev/parportN, or io:ADDRESS as in "
            "io:0x378 (needs CAP_SYS_RAWIO)")
+        ->type_name("PORT")
         ->capture_default_str();
     app.add_flag("--allow-no-realtime", options.allow_no_realtime,
                  "Drive a real port even without the rights for real-time scheduling");
     app.add_option(
            "--clock", texts.clock,
            "real: ticks by the wall clock; virtual: the same code as fast as it goes, the same every time")
+        ->type_name("real|virtual")
         ->check(CLI::Validator{CLI::IsMember(std::vector<std::string>{"real", "virtual"})}.description(""))
         ->default_str("real");
     app.add_option(
            "--profile", options.profile_path,
            "Machine profile (TOML), or a job file whose profile is meant; without it the built-in default")
+        ->type_name("FILE")
         ->check(check_not_empty);
     app.add_option(
            "--machine", options.machine_path,
            "What the simulated machine really is, as a profile: motors, sensors, wiring, how its heads "
            "stand, its blank; without it the core's own profile, with some reserve in its motors")
+        ->type_name("FILE")
         ->check(check_not_empty);
     app.add_option("--piece", options.piece_path,
                    "At the end, write what the tips left of the simulated machine's blank (CSV)")
+        ->type_name("FILE.csv")
         ->check(check_not_empty);
     app.add_option(
            "--trace", options.trace_paths,
            "Record every pin: .vcd is a value-change dump, anything else compact binary; fd:N an open "
            "descriptor; may be given more than once")
+        ->type_name("FILE")
         ->check(check_not_empty);
     app.add_option("--capacity", texts.capacity, "Largest job of a new segment, layers x points")
+        ->type_name("LAYERSxPOINTS")
         ->default_str("4000x3600");
-    app.add_option("--group", options.group, "Members of this group may use the segment, too (mode 0660)");
+    app.add_option("--group", options.group, "Members of this group may use the segment, too (mode 0660)")
+        ->type_name("NAME");
     app.add_option("--user", options.user,
                    "Started by root: be this user instead, who then owns segment and outputs")
+        ->type_name("NAME")
         ->check(check_not_empty);
     app.add_option("--replay", options.replay_path,
                    "Run this job or snapshot file from the home positions, then exit")
+        ->type_name("JOB")
         ->check(check_not_empty);
     app.add_flag("--assume-homed", options.assume_homed,
                  "With --replay on a real port: the machine stands at its home positions");
@@ -111,27 +129,42 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
         ->type_name("N|any")
         ->check(check_cpu);
     app.add_option("--priority", options.priority, "The tick's real-time priority (SCHED_FIFO)")
+        ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Range(1, 99).description(""));
     app.add_option("--lateness", options.lateness_path,
                    "At the end, write how many ticks were how many microseconds late (CSV; real clock)")
+        ->type_name("FILE.csv")
         ->check(check_not_empty);
     app.add_option(
            "--layer-times", options.layer_times_path,
            "Whenever a job is planned, write when each of its layers is over, in seconds from its first "
            "point (CSV); fd:N: into an open descriptor")
+        ->type_name("FILE.csv")
         ->check(check_not_empty);
     app.add_flag("--no-estimate", options.no_estimate,
                  "Do not plan a job ahead to know how long it takes; the time left stays unknown");
     app.add_flag("--measure-latency", options.measures_latency,
                  "Only measure how late an empty tick is, and print it as JSON; see psicarve latency");
     app.add_option("--seconds", options.measure_seconds, "With --measure-latency: how long")
+        ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Range(1, 1'000'000).description(""));
     app.add_option("--period-us", options.measure_period_us, "With --measure-latency: the tick's period")
+        ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Range(10, 1'000'000).description(""));
     app.set_version_flag("--version", PSICARVE_VERSION);
+}
+
+/// Help, or the version.
+int print_what_was_asked(const CLI::App& app, const CLI::Success& success) {
+    std::ostringstream text;
+    app.exit(success, text, text);
+    std::fputs(text.str().c_str(), stdout);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return 0;
+    std::fprintf(stderr, "psicarve-rtcore: standard output: %s\n", std::strerror(errno));
+    return kExitBadOutput;
 }
 
 /// What would be ignored in silence is not what was meant.
@@ -192,16 +225,26 @@ Result<void> parse_capacity(const std::string& text, CoreOptions& options) {
     return {};
 }
 
+void show_command_line(const std::function<void(const CLI::App&)>& look) {
+    CoreOptions options;
+    Texts texts;
+    CLI::App app{kAbout, kProgramName};
+    describe(app, options, texts);
+    look(app);
+}
+
 std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
     CoreOptions options;
     Texts texts;
-    CLI::App app{"The real-time core of Psicarve: carves what is published in a shared-memory segment.",
-                 "psicarve-rtcore"};
+    CLI::App app{kAbout, kProgramName};
     describe(app, options, texts);
     try {
         app.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        return print_what_was_asked(app, success);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : kExitUsage;
+        app.exit(error);
+        return kExitUsage;
     }
     if (!texts.clock.empty()) {
         options.clock = texts.clock == "real" ? ClockKind::real : ClockKind::virtual_time;

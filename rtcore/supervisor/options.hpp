@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -11,6 +12,10 @@
 #include "shared/layout.hpp"
 #include "shared/result.hpp"
 #include "shared/segment.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace psicarve::supervisor {
 
@@ -48,6 +53,9 @@ struct CoreOptions {
 /// The options, or the exit code of a run that is over (help and version were asked for, or the usage was
 /// wrong: the message has been printed).
 std::variant<CoreOptions, int> parse_options(int argc, char** argv);
+
+/// What parse_options takes, as --help tells it, to make pages and completion of.
+void show_command_line(const std::function<void(const CLI::App&)>& look);
 
 /// "LxP", both 1 to 1 000 000.
 Result<void> parse_capacity(const std::string& text, CoreOptions& options);

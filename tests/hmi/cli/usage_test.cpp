@@ -40,7 +40,8 @@ const std::vector<std::string> kCommands{"carve",
                                          "doctor",
                                          "latency",
                                          "profile check",
-                                         "profile show"};
+                                         "profile show",
+                                         "completion"};
 
 class EachCommand : public TestWithParam<std::string> {};
 
@@ -196,10 +197,26 @@ TEST(Usage, CommonOptionsMayStandBeforeTheCommand) {
     EXPECT_NE(outcome.error.find("/psicarve-no-such-segment"), std::string::npos) << outcome.error;
 }
 
-TEST(Usage, AFullDiskBehindStandardOutputIsAnError) {
-    const int status = std::system(in_build("bin/psicarve profile show > /dev/full 2>/dev/null").c_str());
+/// What a program prints ends on a full disk.
+class FullDisk : public TestWithParam<std::string> {};
+
+TEST_P(FullDisk, BehindStandardOutputIsAnError) {
+    const std::string line = in_build("bin/" + GetParam()) + " 2>&1 >/dev/full";
+    std::FILE* const pipe = popen(line.c_str(), "r");
+    ASSERT_NE(pipe, nullptr);
+    std::string error;
+    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) error += static_cast<char>(c);
+    const int status = pclose(pipe);
     EXPECT_EQ(WEXITSTATUS(status), 3);
+    EXPECT_NE(error.find(": standard output: No space left on device\n"), std::string::npos) << error;
+    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
 }
+
+INSTANTIATE_TEST_SUITE_P(Usage, FullDisk,
+                         ::testing::Values("psicarve profile show", "psicarve --help", "psicarve --version",
+                                           "psicarve snapshot --help", "psicarve slice --help",
+                                           "psicarve-rtcore --help", "psicarve-rtcore --version"),
+                         [](const auto& named) { return parameter_name(named.param, named.index); });
 
 TEST(Usage, AnOverrideIsAWholeNumberFromTenToTwoHundred) {
     for (const std::string percent : {"9", "201", "-50", "50.5", "fast", "50%"}) {

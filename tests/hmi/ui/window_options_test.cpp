@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+#include <vector>
+
+#include "hmi/manual/window_table.hpp"
+
 namespace psicarve::ui {
 namespace {
 
@@ -44,6 +50,23 @@ TEST(WindowOptions, RefusesWrongUsageInOneLine) {
         EXPECT_EQ(*options.exit_code, 2);
         EXPECT_EQ(options.text.find('\n'), options.text.size() - 1) << options.text;
     }
+}
+
+TEST(WindowOptions, AreThoseThatHelpTellsOf) {
+    const std::map<std::string, std::string> values{
+        {"--segment", "/mine"}, {"--profile", "p.toml"}, {"--group", "carvers"}, {"--language", "ru"}};
+    for (const manual::OptionRow& option : manual::window_table().options) {
+        for (const std::string& name : option.names) {
+            std::vector<std::string> words{name};
+            if (!option.type.empty()) words.push_back(values.at(name));
+            EXPECT_EQ(parse_window_options(words).exit_code.value_or(0), 0) << name;
+        }
+    }
+    const manual::OptionRow* const language = manual::window_option("--language");
+    ASSERT_NE(language, nullptr);
+    std::string codes;
+    for (const LanguageName& known : kLanguages) codes += std::string{codes.empty() ? "" : "|"} + known.code;
+    EXPECT_EQ(language->type, codes);
 }
 
 TEST(WindowOptions, ExplainsItself) {

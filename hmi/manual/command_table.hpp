@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace psicarve::manual {
+
+struct OptionRow {
+    std::vector<std::string> names;  ///< "-o", "--output"; the long one last
+    std::string type;                ///< "MM", "x|y|z", "OUT.png"; empty: a switch without a value
+    std::string fallback;            ///< what holds without it; empty: not told
+    std::string help;
+    bool is_required = false;
+    bool is_repeated = false;
+};
+
+struct ArgumentRow {
+    std::string name;  ///< "MODEL|JOB"
+    std::string type;  ///< its words, "on|off"; else empty
+    std::string help;
+    bool is_required = false;
+    bool is_repeated = false;
+};
+
+struct ExitCodeRow {
+    std::string code;
+    std::string meaning;
+};
+
+/// A program, a group of commands or a command, as --help tells of it.
+struct CommandTable {
+    std::string name;                   ///< the last word of what is typed: "save"
+    std::string summary;                ///< one line
+    std::vector<std::string> details;   ///< paragraphs
+    std::vector<std::string> examples;  ///< lines that can be typed
+    std::vector<ExitCodeRow> exit_codes;
+    std::vector<ArgumentRow> arguments;
+    std::vector<OptionRow> options;
+    std::vector<CommandTable> commands;
+};
+
+/// A command with the words before its name.
+struct PlacedCommand {
+    std::vector<std::string> words;  ///< of the program: one; "psicarve", "snapshot", "save"
+    const CommandTable* table;
+};
+/// The program itself first, then all below it. The table outlives what is returned.
+std::vector<PlacedCommand> all_commands(const CommandTable& program);
+
+/// The words with this between them; those before `first` left out.
+std::string joined(const std::vector<std::string>& words, const std::string& between, std::size_t first = 0);
+
+/// "slice:--up": an option, or where an argument stands, of a command.
+std::string labelled(const std::string& command, const std::string& what);
+
+/// Takes what a help page says after its options: paragraphs, "Example:" with one line each, and
+/// "Exit codes: 0 done; 2 wrong usage; ...".
+void take_footer(const std::string& footer, CommandTable& table);
+
+}  // namespace psicarve::manual

@@ -159,8 +159,8 @@ void add_carve(CommandSet& commands) {
     Syntax syntax =
         commands.add(kCarveText, [options](const CommonOptions& common) { return carve(common, *options); });
     syntax
-        .argument("MODEL|JOB", options->path,
-                  "A mesh, drawing, picture or table, as slice takes them, or a job or snapshot file")
+        .input("MODEL|JOB", options->path,
+               "A mesh, drawing, picture or table, as slice takes them, or a job or snapshot file")
         .picture_option(options->picture)
         .option("--trace", options->trace, "OUT.vcd", "Record every pin: .vcd, or compact binary")
         .flag("--real-time", options->real_time, "A core of our own runs by the wall clock");

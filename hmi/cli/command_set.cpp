@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "hmi/cli/standard_streams.hpp"
+
 namespace psicarve::cli {
 namespace {
 
@@ -73,6 +75,20 @@ std::string one_of(const std::vector<std::string>& words) {
 
 Syntax& Syntax::argument(const char* name, std::string& target, const char* help) {
     app_->add_option(name, target, help)->required()->type_name("")->check(check_not_empty);
+    return *this;
+}
+
+Syntax& Syntax::input(const char* name, std::string& target, const char* help) {
+    app_->add_option(name, target, std::string{help} + "; - reads standard input")
+        ->required()
+        ->type_name("")
+        ->check(check_not_empty)
+        ->transform([](std::string word) {
+            if (word != "-") return word;
+            auto path = file_of_standard_input();
+            if (!path) throw CLI::ValidationError{path.error().message};
+            return std::move(path).value();
+        });
     return *this;
 }
 

@@ -20,6 +20,7 @@ namespace psicarve::cli {
 /// How a model becomes a job. Zero or empty: not given.
 struct ModelOptions {
     std::uint32_t layer_count = 0;
+    std::optional<double> layer_height_mm;
     std::uint32_t point_count = 0;
     std::uint32_t thread_count = 0;
     std::string up;

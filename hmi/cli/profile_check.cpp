@@ -34,7 +34,7 @@ Result<int> check(const CommonOptions& common, const std::string& path) {
 void add_profile_check(CommandSet& commands) {
     const auto path = std::make_shared<std::string>();
     commands.add(kProfileCheckText, [path](const CommonOptions& common) { return check(common, *path); })
-        .argument("FILE", *path, "A machine profile (TOML)");
+        .input("FILE", *path, "A machine profile (TOML)");
 }
 
 }  // namespace psicarve::cli

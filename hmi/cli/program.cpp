@@ -9,7 +9,7 @@
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
-#include "hmi/cli/nearest.hpp"
+#include "shared/nearest.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -30,7 +30,7 @@ void add_common(CLI::App& app, CommonOptions& common, bool has_json) {
         ->capture_default_str()
         ->check(check_segment_name);
     app.add_option("--profile", common.profile,
-                   "Machine profile; without it the built-in 'default', or the job's own")
+                   "Machine profile; without it the job's own, else the one that 'profile path' tells")
         ->type_name("FILE")
         ->check(check_not_empty);
     app.add_option("--group", common.group, "The segment belongs to this group's service user")

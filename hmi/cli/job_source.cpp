@@ -22,6 +22,7 @@
 #include "hmi/model/turned_mesh.hpp"
 #include "hmi/rough/roughing.hpp"
 #include "shared/atomic_file.hpp"
+#include "shared/profile_place.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -278,13 +279,18 @@ void add_model_options(Syntax& syntax, ModelOptions& options) {
     add_flat_options(syntax, options.flat);
 }
 
+std::string chosen_profile_path(const CommonOptions& common) {
+    return common.profile.empty() ? default_profile_path() : common.profile;
+}
+
 Result<Profile> chosen_profile(const CommonOptions& common) {
-    if (common.profile.empty()) return Profile{};
-    if (!is_snapshot_file(common.profile)) return load_profile(common.profile);
-    const auto snapshot = load_snapshot(common.profile);
+    const std::string path = chosen_profile_path(common);
+    if (path.empty()) return Profile{};
+    if (!is_snapshot_file(path)) return load_profile(path);
+    const auto snapshot = load_snapshot(path);
     if (!snapshot) return snapshot.error();
     const auto job = JobView::check(snapshot->job_blob);
-    if (!job) return bad_input(common.profile + ": holds no job, and so no profile");
+    if (!job) return bad_input(path + ": holds no job, and so no profile");
     return job_profile(*job);
 }
 
@@ -323,6 +329,10 @@ Result<PlacedBody> place_body(const std::string& path, const ModelOptions& optio
 Result<PreparedJob> prepare_job(const std::string& path, const ModelOptions& options,
                                 const CommonOptions& common) {
     auto job = [&]() -> Result<PreparedJob> {
+        if (!is_snapshot_file(path) && common.profile.empty()) {
+            if (const std::string found = chosen_profile_path(common); !found.empty())
+                print_note("profile " + found);
+        }
         if (!is_snapshot_file(path)) return slice_model(path, options, common);
         if (has_any(options)) {
             return Error{ErrorCode::bad_usage,

@@ -52,9 +52,12 @@ void add_all_commands(CommandSet& commands) {
     add_calibrate(commands);
     add_doctor(commands);
     add_latency(commands);
-    CommandSet profile = commands.group("profile", "Check and show machine profiles");
+    CommandSet profile = commands.group("profile", "Check, show, compare and change machine profiles");
     add_profile_check(profile);
     add_profile_show(profile);
+    add_profile_path(profile);
+    add_profile_diff(profile);
+    add_profile_set(profile);
 }
 
 /// The innermost command that was typed.

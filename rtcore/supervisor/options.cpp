@@ -74,9 +74,10 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
            "real: ticks by the wall clock; virtual: the same code as fast as it goes, the same every time")
         ->check(CLI::Validator{CLI::IsMember(std::vector<std::string>{"real", "virtual"})}.description(""))
         ->default_str("real");
-    app.add_option(
-           "--profile", options.profile_path,
-           "Machine profile (TOML), or a job file whose profile is meant; without it the built-in default")
+    app.add_option("--profile", options.profile_path,
+                   "Machine profile (TOML), or a job file whose profile is meant; without it the one that "
+                   "'psicarve profile "
+                   "path' tells")
         ->check(check_not_empty);
     app.add_option(
            "--machine", options.machine_path,

@@ -40,7 +40,10 @@ const std::vector<std::string> kCommands{"carve",
                                          "doctor",
                                          "latency",
                                          "profile check",
-                                         "profile show"};
+                                         "profile show",
+                                         "profile path",
+                                         "profile diff",
+                                         "profile set"};
 
 class EachCommand : public TestWithParam<std::string> {};
 
@@ -100,7 +103,8 @@ TEST(Commands, AreExactlyThoseOfTheList) {
     }
     EXPECT_EQ(listed({"--help"}), expected);
     EXPECT_EQ(listed({"snapshot", "--help"}), (std::vector<std::string>{"save", "info", "export", "diff"}));
-    EXPECT_EQ(listed({"profile", "--help"}), (std::vector<std::string>{"check", "show"}));
+    EXPECT_EQ(listed({"profile", "--help"}),
+              (std::vector<std::string>{"check", "show", "path", "diff", "set"}));
 }
 
 struct WrongUsage {
@@ -175,6 +179,7 @@ TEST(Usage, AnEmptyNameIsWrong) {
                                                          {"verify", "j", ""},
                                                          {"snapshot", "save", ""},
                                                          {"profile", "check", ""},
+                                                         {"profile", "diff", ""},
                                                          {"status", "--segment", ""},
                                                          {"status", "--group", ""}};
     for (const auto& command : commands) {

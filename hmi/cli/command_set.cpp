@@ -64,6 +64,14 @@ std::string check_at_least_zero(const std::string& text) {
     return is_good ? std::string{} : "'" + text + "' is not a number from 0 on";
 }
 
+/// Standard input as a file.
+std::string input_path(std::string word) {
+    if (word != "-") return word;
+    auto path = file_of_standard_input();
+    if (!path) throw CLI::ValidationError{path.error().message};
+    return std::move(path).value();
+}
+
 /// "x|y|z"
 std::string one_of(const std::vector<std::string>& words) {
     std::string text;
@@ -83,12 +91,16 @@ Syntax& Syntax::input(const char* name, std::string& target, const char* help) {
         ->required()
         ->type_name("")
         ->check(check_not_empty)
-        ->transform([](std::string word) {
-            if (word != "-") return word;
-            auto path = file_of_standard_input();
-            if (!path) throw CLI::ValidationError{path.error().message};
-            return std::move(path).value();
-        });
+        ->transform(input_path);
+    return *this;
+}
+
+Syntax& Syntax::inputs(const char* name, std::vector<std::string>& target, const char* help) {
+    app_->add_option(name, target, std::string{help} + "; - reads standard input")
+        ->required()
+        ->type_name("")
+        ->check(check_not_empty)
+        ->transform(input_path);
     return *this;
 }
 

@@ -74,7 +74,7 @@ enum class AnswerKind : std::uint32_t { none = 0, done = 1, refused = 2 };
 struct Answer {
     AnswerKind kind;
     std::uint32_t reserved;
-    char reason[112];  ///< zero-terminated; why refused and what to do
+    char reason[112];  ///< zero-terminated; why refused and what to do, or what to know of what is done
 };
 static_assert(sizeof(Answer) == 120 && std::is_trivially_copyable_v<Answer>, "bump kLayoutVersion");
 

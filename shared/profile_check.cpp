@@ -103,6 +103,23 @@ std::optional<Problem> check_heads(const Profile& profile) {
     return std::nullopt;
 }
 
+/// Of heads that are out as far as they go the tips are as far apart as they ever are.
+std::optional<Problem> check_head_clearance(const Profile& profile) {
+    double most_mm = 0.0;
+    for (const Axis axis : {Axis::r1, Axis::r2}) {
+        const AxisMotion motion = axis_motion(profile, axis);
+        most_mm += mm_from_pulses(motion.travel_max_pulses, motion.pulses_per_unit);
+    }
+    most_mm += profile.r1.tip_mm() + profile.r2.tip_mm();
+    if (profile.head_clearance_mm < most_mm) return std::nullopt;
+    return Problem{"head_clearance_mm",
+                   {"axis.r1.travel_mm", "axis.r2.travel_mm", "axis.r1.tip_offset_mm",
+                    "axis.r2.tip_offset_mm", "axis.r1.tool_wear_mm", "axis.r2.tool_wear_mm"},
+                   number_text(profile.head_clearance_mm) +
+                       " mm is more than the tips are apart with both heads out, " + number_text(most_mm) +
+                       " mm; lower it"};
+}
+
 std::optional<Problem> check_psi(const RotaryAxisProfile& psi) {
     if (psi.pulses_per_rev % 2 != 0) {
         return Problem{"axis.psi.pulses_per_rev",
@@ -243,6 +260,7 @@ std::optional<Problem> check_profile(const Profile& profile) {
     }
     if (auto problem = check_psi(profile.psi)) return problem;
     if (auto problem = check_heads(profile)) return problem;
+    if (auto problem = check_head_clearance(profile)) return problem;
     if (auto problem = check_schedule(profile)) return problem;
     if (auto problem = check_pulse_rates(profile)) return problem;
     if (auto problem = check_blank(profile.blank)) return problem;

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "shared/atomic_file.hpp"
+#include "shared/nearest.hpp"
 #include "shared/profile_table.hpp"
 #include "shared/toml_library.hpp"
 
@@ -27,38 +28,30 @@ std::string printable(std::string_view text, std::size_t most = kQuotedBytes) {
     return text.size() > most ? result + "..." : result;
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t above = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-            diagonal = above;
-        }
-    }
-    return row[b.size()];
+/// Whether a known key stands in this table ("axis.r1"; empty: the top).
+bool has_keys(std::string_view table) {
+    return std::any_of(key_table().begin(), key_table().end(),
+                       [&](const KeySpec& key) { return table_of_key(key.path) == table; });
 }
 
-/// The known key that looks most like `path`: in its own table first, then under its own name elsewhere.
+/// The known key that was meant: of the table it was put into, never of another, where a like name means
+/// something else. Of a table that there is not: that table's name.
 std::string suggestion_for(const std::string& path) {
     constexpr std::size_t kLongestGuess = 80;
-    if (path.size() > kLongestGuess) return "see profile show for all keys";
-    const KeySpec* best = &key_table().front();
-    double best_distance = std::numeric_limits<double>::max();
+    const std::string nothing = "see profile show for all keys";
+    if (path.size() > kLongestGuess) return nothing;
+    const std::string_view table = table_of_key(path);
+    std::vector<std::string> names;
     for (const KeySpec& key : key_table()) {
-        const auto leaf = static_cast<double>(edit_distance(leaf_of_key(path), leaf_of_key(key.path)));
-        const auto table = static_cast<double>(edit_distance(table_of_key(path), table_of_key(key.path)));
-        // The name weighs more than the table it was put into.
-        const double distance = 2.0 * leaf + std::min(table, 3.0);
-        if (distance < best_distance) {
-            best_distance = distance;
-            best = &key;
-        }
+        const std::string_view its_table = table_of_key(key.path);
+        if (its_table == table) names.emplace_back(leaf_of_key(key.path));
+        if (its_table.empty() || !has_keys(its_table)) continue;
+        // "axis.r1" beside "axis.x", "job" beside "jobs"
+        if (table_of_key(its_table) == table) names.emplace_back(leaf_of_key(its_table));
     }
-    return "did you mean " + best->path + "?";
+    const auto meant = nearest(leaf_of_key(path), names);
+    if (!meant) return nothing;
+    return "did you mean " + (table.empty() ? "" : std::string{table} + ".") + *meant + "?";
 }
 
 bool is_table_path(const std::string& path) {

@@ -138,8 +138,9 @@ Result<PublishedJob> copy_current_job(Segment& segment, std::chrono::millisecond
 // --- commands (any process but the core)
 // -----------------------------------------------------------------------
 /// Sends one command and waits for its answer: done, or the core's reason (machine_refused); no_core when
-/// none serves.
-Result<void> send_command(Segment& segment, const Command& command, std::chrono::milliseconds limit);
+/// none serves. `remark`: what is to be known of what was done, mostly nothing.
+Result<void> send_command(Segment& segment, const Command& command, std::chrono::milliseconds limit,
+                          std::string* remark = nullptr);
 void request_stop(Segment& segment) noexcept;
 void request_emergency_stop(Segment& segment) noexcept;
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include "shared/event.hpp"
 #include "shared/jog_lease.hpp"
@@ -69,11 +70,11 @@ void post(SegmentHeader& header, CommandSlot& slot, const Command& command, std:
     slot.sender_start_time.store(process_start_time(pid), std::memory_order_relaxed);
 }
 
-Result<void> read_answer(CommandSlot& slot, std::uint32_t pid) {
+Result<std::string> read_answer(CommandSlot& slot, std::uint32_t pid) {
     const Answer answer = load_words<Answer>(slot.answer);
     free_slot(slot, pack(SlotState::answered, pid));
-    if (answer.kind == AnswerKind::done) return {};
     const std::string reason = text_from_field(answer.reason);
+    if (answer.kind == AnswerKind::done) return reason;
     return Error{ErrorCode::machine_refused,
                  reason.empty() ? "the core refused it without a reason" : reason};
 }
@@ -85,8 +86,8 @@ bool give_up(CommandSlot& slot, std::uint32_t pid) noexcept {
            slot.state_and_sender.load() != pack(SlotState::answered, pid);
 }
 
-Result<void> wait_for_answer(Segment& segment, CommandSlot& slot, std::uint32_t pid,
-                             std::chrono::milliseconds limit) {
+Result<std::string> wait_for_answer(Segment& segment, CommandSlot& slot, std::uint32_t pid,
+                                    std::chrono::milliseconds limit) {
     SegmentHeader& header = segment.header();
     const Clock::time_point deadline = Clock::now() + limit;
     for (;;) {
@@ -136,7 +137,8 @@ void finish(CommandSlot& slot, std::uint32_t sender_pid, const Answer& answer) n
 
 }  // namespace
 
-Result<void> send_command(Segment& segment, const Command& command, std::chrono::milliseconds limit) {
+Result<void> send_command(Segment& segment, const Command& command, std::chrono::milliseconds limit,
+                          std::string* remark) {
     const std::uint32_t pid = own_pid();
     CommandSlot* const slot = claim_slot(segment.header(), pid);
     if (slot == nullptr) {
@@ -149,7 +151,10 @@ Result<void> send_command(Segment& segment, const Command& command, std::chrono:
         return Error{ErrorCode::no_core,
                      "no core serves segment " + segment.name() + ": start psicarve-rtcore"};
     }
-    return wait_for_answer(segment, *slot, pid, limit);
+    auto answer = wait_for_answer(segment, *slot, pid, limit);
+    if (!answer) return answer.error();
+    if (remark != nullptr) *remark = std::move(answer).value();
+    return {};
 }
 
 void request_stop(Segment& segment) noexcept {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/snapshot_file.hpp"
 
+#include <unistd.h>
 #include <xxhash.h>
 
 #include <array>
+#include <cerrno>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -226,6 +228,22 @@ Result<void> save_snapshot(const Snapshot& snapshot, const std::string& path, co
     // Written part by part: a job may be larger than what can be copied once more.
     const std::array all{std::as_bytes(std::span{&header, 1}), parts[0], parts[1], parts[2], parts[3]};
     return write_parts_atomically(path, all, *rights);
+}
+
+Result<void> write_snapshot(const Snapshot& snapshot, int descriptor, const std::string& name) {
+    const auto parts = parts_of(snapshot);
+    SnapshotHeader header = header_of(snapshot);
+    header.checksum = checksum_of(header, parts);
+    const std::array all{std::as_bytes(std::span{&header, 1}), parts[0], parts[1], parts[2], parts[3]};
+    for (std::span<const std::byte> part : all) {
+        while (!part.empty()) {
+            const ssize_t done = ::write(descriptor, part.data(), part.size());
+            if (done < 0 && errno == EINTR) continue;
+            if (done <= 0) return Error{ErrorCode::out_of_room, name + ": " + std::strerror(errno)};
+            part = part.subspan(static_cast<std::size_t>(done));
+        }
+    }
+    return {};
 }
 
 Result<Snapshot> load_snapshot(const std::string& path) {

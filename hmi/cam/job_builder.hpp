@@ -26,14 +26,16 @@ enum class AxisAt : std::uint8_t {
 struct JobOptions {
     /// Default 500, fewer where the model has fewer pulses of height.
     std::optional<std::uint32_t> layer_count;
+    std::optional<double> layer_height_mm;  ///< as many layers as it takes; not together with layer_count
     /// Per head and layer; default 500, fewer where half a turn has fewer pulses.
     std::optional<std::uint32_t> point_count;
     slice::Up up = slice::Up::z;
     AxisAt axis_at = AxisAt::centre;
     double axis_x = 0.0;
     double axis_y = 0.0;
-    std::optional<double> height_mm;  ///< of the whole model; not together with scale
-    std::optional<double> scale;      ///< mm per file unit; default 1
+    std::optional<double> height_mm;    ///< of the whole model; not together with scale
+    std::optional<double> scale;        ///< mm per file unit; default 1
+    std::optional<double> diameter_mm;  ///< twice as far as it reaches from its axis; not with any of these
     bool fits = false;  ///< as large as travel and blank let it be; not together with height or scale
     std::optional<Joining> joining;   ///< default: the profile's
     unsigned thread_count = 1;        ///< changes nothing in the job

@@ -44,6 +44,9 @@ std::string digits(double value) {
 }
 
 Result<double> scale_of(const JobOptions& options, const Box& box) {
+    if (options.diameter_mm && (options.fits || options.height_mm || options.scale))
+        return Error{ErrorCode::bad_usage,
+                     "--diameter excludes --height, --scale and --fit: all set the size"};
     if (options.fits && (options.height_mm || options.scale))
         return Error{ErrorCode::bad_usage, "--fit excludes --height and --scale: all set the size"};
     if (options.height_mm && options.scale) {
@@ -83,10 +86,28 @@ Result<std::uint32_t> points_of(const JobOptions& options, const Profile& profil
     return *options.point_count;
 }
 
+/// Layers that are no higher than was asked for.
+Result<std::uint32_t> layers_of_height(const JobOptions& options, double height_mm, std::int64_t most,
+                                       const std::string& source_name, SliceReport& report) {
+    if (options.layer_count)
+        return Error{ErrorCode::bad_usage, "--layers and --layer-height exclude each other"};
+    constexpr double kRounding = 1e-9;  // ten layers of 0.1 mm are 1 mm
+    const double wanted = std::max(1.0, std::ceil(height_mm / *options.layer_height_mm * (1.0 - kRounding)));
+    if (wanted > static_cast<double>(most)) {
+        return bad_input(source_name + ": layers of " + digits(*options.layer_height_mm) +
+                         " mm are thinner than a pulse of axis y: at least --layer-height " +
+                         decimals(height_mm / static_cast<double>(most), 4));
+    }
+    report.notes.push_back(std::to_string(static_cast<std::int64_t>(wanted)) + " layers of " +
+                           decimals(height_mm / wanted, 4) + " mm");
+    return static_cast<std::uint32_t>(wanted);
+}
+
 Result<std::uint32_t> layers_of(const JobOptions& options, const Profile& profile, double height_mm,
                                 const std::string& source_name, SliceReport& report) {
     const auto most =
         std::max<std::int64_t>(static_cast<std::int64_t>(height_mm * profile.y.pulses_per_mm), 1);
+    if (options.layer_height_mm) return layers_of_height(options, height_mm, most, source_name, report);
     if (!options.layer_count) {
         if (most < kUsualLayers) {
             report.notes.push_back(std::to_string(most) + (most == 1 ? " layer" : " layers") + ", not " +
@@ -167,17 +188,21 @@ Result<void> settle_size(const model::Mesh& mesh, const Profile& profile, const 
     const auto scale = scale_of(options, box);
     if (!scale) return scale.error();
     plan.scale = *scale;
-    if (!options.fits) return {};
+    if (!options.fits && !options.diameter_mm) return {};
     // While the axis is looked for, any radius can be made to fit.
     plan.scale = std::numeric_limits<double>::min();
     if (auto done = place_axis(mesh, profile, options, box, plan, report); !done) return done.error();
+    if (options.diameter_mm) {
+        plan.scale = *options.diameter_mm / (2.0 * slice::largest_radius(mesh, plan.placement));
+        return {};
+    }
     plan.scale = fitting_scale(mesh, profile, plan, report);
     if (!(plan.scale > 0.0)) return bad_input(mesh.source_name + ": nothing fits above the base height");
     return {};
 }
 
 void warn_about_units(const JobOptions& options, SliceReport& report) {
-    if (options.height_mm || options.scale || options.fits) return;
+    if (options.height_mm || options.scale || options.fits || options.diameter_mm) return;
     const double largest = *std::max_element(report.box_mm.begin(), report.box_mm.end());
     if (largest >= kSuspiciouslySmall_mm) return;
     report.warnings.push_back("the model is only " + decimals(report.box_mm[2], 2) +
@@ -288,7 +313,7 @@ Result<JobPlan> plan_job(const model::Mesh& mesh, const Profile& profile, const 
         plan.height_pulses.push_back(plan.height_pulses.back());
         ++report.layers;
     }
-    if (!options.fits) {
+    if (!options.fits && !options.diameter_mm) {
         if (auto done = place_axis(mesh, profile, options, box, plan, report); !done) return done.error();
     }
     return plan;

@@ -21,6 +21,7 @@
 #include "hmi/cam/radius_tables.hpp"
 #include "hmi/cam/rough_job.hpp"
 #include "hmi/model/file_bytes.hpp"
+#include "hmi/model/source_name.hpp"
 #include "hmi/model/text_scan.hpp"
 #include "hmi/tool/tool.hpp"
 #include "shared/decimals.hpp"
@@ -245,7 +246,7 @@ Result<BuiltJob> read(const std::vector<char>& bytes, const std::string& path, c
     built->report.tool = tool::name_of(profile.tool);
     built->report.layers = built->table.layer_count;
     built->report.points = built->table.point_count;
-    built->table.source_name = std::filesystem::path(path).filename().string();
+    built->table.source_name = model::source_name_of(path);
     built->table.source_hash = XXH3_64bits(bytes.data(), bytes.size());
     built->table.profile_toml = profile_to_toml(profile);
     built->table.report_json = to_json(built->report);

@@ -10,8 +10,10 @@
 #include "hmi/cli/calibration_talk.hpp"
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/job_source.hpp"
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/number_argument.hpp"
+#include "hmi/cli/saved_draft.hpp"
 #include "hmi/profile/calibration.hpp"
 #include "hmi/profile/calibration_steps.hpp"
 
@@ -106,37 +108,9 @@ Result<void> take_options(ProfileDraft& draft, const CommonOptions& common, cons
     return {};
 }
 
-nlohmann::ordered_json changes_json(const ProfileDraft& draft) {
-    auto changes = nlohmann::ordered_json::object();
-    for (const profile::KeyChange& change : profile::changes_of(draft))
-        changes[change.key] = {{"from", change.from}, {"to", change.to}};
-    return changes;
-}
-
-Result<int> save(ProfileDraft& draft, const CommonOptions& common) {
-    const std::string changes = profile::changes_text(draft);
-    const auto as_json = changes_json(draft);
-    if (!changes.empty()) {
-        if (const auto saved = draft.save(); !saved) return saved.error();
-    }
-    const std::string backup = ProfileDraft::backup_path(draft.path());
-    if (common.json) {
-        const nlohmann::ordered_json report{
-            {"profile", draft.path()},
-            {"backup", changes.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(backup)},
-            {"changes", as_json}};
-        std::printf("%s\n", report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-    } else if (changes.empty()) {
-        std::printf("%s: nothing changed\n", draft.path().c_str());
-    } else {
-        std::printf("%s%s: written, the old one is %s. Start the core with it, and slice models anew.\n",
-                    changes.c_str(), draft.path().c_str(), backup.c_str());
-    }
-    return kExitDone;
-}
-
 Result<int> calibrate(const CommonOptions& common, const CalibrateOptions& options) {
-    if (common.profile.empty())
+    const std::string path = chosen_profile_path(common);
+    if (path.empty())
         return wrong_usage(
             "--profile says which file is written; psicarve profile show > machine.toml makes one");
     const bool is_talk = options.guided || !options.has_measurement();
@@ -144,13 +118,13 @@ Result<int> calibrate(const CommonOptions& common, const CalibrateOptions& optio
         return wrong_usage("--guided asks for the measurements; give none");
     if (is_talk && !options.guided && ::isatty(STDIN_FILENO) == 0)
         return wrong_usage("no measurement is given and nobody is there to ask; see --help, or --guided");
-    auto draft = ProfileDraft::open(common.profile);
+    auto draft = ProfileDraft::open(path);
     if (!draft) return draft.error();
     if (const auto whole = draft->profile(); !whole) return whole.error();
     const auto place_of = [&](Axis head) { return counted_place(common, *draft, head); };
     const auto taken = is_talk ? talk_calibration(*draft, place_of) : take_options(*draft, common, options);
     if (!taken) return taken.error();
-    return save(*draft, common);
+    return save_draft(*draft, common);
 }
 
 }  // namespace

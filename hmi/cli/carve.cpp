@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "hmi/cli/carve_queue.hpp"
 #include "hmi/cli/carved_piece.hpp"
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
@@ -27,10 +28,13 @@ constexpr CommandText kCarveText{
     "simulated machine with the virtual\n"
     "clock, and ends it. Either way its pins are verified while it runs. Ctrl-C stops "
     "the machine; twice is an\nemergency stop.",
-    "psicarve carve figurine.stl --picture carved.png --trace pins.vcd --json"};
+    "psicarve carve figurine.stl --picture carved.png --trace pins.vcd --json\n"
+    "  psicarve carve figurine.job letter.job"};
 
 struct CarveOptions {
-    std::string path;
+    std::vector<std::string> paths;
+    std::string path;  ///< of these the one that is carved
+    bool unattended = false;
     std::string picture;
     std::string trace;
     bool real_time = false;
@@ -152,15 +156,46 @@ Result<int> carve(const CommonOptions& common, const CarveOptions& options) {
     return simulated_run(std::move(launch), *job, {run_it, options.picture, common.json, &*piece});
 }
 
+/// All are looked at before the first is carved: what is wrong with the last is not told hours later.
+Result<void> check_queue(const CommonOptions& common, const CarveOptions& options) {
+    if (options.paths.size() == 1) {
+        if (!options.unattended) return {};
+        return Error{ErrorCode::bad_usage, "--unattended is for several workpieces"};
+    }
+    if (!options.picture.empty() || !options.trace.empty() || options.files.any())
+        return Error{ErrorCode::bad_usage,
+                     "carve: --picture, --trace, --piece, --deviation and --model are of one workpiece"};
+    for (const std::string& path : options.paths)
+        if (const auto job = prepare_job(path, options.model, common); !job) return job.error();
+    return {};
+}
+
+Result<int> carve_all(const CommonOptions& common, const CarveOptions& options) {
+    return carve_in_turn(options.paths, options.unattended,
+                         [&, is_checked = false](const std::string& path) mutable -> Result<int> {
+                             if (!is_checked) {
+                                 if (const auto good = check_queue(common, options); !good)
+                                     return good.error();
+                                 is_checked = true;
+                             }
+                             CarveOptions one = options;
+                             one.path = path;
+                             return carve(common, one);
+                         });
+}
+
 }  // namespace
 
 void add_carve(CommandSet& commands) {
     const auto options = std::make_shared<CarveOptions>();
-    Syntax syntax =
-        commands.add(kCarveText, [options](const CommonOptions& common) { return carve(common, *options); });
+    Syntax syntax = commands.add(
+        kCarveText, [options](const CommonOptions& common) { return carve_all(common, *options); });
     syntax
-        .argument("MODEL|JOB", options->path,
-                  "A mesh, drawing, picture or table, as slice takes them, or a job or snapshot file")
+        .inputs(
+            "MODEL|JOB", options->paths,
+            "A mesh, drawing, picture or table, as slice takes them, or a job or snapshot file; several are "
+            "carved one after the other, each once you say that its blank is in")
+        .flag("--unattended", options->unattended, "Several: ask nobody for the next blank")
         .picture_option(options->picture)
         .option("--trace", options->trace, "OUT.vcd", "Record every pin: .vcd, or compact binary")
         .flag("--real-time", options->real_time, "A core of our own runs by the wall clock");

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hmi/cli/command_table.hpp"
+#include "hmi/cli/standard_streams.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -30,7 +31,7 @@ void add_common(CLI::App& app, CommonOptions& common, bool has_json) {
         ->capture_default_str()
         ->check(check_segment_name);
     app.add_option("--profile", common.profile,
-                   "Machine profile; without it the built-in 'default', or the job's own")
+                   "Machine profile; without it the job's own, else the one that 'profile path' tells")
         ->type_name("FILE")
         ->check(check_not_empty);
     app.add_option("--group", common.group, "The segment belongs to this group's service user")
@@ -64,6 +65,14 @@ std::string check_at_least_zero(const std::string& text) {
     return is_good ? std::string{} : "'" + text + "' is not a number from 0 on";
 }
 
+/// Standard input as a file.
+std::string input_path(std::string word) {
+    if (word != "-") return word;
+    auto path = file_of_standard_input();
+    if (!path) throw CLI::ValidationError{path.error().message};
+    return std::move(path).value();
+}
+
 /// "x|y|z"
 std::string one_of(const std::vector<std::string>& words) {
     std::string text;
@@ -75,6 +84,24 @@ std::string one_of(const std::vector<std::string>& words) {
 
 Syntax& Syntax::argument(const char* name, std::string& target, const char* help) {
     app_->add_option(name, target, help)->required()->type_name("")->check(check_not_empty);
+    return *this;
+}
+
+Syntax& Syntax::input(const char* name, std::string& target, const char* help) {
+    app_->add_option(name, target, std::string{help} + "; - reads standard input")
+        ->required()
+        ->type_name("")
+        ->check(check_not_empty)
+        ->transform(input_path);
+    return *this;
+}
+
+Syntax& Syntax::inputs(const char* name, std::vector<std::string>& target, const char* help) {
+    app_->add_option(name, target, std::string{help} + "; - reads standard input")
+        ->required()
+        ->type_name("")
+        ->check(check_not_empty)
+        ->transform(input_path);
     return *this;
 }
 

@@ -44,6 +44,10 @@ public:
     explicit Syntax(CLI::App& app) noexcept : app_(&app) {}
 
     Syntax& argument(const char* name, std::string& target, const char* help);
+    /// A file to read. "-": standard input, read whole and from then on a file's name that can be read.
+    Syntax& input(const char* name, std::string& target, const char* help);
+    /// One or more of them.
+    Syntax& inputs(const char* name, std::vector<std::string>& target, const char* help);
     /// May be left out.
     Syntax& words(const char* names, std::vector<std::string>& target, const char* type, const char* help);
     /// A whole number within the bounds.

@@ -152,8 +152,8 @@ void add_estimate(CommandSet& commands) {
     const auto options = std::make_shared<EstimateOptions>();
     Syntax syntax = commands.add(
         kEstimateText, [options](const CommonOptions& common) { return run_estimate(common, *options); });
-    syntax.argument("MODEL|JOB", options->path,
-                    "A mesh, drawing, picture or table, as slice takes them, or a job or snapshot file");
+    syntax.input("MODEL|JOB", options->path,
+                 "A mesh, drawing, picture or table, as slice takes them, or a job or snapshot file");
     add_model_options(syntax, options->model);
 }
 

@@ -6,20 +6,33 @@
 #include <cstring>
 
 #include "hmi/cli/progress_bar.hpp"
+#include "hmi/model/source_name.hpp"
 
 namespace psicarve::cli {
 namespace {
 
+/// What came by standard input is called so, wherever it is read.
+std::string in_words(std::string text) {
+    for (std::size_t at = text.find(model::kDescriptorFolder); at != std::string::npos;
+         at = text.find(model::kDescriptorFolder, at)) {
+        std::size_t end = at + model::kDescriptorFolder.size();
+        while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
+        text.replace(at, end - at, "standard input");
+    }
+    return text;
+}
+
 void print_line(const char* prefix, const std::string& text) {
     clear_progress_line();
-    std::fprintf(stderr, "%s%s\n", prefix, text.c_str());
+    std::fprintf(stderr, "%s%s\n", prefix, in_words(text).c_str());
 }
 
 }  // namespace
 
 int report_error(const Error& error, bool as_json) {
     print_error(error);
-    if (as_json) std::printf("{\"error\":%s}\n", error_json(error).c_str());
+    if (as_json)
+        std::printf("{\"error\":%s}\n", error_json(Error{error.code, in_words(error.message)}).c_str());
     return exit_code_of(error.code);
 }
 

@@ -19,6 +19,7 @@ void add_flat_options(Syntax& syntax, FlatChoice& choice) {
         .flag("--stroke-width", choice.follows_strokes,
               "Engraved SVG: grooves are as wide as its strokes, at least as the tool")
         .option("--diameter", choice.diameter_mm, "MM",
+                "Scale a mesh or a drawing's body, uniformly, so that it reaches half as far from its axis. "
                 "Picture, engraved drawing: of the cylinder (default 40; of a drawing the blank's, if known)")
         .option("--depth", choice.depth_mm, "MM", "Picture: how deep black lies (default 2)")
         .option_from_zero("--white-depth", choice.white_depth_mm, "MM",
@@ -52,10 +53,9 @@ Result<void> check_kind(const FlatChoice& choice, flat::ModelKind kind, const st
                          " is not a picture (PNG, JPEG, TIFF, BMP, PGM): --relief, --depth, --white-depth, "
                          "--invert, --gamma, --smooth and --seam are for pictures"};
     }
-    if (!is_picture && !is_engraved && (choice.diameter_mm || choice.is_full_turn)) {
+    if (!is_picture && !is_engraved && choice.is_full_turn)
         return Error{ErrorCode::bad_usage,
-                     path + ": --diameter and --full-turn are for pictures, and for drawings with --engrave"};
-    }
+                     path + ": --full-turn is for pictures, and for drawings with --engrave"};
     if (kind != flat::ModelKind::drawing && choice.engrave_mm)
         return Error{ErrorCode::bad_usage, path + " is not a drawing (SVG, DXF): --engrave is for its lines"};
     if (!is_engraved && (!choice.start.empty() || choice.follows_strokes))

@@ -116,7 +116,7 @@ void add_inspect(CommandSet& commands) {
     const auto options = std::make_shared<InspectOptions>();
     Syntax syntax = commands.add(
         kInspectText, [options](const CommonOptions& common) { return inspect(common, *options); });
-    syntax.argument("MODEL", options->path, "A mesh, drawing, picture or table, as slice takes them")
+    syntax.input("MODEL", options->path, "A mesh, drawing, picture or table, as slice takes them")
         .option("--preview", options->preview, "OUT.png",
                 "Draw the piece that the profile's tool would leave, from two sides, and the report");
     syntax.flag("--draft", options->is_draft,

@@ -15,11 +15,14 @@
 #include "hmi/cam/table_job.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/progress_bar.hpp"
+#include "hmi/cli/standard_streams.hpp"
 #include "hmi/cli/tool_choice.hpp"
 #include "hmi/cli/turn_choice.hpp"
 #include "hmi/flat/load_model.hpp"
 #include "hmi/model/turned_mesh.hpp"
 #include "hmi/rough/roughing.hpp"
+#include "shared/atomic_file.hpp"
+#include "shared/profile_place.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -58,6 +61,7 @@ Result<cam::JobOptions> job_options(const ModelOptions& options) {
     if (options.up == "x") job.up = slice::Up::x;
     if (options.up == "y") job.up = slice::Up::y;
     if (const auto read = read_axis_at(options.axis_at, job); !read) return read.error();
+    job.layer_height_mm = options.layer_height_mm;
     job.height_mm = options.height_mm;
     job.scale = options.scale;
     job.fits = options.fits;
@@ -68,9 +72,9 @@ Result<cam::JobOptions> job_options(const ModelOptions& options) {
 }
 
 bool has_any(const ModelOptions& options) {
-    return options.layer_count > 0 || options.point_count > 0 || !options.up.empty() ||
-           !options.axis_at.empty() || !options.joining.empty() || !options.tool.empty() ||
-           options.flute_mm || !options.blank.empty() || !options.blank_at.empty() ||
+    return options.layer_count > 0 || options.layer_height_mm || options.point_count > 0 ||
+           !options.up.empty() || !options.axis_at.empty() || !options.joining.empty() ||
+           !options.tool.empty() || options.flute_mm || !options.blank.empty() || !options.blank_at.empty() ||
            options.depth_limit_mm || options.stepdown_mm || options.allowance_mm || options.stepover_mm ||
            options.finish_only || !options.rotate.empty() || !options.mirror.empty() || options.fits ||
            options.height_mm || options.scale || has_any(options.flat);
@@ -163,7 +167,17 @@ Result<std::shared_ptr<const model::Mesh>> body_of(const std::string& path, cons
         return Error{ErrorCode::bad_usage,
                      "--fit and --scale are not for pictures: --diameter says how large a cylinder is"};
     }
-    auto flat = flat_options(options.flat, kind, profile, path);
+    FlatChoice choice = options.flat;
+    // Of what is carved from its outside in, the size; of a picture or lines, of the cylinder that they are
+    // on.
+    const bool is_body =
+        kind == flat::ModelKind::mesh || (kind == flat::ModelKind::drawing && !choice.engrave_mm);
+    if (is_body) how.diameter_mm = std::exchange(choice.diameter_mm, std::nullopt);
+    if (how.diameter_mm &&
+        (options.scale || options.fits || (options.height_mm && kind == flat::ModelKind::mesh)))
+        return Error{ErrorCode::bad_usage,
+                     "--diameter excludes --height, --scale and --fit: all set the size"};
+    auto flat = flat_options(choice, kind, profile, path);
     if (!flat) return flat.error();
     if (kind != flat::ModelKind::mesh) flat->height_mm = std::exchange(how.height_mm, std::nullopt);
     if (kind == flat::ModelKind::drawing) flat->scale = std::exchange(how.scale, std::nullopt).value_or(1.0);
@@ -215,6 +229,9 @@ void add_model_options(Syntax& syntax, ModelOptions& options) {
     syntax
         .option("--layers", options.layer_count, 1, kMostLayers,
                 "Layers over the model's height (default 500)")
+        .option("--layer-height", options.layer_height_mm, "MM",
+                "As many layers as it takes for none to be higher than this, instead of --layers")
+        .excludes("--layer-height", "--layers")
         .option("--points", options.point_count, kLeastPoints, kMostPoints,
                 "Points per head and layer, half a turn (default 500)")
         .choice("--up", options.up, {"x", "y", "z"}, "The model's axis that stands upright (default z)")
@@ -262,13 +279,18 @@ void add_model_options(Syntax& syntax, ModelOptions& options) {
     add_flat_options(syntax, options.flat);
 }
 
+std::string chosen_profile_path(const CommonOptions& common) {
+    return common.profile.empty() ? default_profile_path() : common.profile;
+}
+
 Result<Profile> chosen_profile(const CommonOptions& common) {
-    if (common.profile.empty()) return Profile{};
-    if (!is_snapshot_file(common.profile)) return load_profile(common.profile);
-    const auto snapshot = load_snapshot(common.profile);
+    const std::string path = chosen_profile_path(common);
+    if (path.empty()) return Profile{};
+    if (!is_snapshot_file(path)) return load_profile(path);
+    const auto snapshot = load_snapshot(path);
     if (!snapshot) return snapshot.error();
     const auto job = JobView::check(snapshot->job_blob);
-    if (!job) return bad_input(common.profile + ": holds no job, and so no profile");
+    if (!job) return bad_input(path + ": holds no job, and so no profile");
     return job_profile(*job);
 }
 
@@ -307,6 +329,10 @@ Result<PlacedBody> place_body(const std::string& path, const ModelOptions& optio
 Result<PreparedJob> prepare_job(const std::string& path, const ModelOptions& options,
                                 const CommonOptions& common) {
     auto job = [&]() -> Result<PreparedJob> {
+        if (!is_snapshot_file(path) && common.profile.empty()) {
+            if (const std::string found = chosen_profile_path(common); !found.empty())
+                print_note("profile " + found);
+        }
         if (!is_snapshot_file(path)) return slice_model(path, options, common);
         if (has_any(options)) {
             return Error{ErrorCode::bad_usage,
@@ -325,9 +351,11 @@ Result<PreparedJob> prepare_job(const std::string& path, const ModelOptions& opt
 
 Result<void> check_output_folder(const std::string& path) {
     namespace fs = std::filesystem;
-    if (path.empty()) return {};
+    if (path.empty() || is_standard_output(path)) return {};
     std::error_code error;
     if (fs::is_directory(path, error)) return bad_input(path + ": is a folder, not a file to write");
+    // A pipe or a device is written as it stands.
+    if (!fs::exists(path, error) || fs::is_regular_file(path, error)) return check_writable(path);
     const fs::path folder = fs::path{path}.has_parent_path() ? fs::path{path}.parent_path() : fs::path{"."};
     if (access(folder.c_str(), W_OK | X_OK) == 0) return {};
     return bad_input(path + ": cannot be written: " + std::strerror(errno));

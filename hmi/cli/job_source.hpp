@@ -20,6 +20,7 @@ namespace psicarve::cli {
 /// How a model becomes a job. Zero or empty: not given.
 struct ModelOptions {
     std::uint32_t layer_count = 0;
+    std::optional<double> layer_height_mm;
     std::uint32_t point_count = 0;
     std::uint32_t thread_count = 0;
     std::string up;
@@ -63,7 +64,9 @@ enum class ProfileUse : std::uint8_t { carve, judge };
 Result<PreparedJob> job_of_snapshot(Snapshot snapshot, const std::string& path, const CommonOptions& common,
                                     ProfileUse use = ProfileUse::carve);
 
-/// --profile, which may be TOML or a job file; without it the built-in one.
+/// The file that --profile names, or the one in a default place (profile_place.hpp); empty: the built-in one.
+std::string chosen_profile_path(const CommonOptions& common);
+/// That profile, of TOML or a job file. A job's own is not asked for here.
 Result<Profile> chosen_profile(const CommonOptions& common);
 
 /// An output that cannot be written is better known before the work than after it.

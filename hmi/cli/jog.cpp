@@ -68,6 +68,7 @@ Result<int> jog(const CommonOptions& common, const JogOptions& options) {
     OperatorBreak operator_break;
     auto held = begin_jog(*link, options, distance, *lease);
     if (!held) return held.error();
+    if (const std::string& remark = link->command_remark(); !remark.empty()) print_warning("jog: " + remark);
     const auto watch = [&](const CoreStatus&) -> Result<void> {
         if (operator_break.was_asked()) {
             held->release();

@@ -5,6 +5,7 @@
 
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/job_source.hpp"
 #include "shared/profile.hpp"
 
 namespace psicarve::cli {
@@ -17,7 +18,13 @@ constexpr CommandText kProfileCheckText{
     "Unknown keys, wrong types and impossible values are refused with their line.",
     "psicarve profile check machine.toml"};
 
-Result<int> check(const CommonOptions& common, const std::string& path) {
+Result<int> check(const CommonOptions& common, const std::string& named) {
+    const std::string path = named.empty() ? chosen_profile_path(common) : named;
+    if (path.empty())
+        return Error{
+            ErrorCode::bad_usage,
+            "profile check: no FILE is given, and none is where a profile is looked for (psicarve profile "
+            "path)"};
     const auto profile = load_profile(path);
     if (!profile) return profile.error();
     if (common.json) {
@@ -34,7 +41,7 @@ Result<int> check(const CommonOptions& common, const std::string& path) {
 void add_profile_check(CommandSet& commands) {
     const auto path = std::make_shared<std::string>();
     commands.add(kProfileCheckText, [path](const CommonOptions& common) { return check(common, *path); })
-        .argument("FILE", *path, "A machine profile (TOML)");
+        .optional_argument("FILE", *path, "A machine profile (TOML); without it the one that applies");
 }
 
 }  // namespace psicarve::cli

@@ -11,7 +11,7 @@
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
-#include "hmi/cli/nearest.hpp"
+#include "shared/nearest.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -54,9 +54,12 @@ void add_all_commands(CommandSet& commands) {
     add_calibrate(commands);
     add_doctor(commands);
     add_latency(commands);
-    CommandSet profile = commands.group("profile", "Check and show machine profiles");
+    CommandSet profile = commands.group("profile", "Check, show, compare and change machine profiles");
     add_profile_check(profile);
     add_profile_show(profile);
+    add_profile_path(profile);
+    add_profile_diff(profile);
+    add_profile_set(profile);
     add_completion(commands);
 }
 

@@ -58,8 +58,8 @@ void add_publish(CommandSet& commands) {
     const auto options = std::make_shared<PublishOptions>();
     Syntax syntax = commands.add(
         kPublishText, [options](const CommonOptions& common) { return publish(common, *options); });
-    syntax.argument("MODEL|JOB", options->path,
-                    "A mesh, drawing, picture or table, as slice takes them, or a job or snapshot file");
+    syntax.input("MODEL|JOB", options->path,
+                 "A mesh, drawing, picture or table, as slice takes them, or a job or snapshot file");
     add_model_options(syntax, options->model);
 }
 

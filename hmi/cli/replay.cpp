@@ -55,7 +55,7 @@ Result<int> replay(const CommonOptions& common, const ReplayOptions& options) {
 void add_replay(CommandSet& commands) {
     const auto options = std::make_shared<ReplayOptions>();
     commands.add(kReplayText, [options](const CommonOptions& common) { return replay(common, *options); })
-        .argument("JOB", options->path, "A job or snapshot file")
+        .input("JOB", options->path, "A job or snapshot file")
         .option("--trace", options->trace, "FILE", "Record every pin: .vcd, or compact binary")
         .picture_option(options->picture)
         .flag("--real-time", options->real_time, "By the wall clock, to watch with psicarve status");

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/job_facts.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/model_report.hpp"
+#include "hmi/cli/standard_streams.hpp"
+#include "hmi/machine/planned_time.hpp"
 #include "hmi/report/job_passes.hpp"
 #include "shared/snapshot_file.hpp"
 
@@ -23,10 +30,13 @@ struct SliceOptions {
     std::string path;
     std::string output;
     std::string preview;
+    bool wants_time = false;
     ModelOptions model;
 };
 
-std::string report_text(const PreparedJob& job, const std::string& output) {
+using PlannedTime = std::optional<machine::PlannedTime>;
+
+std::string report_text(const PreparedJob& job, const std::string& output, const PlannedTime& planned) {
     const auto report = nlohmann::json::parse(job.view.report_json(), nullptr, false);
     char line[160];
     int used = std::snprintf(line, sizeof line, ": %u layers x %u points", job.view.layer_count(),
@@ -38,30 +48,34 @@ std::string report_text(const PreparedJob& job, const std::string& output) {
     }
     const std::string passes =
         job.view.passes().size() > 1 ? "\npasses: " + report::passes_text(job.view) : std::string{};
-    return output + line + passes;
+    return output + line + passes + "\nsize: " + size_text(job_size(job.view, job.profile)) +
+           (planned ? "\ncarving: " + time_text(*planned) : "");
 }
 
-std::string report_json(const PreparedJob& job, const std::string& output) {
+std::string report_json(const PreparedJob& job, const std::string& output, const PlannedTime& planned) {
     const Json slicer = Json::parse(job.view.report_json(), nullptr, false);
     const auto told = [&slicer](const char* key) {
         return slicer.is_object() && slicer.contains(key) ? slicer[key] : Json(nullptr);
     };
-    const Json object{{"job", output},
-                      {"source", std::string{job.view.source_name()}},
-                      {"layers", job.view.layer_count()},
-                      {"points", job.view.point_count()},
-                      {"psi_sweep_pulses", job.view.psi_sweep_pulses()},
-                      {"joining", name_of(job.view.joining())},
-                      {"passes", report::passes_json(job.view)},
-                      {"undercut_share", told("undercut_share")},
-                      {"open_points", told("open_points")},
-                      {"report", slicer.is_discarded() ? Json(nullptr) : slicer}};
+    Json object{{"job", output},
+                {"source", std::string{job.view.source_name()}},
+                {"layers", job.view.layer_count()},
+                {"points", job.view.point_count()},
+                {"psi_sweep_pulses", job.view.psi_sweep_pulses()},
+                {"joining", name_of(job.view.joining())},
+                {"passes", report::passes_json(job.view)},
+                {"undercut_share", told("undercut_share")},
+                {"open_points", told("open_points")},
+                {"report", slicer.is_discarded() ? Json(nullptr) : slicer}};
+    object["size"] = size_json(job_size(job.view, job.profile));
+    object.update(time_json(planned));
     return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 Result<int> slice(const CommonOptions& common, const SliceOptions& options) {
     if (const auto writable = check_output_folder(options.output); !writable) return writable.error();
     if (const auto writable = check_preview(options.preview); !writable) return writable.error();
+    if (const auto good = check_standard_output(options.output, common.json); !good) return good.error();
     if (is_snapshot_file(options.path)) return bad_input(options.path + ": is a job already, not a model");
     ModelOptions model = options.model;
     model.keeps_mesh = !options.preview.empty();
@@ -72,12 +86,24 @@ Result<int> slice(const CommonOptions& common, const SliceOptions& options) {
         if (!report) return report.error();
         if (const auto drawn = report->write_preview(options.preview); !drawn) return drawn.error();
     }
+    PlannedTime planned;
+    if (options.wants_time) {
+        auto found = machine::planned_time(job->blob, job->view, job->profile);
+        if (!found) return found.error();
+        planned = std::move(*found);
+    }
     // A job file is a snapshot without a status. The blob moves, the view's pointers into it stay good.
     Snapshot file;
     file.job_blob = std::move(job->blob);
-    if (const auto saved = save_snapshot(file, options.output); !saved) return saved.error();
     const std::string report =
-        common.json ? report_json(*job, options.output) : report_text(*job, options.output);
+        common.json ? report_json(*job, options.output, planned) : report_text(*job, options.output, planned);
+    if (is_standard_output(options.output)) {
+        if (const auto written = write_snapshot(file, STDOUT_FILENO, "standard output"); !written)
+            return written.error();
+        print_note(report);
+        return kExitDone;
+    }
+    if (const auto saved = save_snapshot(file, options.output); !saved) return saved.error();
     std::printf("%s\n", report.c_str());
     return kExitDone;
 }
@@ -89,13 +115,15 @@ void add_slice(CommandSet& commands) {
     Syntax syntax =
         commands.add(kSliceText, [options](const CommonOptions& common) { return slice(common, *options); });
     syntax
-        .argument("MODEL", options->path,
-                  "A mesh (STL, OBJ, PLY, 3MF, OFF), a drawing (SVG, DXF), a picture (PNG, JPEG, TIFF, BMP, "
-                  "PGM) or a table (CSV)")
-        .required_option("-o,--output", options->output, "JOB", "The job file to write")
+        .input("MODEL", options->path,
+               "A mesh (STL, OBJ, PLY, 3MF, OFF), a drawing (SVG, DXF), a picture (PNG, JPEG, TIFF, BMP, "
+               "PGM) or a table (CSV)")
+        .required_option("-o,--output", options->output, "JOB",
+                         "The job file to write; - writes to standard output")
         .option(
-            "--preview", options->preview, "OUT.png",
+            "--preview,--picture", options->preview, "OUT.png",
             "Draw the piece that the profile's tool would leave, from two sides, with what inspect tells");
+    add_time_option(syntax, options->wants_time);
     add_model_options(syntax, options->model);
 }
 

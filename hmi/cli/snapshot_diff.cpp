@@ -57,8 +57,8 @@ Result<int> diff(const CommonOptions& common, const SnapshotDiffOptions& options
 void add_snapshot_diff(CommandSet& commands) {
     const auto options = std::make_shared<SnapshotDiffOptions>();
     commands.add(kSnapshotDiffText, [options](const CommonOptions& common) { return diff(common, *options); })
-        .argument("JOB_A", options->a, "A snapshot or job file")
-        .argument("JOB_B", options->b, "Another");
+        .input("JOB_A", options->a, "A snapshot or job file")
+        .input("JOB_B", options->b, "Another");
 }
 
 }  // namespace psicarve::cli

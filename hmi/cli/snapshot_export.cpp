@@ -41,7 +41,7 @@ Result<int> export_job(const SnapshotExportOptions& options) {
 void add_snapshot_export(CommandSet& commands) {
     const auto options = std::make_shared<SnapshotExportOptions>();
     commands.add_plain(kSnapshotExportText, [options](const CommonOptions&) { return export_job(*options); })
-        .argument("FILE", options->path, "A snapshot or job file")
+        .input("FILE", options->path, "A snapshot or job file")
         .choice("--format", options->format, {"csv", "json"}, "Default csv");
 }
 

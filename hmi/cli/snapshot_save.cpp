@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -6,6 +8,7 @@
 
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/standard_streams.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/machine/snapshot_taker.hpp"
 
@@ -19,10 +22,15 @@ constexpr CommandText kSnapshotSaveText{
 constexpr std::chrono::milliseconds kLockLimit{5000};
 
 Result<int> save(const CommonOptions& common, const std::string& path) {
+    if (const auto good = check_standard_output(path, common.json); !good) return good.error();
     auto link = machine::MachineLink::attach(common.segment, common.group);
     if (!link) return link.error();
     const auto snapshot = machine::take_snapshot(*link, kLockLimit);
     if (!snapshot) return snapshot.error();
+    if (is_standard_output(path)) {
+        const auto written = write_snapshot(*snapshot, STDOUT_FILENO, "standard output");
+        return written ? Result<int>{kExitDone} : written.error();
+    }
     if (const auto saved = save_snapshot(*snapshot, path, common.group); !saved) return saved.error();
     if (common.json) {
         using SavedJson = nlohmann::ordered_json;
@@ -43,7 +51,7 @@ Result<int> save(const CommonOptions& common, const std::string& path) {
 void add_snapshot_save(CommandSet& commands) {
     const auto path = std::make_shared<std::string>();
     commands.add(kSnapshotSaveText, [path](const CommonOptions& common) { return save(common, *path); })
-        .argument("FILE", *path, "The snapshot file to write");
+        .argument("FILE", *path, "The snapshot file to write; - writes to standard output");
 }
 
 }  // namespace psicarve::cli

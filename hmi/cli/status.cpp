@@ -70,11 +70,13 @@ std::string head_line(const machine::MachineLink& link) {
            "\n";
 }
 
-std::string json_line(const machine::MachineLink& link, const CoreStatus& status, const std::string& pass) {
+std::string json_line(const machine::MachineLink& link, const CoreStatus& status, const std::string& pass,
+                      const std::optional<Profile>& profile) {
     nlohmann::ordered_json object{{"segment", link.segment_name()},
                                   {"core_pid", link.core_pid().value_or(0)}};
     const auto checkpoint = link.checkpoint();
     object.update(report::status_json(status));
+    object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
     return object.dump() + "\n";
@@ -102,9 +104,9 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         const auto status = link->status();
         if (!status) return with_last_state(*link, status.error());
         const std::string pass = running.name(*link, *status);
-        if (common.json) return json_line(*link, *status, pass);
-        if (as_line) return status_line(*status, pass);
         const auto profile = known_profile(*link, *chosen);
+        if (common.json) return json_line(*link, *status, pass, profile);
+        if (as_line) return status_line(*status, pass);
         const auto checkpoint = link->checkpoint();
         return head_line(*link) + status_text(*status, profile ? &*profile : nullptr, pass) +
                checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));

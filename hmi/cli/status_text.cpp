@@ -33,9 +33,15 @@ std::string position_text(const CoreStatus& status, const Profile* profile, Axis
     const std::int64_t pulses = status.position_pulses[index_of(axis)];
     const std::string name{name_of(axis)};
     if (profile == nullptr) return formatted("%s %lld pulses", name.c_str(), static_cast<long long>(pulses));
+    if (axis == Axis::psi) {
+        const report::TableAngle angle = report::table_angle(pulses, *profile);
+        const long long turns = static_cast<long long>(angle.turns);
+        return formatted("psi %.3f deg", angle.within_deg) +
+               (turns == 0 ? "" : formatted(" and %lld %s", turns, turns == 1 ? "turn" : "turns")) +
+               formatted(" (%lld)", static_cast<long long>(pulses));
+    }
     const double value = static_cast<double>(pulses) / axis_motion(*profile, axis).pulses_per_unit;
-    return formatted("%s %.3f %s (%lld)", name.c_str(), value, axis == Axis::psi ? "deg" : "mm",
-                     static_cast<long long>(pulses));
+    return formatted("%s %.3f mm (%lld)", name.c_str(), value, static_cast<long long>(pulses));
 }
 
 std::string progress_text(const CoreStatus& status, const std::string& pass) {

@@ -94,8 +94,8 @@ void add_verify(CommandSet& commands) {
     const auto options = std::make_shared<VerifyOptions>();
     Syntax syntax = commands.add(
         kVerifyText, [options](const CommonOptions& common) { return verify_files(common, *options); });
-    syntax.argument("JOB", options->job, "The job or snapshot file")
-        .argument("TRACE", options->trace, "The pin trace: VCD or compact binary")
+    syntax.input("JOB", options->job, "The job or snapshot file")
+        .input("TRACE", options->trace, "The pin trace: VCD or compact binary")
         .picture_option(options->picture)
         .option("--from-layer", options->layers.first, 0, kMaxJobCount - 1,
                 "Carving was to begin with layer N, as with psicarve start")

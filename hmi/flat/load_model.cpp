@@ -30,6 +30,7 @@
 #include "hmi/model/file_bytes.hpp"
 #include "hmi/model/foreign_file.hpp"
 #include "hmi/model/load_mesh.hpp"
+#include "hmi/model/source_name.hpp"
 #include "hmi/model/text_scan.hpp"
 
 namespace psicarve::flat {
@@ -126,7 +127,7 @@ Result<model::Mesh> load_flat(const model::InputFile& file, Format format, const
             : drawn({bytes->data(), bytes->size()}, format, path, options);
     if (!mesh) return mesh;
     mesh->body_json = flat_options_json(options);
-    mesh->source_name = std::filesystem::path(path).filename().string();
+    mesh->source_name = model::source_name_of(path);
     mesh->source_hash = XXH3_64bits(bytes->data(), bytes->size());
     return mesh;
 }

@@ -129,7 +129,8 @@ Result<void> MachineLink::send(CommandKind kind, std::optional<Axis> axis) {
 
 Result<void> MachineLink::send(const Command& command) {
     if (const auto core = require_core(); !core) return core;
-    return send_command(segment_, command, kCommandLimit);
+    command_remark_.clear();
+    return send_command(segment_, command, kCommandLimit, &command_remark_);
 }
 
 Result<std::uint64_t> MachineLink::publish(std::span<const std::byte> job_blob) {

@@ -15,6 +15,7 @@
 #include "hmi/model/foreign_file.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/model/mesh_check.hpp"
+#include "hmi/model/source_name.hpp"
 #include "hmi/model/stl_reader.hpp"
 #include "hmi/model/text_mesh_readers.hpp"
 #include "hmi/model/text_scan.hpp"
@@ -133,7 +134,7 @@ Result<Mesh> load_mesh(const std::string& path) {
     if (!format) return format.error();
     Result<Mesh> mesh = read_as(*format, *file);
     if (!mesh) return mesh.error();
-    mesh->source_name = std::filesystem::path(path).filename().string();
+    mesh->source_name = source_name_of(path);
     if (auto good = judge_mesh(*mesh, path); !good) return good.error();
     return mesh;
 }

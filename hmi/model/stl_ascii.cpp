@@ -49,8 +49,7 @@ private:
         if (is_word(word, "solid") || is_word(word, "endsolid")) {
             if (in_facet_) return wrong("a facet without endfacet");
             in_solid_ = is_word(word, "solid");
-            words_.skip_line();
-            return {};
+            return pass_name();
         }
         return wrong(quoted(word) + " is not a word of ASCII STL");
     }
@@ -59,7 +58,23 @@ private:
         if (in_facet_) return wrong("a facet without endfacet");
         in_facet_ = true;
         vertex_count_ = 0;
-        words_.skip_line();  // the normal: the vertices' order says the same, and is more often right
+        // The normal is passed over: the vertices' order says the same, and is more often right. What follows
+        // it on the same line is not.
+        for (std::string_view word = words_.next_in_line(); !word.empty(); word = words_.next_in_line())
+            if (is_word(word, "outer") || is_word(word, "loop") || is_word(word, "vertex")) return take(word);
+        return {};
+    }
+
+    /// A solid's name is what is left of its line, where that does not hold facets, too.
+    Result<void> pass_name() {
+        std::string_view before;
+        for (std::string_view word = words_.next_in_line(); !word.empty(); word = words_.next_in_line()) {
+            if (is_word(before, "facet") && is_word(word, "normal")) {
+                in_solid_ = true;
+                return begin_facet();
+            }
+            before = word;
+        }
         return {};
     }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shared/realtime_step.hpp"
+#include "shared/units.hpp"
 
 namespace psicarve::report {
 namespace {
@@ -95,6 +96,26 @@ nlohmann::ordered_json alarm_json(const AlarmRecord& alarm) {
             {"tick", alarm.tick},
             {"expected", alarm.expected},
             {"seen", alarm.seen}};
+}
+
+TableAngle table_angle(std::int64_t pulses, const Profile& profile) {
+    const std::int64_t revolution = profile.psi.pulses_per_rev;
+    const std::int64_t within = (pulses % revolution + revolution) % revolution;
+    return {360.0 * static_cast<double>(within) / static_cast<double>(revolution),
+            (pulses - within) / revolution};
+}
+
+nlohmann::ordered_json position_json(const CoreStatus& status, const Profile& profile) {
+    const auto mm = [&](Axis axis) {
+        return mm_from_pulses(status.position_pulses[index_of(axis)],
+                              axis_motion(profile, axis).pulses_per_unit);
+    };
+    const TableAngle table = table_angle(status.position_pulses[index_of(Axis::psi)], profile);
+    return {{"r1_mm", mm(Axis::r1)},
+            {"r2_mm", mm(Axis::r2)},
+            {"psi_deg", table.within_deg},
+            {"psi_turns", table.turns},
+            {"y_mm", mm(Axis::y)}};
 }
 
 nlohmann::ordered_json status_json(const CoreStatus& status) {

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "shared/profile.hpp"
 #include "shared/status.hpp"
 
 namespace psicarve::report {
 
 /// Every field of the status.
 nlohmann::ordered_json status_json(const CoreStatus& status);
+/// Where the table stands within a turn, and how many whole ones it has counted.
+struct TableAngle {
+    double within_deg;  ///< 0 <= angle < 360
+    std::int64_t turns;
+};
+TableAngle table_angle(std::int64_t pulses, const Profile& profile);
+/// {"r1_mm", "r2_mm", "psi_deg", "psi_turns", "y_mm"} of the machine whose profile this is.
+nlohmann::ordered_json position_json(const CoreStatus& status, const Profile& profile);
 /// {"cause": ..., "axis": ... or null, "tick": ...}
 nlohmann::ordered_json alarm_json(const AlarmRecord& alarm);
 

@@ -47,6 +47,7 @@ std::vector<Phrase> of_axes() {
                "travel's lower end, or correct %4"),
         phrase("%1 mm is out of the reach of head %2; lower it, or widen %3"),
         phrase("%1 is above the axis' top speed of %2; lower it, or raise %3"),
+        phrase("%1 mm is more than the tips are apart with both heads out, %2 mm; lower it"),
         phrase("%1 is odd, so half a revolution is no whole number of pulses; give an even number"),
         phrase("%1 is half a revolution of %2 pulses or more, so lost steps would never be noticed; lower "
                "it"),

@@ -57,7 +57,7 @@ Result<HiddenParts> hidden_parts(const model::Mesh& mesh, const Placement& place
         const std::scoped_lock lock(mutex);
         for (std::size_t k = 0; k < kRays; ++k) {
             const std::uint32_t walls = section.walls[k];
-            const bool is_open = (walls % 2 != 0) != section.totals->contains_axis;
+            const bool is_open = (walls % 2 != 0) != section.totals->is_odd;
             const WallCount ray{walls, walls > 1 ? walls - 1U : 0U, 1, is_open ? 1U : 0U};
             add(parts.sectors[k / kRaysOfSector], ray);
             add(parts.layers[section.layer], ray);

@@ -161,6 +161,7 @@ const LayerTotals& LayerScan::finish() noexcept {
     const std::size_t count = walls_.size();
     const std::size_t first = directions_.first_sorted();
     std::uint32_t odd = 0;
+    std::uint32_t inside = 0;
     for (std::size_t k = 0; k < count; ++k) {
         const std::uint32_t outsides = walls_[k] & 0xFFFFU;
         const std::uint32_t insides = walls_[k] >> 16U;
@@ -170,6 +171,9 @@ const LayerTotals& LayerScan::finish() noexcept {
         totals.empty_cells += walls == 0 ? 1 : 0;
         totals.hidden_walls += walls > 1 ? walls - 1 : 0;
         const std::uint32_t excess = outsides - insides;
+        // Of overlapping solids that share the axis two walls lead out and none in. An odd count alone says
+        // so, too, whichever way its facets look.
+        inside += excess != 0 ? 1 : 0;
         totals.turned_cells += excess > 1 ? 1 : 0;
         totals.outer_sum += outer_[k];
         totals.radius_max = std::max(totals.radius_max, outer_[k]);
@@ -179,8 +183,9 @@ const LayerTotals& LayerScan::finish() noexcept {
         result_walls_[to] = walls;
     }
     totals.has_section = totals.walls > 0;
-    totals.contains_axis = 2 * odd > count;
-    totals.open_cells = totals.contains_axis ? static_cast<std::uint32_t>(count) - odd : odd;
+    totals.contains_axis = 2 * inside > count;
+    totals.is_odd = 2 * odd > count;
+    totals.open_cells = totals.is_odd ? static_cast<std::uint32_t>(count) - odd : odd;
     totals.radius_sum = radius_sum_;
     totals_ = totals;
     std::fill(outer_.begin(), outer_.end(), 0.0);

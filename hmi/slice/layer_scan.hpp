@@ -22,6 +22,7 @@ struct LayerTotals {
     std::uint32_t turned_cells = 0;  ///< directions where outsides and insides do not alternate
     bool has_section = false;        ///< the layer cuts the model at all
     bool contains_axis = false;      ///< the axis is inside the section
+    bool is_odd = false;             ///< most directions meet an odd number of walls; of one solid: as above
     double radius_sum = 0.0;         ///< over all walls
     double outer_sum = 0.0;          ///< over the outermost walls
     double radius_max = 0.0;

@@ -244,6 +244,10 @@
             <translation>глубина %1 mm доходит до середины цилиндра диаметром %2 mm</translation>
         </message>
         <message>
+            <source>%1 mm is more than the tips are apart with both heads out, %2 mm; lower it</source>
+            <translation>%1 мм больше, чем расстояние между остриями при обеих отведённых головках, %2 мм; уменьшите</translation>
+        </message>
+        <message>
             <source>%1 mm is more than the tool is wide, %2 mm; set it lower, or to 0</source>
             <translation>%1 mm больше ширины инструмента, %2 mm; уменьшите значение или задайте 0</translation>
         </message>
@@ -6163,8 +6167,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>сторожевой процесс завершился; запустите ядро снова</translation>
         </message>
         <message>
-            <source>the job has not so many layers</source>
-            <translation>в задании нет столько слоёв</translation>
+            <source>the job has not so many layers, but %1</source>
+            <translation>в задании нет столько слоёв, их %1</translation>
         </message>
         <message>
             <source>the job is carved to its end</source>

@@ -244,6 +244,10 @@
             <translation>深度 %1 mm 已到达直径 %2 mm 圆柱的中心</translation>
         </message>
         <message>
+            <source>%1 mm is more than the tips are apart with both heads out, %2 mm; lower it</source>
+            <translation>%1 mm 大于两个刀头都退到最外时刀尖的间距 %2 mm；请减小</translation>
+        </message>
+        <message>
             <source>%1 mm is more than the tool is wide, %2 mm; set it lower, or to 0</source>
             <translation>%1 mm 大于刀具宽度 %2 mm；请减小，或设为 0</translation>
         </message>
@@ -6156,8 +6160,8 @@ N、Shift+N  下一条、上一条记录
             <translation>看护进程已结束；请重新启动核心</translation>
         </message>
         <message>
-            <source>the job has not so many layers</source>
-            <translation>作业没有这么多层</translation>
+            <source>the job has not so many layers, but %1</source>
+            <translation>作业没有这么多层，只有 %1 层</translation>
         </message>
         <message>
             <source>the job is carved to its end</source>

@@ -103,7 +103,7 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
     }
     request->sequence = ++last_sequence_;
     requests.push(*request);
-    waiting_.push_back({request->sequence, received});
+    waiting_.push_back({request->sequence, received, job != nullptr ? job->view.layer_count() : 0});
 }
 
 void CommandDesk::note_lease(const Command& command) noexcept {
@@ -120,8 +120,10 @@ void CommandDesk::deliver_answer(Segment& segment, const cycle::Report& report, 
     if (found == waiting_.end()) return;
     const bool is_done = report.refusal == cycle::Refusal::none;
     if (is_done) note_lease(found->received.command);
+    const Command& command = found->received.command;
     answer_command(segment, found->received, is_done ? AnswerKind::done : AnswerKind::refused,
-                   refusal_text(report, found->received.command.kind, sample, *profile_));
+                   is_done ? speed_remark(command, *profile_)
+                           : refusal_text(report, command.kind, sample, *profile_, found->layer_count));
     waiting_.erase(found);
 }
 

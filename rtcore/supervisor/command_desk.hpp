@@ -64,6 +64,7 @@ private:
     struct Waiting {
         std::uint64_t sequence;  ///< ours: what a sender wrote is not trusted to be unique
         ReceivedCommand received;
+        std::uint32_t layer_count;  ///< of the job that a start would find
     };
     std::vector<Waiting> waiting_;  ///< handed to the tick, not answered yet
     std::uint64_t last_sequence_ = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -202,6 +203,23 @@ Result<Request> motion_request(const Command& command, RequestKind kind, const P
     }
     if (!added) return added.error();
     return request;
+}
+
+std::string speed_remark(const Command& command, const Profile& profile) {
+    if (command.kind != CommandKind::jog && command.kind != CommandKind::jog_on) return {};
+    const bool is_both = command.axis == kBothHeads;
+    for (const Axis axis : kAllAxes) {
+        const bool is_moved = is_both ? axis == Axis::r1 || axis == Axis::r2 : command.axis == index_of(axis);
+        if (!is_moved) continue;
+        const AxisMotion motion = axis_motion(profile, axis);
+        const double most = motion.speed_pps / motion.pulses_per_unit;
+        if (command.speed <= most) continue;
+        char text[96];
+        std::snprintf(text, sizeof text, "%s goes at %g %s at most, and so it does",
+                      std::string{name_of(axis)}.c_str(), most, axis == Axis::psi ? "deg/s" : "mm/s");
+        return text;
+    }
+    return {};
 }
 
 }  // namespace psicarve::supervisor

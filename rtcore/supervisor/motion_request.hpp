@@ -13,4 +13,7 @@ namespace psicarve::supervisor {
 Result<cycle::Request> motion_request(const Command& command, cycle::RequestKind kind, const Profile& profile,
                                       bool is_virtual_clock);
 
+/// What is to be said of a jog that is done: a speed that its axes do not have; mostly nothing.
+std::string speed_remark(const Command& command, const Profile& profile);
+
 }  // namespace psicarve::supervisor

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "shared/cpu_list.hpp"
+#include "shared/nearest.hpp"
 #include "shared/segment.hpp"
 
 namespace psicarve::supervisor {
@@ -82,9 +84,9 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
         ->type_name("real|virtual")
         ->check(CLI::Validator{CLI::IsMember(std::vector<std::string>{"real", "virtual"})}.description(""))
         ->default_str("real");
-    app.add_option(
-           "--profile", options.profile_path,
-           "Machine profile (TOML), or a job file whose profile is meant; without it the built-in default")
+    app.add_option("--profile", options.profile_path,
+                   "Machine profile (TOML), or a job file whose profile is meant; without it the one that "
+                   "'psicarve profile path' tells")
         ->type_name("FILE")
         ->check(check_not_empty);
     app.add_option(
@@ -182,8 +184,10 @@ Result<void> check_meant(const CLI::App& app, const CoreOptions& options) {
     if (options.measures_latency && app.count("--user") > 0)
         return wrong("--user", "--measure-latency has neither segment nor port, and is whose start it was");
     const long processors = sysconf(_SC_NPROCESSORS_CONF);
-    if (options.measures_latency && options.cpu && *options.cpu >= processors)
-        return wrong("--cpu", "this computer has no such processor");
+    if (options.cpu && *options.cpu >= processors) {
+        const std::string why = "this computer has no such processor, but 0 to ";
+        return wrong("--cpu", (why + std::to_string(processors - 1)).c_str());
+    }
     for (const char* option : {"--seconds", "--period-us"}) {
         if (!options.measures_latency && app.count(option) > 0)
             return wrong(option, "is for --measure-latency");
@@ -210,6 +214,28 @@ Result<void> take_port(const std::string& text, CoreOptions& options) {
             "--assume-homed");
     }
     return {};
+}
+
+/// One line, as psicarve says it.
+int report_usage(const std::string& what) {
+    std::fprintf(stderr, "psicarve-rtcore: %s (see: psicarve-rtcore --help)\n", what.c_str());
+    return kExitUsage;
+}
+
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
+    const std::vector<std::string> unknown = app.remaining(true);
+    const auto is_option = [](const std::string& word) { return word.size() > 1 && word.front() == '-'; };
+    // A mistyped option explains more than what is then left over.
+    auto culprit = std::ranges::find_if(unknown, is_option);
+    if (culprit == unknown.end()) culprit = unknown.begin();
+    if (culprit == unknown.end()) return error.what();
+    if (!is_option(*culprit)) return "unexpected argument '" + *culprit + "'";
+    const std::string name = culprit->substr(0, culprit->find('='));
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& known : option->get_lnames()) names.push_back("--" + known);
+    const auto meant = nearest(name, names);
+    return "unknown option '" + name + "'" + (meant ? "; did you mean '" + *meant + "'?" : "");
 }
 
 }  // namespace
@@ -243,8 +269,7 @@ std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
     } catch (const CLI::Success& success) {
         return print_what_was_asked(app, success);
     } catch (const CLI::ParseError& error) {
-        app.exit(error);
-        return kExitUsage;
+        return report_usage(usage_error(app, error));
     }
     if (!texts.clock.empty()) {
         options.clock = texts.clock == "real" ? ClockKind::real : ClockKind::virtual_time;
@@ -253,17 +278,11 @@ std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
     options.cpu = cpu_from(texts.cpu);
     auto taken = take_port(texts.port, options);
     if (taken) taken = check_meant(app, options);
-    if (!taken) {
-        std::fprintf(stderr, "psicarve-rtcore: %s\n", taken.error().message.c_str());
-        return kExitUsage;
-    }
+    if (!taken) return report_usage(taken.error().message);
     if (!texts.capacity.empty()) {
         auto parsed = parse_capacity(texts.capacity, options);
         if (parsed) parsed = check_shared_memory_for(options.capacity_layers, options.capacity_points);
-        if (!parsed) {
-            std::fprintf(stderr, "psicarve-rtcore: %s\n", parsed.error().message.c_str());
-            return kExitUsage;
-        }
+        if (!parsed) return report_usage(parsed.error().message);
     }
     return options;
 }

@@ -60,7 +60,7 @@ std::string limit_text(const cycle::Report& answer, const Profile& profile) {
 }  // namespace
 
 std::string refusal_text(const cycle::Report& answer, CommandKind command, const cycle::Sample& sample,
-                         const Profile& profile) {
+                         const Profile& profile, std::uint32_t layer_count) {
     using R = cycle::Refusal;
     const cycle::Refusal refusal = answer.refusal;
     const std::string state{name_of(sample.state)};
@@ -93,7 +93,8 @@ std::string refusal_text(const cycle::Report& answer, CommandKind command, const
         case R::at_the_end:
             return std::string{name_of(command)} + ": " + limit_text(answer, profile);
         case R::no_such_layer:
-            return "start: the job has not so many layers; the first is 0";
+            return "start: the job has not so many layers: " + std::to_string(layer_count) +
+                   ", and the first is 0";
         case R::recording:
             return "record: another process has the pins recorded, or this core cannot; wait, or see status";
         case R::heads_not_homed:

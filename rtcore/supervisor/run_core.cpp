@@ -26,6 +26,7 @@
 #include "rtcore/supervisor/replay_script.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
 #include "rtcore/supervisor/supervisor.hpp"
+#include "shared/profile_place.hpp"
 #include "shared/segment_object.hpp"
 #include "shared/snapshot_file.hpp"
 
@@ -72,9 +73,11 @@ Result<std::optional<Replay>> load_replay(const CoreOptions& options) {
     return std::optional<Replay>{std::move(replay)};
 }
 
-/// A job carries the profile it was made for: a replay without --profile runs on that machine.
+/// A job carries the profile it was made for: a replay without --profile runs on that machine; else without
+/// it the one applies that psicarve takes, too.
 std::string profile_path_of(const CoreOptions& options) {
-    return options.profile_path.empty() ? options.replay_path : options.profile_path;
+    if (!options.profile_path.empty()) return options.profile_path;
+    return options.replay_path.empty() ? default_profile_path() : options.replay_path;
 }
 
 PartsRequest parts_request_of(const std::optional<Replay>& replay, const Profile& profile,
@@ -219,6 +222,9 @@ int run_core(const CoreOptions& options) {
     if (!replay) return fail(replay.error());
     const auto profile = load_core_profile(profile_path_of(options));
     if (!profile) return fail(profile.error());
+    if (const std::string path = profile_path_of(options);
+        !path.empty() && options.profile_path.empty() && options.replay_path.empty())
+        std::fprintf(stderr, "psicarve-rtcore: profile %s\n", path.c_str());
     const auto machine = options.machine_path.empty() ? profile : load_core_profile(options.machine_path);
     if (!machine) return fail(machine.error());
     PartsRequest request = parts_request_of(*replay, *profile, *machine);

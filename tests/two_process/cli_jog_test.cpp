@@ -247,6 +247,17 @@ TEST_F(Jogging, WhatTheMachineCannotDoIsRefusedWithTheReason) {
     expect_refused({"spindle", "on"}, "not while alarm");
 }
 
+TEST_F(Jogging, ASpeedThatAnAxisDoesNotHaveIsSaid) {
+    start_core({"--clock", "virtual"});
+    const Outcome fast = run({"jog", "r1", "-2", "--speed", "10.5"});
+    EXPECT_EQ(fast.exit_code, 0) << fast.error;
+    EXPECT_NE(fast.error.find("jog: r1 goes at 10 mm/s at most"), std::string::npos) << fast.error;
+    const Outcome psi = run({"jog", "psi", "5", "--speed", "300"});
+    EXPECT_NE(psi.error.find("psi goes at 225 deg/s at most"), std::string::npos) << psi.error;
+    EXPECT_EQ(run({"jog", "r1", "-2", "--speed", "10"}).error, "");
+    EXPECT_NE(run({"jog", "heads", "-2", "--speed", "11"}).error.find("r1 goes at"), std::string::npos);
+}
+
 TEST_F(Jogging, TheSpindleIsSwitchedByHand) {
     start_core({"--clock", "virtual"});
     const auto is_on = [&] {

@@ -28,7 +28,11 @@ TEST_F(Machine, CarvesOneLayerAlone) {
     ASSERT_EQ(run({"home"}).exit_code, 0);
     const Outcome too_many = run({"start", "--from-layer", "2", "--layers", "2"});
     EXPECT_EQ(too_many.exit_code, 4);
-    EXPECT_NE(too_many.error.find("not so many layers"), std::string::npos) << too_many.error;
+    EXPECT_NE(too_many.error.find("not so many layers: 3, and the first is 0"), std::string::npos)
+        << too_many.error;
+    const Outcome behind = run({"start", "--from-layer", "60"});
+    EXPECT_EQ(behind.exit_code, 4);
+    EXPECT_NE(behind.error.find("not so many layers: 3, and"), std::string::npos) << behind.error;
     ASSERT_EQ(run({"start", "--from-layer", "1", "--layers", "1", "--carve"}).exit_code, 0);
     ASSERT_TRUE(eventually([&] { return state() == MachineState::ready; }));
     const auto status = run({"status", "--json"}).json();

@@ -74,7 +74,7 @@ TEST_F(EngraveCommand, RefusesWhatDoesNotFitOrBelong) {
     expect_usage("lines.svg", "--engrave 0.5 --start x", "'x' is not a direction in degrees");
     EXPECT_EQ(on_lines("slice", "--engrave 0.5 --start -90").exit_code, 0);
     expect_usage("lines.svg", "--start 5", "--start and --stroke-width are for --engrave");
-    expect_usage("lines.svg", "--diameter 5", "for drawings with --engrave");
+    expect_usage("lines.svg", "--full-turn", "for drawings with --engrave");
     expect_usage("lines.svg", "--engrave 0.5 --invert", "is not a picture");
     write("grey.pgm", "P2 4 1 9\n1 5 5 1\n");
     expect_usage("grey.pgm", "--diameter 20 --scale 2",

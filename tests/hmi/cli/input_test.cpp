@@ -90,7 +90,7 @@ TEST_F(BrokenInput, WhatIsNotReadIsSaidBeforeWhatItsOptionsAreFor) {
         }
     }
     // A mesh is still told what they are for.
-    const Outcome mesh = psicarve({"slice", box_stl("box.stl"), "-o", file("out.job"), "--diameter", "20"});
+    const Outcome mesh = psicarve({"slice", box_stl("box.stl"), "-o", file("out.job"), "--relief"});
     EXPECT_EQ(mesh.exit_code, 2);
     EXPECT_NE(mesh.error.find("are for pictures"), std::string::npos) << mesh.error;
 }

@@ -202,6 +202,95 @@ TEST_F(SliceCommand, TurnsMirrorsAndFitsTheModel) {
     EXPECT_NEAR(std::hypot(box[0].get<double>(), box[1].get<double>()), 20.0, 1e-3);
 }
 
+TEST_F(SliceCommand, MakesLayersNoHigherThanAsked) {
+    const std::string model = box_stl("box.stl", 10.0);
+    const auto layers_of = [&](const std::string& height) {
+        const Outcome outcome = psicarve(
+            {"slice", model, "-o", file("h.job"), "--layer-height", height, "--points", "9", "--json"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+        return outcome.json()["layers"].get<int>();
+    };
+    EXPECT_EQ(layers_of("0.1"), 100) << "ten layers of 0.1 mm are 1 mm";
+    EXPECT_EQ(layers_of("0.3"), 34);
+    EXPECT_EQ(layers_of("20"), 1);
+    const Outcome thin = psicarve({"slice", model, "-o", file("h.job"), "--layer-height", "0.001"});
+    EXPECT_EQ(thin.exit_code, 3);
+    EXPECT_NE(thin.error.find("at least --layer-height 0.0025"), std::string::npos) << thin.error;
+}
+
+TEST_F(SliceCommand, ScalesAMeshToADiameter) {
+    const std::string model = box_stl("box.stl", 10.0);
+    const Outcome outcome = psicarve({"slice", model, "-o", file("d.job"), "--diameter", "30", "--layers",
+                                      "3", "--points", "400", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    // Its corners stand furthest from the axis: 12.2 mm, that is 24.4 across.
+    EXPECT_NEAR(outcome.json()["report"]["scale"].get<double>(), 30.0 / std::hypot(20.0, 14.0), 1e-6);
+    EXPECT_NEAR(outcome.json()["size"]["radius_mm"][1].get<double>(), 15.0, 0.05);
+    for (const std::string other : {"--height", "--scale"}) {
+        const Outcome both = psicarve({"slice", model, "-o", file("d.job"), "--diameter", "30", other, "2"});
+        EXPECT_EQ(both.exit_code, 2) << other;
+    }
+    EXPECT_EQ(psicarve({"slice", model, "-o", file("d.job"), "--diameter", "30", "--fit"}).exit_code, 2);
+}
+
+TEST_F(SliceCommand, TellsSizeAndTimeAndDraws) {
+    const std::string model = box_stl("box.stl", 10.0);
+    const Outcome outcome = psicarve({"slice", model, "-o", file("t.job"), "--layers", "3", "--points", "9",
+                                      "--time", "--picture", file("t.png")});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    EXPECT_NE(outcome.out.find("size: radii "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("carving: 0:"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("T_ref 0:"), std::string::npos) << outcome.out;
+    EXPECT_EQ(text_of(file("t.png")).substr(1, 3), "PNG");
+    const Outcome estimate = psicarve({"estimate", file("t.job"), "--json"});
+    const Outcome info = psicarve({"snapshot", "info", file("t.job"), "--json", "--time"});
+    for (const char* key : {"carve_seconds", "reference_seconds"})
+        EXPECT_EQ(info.json()["job"][key], estimate.json()[key]) << info.out;
+    const Outcome shown = psicarve({"snapshot", "info", file("t.job"), "--time", "--picture", file("i.png")});
+    ASSERT_EQ(shown.exit_code, 0) << shown.error;
+    EXPECT_NE(shown.out.find("size       radii "), std::string::npos) << shown.out;
+    EXPECT_NE(shown.out.find("carving    0:"), std::string::npos) << shown.out;
+    EXPECT_NE(shown.out.find("model      20.00 x 14.00 x 10.00 mm"), std::string::npos) << shown.out;
+    EXPECT_EQ(shown.out.find("{"), std::string::npos) << "JSON is for --json";
+    EXPECT_EQ(text_of(file("i.png")).substr(1, 3), "PNG");
+}
+
+TEST_F(SliceCommand, TakesAPipeAndGivesOne) {
+    const std::string model = box_stl("box.stl", 10.0);
+    const std::string program = in_build("bin/psicarve");
+    const std::string common = " --layers 3 --points 9 ";
+    const auto shell = [](const std::string& line) { return WEXITSTATUS(std::system(line.c_str())); };
+    ASSERT_EQ(psicarve({"slice", model, "-o", file("file.job"), "--layers", "3", "--points", "9"}).exit_code,
+              0);
+    ASSERT_EQ(shell("cat " + model + " | " + program + " slice - -o -" + common + "2>" + file("err") +
+                    " | cat >" + file("pipe.job")),
+              0);
+    EXPECT_NE(text_of(file("err")).find("3 layers x 9 points"), std::string::npos) << text_of(file("err"));
+    const Outcome diff = psicarve({"snapshot", "diff", file("file.job"), file("pipe.job"), "--json"});
+    EXPECT_EQ(text_of(file("pipe.job")).size() > 1000, true);
+    EXPECT_EQ(psicarve({"snapshot", "info", file("pipe.job"), "--json"}).json()["job"]["source"],
+              "standard input")
+        << diff.out;
+    ASSERT_EQ(shell(program + " snapshot info - --json <" + file("pipe.job") + " >" + file("info.json")), 0);
+    ASSERT_EQ(shell("cat " + file("pipe.job") + " | " + program + " replay - --json >" + file("replay.json") +
+                    " 2>&1"),
+              0)
+        << text_of(file("replay.json"));
+    EXPECT_EQ(shell("echo nonsense | " + program + " slice - -o " + file("x.job") + " 2>" + file("err")), 3);
+    EXPECT_NE(text_of(file("err")).find("psicarve: standard input: "), std::string::npos)
+        << text_of(file("err"));
+    EXPECT_FALSE(std::filesystem::exists("-"));
+}
+
+TEST_F(SliceCommand, RefusesAFileInAFolderWhereNoneCanBeMadeBeforeItSlices) {
+    const std::string model = box_stl("box.stl", 10.0);
+    for (const char* output : {"/proc/a.job", "/proc/self/a.job"}) {
+        const Outcome outcome = psicarve({"slice", model, "-o", output, "--layers", "3", "--points", "3"});
+        EXPECT_EQ(outcome.exit_code, 3);
+        EXPECT_EQ(outcome.error_lines(), 1U) << "no word of a model that was sliced: " << outcome.error;
+    }
+}
+
 TEST_F(SliceCommand, RefusesTurnsAndFitsThatSayNothing) {
     const std::string model = box_stl("box.stl");
     const std::vector<std::vector<std::string>> wrong{{"--rotate", "left"},        {"--rotate", "1,2"},

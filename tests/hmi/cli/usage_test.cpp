@@ -41,6 +41,9 @@ const std::vector<std::string> kCommands{"carve",
                                          "latency",
                                          "profile check",
                                          "profile show",
+                                         "profile path",
+                                         "profile diff",
+                                         "profile set",
                                          "completion"};
 
 class EachCommand : public TestWithParam<std::string> {};
@@ -101,7 +104,8 @@ TEST(Commands, AreExactlyThoseOfTheList) {
     }
     EXPECT_EQ(listed({"--help"}), expected);
     EXPECT_EQ(listed({"snapshot", "--help"}), (std::vector<std::string>{"save", "info", "export", "diff"}));
-    EXPECT_EQ(listed({"profile", "--help"}), (std::vector<std::string>{"check", "show"}));
+    EXPECT_EQ(listed({"profile", "--help"}),
+              (std::vector<std::string>{"check", "show", "path", "diff", "set"}));
 }
 
 struct WrongUsage {
@@ -161,6 +165,8 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUsage{"move r1=1 y=2 --centre 5,6", "'5' is not AXIS=POSITION"}, WrongUsage{"spindle", "STATE"},
         WrongUsage{"spindle fast", "fast"}, WrongUsage{"status --segment psicarve", "--segment"},
         WrongUsage{"status now", "unexpected argument 'now'"},
+        WrongUsage{"slice m.stl -o j --layers 3 --layer-height 1", "excludes"},
+        WrongUsage{"slice m.stl -o j --layer-height 0", "'0' is not a number greater than 0"},
         WrongUsage{"snapshot export f --format xml", "--format"}, WrongUsage{"snapshot diff f", "B"}),
     [](const auto& named) { return parameter_name(named.param.arguments, named.index); });
 
@@ -174,6 +180,7 @@ TEST(Usage, AnEmptyNameIsWrong) {
                                                          {"verify", "j", ""},
                                                          {"snapshot", "save", ""},
                                                          {"profile", "check", ""},
+                                                         {"profile", "diff", ""},
                                                          {"status", "--segment", ""},
                                                          {"status", "--group", ""}};
     for (const auto& command : commands) {
@@ -189,6 +196,12 @@ TEST(Usage, AnErrorIsAnObjectForProgramsThatRead) {
     ASSERT_TRUE(outcome.json().is_object()) << outcome.out;
     EXPECT_EQ(outcome.json()["error"]["code"], "bad_usage");
     EXPECT_EQ(outcome.json()["error"]["exit_code"], 2);
+    for (const char* both : {"slice m.stl -o - --json", "snapshot save - --json"}) {
+        const auto error = psicarve(words_of(both)).json()["error"];
+        EXPECT_EQ(error["exit_code"], 2);
+        EXPECT_EQ(error["message"],
+                  "- and --json: standard output takes one of them, the file or the report");
+    }
 }
 
 TEST(Usage, CommonOptionsMayStandBeforeTheCommand) {
@@ -225,6 +238,34 @@ TEST(Usage, AnOverrideIsAWholeNumberFromTenToTwoHundred) {
         EXPECT_EQ(outcome.error_lines(), 1U) << outcome.error;
     }
 }
+
+struct CoreUsage {
+    const char* arguments;
+    const char* said;
+};
+class CoreUsages : public TestWithParam<CoreUsage> {};
+
+TEST_P(CoreUsages, OfTheCoreEndAsThoseOfPsicarve) {
+    const Outcome outcome = RunningProgram{"psicarve-rtcore", words_of(GetParam().arguments)}.outcome();
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.error;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.error_lines(), 1U) << outcome.error;
+    EXPECT_NE(outcome.error.find(GetParam().said), std::string::npos) << outcome.error;
+    EXPECT_TRUE(outcome.error.starts_with("psicarve-rtcore: ")) << outcome.error;
+    EXPECT_TRUE(outcome.error.ends_with(" (see: psicarve-rtcore --help)\n")) << outcome.error;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Usage, CoreUsages,
+    ::testing::Values(CoreUsage{"--prot sim", "unknown option '--prot'; did you mean '--port'?"},
+                      CoreUsage{"--clok=virtual", "unknown option '--clok'; did you mean '--clock'?"},
+                      CoreUsage{"--xyzzy", "unknown option '--xyzzy' (see"},
+                      CoreUsage{"now", "unexpected argument 'now'"}, CoreUsage{"--clock fast", "--clock"},
+                      CoreUsage{"--priority 100", "--priority"},
+                      CoreUsage{"--cpu 1000", "--cpu: this computer has no such processor"},
+                      CoreUsage{"--cpu all", "'all' is not the number of a processor, nor any"},
+                      CoreUsage{"--capacity 3", "--capacity: '3' is not LAYERSxPOINTS"}),
+    [](const auto& named) { return parameter_name(named.param.arguments, named.index); });
 
 /// Every command that needs the machine says that there is none.
 class WithoutSegment : public TestWithParam<std::string> {};

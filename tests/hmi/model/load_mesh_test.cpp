@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <array>
 #include <cmath>
@@ -125,6 +126,9 @@ TEST(LoadMesh, TrustsTheContentMoreThanTheExtension) {
     expect_spring("c.ply", mesh_files::obj(spring()), "OBJ");
     expect_spring("d.stl", mesh_files::off(spring()), "OFF");
     expect_spring("e", mesh_files::ascii_stl(spring()), "ASCII STL");
+    std::string one_line = mesh_files::ascii_stl(spring());
+    std::ranges::replace(one_line, '\n', ' ');
+    expect_spring("one_line.stl", one_line, "ASCII STL");
     expect_spring("f.zip", mesh_files::three_mf(spring()), "3MF", 5.0);
 }
 

@@ -175,6 +175,17 @@ TEST(LayerTotals, OfAPipeSayWhichPartIsHidden) {
     EXPECT_FALSE(layer.contains_axis);
 }
 
+TEST(LayerTotals, OfOverlappingSolidsRoundTheAxisSayThatTheyContainIt) {
+    const model::Mesh sut = shapes::Builder()
+                                .add(shapes::cylinder(10.0, 0.0, 5.0, 40))
+                                .add(shapes::box({-3, -3, 0}, {4, 3, 5}))
+                                .mesh();
+    for (const LayerTotals& layer : slice_all(sut, 3, 30).map.layers) {
+        EXPECT_TRUE(layer.contains_axis);
+        EXPECT_EQ(layer.open_cells, 0U);
+    }
+}
+
 TEST(RadialMap, IsSampledAtTheDirectionsAskedForEvenWhenTheyPassAngleZero) {
     const model::Mesh mesh = shapes::box({-3, -5, 0}, {3, 5, 8});
     const std::vector<double> angles = full_circle_rad(40, 6400, 297.3);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/cli/nearest.hpp"
+#include "shared/nearest.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace psicarve::cli {
+namespace psicarve {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     // Three rows of the table of distances between prefixes: two letters back, one back, this one.
@@ -42,4 +42,4 @@ std::optional<std::string> nearest(std::string_view typed, const std::vector<std
     return best;
 }
 
-}  // namespace psicarve::cli
+}  // namespace psicarve

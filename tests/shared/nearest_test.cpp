@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/cli/nearest.hpp"
+#include "shared/nearest.hpp"
 
 #include <gtest/gtest.h>
 
-namespace psicarve::cli {
+namespace psicarve {
 namespace {
 
 TEST(EditDistance, CountsEachKindOfMistakeOnce) {
@@ -29,4 +29,4 @@ TEST(Nearest, FindsNothingWhenNothingIsNear) {
 }
 
 }  // namespace
-}  // namespace psicarve::cli
+}  // namespace psicarve

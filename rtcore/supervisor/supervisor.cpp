@@ -105,7 +105,7 @@ bool Supervisor::take_requests() {
     const std::size_t requests_before = parts_->io->requests.size();
     take_job();
     const LoadedJob* const job = loading_job_ != nullptr ? loading_job_.get() : job_.get();
-    desk_.note_judged(judged_generation_);
+    desk_.note_seen(seen_generation_);
     desk_.take_commands(*segment_, parts_->io->requests, sample_, job);
     return parts_->io->requests.size() > requests_before;
 }
@@ -163,7 +163,12 @@ void Supervisor::take_job() {
         return;
     if (!loader_.is_busy()) {
         const std::uint64_t generation = published_generation(*segment_);
-        if (generation == 0 || generation == judged_generation_) return;
+        if (generation == 0 || generation == seen_generation_) return;
+        if (generation <= judged_generation_) {
+            // One after it was refused and taken back.
+            seen_generation_ = generation;
+            return;
+        }
         // As long as its tables are, where there is no other thread for it.
         promptness_.lower();
         is_look_stale_ = false;
@@ -174,7 +179,9 @@ void Supervisor::take_job() {
 
 void Supervisor::judge_job(JobLoader::Outcome outcome) {
     if (outcome.generation == 0 || is_look_stale_) return;
-    judged_generation_ = outcome.generation;
+    seen_generation_ = outcome.generation;
+    // A damaged word may be any number: publishers go on from the last good one.
+    if (outcome.is_published) judged_generation_ = outcome.generation;
     if (!may_load_job(sample_.state)) {
         outcome.job = nullptr;
         outcome.refusal =
@@ -345,6 +352,7 @@ void Supervisor::take_new_segment() {
     stop_seen_ = 0;
     estop_seen_ = 0;
     judged_generation_ = 0;
+    seen_generation_ = 0;
     is_look_stale_ = true;
     is_offer_stale_ = true;
     keeper_.write_anew(segment_->header());

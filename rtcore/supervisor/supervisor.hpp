@@ -118,7 +118,8 @@ private:
     std::uint32_t estop_seen_;
     std::uint32_t wake_seen_ = 0;
     std::chrono::steady_clock::time_point jog_renewed_{};
-    std::uint64_t judged_generation_;
+    std::uint64_t judged_generation_;               ///< the newest that was published and judged
+    std::uint64_t seen_generation_ = 0;             ///< the word as it was looked at last
     std::shared_ptr<const LoadedJob> loading_job_;  ///< offered to the tick, not answered yet
     std::shared_ptr<const LoadedJob> job_;
     JobLoader loader_;

@@ -21,6 +21,7 @@ struct ReplayStep {
     cycle::RequestKind request;
     std::uint64_t value;  ///< kind gap: ticks that were missed; request fail: the cause; spindle: on or off;
                           ///< end_jog: how
+    std::uint64_t gap_count;  ///< kind gap: of how many gaps `value` is the sum
     std::uint8_t axis;
     SignalWord inputs;         ///< kind inputs: all input levels from this tick on
     cycle::MotionOrder order;  ///< jog, jog_on, move

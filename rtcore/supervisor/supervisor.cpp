@@ -244,7 +244,7 @@ void Supervisor::drain_reports() {
         if (report.kind == cycle::Report::Kind::answer && sample_.tick < report.record.tick) return;
         parts_->io->reports.pop();
         const FlightRecord& record = report.record;
-        if (record.kind != RecordKind::none) append_to_ring(segment_->header().recorder, record);
+        if (record.kind != RecordKind::none) flight_log_.append(segment_->header().recorder, record);
         if (record.kind == RecordKind::alarm) mirror_.note_alarm(record, report.expected_pulses);
         if (record.kind == RecordKind::alarm || record.kind == RecordKind::state_change) ++changes_;
         if (report.kind != cycle::Report::Kind::answer) continue;
@@ -346,6 +346,7 @@ void Supervisor::take_new_segment() {
     if (!fresh) return;
     if (!fresh->claim_core() || !fresh->fit_rights(options.group)) return;
     desk_.forget_all();
+    flight_log_.begin_anew();
     segment_ = std::make_shared<Segment>(std::move(*fresh));
     introduce();
     // It is new: whatever has been asked for in it was asked of us.

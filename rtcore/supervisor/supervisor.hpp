@@ -10,6 +10,7 @@
 #include "rtcore/supervisor/checkpoint_keeper.hpp"
 #include "rtcore/supervisor/command_desk.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
+#include "rtcore/supervisor/flight_log.hpp"
 #include "rtcore/supervisor/job_loader.hpp"
 #include "rtcore/supervisor/layer_times.hpp"
 #include "rtcore/supervisor/loaded_job.hpp"
@@ -111,6 +112,7 @@ private:
     StatusMirror mirror_;
     PinRecording recording_;
     CheckpointKeeper keeper_;
+    FlightLog flight_log_;
     bool is_virtual_clock_;
     rtcore::Promptness promptness_;
     cycle::Sample sample_;

@@ -37,7 +37,7 @@ struct ReplayScript {
     std::uint64_t first_tick = 0;  ///< tick of the recorded run that is tick 0 here
 };
 
-/// Nothing when the recorder never saw a start from rest (the run is then replayed from the job alone).
+/// Nothing when the recorder never saw the machine homed and at rest, or nothing after that.
 std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>& records);
 
 }  // namespace psicarve::supervisor

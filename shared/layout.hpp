@@ -20,7 +20,7 @@ namespace psicarve {
 // command.hpp or job.hpp bumps kLayoutVersion; the ABI hash catches whoever forgets.
 
 inline constexpr std::uint64_t kSegmentMagic = 0x3147455341435350ULL;  // "PSCASEG1"
-inline constexpr std::uint32_t kLayoutVersion = 8;
+inline constexpr std::uint32_t kLayoutVersion = 9;
 /// The first whose CoreStatus and FlightRecord are today's: snapshots of it and all since can be read.
 inline constexpr std::uint32_t kOldestStatusVersion = 4;
 inline constexpr std::uint32_t kSegmentReady = 0x52454459;  // written last by the creator
@@ -56,14 +56,18 @@ struct alignas(64) MutexStorage {
 
 /// What stands in one job slot. Written by a publisher under the mutex, only while the slot is not published.
 struct SlotContent {
-    AtomicWord64 bytes;
-    AtomicWord64 checksum;  ///< XXH3 over the blob's bytes
+    AtomicWord64 bytes;       ///< 0 while the slot is written, and once its job was refused
+    AtomicWord64 generation;  ///< which it is written for
+    AtomicWord64 checksum;    ///< XXH3 over the blob's bytes
+    AtomicWord64 seal;        ///< XXH3 over generation, bytes and checksum, as words in this order
 };
 
 /// Which job is published. Generation g stands in slot g % 2, so the one store of `generation` publishes
 /// slot, size and checksum at once: a publisher that dies before it has changed nothing, after it everything.
+/// A word that its slot does not bear out, by generation and seal, was stored by no publisher: it publishes
+/// nothing.
 struct Publication {
-    AtomicWord64 generation;  ///< 0: nothing published yet; written last, under the mutex
+    AtomicWord64 generation;  ///< 0: nothing published; written last, under the mutex
     SlotContent of_slot[2];
 };
 

@@ -128,7 +128,7 @@ struct PublishedJob {
 Result<std::uint64_t> publish_job(Segment& segment, std::span<const std::byte> job_blob,
                                   std::chrono::milliseconds limit = std::chrono::milliseconds{5000});
 /// Waits until the core has judged that generation: success, the core's reason (machine_refused), no_core as
-/// soon as none serves, or timed_out.
+/// soon as none serves, or timed_out. A refused one is published no longer: what was accepted before it is.
 Result<void> wait_for_acceptance(Segment& segment, std::uint64_t generation, std::chrono::milliseconds limit);
 /// Copies the job that matters, under the mutex: the one that the core accepted, also when another was
 /// published and refused since; else the published one, unless it was refused. Generation 0 and no bytes:
@@ -148,9 +148,13 @@ void request_emergency_stop(Segment& segment) noexcept;
 // -------------------------------------------------------------------------------------------
 /// A job newer than `known_generation`, copied and checked; nothing when there is none, or when publishers
 /// were faster than the copy (ask again); an error when what was published is wrong (the caller refuses it by
-/// acknowledge_job). Takes no lock. A new segment begins again at generation 1.
+/// acknowledge_job), also when nobody published what the generation's word says. Takes no lock. A new segment
+/// begins again at generation 1.
 Result<std::optional<PublishedJob>> take_published_job(Segment& segment, std::uint64_t known_generation);
+/// The word alone, which may be damaged.
 std::uint64_t published_generation(const Segment& segment) noexcept;
+/// Whether a slot holds what a publisher wrote for this generation; its blob is not looked at.
+bool is_published(const Segment& segment, std::uint64_t generation) noexcept;
 /// Of the published job's blob, as its publisher said; nothing: there is none.
 std::optional<std::uint64_t> published_checksum(const Segment& segment) noexcept;
 /// What the core wants to be known of the published job that it has accepted; mostly nothing.

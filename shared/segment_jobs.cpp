@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <boost/interprocess/sync/scoped_lock.hpp>
 #include <chrono>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "shared/event.hpp"
@@ -27,9 +30,44 @@ std::uint32_t slot_of(std::uint64_t generation) noexcept {
     return static_cast<std::uint32_t>(generation % 2);
 }
 
-/// Generation 0 means that nothing is published.
-std::uint64_t generation_after(std::uint64_t generation) noexcept {
-    return generation >= ~std::uint64_t{1} ? 2 - generation % 2 : generation + 1;
+/// No publisher comes so far: a greater number is damage, and not to be counted on from.
+constexpr std::uint64_t kLastGeneration = std::uint64_t{1} << 62;
+/// How long a publisher that was refused waits to take its job back.
+constexpr std::chrono::milliseconds kTakeBackLimit{1000};
+
+/// A slot's words, which belong together.
+struct SlotLabel {
+    std::uint64_t generation;
+    std::uint64_t bytes;
+    std::uint64_t checksum;
+};
+
+std::uint64_t seal_of(const SlotLabel& label) noexcept {
+    const std::array words{label.generation, label.bytes, label.checksum};
+    return job_checksum(std::as_bytes(std::span{words}));
+}
+
+/// Of the slot of this generation, if it was written for it.
+std::optional<SlotLabel> label_of(const SegmentHeader& header, std::uint64_t generation) noexcept {
+    const SlotContent& content = header.publication.of_slot[slot_of(generation)];
+    const SlotLabel label{.generation = content.generation.load(std::memory_order_acquire),
+                          .bytes = content.bytes.load(std::memory_order_acquire),
+                          .checksum = content.checksum.load(std::memory_order_acquire)};
+    const bool is_its_own = generation != 0 && label.generation == generation && label.bytes != 0 &&
+                            content.seal.load(std::memory_order_acquire) == seal_of(label);
+    return is_its_own ? std::optional{label} : std::nullopt;
+}
+
+bool is_in_slot(const SegmentHeader& header, std::uint64_t generation) noexcept {
+    return label_of(header, generation).has_value();
+}
+
+/// The size comes last: until then the slot holds nothing.
+void put_label(SlotContent& content, const SlotLabel& label) noexcept {
+    content.generation.store(label.generation, std::memory_order_release);
+    content.checksum.store(label.checksum, std::memory_order_release);
+    content.seal.store(seal_of(label), std::memory_order_release);
+    content.bytes.store(label.bytes, std::memory_order_release);
 }
 
 Error too_large(const Segment& segment, std::uint64_t bytes) {
@@ -42,30 +80,37 @@ Error too_large(const Segment& segment, std::uint64_t bytes) {
 
 /// The job of one generation, copied; the caller knows whether that generation stood still meanwhile.
 Result<std::vector<std::byte>> copy_slot(Segment& segment, std::uint64_t generation) {
-    const SlotContent& content = segment.header().publication.of_slot[slot_of(generation)];
-    const std::uint64_t bytes = content.bytes.load(std::memory_order_acquire);
-    const std::uint64_t checksum = content.checksum.load(std::memory_order_acquire);
-    if (bytes == 0 || bytes > segment.slot_bytes()) {
-        return bad_input("the published job says it has " + std::to_string(bytes) + " bytes, a slot holds " +
-                         std::to_string(segment.slot_bytes()));
+    const auto label = label_of(segment.header(), generation);
+    if (!label) {
+        return bad_input("the published job is damaged: nobody published generation " +
+                         std::to_string(generation) + "; publish it again");
     }
-    std::vector<std::byte> blob(bytes);
+    if (label->bytes > segment.slot_bytes()) {
+        return bad_input("the published job says it has " + std::to_string(label->bytes) +
+                         " bytes, a slot holds " + std::to_string(segment.slot_bytes()));
+    }
+    std::vector<std::byte> blob(label->bytes);
     if (auto read = segment.read_slot(slot_of(generation), blob); !read) return read.error();
-    if (job_checksum(blob) != checksum) {
+    if (job_checksum(blob) != label->checksum) {
         return bad_input("the published job is damaged: its checksum is wrong");
     }
     return blob;
 }
 
-Result<void> judge(const JobVerdict& verdict, std::uint64_t generation) {
-    if (verdict.generation != generation) {
+/// Nothing: the core has not judged it, and may still.
+std::optional<Result<void>> judgement(const SegmentHeader& header, std::uint64_t generation) {
+    const auto verdict = read_record(header.verdict);
+    if (!verdict) return std::nullopt;
+    if (verdict->generation == generation) {
+        if (verdict->accepted == 1) return Result<void>{};
+        const std::string reason = text_from_field(verdict->reason);
         return Error{ErrorCode::machine_refused,
-                     "another job was published before the core looked at this one"};
+                     reason.empty() ? "the core refused the job without a reason" : reason};
     }
-    if (verdict.accepted == 1) return {};
-    const std::string reason = text_from_field(verdict.reason);
-    return Error{ErrorCode::machine_refused,
-                 reason.empty() ? "the core refused the job without a reason" : reason};
+    // A greater number alone may be that of a word which was damaged, and refused, before ours.
+    if (verdict->generation < generation || header.publication.generation.load() == generation)
+        return std::nullopt;
+    return Error{ErrorCode::machine_refused, "another job was published before the core looked at this one"};
 }
 
 /// The generation that the core has in hand; 0: none.
@@ -79,14 +124,45 @@ bool is_refused(const SegmentHeader& header, std::uint64_t generation) noexcept 
     return verdict && verdict->generation == generation && verdict->accepted != 1;
 }
 
-/// The slot of the job that the core accepted is not written to while a refused one stands in the other: a
-/// snapshot still needs it. The refused one has been judged, so nobody reads its slot.
-std::uint64_t generation_to_publish(const SegmentHeader& header) noexcept {
+/// Whose slot is not to be written to: the core may be copying what is published, and a snapshot needs what
+/// was accepted. 0: nobody's. A refused job has been judged, so nobody reads its slot.
+std::uint64_t generation_to_keep(const SegmentHeader& header) noexcept {
     const std::uint64_t published = header.publication.generation.load();
     const std::uint64_t accepted = accepted_generation(header);
-    const std::uint64_t next = generation_after(published);
-    const bool would_overwrite = accepted != 0 && accepted != published && slot_of(next) == slot_of(accepted);
-    return would_overwrite && is_refused(header, published) ? generation_after(next) : next;
+    const bool is_looked_at =
+        published >= accepted && is_in_slot(header, published) && !is_refused(header, published);
+    if (is_looked_at) return published;
+    return is_in_slot(header, accepted) ? accepted : 0;
+}
+
+/// Greater than any that a core may have judged, whatever has become of the word that publishes.
+std::uint64_t generation_to_publish(const SegmentHeader& header) noexcept {
+    std::uint64_t last = 0;
+    const auto count = [&last](std::uint64_t generation) {
+        if (generation <= kLastGeneration) last = std::max(last, generation);
+    };
+    count(header.publication.generation.load());
+    count(accepted_generation(header));
+    // Also of a job that was taken back.
+    for (const SlotContent& content : header.publication.of_slot) count(content.generation.load());
+    if (const auto verdict = read_record(header.verdict)) count(verdict->generation);
+    const std::uint64_t kept = generation_to_keep(header);
+    const std::uint64_t next = last + 1;
+    return kept != 0 && slot_of(next) == slot_of(kept) ? next + 1 : next;
+}
+
+/// Whoever published it was told that it was refused: a core started anew must not find it. What the core
+/// accepted before is published again.
+void take_back(Segment& segment, std::uint64_t generation) {
+    SegmentHeader& header = segment.header();
+    RobustMutex mutex{header.mutex};
+    if (!mutex.lock_within(kTakeBackLimit)) return;
+    const Lock lock{mutex, bip::accept_ownership};
+    if (header.publication.generation.load() != generation) return;
+    const std::uint64_t accepted = accepted_generation(header);
+    const bool is_accepted_there = accepted != generation && is_in_slot(header, accepted);
+    header.publication.generation.store(is_accepted_there ? accepted : 0, std::memory_order_release);
+    header.publication.of_slot[slot_of(generation)].bytes.store(0, std::memory_order_release);
 }
 
 /// While a job runs another would only be refused, and a core started anew would take it for the one to go on
@@ -130,8 +206,7 @@ Result<std::uint64_t> publish_job(Segment& segment, std::span<const std::byte> j
     SlotContent& content = header.publication.of_slot[slot_of(generation)];
     content.bytes.store(0, std::memory_order_release);
     if (auto written = segment.write_slot(slot_of(generation), job_blob); !written) return written.error();
-    content.checksum.store(checksum, std::memory_order_release);
-    content.bytes.store(job_blob.size(), std::memory_order_release);
+    put_label(content, {.generation = generation, .bytes = job_blob.size(), .checksum = checksum});
     header.publication.generation.store(generation, std::memory_order_release);
     event_signal(header.job_published);
     // The core sleeps on one event only.
@@ -145,8 +220,10 @@ Result<void> wait_for_acceptance(Segment& segment, std::uint64_t generation,
     const Clock::time_point deadline = Clock::now() + limit;
     for (;;) {
         const std::uint32_t seen = event_count(header.status_changed);
-        const auto verdict = read_record(header.verdict);
-        if (verdict && verdict->generation >= generation) return judge(*verdict, generation);
+        if (auto judged = judgement(header, generation)) {
+            if (!*judged) take_back(segment, generation);
+            return *judged;
+        }
         if (!segment.core_pid()) {
             return Error{ErrorCode::no_core, "the job is published, but no core serves segment " +
                                                  segment.name() + ": start psicarve-rtcore"};
@@ -167,8 +244,7 @@ Result<PublishedJob> copy_current_job(Segment& segment, std::chrono::millisecond
     const Lock lock{mutex, bip::accept_ownership};
     const std::uint64_t published = header.publication.generation.load();
     const std::uint64_t accepted = accepted_generation(header);
-    std::uint64_t current = published;
-    if (accepted != 0 && accepted < published && slot_of(accepted) != slot_of(published)) current = accepted;
+    const std::uint64_t current = is_in_slot(header, accepted) ? accepted : published;
     if (current == 0 || (current == published && is_refused(header, published))) return PublishedJob{};
     auto blob = copy_slot(segment, current);
     if (!blob) return blob.error();
@@ -181,8 +257,12 @@ std::uint64_t published_generation(const Segment& segment) noexcept {
 
 std::optional<std::uint64_t> published_checksum(const Segment& segment) noexcept {
     const std::uint64_t generation = published_generation(segment);
-    if (generation == 0) return std::nullopt;
-    return segment.header().publication.of_slot[slot_of(generation)].checksum.load(std::memory_order_acquire);
+    const auto label = label_of(segment.header(), generation);
+    return label ? std::optional{label->checksum} : std::nullopt;
+}
+
+bool is_published(const Segment& segment, std::uint64_t generation) noexcept {
+    return is_in_slot(segment.header(), generation);
 }
 
 Result<std::optional<PublishedJob>> take_published_job(Segment& segment, std::uint64_t known_generation) {

@@ -79,6 +79,12 @@ void append_to_ring(SharedRing<T, kEntries>& ring, const T& value) noexcept {
     ring.published.store(position + 1, std::memory_order_release);
 }
 
+/// One writer only, which has appended before. Word by word: a reader may see some words of each.
+template <typename T, std::size_t kEntries>
+void replace_newest_in_ring(SharedRing<T, kEntries>& ring, const T& value) noexcept {
+    store_words<T>(ring.words[(ring.published.load(std::memory_order_relaxed) - 1) % kEntries], value);
+}
+
 /// One writer only: what stands in the ring so far belongs to an earlier writer and is not read any more.
 template <typename T, std::size_t kEntries>
 void begin_ring_anew(SharedRing<T, kEntries>& ring) noexcept {

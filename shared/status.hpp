@@ -115,7 +115,7 @@ enum class RecordKind : std::uint16_t {
     alarm = 6,
     job = 7,
     home_latch = 8,
-    gap = 9,       ///< value: ticks that were missed
+    gap = 9,       ///< value: ticks missed from here on, before whatever follows; code: in so many gaps
     failure = 10,  ///< code: the AlarmCause that the core itself found
     order = 11,    ///< code: OrderPart of the command that follows in the same tick; axis, value
     jog_end = 12,  ///< a jog was let go, or its lease ran out: slowing down from here

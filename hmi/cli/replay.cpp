@@ -14,8 +14,9 @@ namespace {
 constexpr CommandText kReplayText{
     "replay", "A job or a recorded snapshot again, through a private core on the virtual clock",
     "Begins homed at the home positions. A job is run whole; of a snapshot, what its "
-    "flight recorder holds. The\n"
-    "same file gives the same pins to the last bit.",
+    "flight recorder holds\n"
+    "from a moment on at which the machine was homed and at rest; without one it is refused, and carve\n"
+    "carves its job. The same file gives the same pins to the last bit.",
     "psicarve replay figurine.job --trace pins.vcd --json"};
 
 struct ReplayOptions {

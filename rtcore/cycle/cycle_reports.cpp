@@ -88,7 +88,26 @@ void Cycle::answer(const Request& request, Refusal refusal) noexcept {
 }
 
 void Cycle::push_report(const Report& report) noexcept {
+    tell_gaps();
     if (!io_->reports.push(report)) ++reports_lost_;
+}
+
+void Cycle::count_gap(std::uint64_t ticks) noexcept {
+    constexpr std::uint16_t kMostGaps = 0xFFFF;
+    if (untold_gaps_.value == 0) untold_gaps_ = record_of(RecordKind::gap, 0);
+    if (untold_gaps_.code < kMostGaps) ++untold_gaps_.code;
+    untold_gaps_.value += static_cast<std::int64_t>(ticks);
+}
+
+// At most once a second where nothing happens, and before whatever happens: in a replay all of them come at
+// the first one's tick, and what comes next at its own.
+void Cycle::tell_gaps() noexcept {
+    if (untold_gaps_.value == 0) return;
+    Report entry{};
+    entry.record = untold_gaps_;
+    entry.kind = Report::Kind::event;
+    untold_gaps_.value = 0;
+    if (!io_->reports.push(entry)) ++reports_lost_;
 }
 
 // After the pins of the same tick: what is counted from here on includes their pulses.

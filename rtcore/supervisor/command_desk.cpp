@@ -79,7 +79,7 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
     }
     // Looked at once the command is ours: whoever sent it after a job finds that job, or is refused.
     const std::uint64_t published = published_generation(segment);
-    if (command.kind == CommandKind::start && published != 0 && published != judged_generation_) {
+    if (command.kind == CommandKind::start && published != 0 && published != seen_generation_) {
         answer_command(segment, received, AnswerKind::refused,
                        "start: a published job is being looked at; start once it is accepted");
         return;

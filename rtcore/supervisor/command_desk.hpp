@@ -41,7 +41,7 @@ public:
     void keep_in_alarm(const std::string& reason) { refusal_in_alarm_ = reason; }
     /// Of the published job that was accepted or refused last. While it is not the published one, a start is
     /// refused: which job it would carve is about to change.
-    void note_judged(std::uint64_t generation) noexcept { judged_generation_ = generation; }
+    void note_seen(std::uint64_t generation) noexcept { seen_generation_ = generation; }
     void refuse_all(const std::string& reason) { refusal_for_all_ = reason; }
 
     /// Something is with the tick and not answered yet.
@@ -70,7 +70,7 @@ private:
     std::uint64_t last_sequence_ = 0;
     std::string refusal_for_all_;
     std::string refusal_in_alarm_;
-    std::uint64_t judged_generation_ = 0;
+    std::uint64_t seen_generation_ = 0;
     bool shutdown_requested_ = false;
     bool has_more_ = false;
 };

@@ -12,12 +12,14 @@ JobLoader::Outcome look_at(Segment& segment, std::uint64_t known_generation, std
     auto taken = take_published_job(segment, known_generation);
     if (!taken) {
         outcome.generation = generation;
+        outcome.is_published = is_published(segment, generation);
         outcome.refusal = taken.error().message;
         return outcome;
     }
     if (!taken->has_value()) return outcome;
     PublishedJob& published = **taken;
     outcome.generation = published.generation;
+    outcome.is_published = true;
     auto job = load_job(std::move(published.blob), published.generation, profile);
     if (job) {
         outcome.job = std::move(*job);

@@ -25,6 +25,7 @@ public:
     /// What came of a look. Neither job nor reason: nothing was there to be taken, or publishers were faster.
     struct Outcome {
         std::uint64_t generation = 0;
+        bool is_published = false;  ///< false: nobody published that generation, its word is damaged
         std::shared_ptr<const LoadedJob> job;
         std::string refusal;
     };

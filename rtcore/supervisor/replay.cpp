@@ -2,6 +2,20 @@
 #include "rtcore/supervisor/replay.hpp"
 
 namespace psicarve::supervisor {
+namespace {
+
+/// One gap after the other, each as long as they were on an average: none so long as to be an alarm, which
+/// only a gap by itself was.
+void miss_ticks(const ReplayStep& step, cycle::Cycle& cycle) noexcept {
+    std::uint64_t left = step.value;
+    for (std::uint64_t gaps = step.gap_count; gaps > 0 && left > 0; --gaps) {
+        const std::uint64_t ticks = left / gaps;
+        if (ticks > 0) cycle.advance_missed(ticks);
+        left -= ticks;
+    }
+}
+
+}  // namespace
 
 JobDirector::Progress JobDirector::poll(Supervisor& supervisor) {
     const cycle::Sample& sample = supervisor.sample();
@@ -55,7 +69,7 @@ void RecordDirector::apply(const ReplayStep& step, CoreParts& parts) noexcept {
             break;
         }
         case ReplayStep::Kind::gap:
-            parts.cycle->advance_missed(step.value);
+            miss_ticks(step, *parts.cycle);
             break;
         case ReplayStep::Kind::stop:
             parts.io->urgent.stop_requests.fetch_add(1);

@@ -51,6 +51,7 @@ std::optional<ReplayStep> step_of(const FlightRecord& record) {
         case RecordKind::gap:
             step.kind = ReplayStep::Kind::gap;
             step.value = value;
+            step.gap_count = std::max<std::uint64_t>(1, record.code);
             return step;
         case RecordKind::stop:
             step.kind = ReplayStep::Kind::stop;

@@ -21,6 +21,7 @@ struct ReplayStep {
     cycle::RequestKind request;
     std::uint64_t value;  ///< kind gap: ticks that were missed; request fail: the cause; spindle: on or off;
                           ///< end_jog: how
+    std::uint64_t gap_count;  ///< kind gap: of how many gaps `value` is the sum
     std::uint8_t axis;
     SignalWord inputs;         ///< kind inputs: all input levels from this tick on
     cycle::MotionOrder order;  ///< jog, jog_on, move
@@ -36,7 +37,7 @@ struct ReplayScript {
     std::uint64_t first_tick = 0;  ///< tick of the recorded run that is tick 0 here
 };
 
-/// Nothing when the recorder never saw a start from rest (the run is then replayed from the job alone).
+/// Nothing when the recorder never saw the machine homed and at rest, or nothing after that.
 std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>& records);
 
 }  // namespace psicarve::supervisor

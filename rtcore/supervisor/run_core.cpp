@@ -56,6 +56,13 @@ struct Replay {
     std::uint64_t end_tick = 0;
 };
 
+Error nothing_recorded(const std::string& path) {
+    return bad_input(path +
+                     ": nothing to replay: its flight recorder holds no moment at which the machine was "
+                     "homed and at rest, with something done after it; 'psicarve carve' carves its job");
+}
+
+/// A job file is run whole; of a machine's snapshot what was recorded, and nothing else.
 Result<std::optional<Replay>> load_replay(const CoreOptions& options) {
     if (options.replay_path.empty()) return std::optional<Replay>{};
     auto snapshot = load_snapshot(options.replay_path);
@@ -63,6 +70,8 @@ Result<std::optional<Replay>> load_replay(const CoreOptions& options) {
     if (snapshot->job_blob.empty()) return bad_input(options.replay_path + ": holds no job to replay");
     Replay replay;
     replay.script = script_from_records(snapshot->records);
+    const bool is_of_a_machine = snapshot->status.has_value() || !snapshot->records.empty();
+    if (is_of_a_machine && !replay.script) return nothing_recorded(options.replay_path);
     if (replay.script) {
         replay.end_tick = replay.script->end_tick;
         if (snapshot->status && snapshot->status->tick > replay.script->first_tick) {

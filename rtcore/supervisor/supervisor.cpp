@@ -105,7 +105,7 @@ bool Supervisor::take_requests() {
     const std::size_t requests_before = parts_->io->requests.size();
     take_job();
     const LoadedJob* const job = loading_job_ != nullptr ? loading_job_.get() : job_.get();
-    desk_.note_judged(judged_generation_);
+    desk_.note_seen(seen_generation_);
     desk_.take_commands(*segment_, parts_->io->requests, sample_, job);
     return parts_->io->requests.size() > requests_before;
 }
@@ -163,7 +163,12 @@ void Supervisor::take_job() {
         return;
     if (!loader_.is_busy()) {
         const std::uint64_t generation = published_generation(*segment_);
-        if (generation == 0 || generation == judged_generation_) return;
+        if (generation == 0 || generation == seen_generation_) return;
+        if (generation <= judged_generation_) {
+            // One after it was refused and taken back.
+            seen_generation_ = generation;
+            return;
+        }
         // As long as its tables are, where there is no other thread for it.
         promptness_.lower();
         is_look_stale_ = false;
@@ -174,7 +179,9 @@ void Supervisor::take_job() {
 
 void Supervisor::judge_job(JobLoader::Outcome outcome) {
     if (outcome.generation == 0 || is_look_stale_) return;
-    judged_generation_ = outcome.generation;
+    seen_generation_ = outcome.generation;
+    // A damaged word may be any number: publishers go on from the last good one.
+    if (outcome.is_published) judged_generation_ = outcome.generation;
     if (!may_load_job(sample_.state)) {
         outcome.job = nullptr;
         outcome.refusal =
@@ -237,7 +244,7 @@ void Supervisor::drain_reports() {
         if (report.kind == cycle::Report::Kind::answer && sample_.tick < report.record.tick) return;
         parts_->io->reports.pop();
         const FlightRecord& record = report.record;
-        if (record.kind != RecordKind::none) append_to_ring(segment_->header().recorder, record);
+        if (record.kind != RecordKind::none) flight_log_.append(segment_->header().recorder, record);
         if (record.kind == RecordKind::alarm) mirror_.note_alarm(record, report.expected_pulses);
         if (record.kind == RecordKind::alarm || record.kind == RecordKind::state_change) ++changes_;
         if (report.kind != cycle::Report::Kind::answer) continue;
@@ -339,12 +346,14 @@ void Supervisor::take_new_segment() {
     if (!fresh) return;
     if (!fresh->claim_core() || !fresh->fit_rights(options.group)) return;
     desk_.forget_all();
+    flight_log_.begin_anew();
     segment_ = std::make_shared<Segment>(std::move(*fresh));
     introduce();
     // It is new: whatever has been asked for in it was asked of us.
     stop_seen_ = 0;
     estop_seen_ = 0;
     judged_generation_ = 0;
+    seen_generation_ = 0;
     is_look_stale_ = true;
     is_offer_stale_ = true;
     keeper_.write_anew(segment_->header());

@@ -10,6 +10,7 @@
 #include "rtcore/supervisor/checkpoint_keeper.hpp"
 #include "rtcore/supervisor/command_desk.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
+#include "rtcore/supervisor/flight_log.hpp"
 #include "rtcore/supervisor/job_loader.hpp"
 #include "rtcore/supervisor/layer_times.hpp"
 #include "rtcore/supervisor/loaded_job.hpp"
@@ -111,6 +112,7 @@ private:
     StatusMirror mirror_;
     PinRecording recording_;
     CheckpointKeeper keeper_;
+    FlightLog flight_log_;
     bool is_virtual_clock_;
     rtcore::Promptness promptness_;
     cycle::Sample sample_;
@@ -118,7 +120,8 @@ private:
     std::uint32_t estop_seen_;
     std::uint32_t wake_seen_ = 0;
     std::chrono::steady_clock::time_point jog_renewed_{};
-    std::uint64_t judged_generation_;
+    std::uint64_t judged_generation_;               ///< the newest that was published and judged
+    std::uint64_t seen_generation_ = 0;             ///< the word as it was looked at last
     std::shared_ptr<const LoadedJob> loading_job_;  ///< offered to the tick, not answered yet
     std::shared_ptr<const LoadedJob> job_;
     JobLoader loader_;

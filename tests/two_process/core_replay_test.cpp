@@ -170,6 +170,35 @@ TEST_F(CoreReplay, ASnapshotTakenInFullMotionEndsThereAndLosesNothing) {
     for (const Axis axis : kAllAxes) EXPECT_EQ(again.sim_stalls[index_of(axis)], 0U) << name_of(axis);
 }
 
+// What it would carve is not what the machine did.
+TEST_F(CoreReplay, ASnapshotWithoutARunIsRefusedAndNoTraceIsMade) {
+    start_core();
+    ASSERT_EQ(publish(lobed_job(5, 65)), "");
+    Snapshot snapshot;
+    snapshot.job_blob = job_blob_from_table(lobed_job(5, 65));
+    const auto save = [&](const std::string& name) {
+        snapshot.status = status();
+        snapshot.records.clear();
+        RingReader reader{segment_->header().recorder};
+        while (const auto record = reader.next()) snapshot.records.push_back(*record);
+        ASSERT_TRUE(save_snapshot(snapshot, file(name)));
+    };
+    save("never homed");
+    ASSERT_EQ(refusal_of(CommandKind::home), "");
+    request_emergency_stop(*segment_);
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    save("stopped while homing");
+    snapshot.records.clear();
+    ASSERT_TRUE(save_snapshot(snapshot, file("no records")));
+    core_.reset();
+    for (const char* const name : {"never homed", "stopped while homing", "no records"}) {
+        EXPECT_EQ(replay(file(name), file("a.vcd")), 3) << name;
+        const std::string said = text_of(file("replay.err"));
+        EXPECT_NE(said.find("psicarve carve"), std::string::npos) << said;
+        EXPECT_FALSE(std::filesystem::exists(file("a.vcd"))) << name;
+    }
+}
+
 TEST_F(CoreReplay, AFileThatIsNoJobIsRefusedAndNoTraceIsMade) {
     {
         std::ofstream garbage{file("garbage")};

@@ -112,6 +112,73 @@ TEST_F(CoreRounds, AFloodOfRefusedCommandsKeepsNobodyFromAnEmergencyStop) {
     for (std::thread& sender : senders) sender.join();
 }
 
+/// Senders that refill their slots as soon as they are answered, and how often they were.
+class Flood {
+public:
+    static constexpr int kSenders = 60;
+    /// A round's worth of commands before the word is looked at and one after it, and what each sender has
+    /// been answered and not counted yet.
+    static constexpr std::uint64_t kMostBeforeAStop = 2 * kSenders + 4 * 16;
+
+    explicit Flood(Segment& segment) {
+        for (int i = 0; i < kSenders; ++i) {
+            senders_.emplace_back([this, &segment] {
+                Command command{};
+                command.kind = static_cast<CommandKind>(999);
+                while (!must_end_) {
+                    static_cast<void>(send_command(segment, command, milliseconds{2000}));
+                    ++answered_;
+                }
+            });
+        }
+    }
+    ~Flood() {
+        must_end_ = true;
+        for (std::thread& sender : senders_) sender.join();
+    }
+    Flood(const Flood&) = delete;
+    Flood& operator=(const Flood&) = delete;
+    std::uint64_t answered() const { return answered_; }
+
+private:
+    std::atomic<bool> must_end_{false};
+    std::atomic<std::uint64_t> answered_{0};
+    std::vector<std::thread> senders_;
+};
+
+// On the virtual clock supervisor and tick are one thread: what is answered before the stop is no matter of
+// how busy the computer is.
+TEST_F(CoreRounds, AFloodOfCommandsIsNotAnsweredBeforeAnEmergencyStopWhileHoming) {
+    start_core();
+    ASSERT_EQ(refusal_of(CommandKind::home), "");
+    Flood flood{*segment_};
+    ASSERT_TRUE(eventually([&] { return flood.answered() > 1000 || shown().state != MachineState::homing; }));
+    ASSERT_TRUE(reaches(MachineState::ready)) << "homing goes on under a flood";
+    for (int round = 0; round < 5; ++round) {
+        ASSERT_TRUE(eventually([&] { return refusal_of(CommandKind::home).empty(); }));
+        const std::uint64_t before = flood.answered();
+        request_emergency_stop(*segment_);
+        ASSERT_TRUE(eventually([&] { return shown().state == MachineState::alarm; }, kHeardLimit));
+        EXPECT_LE(flood.answered() - before, Flood::kMostBeforeAStop);
+        ASSERT_EQ(refusal_of(CommandKind::reset_alarm), "");
+    }
+}
+
+TEST_F(CoreRounds, AFloodOfCommandsIsNotAnsweredBeforeAStopWhileCarving) {
+    start_core();
+    ASSERT_EQ(publish(long_job()), "");
+    home();
+    start_carving();
+    Flood flood{*segment_};
+    ASSERT_TRUE(eventually([&] { return flood.answered() > 1000; }));
+    ASSERT_EQ(shown().state, MachineState::carving);
+    const std::uint64_t before = flood.answered();
+    request_stop(*segment_);
+    ASSERT_TRUE(eventually([&] { return shown().state != MachineState::carving; }, kHeardLimit));
+    EXPECT_LE(flood.answered() - before, Flood::kMostBeforeAStop);
+    ASSERT_TRUE(reaches(MachineState::ready)) << "while the flood goes on";
+}
+
 // A new segment counts its jobs from one again.
 TEST_F(CoreRounds, ACheckpointOutlivesItsSegmentAndTheJobsThatArePublishedIntoTheNext) {
     start_core();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "shared/command.hpp"
@@ -118,6 +119,19 @@ TEST(ReplayScript, KeepsMissedTicksAndTheCoresOwnFailures) {
     EXPECT_EQ(sut->steps[0].value, 7U);
     EXPECT_EQ(sut->steps[1].request, cycle::RequestKind::fail);
     EXPECT_EQ(sut->steps[1].value, static_cast<std::uint64_t>(AlarmCause::missed_ticks));
+}
+
+TEST(ReplayScript, KnowsOfHowManyGapsMissedTicksAre) {
+    FlightRecord gaps{};
+    gaps.tick = 20;
+    gaps.kind = RecordKind::gap;
+    gaps.value = 700;
+    for (const int count : {0, 1, 100}) {
+        gaps.code = static_cast<std::uint16_t>(count);
+        const auto sut = script_from_records({state_change(10, MachineState::ready), gaps});
+        ASSERT_TRUE(sut.has_value());
+        EXPECT_EQ(sut->steps[0].gap_count, std::max<std::uint64_t>(1, static_cast<std::uint64_t>(count)));
+    }
 }
 
 FlightRecord order(std::uint64_t tick, OrderPart part, std::uint32_t axis, std::int64_t value) {

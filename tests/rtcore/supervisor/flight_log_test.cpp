@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/flight_log.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+namespace psicarve::supervisor {
+namespace {
+
+FlightRecord record_at(std::uint64_t tick, RecordKind kind, std::int64_t value = 0, std::uint16_t code = 0) {
+    FlightRecord record{};
+    record.tick = tick;
+    record.kind = kind;
+    record.value = value;
+    record.code = code;
+    return record;
+}
+
+class FlightLogTest : public testing::Test {
+protected:
+    std::vector<FlightRecord> kept() const {
+        RingReader reader{*ring_};
+        std::vector<FlightRecord> records;
+        while (const auto record = reader.next()) records.push_back(*record);
+        return records;
+    }
+    std::unique_ptr<FlightRecorder> ring_ = std::make_unique<FlightRecorder>();
+    FlightLog sut_;
+};
+
+// Two years of an idle core on a busy computer.
+TEST_F(FlightLogTest, NoFloodOfMissedTicksPushesAnythingOut) {
+    sut_.append(*ring_, record_at(7, RecordKind::alarm));
+    for (std::uint64_t i = 0; i < 10 * kFlightRecords; ++i)
+        sut_.append(*ring_, record_at(10 + i, RecordKind::gap, 3, 2));
+    const auto records = kept();
+    ASSERT_EQ(records.size(), 2U);
+    EXPECT_EQ(records[0].kind, RecordKind::alarm);
+    EXPECT_EQ(records[1].tick, 10U) << "of the first";
+    EXPECT_EQ(records[1].value, static_cast<std::int64_t>(30 * kFlightRecords));
+    EXPECT_EQ(records[1].code, 0xFFFF) << "as many as can be said";
+}
+
+TEST_F(FlightLogTest, HalfOfTheRecordsAreNeverCounters) {
+    for (std::uint64_t i = 0; i < kFlightRecords / 2; ++i) {
+        for (int k = 0; k < 20; ++k) sut_.append(*ring_, record_at(3 * i, RecordKind::gap, 1, 1));
+        sut_.append(*ring_, record_at(3 * i + 1, RecordKind::command));
+    }
+    const auto records = kept();
+    ASSERT_EQ(records.size(), kFlightRecords);
+    EXPECT_EQ(records.front().value, 20);
+    EXPECT_EQ(records[1].tick, 1U) << "the first command is still there";
+}
+
+TEST_F(FlightLogTest, WhatComesBetweenEndsACounter) {
+    sut_.append(*ring_, record_at(1, RecordKind::gap, 3, 1));
+    sut_.append(*ring_, record_at(2, RecordKind::gap, 4, 1));
+    sut_.append(*ring_, record_at(3, RecordKind::command));
+    sut_.append(*ring_, record_at(4, RecordKind::gap, 5, 1));
+    const auto records = kept();
+    ASSERT_EQ(records.size(), 3U);
+    EXPECT_EQ(records[0].value, 7);
+    EXPECT_EQ(records[2].value, 5);
+}
+
+TEST_F(FlightLogTest, ANewSegmentBeginsWithNoCounterOfTheOldOne) {
+    sut_.append(*ring_, record_at(1, RecordKind::gap, 3, 1));
+    auto fresh = std::make_unique<FlightRecorder>();
+    sut_.begin_anew();
+    sut_.append(*fresh, record_at(9, RecordKind::gap, 4, 1));
+    EXPECT_EQ(fresh->published.load(), 1U);
+    ring_ = std::move(fresh);
+    EXPECT_EQ(kept().front().value, 4);
+}
+
+}  // namespace
+}  // namespace psicarve::supervisor

@@ -9,7 +9,9 @@
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
+#include "hmi/cli/named_files.hpp"
 #include "hmi/cli/nearest.hpp"
+#include "shared/distinct_files.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -144,6 +146,8 @@ int run(int argc, char** argv) {
         return report_error(Error{ErrorCode::bad_usage, usage_error(program, error)},
                             asks_for_json(argc, argv));
     }
+    if (const auto distinct = check_distinct(named_files(typed_command(program))); !distinct)
+        return report_error(distinct.error(), common.json);
     // Also where a command has no use for it: a profile that is wrong is never passed over.
     if (!common.profile.empty()) {
         if (const auto profile = chosen_profile(common); !profile)

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "shared/cpu_list.hpp"
+#include "shared/distinct_files.hpp"
 #include "shared/segment.hpp"
 
 namespace psicarve::supervisor {
@@ -134,6 +135,17 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
     app.set_version_flag("--version", PSICARVE_VERSION);
 }
 
+/// Descriptors among the traces are their giver's own.
+Result<void> check_files(const CoreOptions& options) {
+    std::vector<NamedFile> files{
+        {"--profile", options.profile_path, false},  {"--machine", options.machine_path, false},
+        {"--replay", options.replay_path, false},    {"--piece", options.piece_path, true},
+        {"--lateness", options.lateness_path, true}, {"--layer-times", options.layer_times_path, true}};
+    for (const std::string& path : options.trace_paths)
+        if (!path.starts_with("fd:")) files.push_back({"--trace", path, true});
+    return check_distinct(files);
+}
+
 /// What would be ignored in silence is not what was meant.
 Result<void> check_meant(const CLI::App& app, const CoreOptions& options) {
     const auto wrong = [](const char* option, const char* why) {
@@ -210,6 +222,7 @@ std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
     options.cpu = cpu_from(texts.cpu);
     auto taken = take_port(texts.port, options);
     if (taken) taken = check_meant(app, options);
+    if (taken) taken = check_files(options);
     if (!taken) {
         std::fprintf(stderr, "psicarve-rtcore: %s\n", taken.error().message.c_str());
         return kExitUsage;

@@ -12,6 +12,7 @@
 #include "hmi/cli/named_files.hpp"
 #include "hmi/cli/nearest.hpp"
 #include "shared/distinct_files.hpp"
+#include "shared/partial_file.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -129,6 +130,7 @@ int finish(const Result<int>& outcome, bool as_json) {
 }  // namespace
 
 int run(int argc, char** argv) {
+    remove_partials_when_killed();
     CLI::App program{"Slices models, publishes jobs and runs the two-head engraver.", "psicarve"};
     program.require_subcommand(1);
     program.set_version_flag("--version", PSICARVE_VERSION);

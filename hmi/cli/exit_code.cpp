@@ -6,13 +6,14 @@
 #include <cstring>
 
 #include "hmi/cli/progress_bar.hpp"
+#include "shared/printable.hpp"
 
 namespace psicarve::cli {
 namespace {
 
 void print_line(const char* prefix, const std::string& text) {
     clear_progress_line();
-    std::fprintf(stderr, "%s%s\n", prefix, text.c_str());
+    std::fprintf(stderr, "%s%s\n", prefix, printable(text).c_str());
 }
 
 }  // namespace

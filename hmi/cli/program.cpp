@@ -7,6 +7,7 @@
 
 #include "hmi/cli/command_set.hpp"
 #include "hmi/cli/commands.hpp"
+#include "hmi/cli/escaped_output.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/named_files.hpp"
@@ -131,6 +132,7 @@ int finish(const Result<int>& outcome, bool as_json) {
 
 int run(int argc, char** argv) {
     remove_partials_when_killed();
+    const EscapedOutput escaped_output;
     CLI::App program{"Slices models, publishes jobs and runs the two-head engraver.", "psicarve"};
     program.require_subcommand(1);
     program.set_version_flag("--version", PSICARVE_VERSION);

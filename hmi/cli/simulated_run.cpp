@@ -14,6 +14,7 @@
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/cli/run_report.hpp"
 #include "hmi/cli/run_watch.hpp"
+#include "shared/printable.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -51,7 +52,7 @@ void pass_on_messages(const std::string& said, const std::vector<std::string>& t
             continue;
         }
         clear_progress_line();
-        std::fprintf(stderr, "%s\n", line.c_str());
+        std::fprintf(stderr, "%s\n", printable(line).c_str());
     }
 }
 

@@ -6,12 +6,15 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdio>
+#include <iostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "shared/cpu_list.hpp"
 #include "shared/distinct_files.hpp"
+#include "shared/printable.hpp"
 #include "shared/segment.hpp"
 
 namespace psicarve::supervisor {
@@ -213,7 +216,10 @@ std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : kExitUsage;
+        std::ostringstream why;
+        const int exit_code = app.exit(error, std::cout, why);
+        std::fputs(printable(why.str()).c_str(), stderr);
+        return exit_code == 0 ? 0 : kExitUsage;
     }
     if (!texts.clock.empty()) {
         options.clock = texts.clock == "real" ? ClockKind::real : ClockKind::virtual_time;
@@ -224,14 +230,14 @@ std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
     if (taken) taken = check_meant(app, options);
     if (taken) taken = check_files(options);
     if (!taken) {
-        std::fprintf(stderr, "psicarve-rtcore: %s\n", taken.error().message.c_str());
+        std::fprintf(stderr, "psicarve-rtcore: %s\n", printable(taken.error().message).c_str());
         return kExitUsage;
     }
     if (!texts.capacity.empty()) {
         auto parsed = parse_capacity(texts.capacity, options);
         if (parsed) parsed = check_shared_memory_for(options.capacity_layers, options.capacity_points);
         if (!parsed) {
-            std::fprintf(stderr, "psicarve-rtcore: %s\n", parsed.error().message.c_str());
+            std::fprintf(stderr, "psicarve-rtcore: %s\n", printable(parsed.error().message).c_str());
             return kExitUsage;
         }
     }

@@ -2301,6 +2301,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Не сохранено: %1</translation>
         </message>
         <message>
+            <source>Not saved: %1 is open here, and would be lost; choose another name</source>
+            <translation>Не сохранено: %1 открыт здесь и был бы потерян; выберите другое имя</translation>
+        </message>
+        <message>
             <source>Not sliced yet.</source>
             <translation>Ещё не нарезано.</translation>
         </message>

@@ -2300,6 +2300,10 @@ N、Shift+N  下一条、上一条记录
             <translation>未保存：%1</translation>
         </message>
         <message>
+            <source>Not saved: %1 is open here, and would be lost; choose another name</source>
+            <translation>未保存：%1 正在此处打开，会丢失；请换一个名称</translation>
+        </message>
+        <message>
             <source>Not sliced yet.</source>
             <translation>尚未切片。</translation>
         </message>

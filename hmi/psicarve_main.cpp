@@ -3,13 +3,14 @@
 #include <exception>
 
 #include "hmi/cli/program.hpp"
+#include "shared/printable.hpp"
 
 int main(int argc, char** argv) {
     try {
         return psicarve::cli::run(argc, argv);
     } catch (const std::exception& error) {
         // Only what nobody can foresee comes here: memory that is not there, above all.
-        std::fprintf(stderr, "psicarve: %s\n", error.what());
+        std::fprintf(stderr, "psicarve: %s\n", psicarve::printable(error.what()).c_str());
         return 3;
     }
 }

@@ -7,19 +7,18 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 #include <system_error>
 #include <utility>
+
+#include "shared/partial_file.hpp"
 
 namespace psicarve {
 namespace {
 
 constexpr mode_t kNewFileMode = 0666;  ///< before the umask
-constexpr int kNameAttempts = 100;
 /// Larger than any job can be; a wrong path (/dev/zero, a disk image) is not read into memory.
 constexpr std::uint64_t kLargestFileBytes = std::uint64_t{64} << 30;
 
@@ -27,76 +26,6 @@ Error file_error(const std::string& path, const std::string& what, int error_num
     const bool is_full = error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG;
     return Error{is_full ? ErrorCode::out_of_room : ErrorCode::bad_input,
                  path + ": " + what + ": " + std::generic_category().message(error_number)};
-}
-
-/// An open file that closes itself.
-class OpenFile {
-public:
-    explicit OpenFile(int descriptor) noexcept : descriptor_(descriptor) {}
-    ~OpenFile() {
-        if (descriptor_ >= 0) ::close(descriptor_);
-    }
-    OpenFile(OpenFile&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-    OpenFile& operator=(OpenFile&&) = delete;
-    int get() const noexcept { return descriptor_; }
-    /// The error number, or 0. Some file systems tell of a full disk only here.
-    int close() noexcept {
-        const int failed = ::close(descriptor_) == 0 ? 0 : errno;
-        descriptor_ = -1;
-        return failed;
-    }
-
-private:
-    int descriptor_;
-};
-
-/// A name that is taken away again unless the file got its real one.
-class TemporaryName {
-public:
-    explicit TemporaryName(std::string path) : path_(std::move(path)) {}
-    ~TemporaryName() {
-        if (!path_.empty()) ::unlink(path_.c_str());
-    }
-    TemporaryName(const TemporaryName&) = delete;
-    TemporaryName& operator=(const TemporaryName&) = delete;
-    const char* c_str() const noexcept { return path_.c_str(); }
-    void forget() noexcept { path_.clear(); }
-
-private:
-    std::string path_;
-};
-
-std::string folder_of(const std::string& path) {
-    const std::size_t slash = path.rfind('/');
-    if (slash == std::string::npos) return "./";
-    return path.substr(0, slash + 1);
-}
-
-/// A name that no other process and no other thread of ours uses; short, so that it fits where the real one
-/// does.
-std::string temporary_path(const std::string& path) {
-    static std::atomic<unsigned> s_counter{0};
-    std::array<char, 64> name{};
-    std::snprintf(name.data(), name.size(), ".psicarve-%x-%x.tmp", static_cast<unsigned>(::getpid()),
-                  s_counter.fetch_add(1));
-    return folder_of(path) + name.data();
-}
-
-struct Created {
-    int descriptor;
-    std::string path;
-};
-
-Result<Created> create_temporary(const std::string& path, mode_t mode) {
-    for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
-        std::string temporary = temporary_path(path);
-        const int file =
-            ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
-        if (file >= 0) return Created{file, std::move(temporary)};
-        // A process that had our pid and was killed may have left one.
-        if (errno != EEXIST) return file_error(path, "cannot be written in this folder", errno);
-    }
-    return file_error(path, "cannot be written in this folder", EEXIST);
 }
 
 /// The mode of the file that is to be replaced, if there is one. Refuses what a rename would destroy.
@@ -123,7 +52,7 @@ int write_all(int file, std::span<const std::byte> bytes) noexcept {
     return 0;
 }
 
-int fill(OpenFile& file, std::optional<FileRights> rights,
+int fill(const OpenFile& file, std::optional<FileRights> rights,
          std::span<const std::span<const std::byte>> parts) noexcept {
     constexpr auto kSameUser = static_cast<uid_t>(-1);
     // First the group, then its rights: at no instant may a wrong group read it.
@@ -132,8 +61,7 @@ int fill(OpenFile& file, std::optional<FileRights> rights,
     for (const auto part : parts) {
         if (const int failed = write_all(file.get(), part); failed != 0) return failed;
     }
-    if (::fsync(file.get()) != 0) return errno;
-    return file.close();
+    return ::fsync(file.get()) == 0 ? 0 : errno;
 }
 
 /// So that the new name itself survives a power failure. Some file systems cannot; the file is whole anyway.
@@ -184,27 +112,22 @@ Result<void> write_parts_atomically(const std::string& path,
     std::optional<FileRights> wanted = rights;
     if (!rights && *mode) wanted = FileRights{**mode, {}};
     constexpr mode_t kOwnerAlone = 0600;
-    const Result<Created> created = create_temporary(path, rights ? kOwnerAlone : kNewFileMode);
-    if (!created) return created.error();
-    TemporaryName name{created->path};
-    OpenFile file{created->descriptor};
-    if (const int failed = fill(file, wanted, parts); failed != 0) {
+    auto part = PartialFile::create(folder_of(path), rights ? kOwnerAlone : kNewFileMode);
+    if (!part) return file_error(path, "cannot be written in this folder", part.error());
+    if (const int failed = fill(part->file(), wanted, parts); failed != 0) {
         return file_error(path, "cannot be written, what was there before is unchanged", failed);
     }
-    if (::rename(name.c_str(), path.c_str()) != 0) {
-        return file_error(path, "cannot be replaced, what was there before is unchanged", errno);
+    if (const int failed = part->take_name(path); failed != 0) {
+        return file_error(path, "cannot be replaced, what was there before is unchanged", failed);
     }
-    name.forget();
     sync_folder(path);
     return {};
 }
 
 Result<void> check_writable(const std::string& path) {
     if (const auto mode = mode_to_keep(path); !mode) return mode.error();
-    const Result<Created> created = create_temporary(path, kNewFileMode);
-    if (!created) return created.error();
-    const TemporaryName name{created->path};
-    ::close(created->descriptor);
+    const auto part = PartialFile::create(folder_of(path), kNewFileMode);
+    if (!part) return file_error(path, "cannot be written in this folder", part.error());
     return {};
 }
 

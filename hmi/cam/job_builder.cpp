@@ -15,6 +15,7 @@
 
 #include "hmi/cam/between_points.hpp"
 #include "hmi/cam/blank_check.hpp"
+#include "hmi/cam/core_share.hpp"
 #include "hmi/cam/groove_tables.hpp"
 #include "hmi/cam/job_plan.hpp"
 #include "hmi/cam/radius_tables.hpp"
@@ -191,15 +192,25 @@ Result<void> look_between_points(const model::Mesh& mesh, const Profile& profile
     return {};
 }
 
-/// An axis beside the model, so far away that all samples pass it by.
-Result<void> check_meets_model(const std::string& source_name, const Totals& totals,
-                               const RadiusTables& tables) {
-    const bool is_beside = std::none_of(totals.begin(), totals.end(),
-                                        [](const slice::LayerTotals& layer) { return layer.contains_axis; });
-    if (!is_beside || !tables.hold_core_alone()) return {};
-    return bad_input(source_name +
-                     ": the axis passes beside the model and no sample meets it: nothing but the core would "
-                     "be carved; --axis-at moves the axis");
+/// An axis beside the model; where all samples pass it by, it is far away.
+bool is_beside(const Totals& totals) {
+    return std::none_of(totals.begin(), totals.end(),
+                        [](const slice::LayerTotals& layer) { return layer.contains_axis; });
+}
+
+/// Before the heads are kept out of anything: whether the tables hold more than the core.
+Result<void> check_meets_model(const std::string& source_name, const Profile& profile,
+                               const JobOptions& options, const Totals& totals,
+                               const OutermostRadii& outermost, const BuiltJob& built) {
+    if (!core_share(profile, built.table).is_all()) return {};
+    if (is_beside(totals)) {
+        return bad_input(source_name +
+                         ": the axis passes beside the model and no sample meets it: nothing but the core "
+                         "would be carved; --axis-at moves the axis");
+    }
+    const auto radii = outermost.radii();
+    const double most = radii.empty() ? 0.0 : *std::max_element(radii.begin(), radii.end());
+    return core_alone(source_name, profile, options, most * built.report.scale, built.report);
 }
 
 /// Warnings about the blank; directions are those of R1's pass.
@@ -240,16 +251,20 @@ Result<BuiltJob> build(const model::Mesh& mesh, const Profile& profile, const Jo
     const auto totals = sampled(mesh, profile, plan, options, tables, outermost);
     if (!totals) return totals.error();
     tables.join_rows();
-    if (auto good = check_meets_model(mesh.source_name, *totals, tables); !good) return good.error();
+    if (auto good = check_meets_model(mesh.source_name, profile, options, *totals, outermost, built); !good)
+        return good.error();
     hold_depth_limit(profile, table, report);
     if (auto fits = tables.check_travel(mesh.source_name); !fits) return fits.error();
     std::vector<double> heights_mm;
     for (const std::int64_t pulses : plan.height_pulses)
         heights_mm.push_back(mm_from_pulses(pulses, profile.y.pulses_per_mm));
     report_totals(*totals, heights_mm, report);
-    tables.report(report);
+    const CoreShare at_core = core_share(profile, table);
+    tables.report(profile, report);
     if (auto done = offer_axis(mesh, profile, plan, options, report); !done) return done.error();
     warn_about_losses(report);
+    // Grooves tell of it themselves.
+    if (!mesh.grooves) warn_about_core(profile, at_core, report);
     if (!mesh.grooves) {
         if (auto done = look_between_points(mesh, profile, plan, table, options, report); !done)
             return done.error();

@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "hmi/cam/core_share.hpp"
 #include "hmi/cam/job_plan.hpp"
 #include "hmi/cam/slice_report.hpp"
 #include "shared/job.hpp"
@@ -31,12 +31,12 @@ RadiusTables::RadiusTables(const Profile& profile, JobTable& table, double scale
     const std::size_t entries = std::size_t{table.layer_count} * table.point_count;
     table.r_left_pulses.resize(entries);
     table.r_right_pulses.resize(entries);
-    left_ = make_head(profile, Axis::r1, scale, table.layer_count, table.r_left_pulses);
-    right_ = make_head(profile, Axis::r2, scale, table.layer_count, table.r_right_pulses);
+    left_ = make_head(profile, Axis::r1, scale, table.r_left_pulses);
+    right_ = make_head(profile, Axis::r2, scale, table.r_right_pulses);
 }
 
 RadiusTables::Head RadiusTables::make_head(const Profile& profile, Axis axis, double scale,
-                                           std::size_t layers, std::vector<std::int32_t>& radii) {
+                                           std::vector<std::int32_t>& radii) {
     const LinearAxisProfile& linear = axis == Axis::r1 ? profile.r1 : profile.r2;
     Head head;
     head.name = name_of(axis);
@@ -44,12 +44,8 @@ RadiusTables::Head RadiusTables::make_head(const Profile& profile, Axis axis, do
     head.pulses_per_unit = linear.pulses_per_mm * scale;
     head.tip_offset_pulses = linear.tip_mm() * linear.pulses_per_mm;
     head.motion = axis_motion(profile, axis);
-    // A tip that stands far out reaches the core radius only where the axis cannot go: it stops at the end of
-    // its travel and leaves a little more of the core.
-    head.least_pulses =
-        static_cast<std::int32_t>(std::max(core_radius_pulses(profile, axis), head.motion.travel_min_pulses));
+    head.least_pulses = least_radius_pulses(profile, axis);
     head.radii = &radii;
-    head.core_points.resize(layers);
     return head;
 }
 
@@ -74,22 +70,19 @@ void RadiusTables::fill(Head& head, std::size_t layer, std::span<const double> o
     const std::size_t points = table_.point_count - joint;
     std::int32_t* row = head.radii->data() + layer * table_.point_count + joint;
     first = (first + joint) % once_round.size();
-    std::uint32_t at_core = 0;
     // From the first direction to the end of the turn, then on from its beginning.
     const std::size_t before_wrap = std::min(points, once_round.size() - first);
-    const auto convert = [&head, &at_core](std::span<const double> radii, std::int32_t* out) {
+    const auto convert = [&head](std::span<const double> radii, std::int32_t* out) {
         const double least = static_cast<double>(head.least_pulses);
         for (const double radius : radii) {
             // Counted from the least radius it is never negative: adding a half and cutting off rounds then.
             const double counted = radius * head.pulses_per_unit - head.tip_offset_pulses;
             const double above = std::min(counted - least + 0.5, kUnreachablePulses);
-            at_core += above < 0.5 || radius == 0.0 ? 1U : 0U;
             *out++ = static_cast<std::int32_t>(std::max(above, 0.0)) + head.least_pulses;
         }
     };
     convert(once_round.subspan(first, before_wrap), row);
     convert(once_round.first(points - before_wrap), row + before_wrap);
-    head.core_points[layer] = at_core;
 }
 
 void RadiusTables::join_rows() {
@@ -98,14 +91,6 @@ void RadiusTables::join_rows() {
         const std::size_t begin = layer * table_.point_count;
         for (Head* head : {&left_, &right_}) (*head->radii)[begin] = (*head->radii)[begin - 1];
     }
-}
-
-bool RadiusTables::hold_core_alone() const {
-    const auto is_core = [](const Head* head) {
-        return std::all_of(head->radii->begin(), head->radii->end(),
-                           [head](std::int32_t radius) { return radius == head->least_pulses; });
-    };
-    return is_core(&left_) && is_core(&right_);
 }
 
 Result<void> RadiusTables::check_travel(const std::string& source_name) const {
@@ -137,12 +122,11 @@ void RadiusTables::keep_apart(SliceReport& report) {
     }
 }
 
-void RadiusTables::report(SliceReport& report) {
+void RadiusTables::report(const Profile& profile, SliceReport& report) {
+    report.core_points = core_share(profile, table_).points;
     keep_apart(report);
     report.r_min_mm = std::numeric_limits<double>::max();
     for (const Head* head : {&left_, &right_}) {
-        report.core_points =
-            std::accumulate(head->core_points.begin(), head->core_points.end(), report.core_points);
         const auto [least, most] = std::minmax_element(head->radii->begin(), head->radii->end());
         report.r_min_mm = std::min(report.r_min_mm, real_mm(*head, *least));
         report.r_max_mm = std::max(report.r_max_mm, real_mm(*head, *most));

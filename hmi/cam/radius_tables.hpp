@@ -29,11 +29,10 @@ public:
     /// After all layers are filled, before all that follows: a spiral's rows begin where those before end.
     void join_rows();
     /// After all layers are filled: whether the heads can go where the tables send them.
-    /// Whether nothing but the core would be carved. Before `report`.
-    bool hold_core_alone() const;
     Result<void> check_travel(const std::string& source_name) const;
-    /// After all layers are filled: keeps the heads apart and counts what was changed.
-    void report(SliceReport& report);
+    /// After all layers are filled: counts what stands at the core radius, then keeps the heads apart and
+    /// counts what that has changed.
+    void report(const Profile& profile, SliceReport& report);
 
 private:
     struct Head {
@@ -44,10 +43,8 @@ private:
         std::int32_t least_pulses = 0;   ///< core radius and travel, counted
         AxisMotion motion;
         std::vector<std::int32_t>* radii = nullptr;
-        std::vector<std::uint32_t> core_points;  ///< by layer
     };
-    static Head make_head(const Profile& profile, Axis axis, double scale, std::size_t layers,
-                          std::vector<std::int32_t>& radii);
+    static Head make_head(const Profile& profile, Axis axis, double scale, std::vector<std::int32_t>& radii);
     void fill(Head& head, std::size_t layer, std::span<const double> once_round, std::size_t first);
     std::size_t first_direction(std::size_t layer) const noexcept;
     bool is_joint(std::size_t layer) const noexcept { return table_.joining == Joining::spiral && layer > 0; }

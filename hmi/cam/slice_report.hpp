@@ -28,12 +28,12 @@ struct SliceReport {
     std::string axis_choice;       ///< "centre", "point", "origin" or "best"
     std::array<double, 2> axis{};  ///< in the turned model, file units
     std::uint32_t layers = 0;
-    std::uint32_t points = 0;              ///< per head and layer
-    double undercut_share = 0.0;           ///< part of the surface behind another in the same direction
-    std::uint64_t open_points = 0;         ///< samples whose wall count says that the mesh is open there
-    std::uint64_t core_points = 0;         ///< table entries set to the core radius: no surface, or inside it
-    std::uint64_t clearance_points = 0;    ///< points where the heads were kept apart by their clearance
-    std::uint32_t layers_above_blank = 0;  ///< left out, and not counted above: nothing to cut
+    std::uint32_t points = 0;               ///< per head and layer
+    double undercut_share = 0.0;            ///< part of the surface behind another in the same direction
+    std::uint64_t open_points = 0;          ///< samples whose wall count says that the mesh is open there
+    std::uint64_t core_points = 0;          ///< table entries at the core radius: no surface, or inside it
+    std::uint64_t clearance_points = 0;     ///< points where the heads were kept apart by their clearance
+    std::uint32_t layers_above_blank = 0;   ///< left out, and not counted above: nothing to cut
     std::uint32_t layers_without_axis = 0;  ///< sections that do not contain the axis
     /// Between which heights above the table layers with hidden walls (more than a hundredth of theirs), and
     /// with open samples, lie.

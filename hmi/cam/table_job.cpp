@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "hmi/cam/blank_check.hpp"
+#include "hmi/cam/core_share.hpp"
 #include "hmi/cam/exported_table.hpp"
 #include "hmi/cam/job_plan.hpp"
 #include "hmi/cam/number_lines.hpp"
@@ -172,7 +173,10 @@ Result<BuiltJob> full_circles(NumberLines& lines, bool is_in_mm, const Profile& 
         tables.fill_right(layer, rows[layer]);
     }
     if (auto fits = check_travel(built.table, profile, false, path); !fits) return fits.error();
-    tables.report(built.report);
+    const CoreShare share = core_share(profile, built.table);
+    if (share.is_all()) return core_alone(path, profile);
+    warn_about_core(profile, share, built.report);
+    tables.report(profile, built.report);
     if (count % 2 != 0) {
         built.report.notes.push_back("the table's " + std::to_string(count) +
                                      " points a circle are evened to " + std::to_string(count + 1));
@@ -212,6 +216,10 @@ Result<BuiltJob> exported(NumberLines& lines, bool has_passes, const Profile& pr
     built.table.feed_mm_s = profile.job.feed_mm_s;
     if (auto fits = check_travel(built.table, profile, true, path); !fits) return fits.error();
     note_radii(profile, built.table, built.report);
+    const CoreShare share = core_share(profile, built.table);
+    if (share.is_all()) return core_alone(path, profile);
+    warn_about_core(profile, share, built.report);
+    built.report.core_points = share.points;
     return built;
 }
 

@@ -7,6 +7,7 @@
 
 #include "hmi/cli/number_argument.hpp"
 #include "hmi/profile/calibration_steps.hpp"
+#include "shared/printable.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using Answer = std::optional<double>;
 
 void say(const std::string& text) {
-    std::fprintf(stderr, "%s", text.c_str());
+    std::fprintf(stderr, "%s", printable(text).c_str());
 }
 
 Result<std::string> ask(const std::string& question) {

@@ -11,6 +11,7 @@
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/judged_pins.hpp"
+#include "hmi/cli/operator_break.hpp"
 #include "hmi/cli/run_report.hpp"
 #include "hmi/cli/run_watch.hpp"
 #include "hmi/cli/simulated_run.hpp"
@@ -62,17 +63,20 @@ Result<void> check_options_for_running_core(const CarveOptions& options, const m
             "a core of our own with another --segment"};
 }
 
-machine::JobRun watched_run(machine::MachineLink& link, const PreparedJob& job) {
-    RunWatch watch{link, job.view};
+machine::JobRun watched_run(machine::MachineLink& link, const PreparedJob& job,
+                            OperatorBreak& operator_break) {
+    RunWatch watch{link, job.view, operator_break};
     machine::JobRun run = machine::run_job(link, job.blob, watch.watch());
     if (watch.was_stopped() && run.failure) run.failure = watch.stop_error(run.after);
+    operator_break.let_third_end_us();
     return run;
 }
 
 /// Without its pins a job is carved all the same, unless they were asked for.
 Result<int> carve_unseen(machine::MachineLink& link, const PreparedJob& job, const Error& why,
                          const CommonOptions& common) {
-    RunReport report = report_of(job.view, watched_run(link, job));
+    OperatorBreak operator_break;
+    RunReport report = report_of(job.view, watched_run(link, job, operator_break));
     report.unverified_reason = why.message;
     return print_run(report, common.json);
 }
@@ -106,7 +110,8 @@ Result<int> carve_on_running_core(machine::MachineLink& link, const PreparedJob&
         if (!options.trace.empty() || !options.picture.empty() || options.files.any()) return pins.error();
         return carve_unseen(link, job, pins.error(), common);
     }
-    RunReport report = report_of(job.view, watched_run(link, job));
+    OperatorBreak operator_break;
+    RunReport report = report_of(job.view, watched_run(link, job, operator_break));
     add_verification(report, (*pins)->finish());
     if (const auto& failed = (*pins)->trace_failure(); failed && !report.failure) report.failure = *failed;
     warn_of_lost_pins(report);

@@ -7,6 +7,7 @@
 
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/model/source_name.hpp"
+#include "shared/printable.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -24,7 +25,7 @@ std::string in_words(std::string text) {
 
 void print_line(const char* prefix, const std::string& text) {
     clear_progress_line();
-    std::fprintf(stderr, "%s%s\n", prefix, in_words(text).c_str());
+    std::fprintf(stderr, "%s%s\n", prefix, printable(in_words(text)).c_str());
 }
 
 }  // namespace

@@ -13,26 +13,38 @@ constexpr int kEmergencyStop = 2;
 
 // A signal handler can reach nothing else.
 std::atomic<int> break_count{0};
-static_assert(std::atomic<int>::is_always_lock_free);
+std::atomic<bool> third_ends_us{false};
+struct sigaction interrupt_before {};
+struct sigaction terminate_before {};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
-extern "C" void count_break(int /*signal*/) {
-    break_count.fetch_add(1, std::memory_order_relaxed);
+extern "C" void count_break(int number) {
+    const int count = break_count.fetch_add(1, std::memory_order_relaxed) + 1;
+    if (count <= kEmergencyStop || !third_ends_us.load()) return;
+    // As if there were no handler of ours; delivered as soon as this one returns.
+    sigaction(number, number == SIGINT ? &interrupt_before : &terminate_before, nullptr);
+    raise(number);
 }
 
 }  // namespace
 
 OperatorBreak::OperatorBreak() {
     break_count = 0;
+    third_ends_us = false;
     struct sigaction action {};
     action.sa_handler = count_break;
     sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, &old_interrupt_);
-    sigaction(SIGTERM, &action, &old_terminate_);
+    sigaction(SIGINT, &action, &interrupt_before);
+    sigaction(SIGTERM, &action, &terminate_before);
 }
 
 OperatorBreak::~OperatorBreak() {
-    sigaction(SIGINT, &old_interrupt_, nullptr);
-    sigaction(SIGTERM, &old_terminate_, nullptr);
+    sigaction(SIGINT, &interrupt_before, nullptr);
+    sigaction(SIGTERM, &terminate_before, nullptr);
+}
+
+void OperatorBreak::let_third_end_us() noexcept {
+    third_ends_us = true;
 }
 
 bool OperatorBreak::was_asked() const noexcept {

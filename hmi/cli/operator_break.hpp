@@ -9,8 +9,8 @@
 namespace psicarve::cli {
 
 /// Ctrl-C (SIGINT) and SIGTERM while we wait for a machine: the first asks the core to stop in order, the
-/// second is an emergency stop, the third ends the waiting. One at a time; the old behaviour returns with its
-/// end.
+/// second is an emergency stop, the third ends the waiting. Lives until the report is out: whoever presses
+/// once more while the core ends is not to lose it. One at a time; the old behaviour returns with its end.
 class OperatorBreak {
 public:
     OperatorBreak();
@@ -22,13 +22,13 @@ public:
     /// To be called again and again while waiting: passes what was asked on to the core. `cancelled` once the
     /// waiting itself is to end.
     Result<void> pass_on(machine::MachineLink& link);
+    /// The waiting is over, and what is left is the report: the third ends the program from now on.
+    void let_third_end_us() noexcept;
     /// What a wait that ended after a break failed with.
     Error error(const CoreStatus& last) const;
 
 private:
     int passed_on_ = 0;
-    struct sigaction old_interrupt_ {};
-    struct sigaction old_terminate_ {};
 };
 
 }  // namespace psicarve::cli

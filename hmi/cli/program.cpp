@@ -9,9 +9,13 @@
 
 #include "hmi/cli/command_set.hpp"
 #include "hmi/cli/commands.hpp"
+#include "hmi/cli/escaped_output.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
+#include "hmi/cli/named_files.hpp"
+#include "shared/distinct_files.hpp"
 #include "shared/nearest.hpp"
+#include "shared/partial_file.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -159,6 +163,8 @@ int print_what_was_asked(const CLI::App& program, const CLI::Success& success) {
 }  // namespace
 
 int run(int argc, char** argv) {
+    remove_partials_when_killed();
+    const EscapedOutput escaped_output;
     Grammar grammar;
     CLI::App& program = grammar.program;
     const CommonOptions& common = grammar.common;
@@ -170,6 +176,8 @@ int run(int argc, char** argv) {
         return report_error(Error{ErrorCode::bad_usage, usage_error(program, error)},
                             asks_for_json(argc, argv));
     }
+    if (const auto distinct = check_distinct(named_files(typed_command(program))); !distinct)
+        return report_error(distinct.error(), common.json);
     // Also where a command has no use for it: a profile that is wrong is never passed over.
     if (!common.profile.empty()) {
         if (const auto profile = chosen_profile(common); !profile)

@@ -12,8 +12,9 @@ namespace psicarve::cli {
 /// core.
 class RunWatch {
 public:
-    /// `job`: what is carved; outlives this.
-    RunWatch(machine::MachineLink& link, const JobView& job) : link_(&link), job_(&job), bar_("starting") {}
+    /// `job`: what is carved. All outlive this, `operator_break` until the report is out.
+    RunWatch(machine::MachineLink& link, const JobView& job, OperatorBreak& operator_break)
+        : link_(&link), job_(&job), bar_("starting"), operator_break_(operator_break) {}
 
     /// To be handed to a wait; outlived by this.
     machine::StatusWatch watch() {
@@ -29,7 +30,7 @@ private:
     machine::MachineLink* link_;
     const JobView* job_;
     ProgressBar bar_;
-    OperatorBreak operator_break_;
+    OperatorBreak& operator_break_;
     bool has_told_ = false;
 };
 

@@ -10,19 +10,32 @@
 
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/judged_pins.hpp"
+#include "hmi/cli/operator_break.hpp"
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/cli/run_report.hpp"
 #include "hmi/cli/run_watch.hpp"
+#include "shared/printable.hpp"
 
 namespace psicarve::cli {
 namespace {
 
-machine::JobRun watched_run(machine::VerifiedCore& core, const JobView& job, const SimulatedRun& what) {
-    RunWatch watch{core.link(), job};
+machine::JobRun watched_run(machine::VerifiedCore& core, const JobView& job, const SimulatedRun& what,
+                            OperatorBreak& operator_break) {
+    RunWatch watch{core.link(), job, operator_break};
     machine::JobRun run = what.run(core, watch.watch());
     const bool was_cut_short = run.failure || !machine::figures_of(run).is_complete;
     if (watch.was_stopped() && was_cut_short) run.failure = watch.stop_error(run.after);
     return run;
+}
+
+/// Who has stopped the run may want an emergency stop while the core ends and its trace is read to the end.
+Result<verify::VerifyReport> finish(machine::VerifiedCore& core, const machine::JobRun& run,
+                                    OperatorBreak& operator_break, RunReport& report) {
+    const bool was_stopped = operator_break.was_asked() && run.failure;
+    operator_break.let_third_end_us();
+    auto verified = core.finish([&] { (void)operator_break.pass_on(core.link()).has_value(); });
+    if (was_stopped) report.failure = operator_break.error(run.after);
+    return verified;
 }
 
 /// What the core said while it ran: warnings, and traces that could not be written. The first of these is the
@@ -39,7 +52,7 @@ void pass_on_messages(const std::string& said, const std::vector<std::string>& t
             continue;
         }
         clear_progress_line();
-        std::fprintf(stderr, "%s\n", line.c_str());
+        std::fprintf(stderr, "%s\n", printable(line).c_str());
     }
 }
 
@@ -47,14 +60,16 @@ void pass_on_messages(const std::string& said, const std::vector<std::string>& t
 
 Result<int> simulated_run(machine::CoreLaunch launch, const PreparedJob& job, const SimulatedRun& what) {
     const std::vector<std::string> trace_paths = launch.trace_paths;
+    OperatorBreak operator_break;
     // By the wall clock the pins may be too fast for this computer.
     const bool must_be_verified = !launch.on_real_clock;
     auto core = machine::VerifiedCore::start(
         std::move(launch), job.view, job.profile,
         what.piece != nullptr ? follower_of(*what.piece) : verify::Verifier::Follower{});
     if (!core) return core.error();
-    RunReport report = report_of(job.view, watched_run(*core, job.view, what));
-    add_verification(report, core->finish());
+    const machine::JobRun run = watched_run(*core, job.view, what, operator_break);
+    RunReport report = report_of(job.view, run);
+    add_verification(report, finish(*core, run, operator_break, report));
     pass_on_messages(core->core().messages(), trace_paths, report);
     warn_of_lost_pins(report);
     add_picture(report, job.view, core->surface(), what.picture_path);

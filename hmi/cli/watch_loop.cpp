@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <ctime>
 
+#include "hmi/cli/escaped_output.hpp"
 #include "hmi/cli/exit_code.hpp"
+#include "shared/printable.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -40,12 +42,12 @@ private:
 void draw_in_place(const std::string& text, std::size_t& lines_drawn) {
     std::string screen;
     if (lines_drawn > 0) screen = "\033[" + std::to_string(lines_drawn) + "A";
-    for (const char letter : text) {
+    for (const char letter : printable(text)) {
         if (letter == '\n') screen += "\033[K";
         screen += letter;
     }
     screen += "\033[J";
-    std::fputs(screen.c_str(), stdout);
+    print_as_it_is(screen);
     lines_drawn = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 

@@ -36,11 +36,12 @@ Result<VerifiedCore> VerifiedCore::start(CoreLaunch launch, const JobView& job, 
     return VerifiedCore{std::move(verification).value(), std::move(core).value(), std::move(link).value()};
 }
 
-Result<verify::VerifyReport> VerifiedCore::finish() {
+Result<verify::VerifyReport> VerifiedCore::finish(const std::function<void()>& meanwhile) {
     std::uint64_t seen = verification_->progress();
     auto last_progress = Clock::now();
     // On a busy computer we ourselves may be what the core waits for.
     (void)core_.end_while([&] {
+        meanwhile();
         const std::uint64_t before = std::exchange(seen, verification_->progress());
         const auto now = Clock::now();
         if (seen != before) last_progress = now;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,8 +26,8 @@ public:
     CoreProcess& core() noexcept { return core_; }
 
     /// Ends the core in order, once its trace is read however long that takes, and gives what its pins came
-    /// to; an error when the trace was cut off.
-    Result<verify::VerifyReport> finish();
+    /// to; an error when the trace was cut off. `meanwhile` is called again and again while it is waited for.
+    Result<verify::VerifyReport> finish(const std::function<void()>& meanwhile = [] {});
     /// After finish().
     const verify::CarvedSurface& surface() const noexcept { return verification_->surface(); }
 

@@ -95,6 +95,30 @@ std::vector<Sentence> of_a_file() {
          phrase(
              "the axis passes beside the model and no sample meets it: nothing but the core would be carved; "
              "choose another axis")},
+        {"lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 "
+         "large: "
+         "are its units metres (--scale 1000)?",
+         phrase(
+             "lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 "
+             "large: are its units metres? Height makes it larger")},
+        {"lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 "
+         "large: "
+         "are its units inches (--scale 25.4)?",
+         phrase(
+             "lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 "
+             "large: are its units inches? Height makes it larger")},
+        {"lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 "
+         "large: "
+         "make it larger (--scale, --height, a picture's --diameter), or core_radius_mm smaller",
+         phrase(
+             "lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 "
+             "large: make it larger, or core_radius_mm smaller")},
+        {"all radii are the core radius of %1 mm: nothing but a plain rod would be carved; larger radii, or "
+         "a "
+         "smaller core_radius_mm, carve more",
+         phrase(
+             "all radii are the core radius of %1 mm: nothing but a plain rod would be carved; larger radii, "
+             "or a smaller core_radius_mm, carve more")},
         {"stands %1 mm above the table, and the blank is only %2 mm high: nothing of it is left to be carved",
          phrase("stands %1 mm above the table, and the blank is only %2 mm high: nothing of it is left to be "
                 "carved")},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/session/file_desk.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include "hmi/report/job_export.hpp"
 #include "hmi/verify/picture.hpp"
 #include "shared/atomic_file.hpp"
+#include "shared/distinct_files.hpp"
 #include "shared/snapshot_file.hpp"
 
 namespace psicarve::session {
@@ -52,6 +54,19 @@ Result<void> tables_to(const std::string& path, const JobView& job) {
 FileDesk::~FileDesk() {
     lane_.finish();
     lane_.deliver();
+}
+
+void FileDesk::post(const std::string& path, WorkLane::Task save) {
+    const auto unless_open = [this, path, in_use = files_in_use_(),
+                              save = std::move(save)]() -> WorkLane::Finish {
+        const auto is_this = [&path](const std::string& other) { return is_same_file(path, other); };
+        if (std::none_of(in_use.begin(), in_use.end(), is_this)) return save();
+        return [this, path] {
+            log_.add(Severity::warning,
+                     phrase("Not saved: %1 is open here, and would be lost; choose another name", path));
+        };
+    };
+    lane_.post(saves_.noted(path, unless_open));
 }
 
 WorkLane::Finish FileDesk::told(const Result<void>& done, const std::string& path) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "hmi/cam/prepared_job.hpp"
 #include "hmi/session/message_log.hpp"
@@ -28,6 +30,12 @@ public:
     FileDesk(const FileDesk&) = delete;
     FileDesk& operator=(const FileDesk&) = delete;
 
+    /// What is open in the window: nothing is saved over these, whatever their names look like. Asked at each
+    /// save.
+    void set_files_in_use(std::function<std::vector<std::string>()> files) {
+        files_in_use_ = std::move(files);
+    }
+
     /// Job, status and flight recorder of the segment, with a core or without.
     void save_snapshot(const std::string& path);
     void save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
@@ -43,15 +51,15 @@ public:
     void poll() { lane_.deliver(); }
 
 private:
-    void post(const std::string& path, WorkLane::Task save) {
-        lane_.post(saves_.noted(path, std::move(save)));
-    }
+    /// Unless what is open here has that name, too: links are followed on the lane, not by the window.
+    void post(const std::string& path, WorkLane::Task save);
     WorkLane::Finish told(const Result<void>& done, const std::string& path);
 
     std::string segment_name_;
     std::string group_;
     MessageLog& log_;
     SaveLedger saves_;
+    std::function<std::vector<std::string>()> files_in_use_ = [] { return std::vector<std::string>{}; };
     std::weak_ptr<const cam::PreparedJob> saved_job_;
     WorkLane lane_;  // last: its thread uses the others
 };

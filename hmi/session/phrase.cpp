@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "shared/printable.hpp"
+
 namespace psicarve::session {
 
 std::string filled_in(const std::string& words, const std::vector<std::string>& arguments) {
@@ -16,7 +18,7 @@ std::string filled_in(const std::string& words, const std::vector<std::string>& 
             continue;
         }
         const auto index = static_cast<std::size_t>(words[i + 1] - '1');
-        if (index < arguments.size()) text += arguments[index];
+        if (index < arguments.size()) text += printable(arguments[index]);
         ++i;
     }
     return text;

@@ -62,6 +62,12 @@ std::vector<Sentence> warning_sentences() {
          "the model down to a radius of %3 mm",
          phrase("R2 stands %1 mm lower than R1 and is under the model in %2 of its layers: there it cuts "
                 "what holds the model down to a radius of %3 mm.")},
+        {"%1 of the points stand at the core radius of %2 mm: what lies inside it is not carved; a larger "
+         "model "
+         "(--scale, --height, a picture's --diameter) or a smaller core_radius_mm loses less",
+         phrase("%1 of the points stand at the core radius of %2 mm: what lies inside it is not carved; a "
+                "larger "
+                "model or a smaller core_radius_mm loses less.")},
         {"roughing cannot keep its stepover of %1 mm: the job's layers lie %2 mm apart",
          phrase("Roughing cannot keep its stepover of %1 mm: the job's layers lie %2 mm apart.")},
         {"the file ends without endsolid", phrase("The file ends without endsolid.")},

@@ -312,6 +312,10 @@
             <translation>%1 из %2: %3</translation>
         </message>
         <message>
+            <source>%1 of the points stand at the core radius of %2 mm: what lies inside it is not carved; a larger model or a smaller core_radius_mm loses less.</source>
+            <translation>%1 точек стоят на радиусе сердцевины %2 mm: то, что внутри него, не вырезается; с моделью крупнее или меньшим core_radius_mm потери меньше.</translation>
+        </message>
+        <message>
             <source>%1 of the surface lies behind another part and cannot be reached.</source>
             <translation>%1 поверхности заслонено другой частью и недостижимо.</translation>
         </message>
@@ -2299,6 +2303,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Not saved: %1</source>
             <translation>Не сохранено: %1</translation>
+        </message>
+        <message>
+            <source>Not saved: %1 is open here, and would be lost; choose another name</source>
+            <translation>Не сохранено: %1 открыт здесь и был бы потерян; выберите другое имя</translation>
         </message>
         <message>
             <source>Not sliced yet.</source>
@@ -4623,6 +4631,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>авария: %1, ось %2</translation>
         </message>
         <message>
+            <source>all radii are the core radius of %1 mm: nothing but a plain rod would be carved; larger radii, or a smaller core_radius_mm, carve more</source>
+            <translation>все радиусы равны радиусу сердцевины %1 mm: получился бы только гладкий стержень; нужны большие радиусы или меньший core_radius_mm</translation>
+        </message>
+        <message>
             <source>allow it: a line "@GROUP - rtprio 90" in /etc/security/limits.d and a new login, or the capability CAP_SYS_NICE; in a container, real-time time for its control group</source>
             <translation>разрешите: строка "@GROUP - rtprio 90" в /etc/security/limits.d и новый вход, или право CAP_SYS_NICE; в контейнере — время реального времени для его группы</translation>
         </message>
@@ -5313,6 +5325,18 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>left out: %1</source>
             <translation>отброшено: %1</translation>
+        </message>
+        <message>
+            <source>lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 large: are its units inches? Height makes it larger</source>
+            <translation>целиком лежит внутри радиуса сердцевины %1 mm: получился бы только гладкий стержень; размер %2: не в дюймах ли она? Увеличить можно высотой</translation>
+        </message>
+        <message>
+            <source>lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 large: are its units metres? Height makes it larger</source>
+            <translation>целиком лежит внутри радиуса сердцевины %1 mm: получился бы только гладкий стержень; размер %2: не в метрах ли она? Увеличить можно высотой</translation>
+        </message>
+        <message>
+            <source>lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 large: make it larger, or core_radius_mm smaller</source>
+            <translation>целиком лежит внутри радиуса сердцевины %1 mm: получился бы только гладкий стержень; размер %2: увеличьте модель или уменьшите core_radius_mm</translation>
         </message>
         <message>
             <source>lift or stay</source>

@@ -312,6 +312,10 @@
             <translation>第 %1 步，共 %2 步：%3</translation>
         </message>
         <message>
+            <source>%1 of the points stand at the core radius of %2 mm: what lies inside it is not carved; a larger model or a smaller core_radius_mm loses less.</source>
+            <translation>%1 的点位于芯半径 %2 mm 处：芯半径以内的部分不会雕刻；把模型放大或减小 core_radius_mm，损失会更少。</translation>
+        </message>
+        <message>
             <source>%1 of the surface lies behind another part and cannot be reached.</source>
             <translation>%1 的表面位于其他部分之后，无法到达。</translation>
         </message>
@@ -2298,6 +2302,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Not saved: %1</source>
             <translation>未保存：%1</translation>
+        </message>
+        <message>
+            <source>Not saved: %1 is open here, and would be lost; choose another name</source>
+            <translation>未保存：%1 正在此处打开，会丢失；请换一个名称</translation>
         </message>
         <message>
             <source>Not sliced yet.</source>
@@ -4616,6 +4624,10 @@ N、Shift+N  下一条、上一条记录
             <translation>报警：%1，%2 轴</translation>
         </message>
         <message>
+            <source>all radii are the core radius of %1 mm: nothing but a plain rod would be carved; larger radii, or a smaller core_radius_mm, carve more</source>
+            <translation>所有半径都等于芯半径 %1 mm：只会雕出一根光杆；请用更大的半径，或减小 core_radius_mm</translation>
+        </message>
+        <message>
             <source>allow it: a line "@GROUP - rtprio 90" in /etc/security/limits.d and a new login, or the capability CAP_SYS_NICE; in a container, real-time time for its control group</source>
             <translation>请允许：在 /etc/security/limits.d 中加入一行 "@GROUP - rtprio 90" 并重新登录，或授予 CAP_SYS_NICE 能力；在容器中，为其控制组分配实时时间</translation>
         </message>
@@ -5306,6 +5318,18 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>left out: %1</source>
             <translation>舍去：%1</translation>
+        </message>
+        <message>
+            <source>lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 large: are its units inches? Height makes it larger</source>
+            <translation>完全位于芯半径 %1 mm 之内：只会雕出一根光杆；其大小为 %2：单位是英寸吗？可用“高度”放大</translation>
+        </message>
+        <message>
+            <source>lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 large: are its units metres? Height makes it larger</source>
+            <translation>完全位于芯半径 %1 mm 之内：只会雕出一根光杆；其大小为 %2：单位是米吗？可用“高度”放大</translation>
+        </message>
+        <message>
+            <source>lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 large: make it larger, or core_radius_mm smaller</source>
+            <translation>完全位于芯半径 %1 mm 之内：只会雕出一根光杆；其大小为 %2：请放大，或减小 core_radius_mm</translation>
         </message>
         <message>
             <source>lift or stay</source>

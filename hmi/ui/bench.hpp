@@ -41,6 +41,12 @@ struct Bench {
           judge(log),
           files(options.segment_name, options.group, log, saves) {
         desk.set_recordings(replay::is_recording, [this](const std::string& path) { open_replay(path); });
+        files.set_files_in_use([this] {
+            std::vector<std::string> open{desk.path()};
+            if (replay.is_open()) open.push_back(replay.facts().path);
+            if (pins.state() != session::PinRecorder::State::idle) open.push_back(pins.path());
+            return open;
+        });
         desk.set_opened([this] { replay.leave(); });
         desk.set_profile([this] { return machine_profile(); });
         settings->set_on_unwritten([this](const Error& why) {

@@ -15,7 +15,9 @@
 #include <vector>
 
 #include "shared/cpu_list.hpp"
+#include "shared/distinct_files.hpp"
 #include "shared/nearest.hpp"
+#include "shared/printable.hpp"
 #include "shared/segment.hpp"
 
 namespace psicarve::supervisor {
@@ -169,6 +171,17 @@ int print_what_was_asked(const CLI::App& app, const CLI::Success& success) {
     return kExitBadOutput;
 }
 
+/// Descriptors among the traces are their giver's own.
+Result<void> check_files(const CoreOptions& options) {
+    std::vector<NamedFile> files{
+        {"--profile", options.profile_path, false},  {"--machine", options.machine_path, false},
+        {"--replay", options.replay_path, false},    {"--piece", options.piece_path, true},
+        {"--lateness", options.lateness_path, true}, {"--layer-times", options.layer_times_path, true}};
+    for (const std::string& path : options.trace_paths)
+        if (!path.starts_with("fd:")) files.push_back({"--trace", path, true});
+    return check_distinct(files);
+}
+
 /// What would be ignored in silence is not what was meant.
 Result<void> check_meant(const CLI::App& app, const CoreOptions& options) {
     const auto wrong = [](const char* option, const char* why) {
@@ -218,7 +231,7 @@ Result<void> take_port(const std::string& text, CoreOptions& options) {
 
 /// One line, as psicarve says it.
 int report_usage(const std::string& what) {
-    std::fprintf(stderr, "psicarve-rtcore: %s (see: psicarve-rtcore --help)\n", what.c_str());
+    std::fprintf(stderr, "psicarve-rtcore: %s (see: psicarve-rtcore --help)\n", printable(what).c_str());
     return kExitUsage;
 }
 
@@ -278,6 +291,7 @@ std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
     options.cpu = cpu_from(texts.cpu);
     auto taken = take_port(texts.port, options);
     if (taken) taken = check_meant(app, options);
+    if (taken) taken = check_files(options);
     if (!taken) return report_usage(taken.error().message);
     if (!texts.capacity.empty()) {
         auto parsed = parse_capacity(texts.capacity, options);

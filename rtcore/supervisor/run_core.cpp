@@ -26,6 +26,7 @@
 #include "rtcore/supervisor/replay_script.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
 #include "rtcore/supervisor/supervisor.hpp"
+#include "shared/printable.hpp"
 #include "shared/profile_place.hpp"
 #include "shared/segment_object.hpp"
 #include "shared/snapshot_file.hpp"
@@ -34,7 +35,7 @@ namespace psicarve::supervisor {
 namespace {
 
 int fail(const Error& error) {
-    std::fprintf(stderr, "psicarve-rtcore: %s\n", error.message.c_str());
+    std::fprintf(stderr, "psicarve-rtcore: %s\n", printable(error.message).c_str());
     switch (error.code) {
         case ErrorCode::bad_usage:
             return 2;
@@ -252,7 +253,7 @@ int run_core(const CoreOptions& options) {
     if (const auto claimed = segment->take_core_lock(); !claimed) return fail(claimed.error());
     if (const auto fitted = segment->fit_rights(options.group); !fitted) return fail(fitted.error());
     if (!segment->warning().empty())
-        std::fprintf(stderr, "psicarve-rtcore: %s\n", segment->warning().c_str());
+        std::fprintf(stderr, "psicarve-rtcore: %s\n", printable(segment->warning()).c_str());
     return serve_segment(options, *profile, std::move(request), std::move(*segment), *replay);
 }
 

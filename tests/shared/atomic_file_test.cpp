@@ -10,10 +10,12 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "shared/partial_file.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve {
@@ -112,6 +114,100 @@ TEST_F(AtomicFile, WriterKilledAtAnyInstantLeavesTheOldOneOrTheNewOneWhole) {
         ASSERT_TRUE(found == old_ || found == fresh) << round;
         ASSERT_TRUE(write_file_atomically(file_, old_).has_value());
     }
+}
+
+/// The names in the folder, without that of the file itself.
+std::vector<std::string> left_in(const test::TemporaryFolder& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path(""))) {
+        if (entry.path().filename() != "file") names.push_back(entry.path().filename());
+    }
+    return names;
+}
+
+TEST_F(AtomicFile, WriterThatASignalEndsWhileItWritesLeavesNothing) {
+    const Bytes large = bytes_of('n', 3'000'000);
+    std::mt19937 random{20261126};
+    std::uniform_int_distribution<useconds_t> delay_us{0, 30'000};
+    for (int round = 0; round < 20; ++round) {
+        const int number = round % 2 == 0 ? SIGINT : SIGTERM;
+        const pid_t child = ::fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) {
+            remove_partials_when_killed();
+            for (;;) (void)write_file_atomically(file_, large).has_value();
+        }
+        ::usleep(delay_us(random));
+        ::kill(child, number);
+        int status = 0;
+        ASSERT_EQ(::waitpid(child, &status, 0), child);
+        EXPECT_TRUE(WIFSIGNALED(status));
+        EXPECT_EQ(WTERMSIG(status), number) << "whoever waits sees what ended it";
+        ASSERT_THAT(left_in(folder_), testing::IsEmpty()) << round;
+    }
+}
+
+TEST_F(AtomicFile, IsNotSeenInItsFolderBeforeItIsWhole) {
+    auto part = PartialFile::create(folder_of(file_), 0600);
+    ASSERT_TRUE(part);
+    EXPECT_THAT(left_in(folder_), testing::IsEmpty());
+    ASSERT_EQ(::write(part->file().get(), "n", 1), 1);
+    ASSERT_EQ(part->take_name(file_), 0);
+    EXPECT_EQ(content(), bytes_of('n', 1));
+    EXPECT_THAT(left_in(folder_), testing::IsEmpty());
+}
+
+// Of file systems that know no file without a name.
+TEST_F(AtomicFile, ASignalTakesAHiddenNameAway) {
+    int ready[2];
+    ASSERT_EQ(::pipe(ready), 0);
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        remove_partials_when_killed();
+        const auto part = PartialFile::create_hidden(folder_of(file_), 0600);
+        (void)!::write(ready[1], "r", 1);
+        for (;;) ::pause();
+    }
+    char word = 0;
+    ASSERT_EQ(::read(ready[0], &word, 1), 1);
+    EXPECT_EQ(left_in(folder_).size(), 1U);
+    ::kill(child, SIGINT);
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_EQ(WTERMSIG(status), SIGINT);
+    EXPECT_THAT(left_in(folder_), testing::IsEmpty());
+    ::close(ready[0]);
+    ::close(ready[1]);
+}
+
+TEST_F(AtomicFile, WhatADeadProcessLeftIsSweptAndNothingElse) {
+    const std::string folder = folder_of(file_);
+    std::string left;
+    std::string held;
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        const auto part = PartialFile::create_hidden(folder, 0600);
+        ::kill(::getpid(), SIGKILL);
+    }
+    ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+    ASSERT_EQ(left_in(folder_).size(), 1U);
+    left = left_in(folder_).front();
+    const auto living = PartialFile::create_hidden(folder, 0600);
+    ASSERT_TRUE(living);
+    for (const std::string& name : left_in(folder_))
+        if (name != left) held = name;
+    const std::vector<std::string> others{".psicarve-1-2.tmp", ".psicarve-x.part", "mine.part"};
+    for (const std::string& name : others) std::ofstream(folder_.path(name)) << "kept";
+    std::filesystem::create_symlink("mine.part", folder_.path(".psicarve-1-3.part"));
+
+    ASSERT_TRUE(write_file_atomically(file_, old_));
+
+    std::vector<std::string> wanted = others;
+    wanted.push_back(held);
+    wanted.emplace_back(".psicarve-1-3.part");
+    EXPECT_THAT(left_in(folder_), testing::UnorderedElementsAreArray(wanted));
 }
 
 }  // namespace

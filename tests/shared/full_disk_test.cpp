@@ -35,7 +35,7 @@ bool finds_it_full(Call call) {
 extern "C" {
 int open(const char* path, int flags, ...) {
     mode_t mode = 0;
-    if ((flags & O_CREAT) != 0) {
+    if ((flags & (O_CREAT | O_TMPFILE)) != 0) {
         va_list list;
         va_start(list, flags);
         mode = va_arg(list, mode_t);

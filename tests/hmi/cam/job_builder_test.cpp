@@ -138,11 +138,17 @@ TEST(Up, YLeavesALetterUnmirrored) {
     expect_unmirrored_letter(slice::Up::y);
 }
 
+model::Mesh rod_under_a_wider_one() {
+    return shapes::Builder()
+        .add(shapes::cylinder(1.0, 0.0, 5.0, 40))
+        .add(shapes::cylinder(6.0, 5.0, 10.0, 40))
+        .mesh();
+}
+
 TEST(JobBuilder, NeverGoesInsideTheCoreRadiusAndCountsWhereItWould) {
-    const model::Mesh mesh = shapes::cylinder(1.0, 0.0, 10.0, 40);
-    const BuiltJob sut = built(mesh, Profile{}, small(4, 9));
+    const BuiltJob sut = built(rod_under_a_wider_one(), Profile{}, small(4, 9));
     EXPECT_EQ(*std::min_element(sut.table.r_left_pulses.begin(), sut.table.r_left_pulses.end()), 600);
-    EXPECT_EQ(sut.report.core_points, 2U * 4U * 9U);
+    EXPECT_EQ(sut.report.core_points, 2U * 2U * 9U);
     EXPECT_EQ(sut.report.r_min_mm, 1.5);
 }
 
@@ -227,8 +233,10 @@ TEST(JobBuilder, RefusesAnAxisFromWhichNothingIsSeen) {
     // Beside it, but seen.
     options.axis_x = 8.0;
     EXPECT_TRUE(build_job(shapes::box({-1, -5, 0}, {1, 5, 8}), Profile{}, options));
-    // All of it within the core, but about the axis.
-    EXPECT_TRUE(build_job(shapes::box({-0.5, -0.5, 0}, {0.5, 0.5, 8}), Profile{}, small(10, 11)));
+    // All of it within the core, but about the axis: refused for what it is.
+    const auto within = build_job(shapes::box({-0.5, -0.5, 0}, {0.5, 0.5, 8}), Profile{}, small(10, 11));
+    ASSERT_FALSE(within);
+    EXPECT_EQ(within.error().message.find("passes beside"), std::string::npos) << within.error().message;
 }
 
 TEST(JobBuilder, EndsWhenProgressSaysSo) {

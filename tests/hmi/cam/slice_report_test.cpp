@@ -29,7 +29,9 @@ TEST(SliceReport, WarnsWhereTheFilesFloatsAreCoarserThanAPulse) {
 }
 
 TEST(SliceReport, SuspectsInchesInATinyFigurine) {
-    const BuiltJob sut = built(shapes::cylinder(0.2, 0.0, 0.8, 20), Profile{}, JobOptions{});
+    Profile thin_core;
+    thin_core.core_radius_mm = 0.05;
+    const BuiltJob sut = built(shapes::cylinder(0.2, 0.0, 0.8, 20), thin_core, JobOptions{});
     EXPECT_THAT(sut.report.warnings, Contains(AllOf(HasSubstr("0.80 mm high"), HasSubstr("inches"))));
 }
 

@@ -58,6 +58,8 @@ TEST(CoreOptions, RefuseWrongUsageWithExitCodeTwo) {
     EXPECT_EQ(exit_code_of({"--profile", ""}), 2);
     EXPECT_EQ(exit_code_of({"--no-such-option"}), 2);
     EXPECT_EQ(exit_code_of({"stray"}), 2);
+    EXPECT_EQ(exit_code_of({"--replay", "new.job", "--clock", "virtual", "--trace", "./new.job"}), 2);
+    EXPECT_EQ(exit_code_of({"--trace", "new.vcd", "--trace", "./new.vcd"}), 2);
 }
 
 std::string error_of(const std::vector<std::string>& arguments) {

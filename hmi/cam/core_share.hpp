@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "hmi/cam/slice_report.hpp"
+#include "shared/job.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::cam {
+
+struct JobOptions;
+
+/// The least that a table sends a head to: the core radius, or the end of its travel further out, counted.
+std::int32_t least_radius_pulses(const Profile& profile, Axis head);
+
+/// How many entries of a table's finishing pass stand there, and how many it has.
+struct CoreShare {
+    std::uint64_t points = 0;
+    std::uint64_t all = 0;
+
+    bool is_all() const noexcept { return all > 0 && points == all; }
+};
+CoreShare core_share(const Profile& profile, const JobTable& table);
+
+/// Warns of more than a tenth: a model that is small, hollow or beside its axis loses it without a trace.
+void warn_about_core(const Profile& profile, const CoreShare& share, SliceReport& report);
+
+/// Why a model is refused whose every point is at the core radius, with the unit that its file probably has.
+/// `model_radius_mm` from the axis.
+Error core_alone(const std::string& source_name, const Profile& profile, const JobOptions& options,
+                 double model_radius_mm, const SliceReport& report);
+/// The same of a table of radii.
+Error core_alone(const std::string& path, const Profile& profile);
+
+}  // namespace psicarve::cam

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cli/named_files.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace psicarve::cli {
+namespace {
+
+constexpr std::array<std::string_view, 7> kWritten{"--output", "--trace",     "--picture", "--preview",
+                                                   "--piece",  "--deviation", "--csv"};
+constexpr std::array<std::string_view, 11> kRead{
+    "--profile", "--model", "MODEL", "MODEL|JOB", "JOB", "JOB_A", "JOB_B", "FILE", "A", "B", "TRACE"};
+
+template <typename Names>
+bool is_among(const Names& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void add_files_of(const CLI::App& app, std::vector<NamedFile>& files) {
+    for (const CLI::Option* option : app.get_options()) {
+        const std::string name = option->get_name();
+        // What `snapshot save FILE` names is made by it.
+        const bool is_saved = app.get_name() == "save" && name == "FILE";
+        const bool is_written = is_saved || is_among(kWritten, name);
+        if (!is_written && !is_among(kRead, name)) continue;
+        for (const std::string& path : option->results()) files.push_back({name, path, is_written});
+    }
+}
+
+}  // namespace
+
+std::vector<NamedFile> named_files(const CLI::App& command) {
+    std::vector<NamedFile> files;
+    for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) add_files_of(*app, files);
+    return files;
+}
+
+}  // namespace psicarve::cli

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "shared/distinct_files.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace psicarve::cli {
+
+/// All files that a parsed command line names, before the command's name and after it.
+std::vector<NamedFile> named_files(const CLI::App& command);
+
+}  // namespace psicarve::cli

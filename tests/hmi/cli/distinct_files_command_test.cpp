@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "tests/hmi/cli/program_run.hpp"
+#include "tests/places.hpp"
+
+namespace psicarve::test {
+namespace {
+
+/// What would be lost is still there, to the last byte.
+class DistinctFilesOfACommand : public CliTest {
+protected:
+    DistinctFilesOfACommand() {
+        std::filesystem::copy_file(example("small.stl"), file("m.stl"));
+        const Outcome made =
+            run({"slice", file("m.stl"), "-o", file("j.job"), "--layers", "4", "--points", "8"});
+        EXPECT_EQ(made.exit_code, 0) << made.error;
+        write("p.toml", psicarve({"profile", "show"}).out);
+        write("t.vcd", "$end\n");
+        write("b.png", "no picture yet");
+        std::filesystem::create_symlink("m.stl", file("link"));
+        std::filesystem::create_hard_link(file("m.stl"), file("hard"));
+    }
+    std::map<std::string, std::string> texts() const {
+        std::map<std::string, std::string> all;
+        for (const std::string& name : files_in_folder()) all[name] = text_of(file(name));
+        return all;
+    }
+    void expect_refused(const std::vector<std::string>& arguments, const std::string& one,
+                        const std::string& other) const {
+        const auto before = texts();
+        const Outcome outcome = run(arguments);
+        const std::string all = testing::PrintToString(arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << all << outcome.error;
+        EXPECT_EQ(outcome.error_lines(), 1U) << outcome.error;
+        EXPECT_EQ(outcome.out, "") << all;
+        EXPECT_NE(outcome.error.find(one + " /"), std::string::npos) << outcome.error;
+        EXPECT_NE(outcome.error.find(" and " + other + " /"), std::string::npos) << outcome.error;
+        EXPECT_NE(outcome.error.find("are one file"), std::string::npos) << outcome.error;
+        EXPECT_TRUE(texts() == before) << all << " has changed a file";
+    }
+};
+
+TEST_F(DistinctFilesOfACommand, AreHeldToBySlice) {
+    for (const char* name : {"m.stl", "./m.stl", "link", "hard"})
+        expect_refused({"slice", file("m.stl"), "-o", file(name)}, "--output", "MODEL");
+    expect_refused({"slice", file("link"), "-o", file("m.stl")}, "--output", "MODEL");
+    expect_refused({"slice", file("m.stl"), "-o", file("p.toml"), "--profile", file("p.toml")}, "--output",
+                   "--profile");
+    expect_refused({"--profile", file("p.toml"), "slice", file("m.stl"), "-o", file("p.toml")}, "--output",
+                   "--profile");
+    expect_refused({"slice", file("m.stl"), "-o", file("n.png"), "--preview", file("n.png")}, "--output",
+                   "--preview");
+}
+
+TEST_F(DistinctFilesOfACommand, AreHeldToByAllThatWriteOfAJob) {
+    expect_refused({"replay", file("j.job"), "--trace", file("j.job")}, "--trace", "JOB");
+    expect_refused({"carve", file("m.stl"), "--trace", file("m.stl")}, "--trace", "MODEL|JOB");
+    expect_refused({"carve", file("m.stl"), "--piece", file("hard")}, "--piece", "MODEL|JOB");
+    expect_refused({"carve", file("j.job"), "--model", file("m.stl"), "--piece", file("m.stl")}, "--piece",
+                   "--model");
+    expect_refused({"carve", file("m.stl"), "--trace", file("b.png"), "--picture", file("b.png")},
+                   "--picture", "--trace");
+    expect_refused({"carve", file("m.stl"), "--trace", file("n.png"), "--picture", file("./n.png")},
+                   "--picture", "--trace");
+    expect_refused({"replay", file("j.job"), "--trace", file("n.png"), "--picture", file("n.png")}, "--trace",
+                   "--picture");
+    expect_refused({"verify", file("j.job"), file("t.vcd"), "--piece", file("t.vcd")}, "--piece", "TRACE");
+    expect_refused({"verify", file("j.job"), file("t.vcd"), "--picture", file("n.png"), "--deviation",
+                    file("n.png"), "--model", file("m.stl")},
+                   "--picture", "--deviation");
+    std::filesystem::copy_file(file("m.stl"), file("m.png"));
+    expect_refused({"inspect", file("m.png"), "--preview", file("m.png")}, "--preview", "MODEL");
+}
+
+TEST_F(DistinctFilesOfACommand, AreHeldToByAllThatKeepWhatTheMachineSays) {
+    expect_refused({"snapshot", "save", file("p.toml"), "--profile", file("p.toml")}, "FILE", "--profile");
+    expect_refused({"latency", "--csv", file("p.toml"), "--profile", file("p.toml")}, "--csv", "--profile");
+}
+
+TEST_F(DistinctFilesOfACommand, MayBeReadTwiceAndThrownAway) {
+    EXPECT_EQ(run({"snapshot", "diff", file("j.job"), file("j.job")}).exit_code, 0);
+    EXPECT_EQ(run({"replay", file("j.job"), "--profile", file("j.job"), "--trace", "/dev/null"}).exit_code,
+              0);
+}
+
+// An option for a file that the check does not know would be left out of it without a word.
+TEST_F(DistinctFilesOfACommand, AreOfNoOptionThatIsNotKnown) {
+    const std::set<std::string> known{
+        "--profile", "--output", "--trace",   "--picture", "--preview", "--piece", "--deviation", "--csv",
+        "--model",   "MODEL",    "MODEL|JOB", "JOB",       "FILE",      "A",       "B",           "TRACE"};
+    const std::regex positional{"^  ([A-Z][A-Z|]*)(?: REQUIRED)?(?: .*)?$"};
+    const std::regex option{
+        "^  (?:-[a-z],)?(--[a-z-]+) (?:[A-Za-z.]*\\.[a-z]+|FILE|JOB|MODEL|DIR|FOLDER|PATH)(?: .*)?$"};
+    std::set<std::string> seen;
+    for (const char* command : {"carve", "slice", "inspect", "estimate", "publish", "snapshot save",
+                                "snapshot info", "snapshot export", "snapshot diff", "replay", "verify",
+                                "calibrate", "latency", "profile check", "profile show"}) {
+        auto arguments = words_of(command);
+        arguments.emplace_back("--help");
+        std::istringstream help{run(arguments).out};
+        for (std::string line; std::getline(help, line);) {
+            std::smatch found;
+            if (!std::regex_match(line, found, positional) && !std::regex_match(line, found, option))
+                continue;
+            seen.insert(found[1]);
+            EXPECT_TRUE(known.contains(found[1])) << command << ": " << line;
+        }
+    }
+    EXPECT_EQ(seen, known);
+}
+
+}  // namespace
+}  // namespace psicarve::test

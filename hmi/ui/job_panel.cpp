@@ -305,7 +305,8 @@ void JobPanel::refresh_layer() {
             next =
                 session::layer_to_go_on_with(*sight.status, sight.resumable_layer, job->view.layer_count());
     }
-    if (next == shown_layer_) return;
+    // Before the job is known the box has no room for it.
+    if (next == shown_layer_ || static_cast<int>(next) >= layer_->maximum()) return;
     shown_layer_ = next;
     layer_->setValue(static_cast<int>(shown_layer_) + 1);
 }

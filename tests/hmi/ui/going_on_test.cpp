@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whatever ended a job: what the window knows of it, and how it goes on.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTest>
+
+#include "tests/hmi/ui/hands_rig.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using S = MachineState;
+
+class GoingOn : public test::HandsRig {
+protected:
+    QString label(const char* name) { return part<QLabel>(name).text(); }
+    /// Somewhere behind the third layer of a long job.
+    void carve_some_layers() {
+        ASSERT_NO_FATAL_FAILURE(carve_job(two_process::long_job()));
+        ASSERT_TRUE(comes_true([&] { return sight().resumable_layer.value_or(0) >= 3; }));
+    }
+    void kill_core() {
+        core_->send_signal(SIGKILL);
+        core_->wait_for_exit();
+        ASSERT_TRUE(comes_true([&] { return !sight().is_heard(); }));
+    }
+    /// A window that sees nothing but what a core has left behind.
+    void open_on_dead_core() {
+        start_core();
+        open_window();
+        ASSERT_NO_FATAL_FAILURE(carve_some_layers());
+        ASSERT_NO_FATAL_FAILURE(kill_core());
+        window_.reset();
+        open_in_front();
+        ASSERT_TRUE(comes_true([&] { return sight().resumable_layer.has_value(); }));
+    }
+    void home_on_new_core() {
+        start_core();
+        ASSERT_TRUE(click("home")) << all_messages().toStdString();
+        ASSERT_TRUE(comes_to(S::ready));
+    }
+};
+
+TEST_F(GoingOn, FillsInTheLayerOfAWindowThatWasOpenedOnADeadCore) {
+    ASSERT_NO_FATAL_FAILURE(open_on_dead_core());
+    const int next = static_cast<int>(*sight().resumable_layer) + 1;
+    ASSERT_NO_FATAL_FAILURE(home_on_new_core());
+    ASSERT_TRUE(comes_true([&] { return part<QSpinBox>("layer").maximum() == 4000; }));
+    EXPECT_TRUE(
+        comes_true([&] { return part<QSpinBox>("layer").value() == next; }, two_process::milliseconds{2000}))
+        << part<QSpinBox>("layer").value() << " of " << next;
+}
+
+TEST_F(GoingOn, KnowsTheJobOfACoreThatIsNoMore) {
+    ASSERT_NO_FATAL_FAILURE(open_on_dead_core());
+    ASSERT_TRUE(comes_true([&] { return window_->bench().desk.job() != nullptr; }))
+        << all_messages().toStdString();
+    EXPECT_EQ(window_->bench().desk.job()->view.layer_count(), 4000U);
+    EXPECT_TRUE(comes_true(
+        [&] { return part<QSpinBox>("layer").value() == static_cast<int>(*sight().resumable_layer) + 1; }));
+    EXPECT_FALSE(button("publish").isEnabled());
+    ASSERT_NO_FATAL_FAILURE(home_on_new_core());
+    EXPECT_TRUE(comes_to(session::DeskState::published)) << "it is the job that the new core has taken";
+}
+
+}  // namespace
+}  // namespace psicarve::ui

@@ -212,6 +212,10 @@
             <translation>концевой выключатель %1: замкнут</translation>
         </message>
         <message>
+            <source>%1 limit switch: not known</source>
+            <translation>концевой выключатель %1: неизвестно</translation>
+        </message>
+        <message>
             <source>%1 limit switch: open</source>
             <translation>концевой выключатель %1: разомкнут</translation>
         </message>
@@ -500,6 +504,10 @@
             <translation>%1: этот файл кто-то изменил после открытия; сохраните под другим именем или откройте его снова и потеряйте эти изменения</translation>
         </message>
         <message>
+            <source>%1: whether it is homed is not known</source>
+            <translation>%1: найден ли ноль, неизвестно</translation>
+        </message>
+        <message>
             <source>%1: whether it was homed is not recorded</source>
             <translation>%1: найден ли ноль, не записано</translation>
         </message>
@@ -562,6 +570,14 @@
         <message>
             <source>&lt;use&gt; of something that is not in this file is left out.</source>
             <translation>&lt;use&gt; ссылается на то, чего нет в файле; пропущен.</translation>
+        </message>
+        <message>
+            <source>? index</source>
+            <translation>? метка</translation>
+        </message>
+        <message>
+            <source>? limit</source>
+            <translation>? КВ</translation>
         </message>
         <message>
             <source>A draft of what the tool will leave, before the model is sliced</source>
@@ -6481,6 +6497,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Ψ index: there</source>
             <translation>Ноль Ψ: здесь</translation>
+        </message>
+        <message>
+            <source>Ψ index: not known</source>
+            <translation>метка Ψ: неизвестно</translation>
         </message>
         <message>
             <source>Ψ step</source>

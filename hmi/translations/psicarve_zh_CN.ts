@@ -212,6 +212,10 @@
             <translation>%1 限位开关：闭合</translation>
         </message>
         <message>
+            <source>%1 limit switch: not known</source>
+            <translation>%1 限位开关：未知</translation>
+        </message>
+        <message>
             <source>%1 limit switch: open</source>
             <translation>%1 限位开关：断开</translation>
         </message>
@@ -500,6 +504,10 @@
             <translation>%1：该文件打开后已被他人修改；请另存为其他名称，或重新打开并放弃这些修改</translation>
         </message>
         <message>
+            <source>%1: whether it is homed is not known</source>
+            <translation>%1：是否已回零未知</translation>
+        </message>
+        <message>
             <source>%1: whether it was homed is not recorded</source>
             <translation>%1：是否回零未记录</translation>
         </message>
@@ -562,6 +570,14 @@
         <message>
             <source>&lt;use&gt; of something that is not in this file is left out.</source>
             <translation>&lt;use&gt; 引用的内容不在此文件中，已略去。</translation>
+        </message>
+        <message>
+            <source>? index</source>
+            <translation>? 零位</translation>
+        </message>
+        <message>
+            <source>? limit</source>
+            <translation>? 限位</translation>
         </message>
         <message>
             <source>A draft of what the tool will leave, before the model is sliced</source>
@@ -6474,6 +6490,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Ψ index: there</source>
             <translation>Ψ 零位：在</translation>
+        </message>
+        <message>
+            <source>Ψ index: not known</source>
+            <translation>Ψ 零位：未知</translation>
         </message>
         <message>
             <source>Ψ step</source>

@@ -66,5 +66,24 @@ TEST_F(GoingOn, KnowsTheJobOfACoreThatIsNoMore) {
     EXPECT_TRUE(comes_to(session::DeskState::published)) << "it is the job that the new core has taken";
 }
 
+TEST_F(GoingOn, ShowsNoAxisOfADeadCoreAsHomed) {
+    start_core();
+    open_window();
+    ASSERT_NO_FATAL_FAILURE(carve_some_layers());
+    EXPECT_EQ(label("homed_r1"), "homed");
+    ASSERT_NO_FATAL_FAILURE(kill_core());
+    for (const Axis axis : kAllAxes) {
+        const std::string name{name_of(axis)};
+        EXPECT_EQ(label(("homed_" + name).c_str()), "home ?") << name;
+        EXPECT_EQ(part<QLabel>(("homed_" + name).c_str()).property("lamp").toString(), "unsure") << name;
+        const QString sensor = label(("sensor_" + name).c_str());
+        EXPECT_TRUE(sensor.startsWith('?')) << name << ": " << sensor.toStdString();
+        EXPECT_EQ(part<QLabel>(("sensor_" + name).c_str()).property("lamp").toString(), "off") << name;
+    }
+    take_picture("lamps_of_dead_core_light");
+    start_core();
+    ASSERT_TRUE(comes_true([&] { return label("sensor_r1") == QString::fromUtf8("○ limit"); }));
+}
+
 }  // namespace
 }  // namespace psicarve::ui

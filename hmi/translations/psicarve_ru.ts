@@ -896,6 +896,10 @@
             <translation>Вручную; задание делает это само, а Стоп выключает</translation>
         </message>
         <message>
+            <source>By mouse, or with Ctrl+−, Ctrl++ and Ctrl+0</source>
+            <translation>Мышью или клавишами Ctrl+−, Ctrl++ и Ctrl+0</translation>
+        </message>
+        <message>
             <source>CARVING</source>
             <translation>РЕЗЬБА</translation>
         </message>
@@ -6495,12 +6499,12 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ноль Ψ: не здесь</translation>
         </message>
         <message>
-            <source>Ψ index: there</source>
-            <translation>Ноль Ψ: здесь</translation>
-        </message>
-        <message>
             <source>Ψ index: not known</source>
             <translation>метка Ψ: неизвестно</translation>
+        </message>
+        <message>
+            <source>Ψ index: there</source>
+            <translation>Ноль Ψ: здесь</translation>
         </message>
         <message>
             <source>Ψ step</source>

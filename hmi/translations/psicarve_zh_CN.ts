@@ -896,6 +896,10 @@
             <translation>手动；任务会自动控制，停止会关闭主轴</translation>
         </message>
         <message>
+            <source>By mouse, or with Ctrl+−, Ctrl++ and Ctrl+0</source>
+            <translation>用鼠标，或 Ctrl+−、Ctrl++ 和 Ctrl+0</translation>
+        </message>
+        <message>
             <source>CARVING</source>
             <translation>雕刻中</translation>
         </message>
@@ -6488,12 +6492,12 @@ N、Shift+N  下一条、上一条记录
             <translation>Ψ 零位：不在</translation>
         </message>
         <message>
-            <source>Ψ index: there</source>
-            <translation>Ψ 零位：在</translation>
-        </message>
-        <message>
             <source>Ψ index: not known</source>
             <translation>Ψ 零位：未知</translation>
+        </message>
+        <message>
+            <source>Ψ index: there</source>
+            <translation>Ψ 零位：在</translation>
         </message>
         <message>
             <source>Ψ step</source>

@@ -129,7 +129,8 @@ void JobPanel::make_override() {
     override_->setRange(kLeastOverride_percent, kMostOverride_percent);
     override_->setPageStep(5);
     override_->setValue(kFullPercent);
-    override_->setFocusPolicy(Qt::TabFocus);
+    override_->setFocusPolicy(Qt::NoFocus);
+    ignore_keys(override_);
     override_->setObjectName("override");
     override_->setAccessibleName(tr("Feed override"));
     connect(override_, &QSlider::valueChanged, this,
@@ -312,7 +313,7 @@ void JobPanel::refresh_layer() {
 }
 
 void JobPanel::refresh_override() {
-    lock_with(*override_, full_->refresh(bench_));
+    lock_with(*override_, full_->refresh(bench_), tr("By mouse, or with Ctrl+−, Ctrl++ and Ctrl+0"));
     const auto& status = bench_.shown().status;
     if (!status || status->override_percent == 0) return;
     const int percent = static_cast<int>(status->override_percent);

@@ -85,5 +85,35 @@ TEST_F(GoingOn, ShowsNoAxisOfADeadCoreAsHomed) {
     ASSERT_TRUE(comes_true([&] { return label("sensor_r1") == QString::fromUtf8("○ limit"); }));
 }
 
+TEST_F(GoingOn, NoKeyReachesTheFeedOverride) {
+    start_core();
+    open_in_front();
+    ASSERT_NO_FATAL_FAILURE(publish_job(two_process::long_job()));
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    auto& slider = part<QSlider>("override");
+    ASSERT_TRUE(comes_true([&] { return slider.isEnabled(); }));
+    button("start").setFocus(Qt::TabFocusReason);
+    for (int i = 0; i < 60; ++i) {
+        press_key(Qt::Key_Tab);
+        ASSERT_FALSE(slider.hasFocus()) << "after " << i + 1 << " tabs";
+    }
+    QTest::mouseClick(&slider, Qt::LeftButton, {}, slider.rect().center());
+    EXPECT_FALSE(slider.hasFocus());
+    slider.setFocus();  // whatever gave it the focus
+    for (const Qt::Key key :
+         {Qt::Key_Right, Qt::Key_Up, Qt::Key_PageUp, Qt::Key_End, Qt::Key_Left, Qt::Key_Home})
+        QTest::keyClick(&slider, key);
+    EXPECT_TRUE(comes_true([&] { return !window_->bench().machine.is_override_under_way(); }));
+    EXPECT_EQ(slider.value(), 100);
+    EXPECT_EQ(sight().status->override_percent, 100U);
+    press_key(Qt::Key_Plus, Qt::ControlModifier);  // has keys of its own
+    ASSERT_TRUE(comes_true([&] { return sight().status->override_percent == 105; }));
+    EXPECT_TRUE(comes_true([&] { return label("reason").contains("Feed override: 105 %"); }))
+        << label("reason").toStdString();
+    ASSERT_TRUE(click("full"));
+    EXPECT_TRUE(comes_true([&] { return sight().status->override_percent == 100; }));
+}
+
 }  // namespace
 }  // namespace psicarve::ui

@@ -18,7 +18,7 @@ constexpr int kIconWidth = 48;
 constexpr int kIconSide = 28;
 constexpr int kButtonWidth = 140;
 
-/// "From layer 52" is not torn at the end of a line.
+/// "Continue from layer 52" is not torn at the end of a line.
 QString whole_if_short(QString step) {
     constexpr qsizetype kShort = 24;
     return step.size() > kShort ? step : step.replace(' ', QChar::Nbsp);

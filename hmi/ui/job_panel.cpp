@@ -10,6 +10,7 @@
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/preflight.hpp"
 #include "hmi/session/start_intent.hpp"
+#include "hmi/ui/anew_dialog.hpp"
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/job_facts_view.hpp"
 #include "hmi/ui/lock_with.hpp"
@@ -158,7 +159,10 @@ void JobPanel::start_at_layer(std::uint32_t layers) {
 }
 
 bool JobPanel::may_start_from_layer(std::uint32_t layer, session::RunKind kind) {
-    if (layer == 1) return true;
+    if (layer == 1) {
+        const bool is_anew = kind == session::RunKind::carve && layer_to_begin_with(bench_);
+        return !is_anew || asked_to_begin_anew(bench_, window());
+    }
     const bool is_resumed = bench_.machine.sight().resumable_layer == layer - 1;
     const QString finished =
         is_resumed ? QStringLiteral("\n\n") + tr("Layer %1 was the last that was finished.").arg(layer - 1)

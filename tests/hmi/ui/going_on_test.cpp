@@ -2,12 +2,15 @@
 // Whatever ended a job: what the window knows of it, and how it goes on.
 #include <gtest/gtest.h>
 
+#include <QDialog>
 #include <QLabel>
+#include <QMessageBox>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTest>
 
 #include "tests/hmi/ui/hands_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -113,6 +116,124 @@ TEST_F(GoingOn, NoKeyReachesTheFeedOverride) {
         << label("reason").toStdString();
     ASSERT_TRUE(click("full"));
     EXPECT_TRUE(comes_true([&] { return sight().status->override_percent == 100; }));
+}
+
+TEST_F(GoingOn, ContinuesByItsButtonAndItsKeyAsTheySay) {
+    start_core();
+    open_in_front();
+    ASSERT_NO_FATAL_FAILURE(carve_some_layers());
+    EXPECT_EQ(button("start").text(), "Start") << "while it is carved";
+    EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
+    ASSERT_TRUE(click("stop"));
+    ASSERT_TRUE(comes_to(S::ready));
+    const std::uint32_t next = *sight().resumable_layer;
+    const QString says = QString{"Continue from layer %1"}.arg(next + 1);
+    ASSERT_TRUE(comes_true([&] { return button("start").text() == says; }))
+        << button("start").text().toStdString();
+    EXPECT_EQ(button("motion_start").text(), says);
+    EXPECT_TRUE(part<QWidget>("unfinished").isVisible());
+    EXPECT_EQ(label("unfinished_title"), QString{"Unfinished: %1 of 4000 layers are carved"}.arg(next));
+    EXPECT_TRUE(
+        label("unfinished_details").startsWith(QString{"Last good: layer %1, to its point 201. "}.arg(next)))
+        << label("unfinished_details").toStdString();
+    EXPECT_TRUE(label("unfinished_details").contains("Then: heads out, Ψ to "))
+        << label("unfinished_details").toStdString();
+    take_picture("unfinished_light");
+    ASSERT_TRUE(comes_true([&] { return button("start").isEnabled(); }));
+    press_key(Qt::Key_Return, Qt::ControlModifier);
+    ASSERT_TRUE(comes_to(S::carving)) << all_messages().toStdString();
+    EXPECT_GE(sight().status->layer, next);
+    EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
+    ASSERT_TRUE(click("stop"));
+    ASSERT_TRUE(comes_to(S::ready));
+    const std::uint32_t later = *sight().resumable_layer;
+    EXPECT_GE(later, next);
+    ASSERT_TRUE(click("start"));
+    ASSERT_TRUE(comes_to(S::carving));
+    EXPECT_GE(sight().status->layer, later);
+}
+
+TEST_F(GoingOn, BeginsAnewOnlyOnceItWasAsked) {
+    start_core();
+    open_in_front();
+    ASSERT_NO_FATAL_FAILURE(carve_some_layers());
+    ASSERT_TRUE(click("stop"));
+    ASSERT_TRUE(comes_to(S::ready));
+    const std::uint32_t carved = *sight().resumable_layer;
+    const std::uint64_t started = sight().status->job_start_tick;
+    QString question;
+    QSize picture;
+    const auto answers = [&](const char* name) {
+        return [&, name](QDialog& dialog) {
+            auto& box = dynamic_cast<QMessageBox&>(dialog);
+            question = box.text();
+            picture = box.iconPixmap().size();
+            box.grab().save(QString::fromStdString(in_build("screenshots/anew_question_light.png")));
+            QTest::mouseClick(dialog.findChild<QAbstractButton*>(name), Qt::LeftButton);
+        };
+    };
+    EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("start_anew")); }, {answers("anew_cancel")}));
+    EXPECT_TRUE(question.startsWith(
+        QString{"Layers 1 to %1 of 4000 are carved and would be carved again."}.arg(carved)))
+        << question.toStdString();
+    EXPECT_FALSE(picture.isEmpty());
+    part<QSpinBox>("layer").setValue(1);  // what comes to the same
+    EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("from_layer")); }, {answers("anew_cancel")}));
+    EXPECT_TRUE(comes_true([&] { return !window_->bench().machine.has_orders(); }));
+    EXPECT_EQ(sight().status->job_start_tick, started) << "nothing was started";
+    EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("start_anew")); }, {answers("anew_go")}));
+    ASSERT_TRUE(comes_to(S::carving));
+    EXPECT_LT(sight().status->layer, carved);
+    ASSERT_TRUE(comes_true(
+        [&] { return sight().earlier_layer.has_value() || sight().resumable_layer.value_or(0) >= carved; }));
+}
+
+TEST_F(GoingOn, TellsWhereTheRunBeforeASlipCameTo) {
+    start_core();
+    open_window();
+    publish_job(two_process::lobed_job(40, 40));
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    const auto carve = [&](std::uint32_t layers) {
+        window_->bench().machine.start(0, layers);
+        ASSERT_TRUE(comes_true([&] {
+            return sight().state() == S::ready && sight().resumable_layer == layers;
+        })) << all_messages().toStdString();
+    };
+    carve(9);
+    EXPECT_FALSE(label("unfinished_details").contains("run before"));
+    carve(2);
+    ASSERT_TRUE(comes_true([&] {
+        return label("unfinished_details").contains("From layer 10 goes on with it.");
+    })) << label("unfinished_details").toStdString();
+    EXPECT_EQ(button("start").text(), "Continue from layer 3");
+}
+
+TEST_F(GoingOn, IsDismissedUntilMoreIsCarved) {
+    start_core();
+    open_in_front();
+    ASSERT_NO_FATAL_FAILURE(carve_some_layers());
+    kill_core();
+    EXPECT_FALSE(part<QWidget>("unfinished").isVisible()) << "the red one says it";
+    EXPECT_TRUE(button("start").text().startsWith("Continue from layer "))
+        << button("start").text().toStdString();
+    start_core();
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("unfinished").isVisible(); }));
+    EXPECT_TRUE(comes_true([&] {
+        return label("unfinished_details").contains("First Home all: R1 R2 Ψ Y are not homed.");
+    })) << label("unfinished_details").toStdString();
+    take_picture("unfinished_new_core_light");
+    ASSERT_TRUE(click("unfinished_dismiss"));
+    EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
+    ASSERT_TRUE(click("start"));
+    const std::uint32_t before = *sight().resumable_layer;
+    ASSERT_TRUE(comes_true([&] { return sight().resumable_layer.value_or(0) > before; }));
+    ASSERT_TRUE(click("stop"));
+    ASSERT_TRUE(comes_to(S::ready));
+    EXPECT_TRUE(comes_true([&] { return part<QWidget>("unfinished").isVisible(); }));
 }
 
 }  // namespace

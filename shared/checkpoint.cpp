@@ -25,17 +25,22 @@ Error refused(const std::string& reason) {
 
 }  // namespace
 
-Checkpoint checkpoint_at(std::uint64_t job_checksum, std::uint32_t next_layer,
-                         std::uint32_t layer_count) noexcept {
-    Checkpoint checkpoint{
-        .job_checksum = job_checksum, .next_layer = next_layer, .layer_count = layer_count, .check = 0};
+Checkpoint checkpoint_at(std::uint64_t job_checksum, std::uint32_t next_layer, std::uint32_t layer_count,
+                         std::uint32_t earlier_layer) noexcept {
+    Checkpoint checkpoint{.job_checksum = job_checksum,
+                          .next_layer = next_layer,
+                          .layer_count = layer_count,
+                          .earlier_layer = earlier_layer,
+                          .reserved = 0,
+                          .check = 0};
     checkpoint.check = check_of(checkpoint);
     return checkpoint;
 }
 
 bool is_checkpoint(const Checkpoint& checkpoint) noexcept {
     return !is_empty(checkpoint) && checkpoint.check == check_of(checkpoint) && checkpoint.layer_count > 0 &&
-           checkpoint.next_layer <= checkpoint.layer_count;
+           checkpoint.next_layer <= checkpoint.layer_count &&
+           checkpoint.earlier_layer < checkpoint.layer_count;
 }
 
 Result<std::uint32_t> layer_to_resume(const std::optional<Checkpoint>& copied, std::uint64_t job_checksum,
@@ -45,7 +50,12 @@ Result<std::uint32_t> layer_to_resume(const std::optional<Checkpoint>& copied, s
         return refused("the checkpoint is damaged; look at the piece and give the layer yourself");
     if (copied->job_checksum != job_checksum || copied->layer_count != layer_count)
         return refused("the checkpoint is of another job; publish that one, or give the layer yourself");
-    if (copied->next_layer == 0) return refused("no layer was finished; start from the beginning");
+    if (copied->next_layer == 0) {
+        const std::string earlier = std::to_string(copied->earlier_layer);
+        return refused(
+            "no layer was finished; start from the beginning" +
+            (copied->earlier_layer == 0 ? "" : ", or --from-layer " + earlier + " for the piece of before"));
+    }
     if (copied->next_layer == layer_count)
         return refused("the job is carved to its end; there is nothing to resume");
     return copied->next_layer;

@@ -15,18 +15,23 @@ struct Checkpoint {
     std::uint64_t job_checksum;  ///< XXH3 over the job's blob
     std::uint32_t next_layer;    ///< all before it, from where the run began, are carved
     std::uint32_t layer_count;   ///< of the job
-    std::uint64_t check;         ///< XXH3 over the fields before; all 0: no checkpoint
+    /// The same of the run before, which this one began anew and has not passed yet; 0: none. Whether its
+    /// piece or another stands on the table, only who mounted it knows.
+    std::uint32_t earlier_layer;
+    std::uint32_t reserved;
+    std::uint64_t check;  ///< XXH3 over the fields before; all 0: no checkpoint
 };
-static_assert(sizeof(Checkpoint) == 24 && std::is_trivially_copyable_v<Checkpoint>, "bump kLayoutVersion");
+static_assert(sizeof(Checkpoint) == 32 && std::is_trivially_copyable_v<Checkpoint>, "bump kLayoutVersion");
 
-Checkpoint checkpoint_at(std::uint64_t job_checksum, std::uint32_t next_layer,
-                         std::uint32_t layer_count) noexcept;
+Checkpoint checkpoint_at(std::uint64_t job_checksum, std::uint32_t next_layer, std::uint32_t layer_count,
+                         std::uint32_t earlier_layer = 0) noexcept;
 
 /// Whether it is one at all: neither empty nor damaged.
 bool is_checkpoint(const Checkpoint& checkpoint) noexcept;
 
 /// The layer with which this job goes on. Refused (machine_refused) with the reason: nothing was carved,
-/// damaged, of another job, no layer finished, all finished. `copied` is a copy nobody else can change;
+/// damaged, of another job, no layer finished, all finished. Where the run before came further, that is said,
+/// and not taken. `copied` is a copy nobody else can change;
 /// nothing: it could not be read.
 Result<std::uint32_t> layer_to_resume(const std::optional<Checkpoint>& copied, std::uint64_t job_checksum,
                                       std::uint32_t layer_count);

@@ -134,6 +134,7 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
                                offsetof(SegmentHeader, verdict),
                                offsetof(SegmentHeader, checkpoint),
                                offsetof(Checkpoint, next_layer),
+                               offsetof(Checkpoint, earlier_layer),
                                offsetof(Checkpoint, check),
                                offsetof(SegmentHeader, status),
                                offsetof(SegmentHeader, increments),

@@ -11,14 +11,21 @@ std::string checkpoint_text(const std::optional<Checkpoint>& checkpoint, bool is
         std::to_string(checkpoint->next_layer) + " of " + std::to_string(checkpoint->layer_count);
     if (checkpoint->next_layer == checkpoint->layer_count)
         return "checkpoint " + layers + " layers, carved to the end\n";
-    return "checkpoint " + layers + " layers" + (is_of_job ? "" : ", of another job") + "\n";
+    const std::string earlier = std::to_string(checkpoint->earlier_layer);
+    return "checkpoint " + layers + " layers" + (is_of_job ? "" : ", of another job") +
+           (checkpoint->earlier_layer == 0
+                ? ""
+                : "; the run before it came to " + earlier + " (start --from-layer " + earlier + ")") +
+           "\n";
 }
 
 nlohmann::ordered_json checkpoint_json(const std::optional<Checkpoint>& checkpoint, bool is_of_job) {
     if (!checkpoint) return nullptr;
-    return {{"next_layer", checkpoint->next_layer},
-            {"layer_count", checkpoint->layer_count},
-            {"is_of_job", is_of_job}};
+    nlohmann::ordered_json object{{"next_layer", checkpoint->next_layer},
+                                  {"layer_count", checkpoint->layer_count},
+                                  {"is_of_job", is_of_job}};
+    if (checkpoint->earlier_layer != 0) object["earlier_layer"] = checkpoint->earlier_layer;
+    return object;
 }
 
 }  // namespace psicarve::cli

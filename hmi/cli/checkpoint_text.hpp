@@ -11,7 +11,8 @@ namespace psicarve::cli {
 
 /// A line for a person: how far the last carving came; empty when there was none.
 std::string checkpoint_text(const std::optional<Checkpoint>& checkpoint, bool is_of_job);
-/// {"next_layer": ..., "layer_count": ..., "is_of_job": ...} or null.
+/// {"next_layer": ..., "layer_count": ..., "is_of_job": ...} or null; "earlier_layer" where the run before
+/// came further.
 nlohmann::ordered_json checkpoint_json(const std::optional<Checkpoint>& checkpoint, bool is_of_job);
 
 }  // namespace psicarve::cli

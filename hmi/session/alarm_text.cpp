@@ -68,8 +68,12 @@ void add_way_back(const MachineSight& machine, AlarmText& text) {
         text.steps.push_back(phrase("Home all"));
     }
     const CoreStatus& status = *machine.status;
-    if (status.points_done > 0 && status.points_done < status.points_total)
+    if (status.points_done == 0 || status.points_done >= status.points_total) return;
+    if (machine.resumable_layer && status.is_dry == 0) {
+        text.steps.push_back(phrase("Continue from layer %1", std::to_string(*machine.resumable_layer + 1)));
+    } else {
         text.steps.push_back(phrase("From layer %1", std::to_string(status.layer + 1)));
+    }
 }
 
 AlarmText limit_text(const MachineSight& machine) {

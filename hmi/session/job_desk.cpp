@@ -264,7 +264,9 @@ void JobDesk::poll(const MachineSight& machine) {
     accepted_generation_ = accepted;
     compare_profiles(machine);
     sight_.core_layer_count = core_job() ? core_job()->view.layer_count() : 0;
-    if (accepted != 0 && accepted != fetched_generation_ && lane_.is_idle()) fetch_from_core(accepted);
+    // Of a core that is gone its segment still has the job, for whoever wants to know what it was at.
+    const std::uint64_t left = machine.status ? machine.status->job_generation : 0;
+    if (left != 0 && left != fetched_generation_ && lane_.is_idle()) fetch_from_core(left);
 }
 
 /// Only when one of them is another: there is nothing to be found out thirty times a second.

@@ -75,7 +75,7 @@ void add_new_core(const MachineSight& machine, AlarmText& text) {
 void add_way_on(const MachineSight& machine, AlarmText& text) {
     if (!is_within_job(machine) || machine.status->is_dry != 0) return;
     if (machine.resumable_layer) {
-        text.steps.push_back(phrase("From layer %1", std::to_string(*machine.resumable_layer + 1)));
+        text.steps.push_back(phrase("Continue from layer %1", std::to_string(*machine.resumable_layer + 1)));
     } else {
         text.steps.push_back(phrase("Start: no layer was finished"));
     }

@@ -153,10 +153,13 @@ void MachineSession::take_status(const CoreStatus& status, bool has_core) {
 
 void MachineSession::look_for_checkpoint() {
     sight_.resumable_layer.reset();
+    sight_.earlier_layer.reset();
     const auto checkpoint = link_->checkpoint();
     if (!checkpoint || !link_->is_of_published_job(*checkpoint)) return;
     if (checkpoint->next_layer > 0 && checkpoint->next_layer < checkpoint->layer_count)
         sight_.resumable_layer = checkpoint->next_layer;
+    if (checkpoint->earlier_layer != 0) sight_.earlier_layer = checkpoint->earlier_layer;
+    sight_.checkpoint_layer_count = checkpoint->layer_count;
 }
 
 void MachineSession::find_profile() {

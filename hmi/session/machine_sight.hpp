@@ -55,6 +55,9 @@ struct MachineSight {
     /// Behind the last layer that was finished of the published job, counted from 0; nothing: none, or all
     /// were.
     std::optional<std::uint32_t> resumable_layer;
+    /// The same of the run before, which that one began anew and has not passed.
+    std::optional<std::uint32_t> earlier_layer;
+    std::uint32_t checkpoint_layer_count = 0;  ///< of that job, where one of the two is known
     /// What the core itself said last; `status` may have its guard's word instead. Nothing: none was heard.
     std::optional<MachineState> heard_state;
     /// An emergency stop was asked for here and no core was there to hear it; until somebody has read that.

@@ -212,6 +212,10 @@
             <translation>концевой выключатель %1: замкнут</translation>
         </message>
         <message>
+            <source>%1 limit switch: not known</source>
+            <translation>концевой выключатель %1: неизвестно</translation>
+        </message>
+        <message>
             <source>%1 limit switch: open</source>
             <translation>концевой выключатель %1: разомкнут</translation>
         </message>
@@ -508,6 +512,10 @@
             <translation>%1: этот файл кто-то изменил после открытия; сохраните под другим именем или откройте его снова и потеряйте эти изменения</translation>
         </message>
         <message>
+            <source>%1: whether it is homed is not known</source>
+            <translation>%1: найден ли ноль, неизвестно</translation>
+        </message>
+        <message>
             <source>%1: whether it was homed is not recorded</source>
             <translation>%1: найден ли ноль, не записано</translation>
         </message>
@@ -570,6 +578,14 @@
         <message>
             <source>&lt;use&gt; of something that is not in this file is left out.</source>
             <translation>&lt;use&gt; ссылается на то, чего нет в файле; пропущен.</translation>
+        </message>
+        <message>
+            <source>? index</source>
+            <translation>? метка</translation>
+        </message>
+        <message>
+            <source>? limit</source>
+            <translation>? КВ</translation>
         </message>
         <message>
             <source>A draft of what the tool will leave, before the model is sliced</source>
@@ -796,6 +812,14 @@
             <translation>Начало</translation>
         </message>
         <message>
+            <source>Begins with layer 1 again; it asks first</source>
+            <translation>Начинает снова со слоя 1; сначала спрашивает</translation>
+        </message>
+        <message>
+            <source>Begun anew: none of %1 layers is finished</source>
+            <translation>Начато заново: из %1 слоёв ни один не закончен</translation>
+        </message>
+        <message>
             <source>Between entries</source>
             <translation>Между записями</translation>
         </message>
@@ -886,6 +910,10 @@
         <message>
             <source>By hand; a job does it by itself, and Stop switches it off</source>
             <translation>Вручную; задание делает это само, а Стоп выключает</translation>
+        </message>
+        <message>
+            <source>By mouse, or with Ctrl+−, Ctrl++ and Ctrl+0</source>
+            <translation>Мышью или клавишами Ctrl+−, Ctrl++ и Ctrl+0</translation>
         </message>
         <message>
             <source>CARVING</source>
@@ -1036,6 +1064,10 @@
             <translation>Сравнение</translation>
         </message>
         <message>
+            <source>Continue from layer %1</source>
+            <translation>Продолжить со слоя %1</translation>
+        </message>
+        <message>
             <source>Controlled stop above this many missed ticks a second; 0: never.</source>
             <translation>Управляемая остановка, если за секунду пропущено больше тактов; 0: никогда.</translation>
         </message>
@@ -1114,6 +1146,10 @@
         <message>
             <source>Disarm keyboard jog</source>
             <translation>Выключить клавиши</translation>
+        </message>
+        <message>
+            <source>Dismiss</source>
+            <translation>Убрать</translation>
         </message>
         <message>
             <source>Done</source>
@@ -1349,12 +1385,24 @@ F12  этот список</translation>
             <translation>Найти ключ</translation>
         </message>
         <message>
+            <source>First Home all: %1 are not homed.</source>
+            <translation>Сначала «Все нули»: не найдены нули %1.</translation>
+        </message>
+        <message>
+            <source>First Home all: the drives are off.</source>
+            <translation>Сначала «Все нули»: приводы отключены.</translation>
+        </message>
+        <message>
             <source>First difference</source>
             <translation>Первое отличие</translation>
         </message>
         <message>
             <source>First snapshot or job</source>
             <translation>Первый снимок или задание</translation>
+        </message>
+        <message>
+            <source>First start psicarve-rtcore, then Home all.</source>
+            <translation>Сначала запустите psicarve-rtcore, затем «Все нули».</translation>
         </message>
         <message>
             <source>Fit</source>
@@ -1515,6 +1563,10 @@ F12  этот список</translation>
         <message>
             <source>Heads out, spindle off</source>
             <translation>Отвод головок, шпиндель выкл.</translation>
+        </message>
+        <message>
+            <source>Heads out, to the first point of layer %1, then carve what is left (Ctrl+Enter)</source>
+            <translation>Головки наружу, к первой точке слоя %1, затем резать остальное (Ctrl+Enter)</translation>
         </message>
         <message>
             <source>Heads to the first point, then carve (Ctrl+Enter)</source>
@@ -1745,6 +1797,10 @@ F12  этот список</translation>
             <translation>Изометрия</translation>
         </message>
         <message>
+            <source>It ended in layer %1, point %2.</source>
+            <translation>Обработка прервалась в слое %1, точка %2.</translation>
+        </message>
+        <message>
             <source>It is not offered again; the file stays</source>
             <translation>Больше не предлагается; файл остаётся</translation>
         </message>
@@ -1881,6 +1937,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Задано выбором «Наибольшая»</translation>
         </message>
         <message>
+            <source>Last good layer: %1.</source>
+            <translation>Последний хороший слой: %1.</translation>
+        </message>
+        <message>
+            <source>Last good: layer %1, to its point %2.</source>
+            <translation>Последний хороший: слой %1, до точки %2.</translation>
+        </message>
+        <message>
             <source>Late: median, 99 %, 99.9 %</source>
             <translation>Медиана, 99 %, 99.9 %</translation>
         </message>
@@ -1913,6 +1977,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Последний завершённый слой — %1.</translation>
         </message>
         <message>
+            <source>Layer 1 of %1 is carved and would be carved again.</source>
+            <translation>Слой 1 из %1 вырезан и будет вырезан снова.</translation>
+        </message>
+        <message>
             <source>Layer and point are those of the machine, until others are chosen</source>
             <translation>Слой и точка как у станка, пока не выбраны другие</translation>
         </message>
@@ -1927,6 +1995,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Layers</source>
             <translation>Слои</translation>
+        </message>
+        <message>
+            <source>Layers 1 to %1 of %2 are carved and would be carved again.</source>
+            <translation>Слои с 1 по %1 из %2 вырезаны и будут вырезаны снова.</translation>
         </message>
         <message>
             <source>Layers and points lie farther from each other than the tool cuts, %1 mm: choose more of them.</source>
@@ -2383,6 +2455,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>On the virtual clock nothing has to be in time</source>
             <translation>На виртуальных часах опоздать нельзя</translation>
+        </message>
+        <message>
+            <source>On this piece that takes time and cuts nothing. A new blank has to begin with layer 1.</source>
+            <translation>На этой детали это займёт время, но ничего не срежет. Новую заготовку надо начинать со слоя 1.</translation>
         </message>
         <message>
             <source>One layer</source>
@@ -3325,6 +3401,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пуск</translation>
         </message>
         <message>
+            <source>Start anew</source>
+            <translation>Начать заново</translation>
+        </message>
+        <message>
+            <source>Start anew…</source>
+            <translation>Начать заново…</translation>
+        </message>
+        <message>
             <source>Start dry run</source>
             <translation>Пуск вхолостую</translation>
         </message>
@@ -3339,6 +3423,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Start from layer %1: the layers below are left as they are. The heads go out, Y goes to the layer, then the heads go in at plunge speed.</source>
             <translation>Пуск со слоя %1: слои ниже остаются как есть. Головки отходят, Y идёт к слою, затем головки подводятся со скоростью врезания.</translation>
+        </message>
+        <message>
+            <source>Start from layer 1</source>
+            <translation>Пуск со слоя 1</translation>
         </message>
         <message>
             <source>Start it again; home before carving on</source>
@@ -3559,6 +3647,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Takes this away once it was read; it moves and stops nothing</source>
             <translation>Убирает сообщение, когда оно прочитано; ничего не двигает и не останавливает</translation>
+        </message>
+        <message>
+            <source>Takes this away until more is carved; it moves and forgets nothing</source>
+            <translation>Убирает это, пока не вырезано больше; ничего не движет и не забывает</translation>
         </message>
         <message>
             <source>Text (*.log *.txt)</source>
@@ -3869,6 +3961,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Настоящий станок на порту %1</translation>
         </message>
         <message>
+            <source>The run before came to layer %1: if its piece is still mounted, From layer %2 goes on with it.</source>
+            <translation>Прошлая обработка дошла до слоя %1: если её деталь ещё закреплена, «Со слоя» %2 продолжит её.</translation>
+        </message>
+        <message>
             <source>The shared memory was removed or damaged from outside: reset the alarm and publish the job again.</source>
             <translation>Общая память удалена или повреждена извне: сбросьте аварию и передайте задание снова.</translation>
         </message>
@@ -3935,6 +4031,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Then outputs can be switched one by one</source>
             <translation>Тогда выходы можно переключать по одному</translation>
+        </message>
+        <message>
+            <source>Then: heads out, Ψ to %1°, Y to %2 mm, spindle on, heads in to R1 %3, R2 %4 mm.</source>
+            <translation>Затем: головки наружу, Ψ на %1°, Y на %2 мм, шпиндель вкл., головки внутрь до R1 %3, R2 %4 мм.</translation>
         </message>
         <message>
             <source>This computer</source>
@@ -4115,6 +4215,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Undo all: nothing was changed</source>
             <translation>Вернуть всё: ничего не изменено</translation>
+        </message>
+        <message>
+            <source>Unfinished: %1 of %2 layers are carved</source>
+            <translation>Не закончено: вырезано слоёв %1 из %2</translation>
         </message>
         <message>
             <source>Unit</source>
@@ -6505,6 +6609,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Ψ index: away</source>
             <translation>Ноль Ψ: не здесь</translation>
+        </message>
+        <message>
+            <source>Ψ index: not known</source>
+            <translation>метка Ψ: неизвестно</translation>
         </message>
         <message>
             <source>Ψ index: there</source>

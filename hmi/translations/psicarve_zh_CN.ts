@@ -212,6 +212,10 @@
             <translation>%1 限位开关：闭合</translation>
         </message>
         <message>
+            <source>%1 limit switch: not known</source>
+            <translation>%1 限位开关：未知</translation>
+        </message>
+        <message>
             <source>%1 limit switch: open</source>
             <translation>%1 限位开关：断开</translation>
         </message>
@@ -508,6 +512,10 @@
             <translation>%1：该文件打开后已被他人修改；请另存为其他名称，或重新打开并放弃这些修改</translation>
         </message>
         <message>
+            <source>%1: whether it is homed is not known</source>
+            <translation>%1：是否已回零未知</translation>
+        </message>
+        <message>
             <source>%1: whether it was homed is not recorded</source>
             <translation>%1：是否回零未记录</translation>
         </message>
@@ -570,6 +578,14 @@
         <message>
             <source>&lt;use&gt; of something that is not in this file is left out.</source>
             <translation>&lt;use&gt; 引用的内容不在此文件中，已略去。</translation>
+        </message>
+        <message>
+            <source>? index</source>
+            <translation>? 零位</translation>
+        </message>
+        <message>
+            <source>? limit</source>
+            <translation>? 限位</translation>
         </message>
         <message>
             <source>A draft of what the tool will leave, before the model is sliced</source>
@@ -796,6 +812,14 @@
             <translation>起始方向</translation>
         </message>
         <message>
+            <source>Begins with layer 1 again; it asks first</source>
+            <translation>再次从第 1 层开始；会先询问</translation>
+        </message>
+        <message>
+            <source>Begun anew: none of %1 layers is finished</source>
+            <translation>已重新开始：%1 层中没有完成的层</translation>
+        </message>
+        <message>
             <source>Between entries</source>
             <translation>记录之间</translation>
         </message>
@@ -886,6 +910,10 @@
         <message>
             <source>By hand; a job does it by itself, and Stop switches it off</source>
             <translation>手动；任务会自动控制，停止会关闭主轴</translation>
+        </message>
+        <message>
+            <source>By mouse, or with Ctrl+−, Ctrl++ and Ctrl+0</source>
+            <translation>用鼠标，或 Ctrl+−、Ctrl++ 和 Ctrl+0</translation>
         </message>
         <message>
             <source>CARVING</source>
@@ -1036,6 +1064,10 @@
             <translation>比较</translation>
         </message>
         <message>
+            <source>Continue from layer %1</source>
+            <translation>从第 %1 层继续</translation>
+        </message>
+        <message>
             <source>Controlled stop above this many missed ticks a second; 0: never.</source>
             <translation>每秒丢失的节拍超过此数时受控停止；0：从不。</translation>
         </message>
@@ -1114,6 +1146,10 @@
         <message>
             <source>Disarm keyboard jog</source>
             <translation>停用键盘点动</translation>
+        </message>
+        <message>
+            <source>Dismiss</source>
+            <translation>收起</translation>
         </message>
         <message>
             <source>Done</source>
@@ -1348,12 +1384,24 @@ F12  本列表</translation>
             <translation>查找参数</translation>
         </message>
         <message>
+            <source>First Home all: %1 are not homed.</source>
+            <translation>先全部回零：%1 未回零。</translation>
+        </message>
+        <message>
+            <source>First Home all: the drives are off.</source>
+            <translation>先全部回零：驱动器已关闭。</translation>
+        </message>
+        <message>
             <source>First difference</source>
             <translation>第一处差异</translation>
         </message>
         <message>
             <source>First snapshot or job</source>
             <translation>第一个快照或作业</translation>
+        </message>
+        <message>
+            <source>First start psicarve-rtcore, then Home all.</source>
+            <translation>先启动 psicarve-rtcore，再全部回零。</translation>
         </message>
         <message>
             <source>Fit</source>
@@ -1514,6 +1562,10 @@ F12  本列表</translation>
         <message>
             <source>Heads out, spindle off</source>
             <translation>刀头退出，主轴关闭</translation>
+        </message>
+        <message>
+            <source>Heads out, to the first point of layer %1, then carve what is left (Ctrl+Enter)</source>
+            <translation>刀头退出，到第 %1 层的第一点，然后雕刻其余部分（Ctrl+Enter）</translation>
         </message>
         <message>
             <source>Heads to the first point, then carve (Ctrl+Enter)</source>
@@ -1744,6 +1796,10 @@ F12  本列表</translation>
             <translation>轴测</translation>
         </message>
         <message>
+            <source>It ended in layer %1, point %2.</source>
+            <translation>停在第 %1 层第 %2 点。</translation>
+        </message>
+        <message>
             <source>It is not offered again; the file stays</source>
             <translation>不再提示；文件保留</translation>
         </message>
@@ -1880,6 +1936,14 @@ N、Shift+N  下一条、上一条记录
             <translation>由“最大”决定</translation>
         </message>
         <message>
+            <source>Last good layer: %1.</source>
+            <translation>最后完好的层：%1。</translation>
+        </message>
+        <message>
+            <source>Last good: layer %1, to its point %2.</source>
+            <translation>最后完好：第 %1 层，到第 %2 点。</translation>
+        </message>
+        <message>
             <source>Late: median, 99 %, 99.9 %</source>
             <translation>迟滞：中位、99 %、99.9 %</translation>
         </message>
@@ -1912,6 +1976,10 @@ N、Shift+N  下一条、上一条记录
             <translation>第 %1 层是最后完成的层。</translation>
         </message>
         <message>
+            <source>Layer 1 of %1 is carved and would be carved again.</source>
+            <translation>第 1 层（共 %1 层）已雕刻，将会再次雕刻。</translation>
+        </message>
+        <message>
             <source>Layer and point are those of the machine, until others are chosen</source>
             <translation>层和点随机床变化，直到另选为止</translation>
         </message>
@@ -1926,6 +1994,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Layers</source>
             <translation>层</translation>
+        </message>
+        <message>
+            <source>Layers 1 to %1 of %2 are carved and would be carved again.</source>
+            <translation>第 1 至 %1 层（共 %2 层）已雕刻，将会再次雕刻。</translation>
         </message>
         <message>
             <source>Layers and points lie farther from each other than the tool cuts, %1 mm: choose more of them.</source>
@@ -2382,6 +2454,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>On the virtual clock nothing has to be in time</source>
             <translation>虚拟时钟下没有准时要求</translation>
+        </message>
+        <message>
+            <source>On this piece that takes time and cuts nothing. A new blank has to begin with layer 1.</source>
+            <translation>对这个工件只是费时，不切削任何材料。新毛坯必须从第 1 层开始。</translation>
         </message>
         <message>
             <source>One layer</source>
@@ -3320,6 +3396,14 @@ N、Shift+N  下一条、上一条记录
             <translation>启动</translation>
         </message>
         <message>
+            <source>Start anew</source>
+            <translation>重新开始</translation>
+        </message>
+        <message>
+            <source>Start anew…</source>
+            <translation>重新开始…</translation>
+        </message>
+        <message>
             <source>Start dry run</source>
             <translation>启动空运行</translation>
         </message>
@@ -3334,6 +3418,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Start from layer %1: the layers below are left as they are. The heads go out, Y goes to the layer, then the heads go in at plunge speed.</source>
             <translation>从第 %1 层启动：下面的层保持原样。刀头先退出，Y 移到该层，然后刀头以切入速度进给。</translation>
+        </message>
+        <message>
+            <source>Start from layer 1</source>
+            <translation>从第 1 层启动</translation>
         </message>
         <message>
             <source>Start it again; home before carving on</source>
@@ -3554,6 +3642,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Takes this away once it was read; it moves and stops nothing</source>
             <translation>读后移除此消息；不移动也不停止任何东西</translation>
+        </message>
+        <message>
+            <source>Takes this away until more is carved; it moves and forgets nothing</source>
+            <translation>收起此条，直到又有雕刻；不移动也不忘记任何东西</translation>
         </message>
         <message>
             <source>Text (*.log *.txt)</source>
@@ -3864,6 +3956,10 @@ N、Shift+N  下一条、上一条记录
             <translation>端口 %1 上的真实机床</translation>
         </message>
         <message>
+            <source>The run before came to layer %1: if its piece is still mounted, From layer %2 goes on with it.</source>
+            <translation>上一次运行到第 %1 层：如果其工件仍装着，从第 %2 层开始可继续。</translation>
+        </message>
+        <message>
             <source>The shared memory was removed or damaged from outside: reset the alarm and publish the job again.</source>
             <translation>共享内存被外部删除或损坏：复位报警并重新发布作业。</translation>
         </message>
@@ -3930,6 +4026,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Then outputs can be switched one by one</source>
             <translation>之后可逐个切换输出</translation>
+        </message>
+        <message>
+            <source>Then: heads out, Ψ to %1°, Y to %2 mm, spindle on, heads in to R1 %3, R2 %4 mm.</source>
+            <translation>然后：刀头退出，Ψ 到 %1°，Y 到 %2 mm，主轴开，刀头进到 R1 %3、R2 %4 mm。</translation>
         </message>
         <message>
             <source>This computer</source>
@@ -4110,6 +4210,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Undo all: nothing was changed</source>
             <translation>全部撤销：没有任何更改</translation>
+        </message>
+        <message>
+            <source>Unfinished: %1 of %2 layers are carved</source>
+            <translation>未完成：已雕刻 %1 层，共 %2 层</translation>
         </message>
         <message>
             <source>Unit</source>
@@ -6498,6 +6602,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Ψ index: away</source>
             <translation>Ψ 零位：不在</translation>
+        </message>
+        <message>
+            <source>Ψ index: not known</source>
+            <translation>Ψ 零位：未知</translation>
         </message>
         <message>
             <source>Ψ index: there</source>

@@ -25,7 +25,7 @@ constexpr int kButtonWidth = 140;
 constexpr int kLeastForBoth = 480;     // text, and buttons beside it
 constexpr int kLeastTextHeight = 100;  // the title, and what to do or some of why
 
-/// "From layer 52" is not torn at the end of a line.
+/// "Continue from layer 52" is not torn at the end of a line.
 QString whole_if_short(QString step) {
     constexpr qsizetype kShort = 24;
     return step.size() > kShort ? step : step.replace(' ', QChar::Nbsp);

@@ -5,6 +5,24 @@
 #include <QStyle>
 
 namespace psicarve::ui {
+namespace {
+
+/// Events of this kind change nothing in what it watches, and go on to whoever is behind it.
+class EventIgnorer : public QObject {
+public:
+    EventIgnorer(QObject* watched, QEvent::Type type) : QObject(watched), type_(type) {}
+
+private:
+    bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+        if (event->type() != type_) return false;
+        event->ignore();
+        return true;
+    }
+
+    QEvent::Type type_;
+};
+
+}  // namespace
 
 QLabel* role_label(const char* role, const QString& text) {
     auto* label = new QLabel{text};
@@ -45,18 +63,11 @@ Dock::Dock(const QString& title, QWidget* parent) : QFrame(parent) {
 }
 
 void ignore_wheel(QWidget* widget) {
-    class Filter : public QObject {
-    public:
-        using QObject::QObject;
+    widget->installEventFilter(new EventIgnorer{widget, QEvent::Wheel});
+}
 
-    private:
-        bool eventFilter(QObject* /*watched*/, QEvent* event) override {
-            if (event->type() != QEvent::Wheel) return false;
-            event->ignore();
-            return true;
-        }
-    };
-    widget->installEventFilter(new Filter{widget});
+void ignore_keys(QWidget* widget) {
+    widget->installEventFilter(new EventIgnorer{widget, QEvent::KeyPress});
 }
 
 }  // namespace psicarve::ui

@@ -10,6 +10,7 @@
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/preflight.hpp"
 #include "hmi/session/start_intent.hpp"
+#include "hmi/ui/anew_dialog.hpp"
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/elided_label.hpp"
 #include "hmi/ui/job_facts_view.hpp"
@@ -133,7 +134,8 @@ void JobPanel::make_override() {
     override_->setRange(kLeastOverride_percent, kMostOverride_percent);
     override_->setPageStep(5);
     override_->setValue(kFullPercent);
-    override_->setFocusPolicy(Qt::TabFocus);
+    override_->setFocusPolicy(Qt::NoFocus);
+    ignore_keys(override_);
     override_->setObjectName("override");
     override_->setAccessibleName(tr("Feed override"));
     connect(override_, &QSlider::valueChanged, this,
@@ -161,7 +163,10 @@ void JobPanel::start_at_layer(std::uint32_t layers) {
 }
 
 bool JobPanel::may_start_from_layer(std::uint32_t layer, session::RunKind kind) {
-    if (layer == 1) return true;
+    if (layer == 1) {
+        const bool is_anew = kind == session::RunKind::carve && layer_to_begin_with(bench_);
+        return !is_anew || asked_to_begin_anew(bench_, window());
+    }
     const bool is_resumed = bench_.machine.sight().resumable_layer == layer - 1;
     const QString finished =
         is_resumed ? QStringLiteral("\n\n") + tr("Layer %1 was the last that was finished.").arg(layer - 1)
@@ -309,13 +314,14 @@ void JobPanel::refresh_layer() {
             next =
                 session::layer_to_go_on_with(*sight.status, sight.resumable_layer, job->view.layer_count());
     }
-    if (next == shown_layer_) return;
+    // Before the job is known the box has no room for it.
+    if (next == shown_layer_ || static_cast<int>(next) >= layer_->maximum()) return;
     shown_layer_ = next;
     layer_->setValue(static_cast<int>(shown_layer_) + 1);
 }
 
 void JobPanel::refresh_override() {
-    lock_with(*override_, full_->refresh(bench_));
+    lock_with(*override_, full_->refresh(bench_), tr("By mouse, or with Ctrl+−, Ctrl++ and Ctrl+0"));
     const auto& status = bench_.shown().status;
     if (!status || status->override_percent == 0) return;
     const int percent = static_cast<int>(status->override_percent);

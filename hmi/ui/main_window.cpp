@@ -37,6 +37,7 @@
 #include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/stop_keys.hpp"
 #include "hmi/ui/strip.hpp"
+#include "hmi/ui/unfinished_bar.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
@@ -133,6 +134,8 @@ QWidget* MainWindow::make_centre() {
     column->addWidget(banner_);
     refusal_ = new RefusalBar{bench_};
     column->addWidget(refusal_);
+    unfinished_ = new UnfinishedBar{bench_};
+    column->addWidget(unfinished_);
     auto* frame = new QFrame;
     frame->setProperty("dock", true);
     auto* inside = new QVBoxLayout{frame};
@@ -161,6 +164,7 @@ void MainWindow::show_theme() {
     job_->set_theme(tokens);
     banner_->set_theme(tokens);
     refusal_->set_theme(tokens);
+    unfinished_->set_theme(tokens);
     pages_->set_theme(tokens);
     replay_->set_theme(tokens);
 }
@@ -176,6 +180,7 @@ void MainWindow::refresh() {
     sides_->buttons().refresh();
     banner_->refresh();
     refusal_->refresh();
+    unfinished_->refresh();
     pages_->refresh();
     refresh_tools();
     refresh_status_bar();
@@ -244,6 +249,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
     const Room room = room_in(event->size());
     strip_->set_room(room);
     job_->set_room(room);
+    unfinished_->set_room(room);
     position_->set_room(room);
     show_menu_bar(room == Room::wide);
     if (sides_->arrange(room)) {

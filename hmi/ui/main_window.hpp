@@ -31,6 +31,7 @@ class PageTabs;
 class PlaceKeeper;
 class PositionPanel;
 class RefusalBar;
+class UnfinishedBar;
 class ReplayBar;
 class SidePanels;
 class Strip;
@@ -149,6 +150,7 @@ private:
     std::unique_ptr<SidePanels> sides_;
     AlarmBanner* banner_ = nullptr;
     RefusalBar* refusal_ = nullptr;
+    UnfinishedBar* unfinished_ = nullptr;
     PageTabs* pages_ = nullptr;
     ReplayBar* replay_ = nullptr;
     std::vector<QAction*> float_actions_;

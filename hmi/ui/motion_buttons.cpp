@@ -3,6 +3,9 @@
 
 #include <QCoreApplication>
 
+#include "hmi/session/going_on.hpp"
+#include "hmi/ui/words.hpp"
+
 namespace psicarve::ui {
 namespace {
 
@@ -12,6 +15,11 @@ struct Words {
 
 }  // namespace
 
+std::optional<std::uint32_t> layer_to_begin_with(const Bench& bench) {
+    return session::layer_to_begin_with(bench.machine.sight(), bench.desk.sight(),
+                                        bench.wanted_run == session::RunKind::dry);
+}
+
 MotionButtons make_motion_buttons(Bench& bench) {
     using session::Action;
     session::MachineSession& machine = bench.machine;
@@ -19,8 +27,9 @@ MotionButtons make_motion_buttons(Bench& bench) {
         return [&machine, kind, name] { machine.order(kind, session::Phrase{name}); };
     };
     const MotionButtons made{
-        new ActionButton{Action::start, Words::tr("Start"),
-                         [&bench] { bench.machine.start(0, 0, bench.wanted_run); }},
+        new ActionButton{
+            Action::start, Words::tr("Start"),
+            [&bench] { bench.machine.start(layer_to_begin_with(bench).value_or(0), 0, bench.wanted_run); }},
         new ActionButton{Action::hold, Words::tr("Hold"), asks(CommandKind::hold, "Hold")},
         new ActionButton{Action::resume, Words::tr("Resume"), asks(CommandKind::resume, "Resume")},
         new ActionButton{Action::stop, Words::tr("Stop"), [&machine] { machine.stop(); }}};
@@ -46,15 +55,19 @@ void show_what_starts(ActionButton& start, const Bench& bench) {
     const session::MachineSight& sight = bench.machine.sight();
     const bool waits = sight.is_heard() && sight.state() == MachineState::waiting;
     const bool is_dry = waits ? sight.status->is_dry != 0 : bench.wanted_run == session::RunKind::dry;
-    const QString text = is_dry ? Words::tr("Start dry run") : Words::tr("Start");
+    const auto layer = layer_to_begin_with(bench);
+    const QString text = words(session::start_text(sight, bench.desk.sight(), is_dry));
     if (start.text() != text) {
         const QKeySequence keys = start.shortcut();  // a new text would take it away
         start.setText(text);
         start.setShortcut(keys);
     }
-    start.set_hint(is_dry ? Words::tr("Table and Y go as they would, heads outside the blank, spindle off "
-                                      "(Ctrl+Enter)")
-                          : Words::tr("Heads to the first point, then carve (Ctrl+Enter)"));
+    start.set_hint(
+        is_dry  ? Words::tr("Table and Y go as they would, heads outside the blank, spindle off "
+                             "(Ctrl+Enter)")
+        : layer ? Words::tr("Heads out, to the first point of layer %1, then carve what is left (Ctrl+Enter)")
+                      .arg(*layer + 1)
+                : Words::tr("Heads to the first point, then carve (Ctrl+Enter)"));
 }
 
 }  // namespace psicarve::ui

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
 
 #include "hmi/ui/action_button.hpp"
 
@@ -21,7 +23,9 @@ MotionButtons make_motion_buttons(Bench& bench);
 QString why_locked(const MotionButtons& buttons);
 /// The same, and where Start works what should be looked at before; empty: nothing.
 QString said_beside(const MotionButtons& buttons, const QString& to_look_at);
-/// Start says what it would start: the job, or a dry run of it.
+/// From 0; nothing: with the first. What Start begins with.
+std::optional<std::uint32_t> layer_to_begin_with(const Bench& bench);
+/// Start says what it would start: the job, what is left of it, or a dry run.
 void show_what_starts(ActionButton& start, const Bench& bench);
 
 }  // namespace psicarve::ui

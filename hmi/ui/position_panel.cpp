@@ -115,6 +115,8 @@ QWidget* PositionPanel::make_row(Axis axis) {
     row.unit->setFixedWidth(kUnitWidth);
     row.homed = lamp();
     row.sensor = lamp();
+    row.homed->setObjectName(QString{"homed_%1"}.arg(QString::fromStdString(std::string{name_of(axis)})));
+    row.sensor->setObjectName(QString{"sensor_%1"}.arg(QString::fromStdString(std::string{name_of(axis)})));
     grid->addWidget(row.bar, 0, 0, 3, 1);
     grid->addWidget(row.name, 0, 1);
     grid->addWidget(row.second, 1, 1, 2, 1, Qt::AlignTop);
@@ -226,6 +228,12 @@ void PositionPanel::refresh_row(Axis axis) {
                                : QString{});
 }
 
+/// What a core said before it was lost holds no longer: its guard switches drives off, hands move axes.
+bool PositionPanel::is_unheard() const {
+    const session::MachineSight& sight = bench_.shown();
+    return !bench_.replay.is_open() && sight.status && !sight.is_heard();
+}
+
 void PositionPanel::refresh_homed(Axis axis, bool is_homed) {
     Row& row = rows_[index_of(axis)];
     const QString letter = session::axis_letter(axis);
@@ -242,8 +250,19 @@ void PositionPanel::refresh_lamps(Axis axis) {
         row.homed->setText(QStringLiteral("\u2013"));
         row.homed->setAccessibleName(tr("%1: whether it was homed is not recorded").arg(letter));
         set_styled(row.homed, "lamp", "off");
+    } else if (is_unheard()) {
+        row.homed->setText(tr("home ?"));
+        row.homed->setAccessibleName(tr("%1: whether it is homed is not known").arg(letter));
+        set_styled(row.homed, "lamp", "unsure");
     } else {
         refresh_homed(axis, sight.is_homed(axis));
+    }
+    if (is_unheard()) {
+        row.sensor->setText(axis == Axis::psi ? tr("? index") : tr("? limit"));
+        row.sensor->setAccessibleName(axis == Axis::psi ? tr("Ψ index: not known")
+                                                        : tr("%1 limit switch: not known").arg(letter));
+        set_styled(row.sensor, "lamp", "off");
+        return;
     }
     const bool is_active = sight.is_active(sensor_of(axis));
     if (axis == Axis::psi) {

@@ -48,6 +48,7 @@ private:
     bool is_zero_shown() const;
     void change_zero();
     void home_selected();
+    bool is_unheard() const;
     void refresh_homed(Axis axis, bool is_homed);
 
     Bench& bench_;

@@ -61,20 +61,22 @@ MotionBlock::MotionBlock(Bench& bench)
     buttons_.hold->setObjectName("motion_hold");
     buttons_.resume->setObjectName("motion_resume");
     buttons_.stop->setObjectName("motion_stop");
+    // It may say "Continue from layer 1320".
+    grid->addWidget(buttons_.start, 0, 0, 1, 3);
     int place = 0;
-    for (ActionButton* button : buttons_.all()) {
-        grid->addWidget(button, place / 2, place % 2);
+    for (ActionButton* button : {buttons_.hold, buttons_.resume, buttons_.stop}) {
+        grid->addWidget(button, 1, place);
+        grid->setColumnStretch(place, 1);
         ++place;
     }
     reason_->setObjectName("motion_reason");
     reason_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    grid->addWidget(reason_, place / 2, 0, 1, 2);
+    grid->addWidget(reason_, 2, 0, 1, place);
 }
 
 void MotionBlock::set_theme(const Tokens& tokens) {
     buttons_.start->set_glyph(Glyph::play, tokens);
     buttons_.hold->set_glyph(Glyph::pause, tokens);
-    buttons_.resume->set_glyph(Glyph::play, tokens);
     buttons_.stop->set_glyph(Glyph::stop, tokens);
 }
 

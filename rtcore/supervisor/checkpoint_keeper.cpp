@@ -17,8 +17,11 @@ void CheckpointKeeper::note(SegmentHeader& header, const cycle::Sample& sample,
         std::max<std::uint64_t>(carved_before_, sample.points_done / job->view.point_count());
     const auto next_layer =
         static_cast<std::uint32_t>(std::min<std::uint64_t>(layers_done, job->view.layer_count()));
-    if (written_job_ == job->generation && written_ && written_->next_layer == next_layer) return;
-    written_ = checkpoint_at(job->checksum, next_layer, job->view.layer_count());
+    const std::uint32_t earlier = earlier_layer_ > next_layer ? earlier_layer_ : 0;
+    if (written_job_ == job->generation && written_ && written_->next_layer == next_layer &&
+        written_->earlier_layer == earlier)
+        return;
+    written_ = checkpoint_at(job->checksum, next_layer, job->view.layer_count(), earlier);
     written_job_ = job->generation;
     write_record(header.checkpoint, *written_);
 }
@@ -27,13 +30,21 @@ void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t firs
                                  const LoadedJob& job) noexcept {
     begun_tick_ = run_start_tick_;
     carved_before_ = 0;
+    earlier_layer_ = 0;
     leaves_gap_ = false;
-    if (first_layer == 0) return;
     const auto before = read_record(header.checkpoint);
     const bool is_known = before && is_checkpoint(*before) && before->job_checksum == job.checksum &&
-                          before->layer_count == job.view.layer_count() && before->next_layer != 0;
-    if (!is_known) return;  // whoever begins there knows of the layers before
-    carved_before_ = before->next_layer;
+                          before->layer_count == job.view.layer_count();
+    if (!is_known) return;  // whoever begins later than with the first knows of the layers before
+    const bool is_whole = before->next_layer == before->layer_count;
+    if (first_layer == 0) {
+        if (!is_whole) earlier_layer_ = std::max(before->next_layer, before->earlier_layer);
+        return;
+    }
+    if (before->next_layer == 0 && before->earlier_layer == 0) return;
+    const bool goes_back = first_layer > before->next_layer && first_layer <= before->earlier_layer;
+    carved_before_ = goes_back ? before->earlier_layer : before->next_layer;
+    earlier_layer_ = goes_back ? 0 : before->earlier_layer;
     leaves_gap_ = first_layer > carved_before_;
 }
 

@@ -12,9 +12,11 @@
 namespace psicarve::supervisor {
 
 /// Writes into the segment how far a carving has come, a layer at a time, while it carves and as it ends in
-/// whatever way. A run of the whole job begins anew: what was carved before it is another piece's. One that
-/// begins with a later layer goes on from where the checkpoint stands, if it leaves no layer out; one that
-/// does leaves the checkpoint at the first layer that is not carved. The supervisor's thread.
+/// whatever way. A run of the whole job begins anew: what was carved before it may be another piece's. How
+/// far that was stands beside it until it is passed, so that a start by mistake leaves a way back. One that
+/// begins with a later layer goes on from where the checkpoint stands, or the run before it, if it leaves no
+/// layer out; one that does leaves the checkpoint at the first layer that is not carved. The supervisor's
+/// thread.
 class CheckpointKeeper {
 public:
     void note(SegmentHeader& header, const cycle::Sample& sample, const LoadedJob* job) noexcept;
@@ -31,6 +33,7 @@ private:
     std::uint64_t run_start_tick_ = 0;
     std::uint64_t begun_tick_ = 0;     ///< of the run that these are of
     std::uint32_t carved_before_ = 0;  ///< layers, without a gap
+    std::uint32_t earlier_layer_ = 0;  ///< behind those of the run before, which began anew since
     bool leaves_gap_ = false;
     std::uint64_t written_job_ = 0;  ///< generation
     std::optional<Checkpoint> written_;

@@ -25,6 +25,23 @@ TEST_F(ResumeCommand, ResumesBehindTheLastFinishedLayer) {
     ASSERT_EQ(run({"snapshot", "save", file("a.snap")}).exit_code, 0);
     const Outcome info = run({"snapshot", "info", file("a.snap"), "--json"});
     EXPECT_EQ(info.json()["checkpoint"], checkpoint) << info.out;
+    EXPECT_FALSE(checkpoint.contains("earlier_layer"));
+    ASSERT_EQ(run({"start", "--layers", "1", "--carve"}).exit_code, 0);
+    ASSERT_TRUE(eventually([&] {
+        return run({"status", "--json"}).json()["checkpoint"]["next_layer"] == 1;
+    }));
+    ASSERT_TRUE(reaches(MachineState::ready));
+    EXPECT_EQ(run({"status", "--json"}).json()["checkpoint"]["earlier_layer"], 2);
+    const Outcome text = run({"status"});
+    EXPECT_NE(text.out.find("1 of 5 layers; the run before it came to 2 (start --from-layer 2)"),
+              std::string::npos)
+        << text.out;
+    ASSERT_EQ(run({"start", "--from-layer", "1", "--layers", "1", "--carve"}).exit_code, 0);
+    ASSERT_TRUE(eventually([&] {
+        return run({"status", "--json"}).json()["checkpoint"]["next_layer"] == 2;
+    }));
+    ASSERT_TRUE(reaches(MachineState::ready));
+    EXPECT_FALSE(run({"status", "--json"}).json()["checkpoint"].contains("earlier_layer"));
     ASSERT_EQ(run({"start", "--resume", "--layers", "1"}).exit_code, 0);
     EXPECT_EQ(run({"status", "--json"}).json()["layer"], 2);
 }

@@ -30,6 +30,26 @@ protected:
     void wait_for_job() {
         ASSERT_TRUE(eventually([&] { return status().job_generation != 0; })) << text_of(file("core.err"));
     }
+    /// To their end.
+    void carve(std::uint32_t first, std::uint64_t layers) {
+        Command command{};
+        command.kind = CommandKind::start;
+        command.value = first;
+        command.value2 = layers;
+        const auto before = status().job_start_tick;
+        ASSERT_EQ(refusal_of(command), "");
+        ASSERT_TRUE(reaches(MachineState::waiting));
+        ASSERT_EQ(refusal_of(CommandKind::start_interpolation), "");
+        ASSERT_TRUE(eventually([&] {
+            const CoreStatus now = status();
+            return now.job_start_tick != before && now.job_end_tick != 0 && now.state == MachineState::ready;
+        }));
+    }
+    bool comes_to(std::uint32_t next_layer, std::uint32_t earlier_layer) {
+        return eventually([&] {
+            return checkpoint().next_layer == next_layer && checkpoint().earlier_layer == earlier_layer;
+        });
+    }
     /// As many layers as `command` says, on a core of its own with its pins in `trace`.
     void carve_on_new_core(const Command& command, const std::string& trace) {
         start_core({"--trace", trace});
@@ -121,20 +141,6 @@ TEST_F(CoreCheckpoint, StaysAtTheFirstLayerThatIsNotCarved) {
     start_core();
     ASSERT_EQ(publish(long_job()), "");
     home();
-    const auto carve = [&](std::uint32_t first, std::uint64_t layers) {
-        Command command{};
-        command.kind = CommandKind::start;
-        command.value = first;
-        command.value2 = layers;
-        const auto before = status().job_start_tick;
-        ASSERT_EQ(refusal_of(command), "");
-        ASSERT_TRUE(reaches(MachineState::waiting));
-        ASSERT_EQ(refusal_of(CommandKind::start_interpolation), "");
-        ASSERT_TRUE(eventually([&] {
-            const CoreStatus now = status();
-            return now.job_start_tick != before && now.job_end_tick != 0 && now.state == MachineState::ready;
-        }));
-    };
     carve(0, 4);
     EXPECT_TRUE(eventually([&] { return checkpoint().next_layer == 4; })) << checkpoint().next_layer;
     carve(30, 1);
@@ -145,6 +151,57 @@ TEST_F(CoreCheckpoint, StaysAtTheFirstLayerThatIsNotCarved) {
     EXPECT_TRUE(eventually([&] { return checkpoint().next_layer == 6; })) << checkpoint().next_layer;
     carve(0, 1);
     EXPECT_TRUE(eventually([&] { return checkpoint().next_layer == 1; })) << "another piece";
+}
+
+TEST_F(CoreCheckpoint, AStartByMistakeLeavesTheWayBack) {
+    start_core();
+    ASSERT_EQ(publish(long_job()), "");
+    home();
+    carve(0, 6);
+    ASSERT_TRUE(comes_to(6, 0)) << checkpoint().next_layer;
+    carve(0, 2);
+    EXPECT_TRUE(comes_to(2, 6)) << checkpoint().next_layer << ", " << checkpoint().earlier_layer;
+    carve(0, 1);
+    EXPECT_TRUE(comes_to(1, 6)) << "once more";
+    // What may be a new blank is not taken for the old piece unasked.
+    ASSERT_EQ(refusal_of(resuming()), "");
+    ASSERT_TRUE(reaches(MachineState::waiting));
+    EXPECT_EQ(status().layer, 1U);
+    request_stop(*segment_);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    carve(30, 1);
+    EXPECT_TRUE(comes_to(1, 6)) << "layers are left out of either";
+    carve(6, 1);
+    EXPECT_TRUE(comes_to(7, 0)) << "the piece of before goes on";
+    carve(0, 2);
+    ASSERT_TRUE(comes_to(2, 7));
+    carve(2, 8);
+    EXPECT_TRUE(comes_to(10, 0)) << "passed";
+}
+
+TEST_F(CoreCheckpoint, AStartByMistakeWithoutALayerSaysWhereTheRunBeforeCameTo) {
+    start_core();
+    carve_some_layers();
+    request_stop(*segment_);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    const std::uint32_t before = checkpoint().next_layer;
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return checkpoint().earlier_layer == before; }));
+    request_emergency_stop(*segment_);
+    ASSERT_TRUE(reaches(MachineState::alarm));
+    if (checkpoint().next_layer == 0) {
+        const std::string refusal = refusal_of(resuming());
+        EXPECT_NE(refusal.find("no layer was finished"), std::string::npos) << refusal;
+        EXPECT_NE(refusal.find("--from-layer " + std::to_string(before)), std::string::npos) << refusal;
+    }
+    // A whole piece is no way back.
+    ASSERT_EQ(refusal_of(CommandKind::reset_alarm), "");
+    ASSERT_EQ(publish(lobed_job(3, 33)), "");
+    home();
+    carve(0, 3);
+    ASSERT_TRUE(comes_to(3, 0));
+    carve(0, 1);
+    EXPECT_TRUE(comes_to(1, 0)) << checkpoint().earlier_layer;
 }
 
 TEST_F(CoreCheckpoint, IsNoneBeforeAnythingWasCarved) {

@@ -57,7 +57,7 @@ TEST(LostCore, SaysWhereTheHeadsMayStandAndWhatToDo) {
         EXPECT_THAT(in_english(text->detail), HasSubstr("The heads may stand in the piece."));
         EXPECT_EQ(steps_of(*text),
                   (std::vector<std::string>{"Use the wired emergency stop, or the machine's own switch",
-                                            "Start psicarve-rtcore", "Home all", "From layer 14"}));
+                                            "Start psicarve-rtcore", "Home all", "Continue from layer 14"}));
         EXPECT_EQ(state_text(machine, 20).tone, Tone::alarm);
         EXPECT_EQ(in_english(state_text(machine, 20).word), "NO CORE");
     }
@@ -70,7 +70,7 @@ TEST(LostCore, SaysWhatItsGuardHasSwitchedOff) {
     EXPECT_EQ(in_english(text->title), "The core has ended in layer 14, point 7");
     EXPECT_THAT(in_english(text->detail), HasSubstr("Its guard has switched drives and spindle off."));
     EXPECT_EQ(steps_of(*text).front(), "If anything still moves, use the wired emergency stop");
-    EXPECT_EQ(steps_of(*text).back(), "From layer 14");
+    EXPECT_EQ(steps_of(*text).back(), "Continue from layer 14");
     machine.status->is_port_silent = 1;
     text = loud_text(machine);
     EXPECT_THAT(in_english(text->detail), HasSubstr("could not switch"));
@@ -90,7 +90,7 @@ TEST(LostCore, NamesTheProcessThatIsSilent) {
     EXPECT_EQ(steps_of(*text),
               (std::vector<std::string>{"Use the wired emergency stop, or the machine's own switch",
                                         "End psicarve-rtcore, process 42", "Start psicarve-rtcore",
-                                        "Home all", "From layer 14"}));
+                                        "Home all", "Continue from layer 14"}));
 }
 
 TEST(LostCore, OffersOnlyLayersThatTheCheckpointKnows) {
@@ -145,7 +145,7 @@ TEST(LostCore, AnEmergencyStopThatNobodyHeardComesFirst) {
     EXPECT_THAT(in_english(text->detail), HasSubstr("The core has ended in layer 14, point 7."));
     EXPECT_EQ(steps_of(*text),
               (std::vector<std::string>{"Use the wired emergency stop, or the machine's own switch",
-                                        "Start psicarve-rtcore", "Home all", "From layer 14"}));
+                                        "Start psicarve-rtcore", "Home all", "Continue from layer 14"}));
 }
 
 }  // namespace

@@ -96,6 +96,11 @@ protected:
         }
         names.setCurrentIndex(0);
     }
+    void start_core_anew() {
+        core_->send_signal(SIGKILL);
+        core_->wait_for_exit();
+        start_core();
+    }
     void open_example(const char* name, session::DeskState state = session::DeskState::model) {
         window_->open(QString::fromStdString(example("")) + name);
         ASSERT_TRUE(comes_to(state));
@@ -128,6 +133,26 @@ TEST_P(Fit, WithAFileThatWasRefused) {
     expect_fit("refused");
     EXPECT_FALSE(part<QLabel>("refusal_why").text().contains("a_folder")) << "the tool tip has it";
     EXPECT_TRUE(part<QLabel>("refusal_why").toolTip().contains("a_folder"));
+}
+
+TEST_P(Fit, WithAPieceThatIsUnfinished) {
+    open_small();
+    ASSERT_NO_FATAL_FAILURE(publish_job(two_process::long_job()));
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    const auto carve = [&](std::uint32_t layers) {
+        window_->bench().machine.start(0, layers);
+        ASSERT_TRUE(
+            comes_true([&] { return sight().state() == S::ready && sight().resumable_layer == layers; }));
+    };
+    carve(4);
+    carve(2);
+    ASSERT_TRUE(comes_true([&] { return part<QLabel>("unfinished_title").isVisible(); }));
+    expect_fit("unfinished_piece");
+    expect_panels_fit("unfinished_piece");
+    start_core_anew();
+    ASSERT_TRUE(comes_true([&] { return sight().is_heard() && sight().state() == S::off; }));
+    expect_fit("unfinished_piece_of_a_core_before");
 }
 
 TEST_P(Fit, WithAJobBeforeAndWhileItIsCarved) {

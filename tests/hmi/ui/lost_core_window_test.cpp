@@ -83,7 +83,7 @@ TEST_F(LoudWindow, SaysInRedThatTheCoreWasLostAtWorkAndWhereToGoOn) {
         << text_of("alarm_detail").toStdString();
     EXPECT_TRUE(steps().contains("wired emergency stop"));
     ASSERT_TRUE(sight().resumable_layer);
-    EXPECT_TRUE(steps().contains(QString{"From layer %1"}.arg(*sight().resumable_layer + 1)))
+    EXPECT_TRUE(steps().contains(QString{"Continue from layer %1"}.arg(*sight().resumable_layer + 1)))
         << steps().toStdString();
     EXPECT_EQ(severity_of("The core has ended in layer"), session::Severity::alarm);
     EXPECT_TRUE(text_of("time_left").startsWith("carving, ")) << text_of("time_left").toStdString();

@@ -248,7 +248,7 @@ TEST_F(WindowOnCore, ShowsAFreshBlankWhenItStartsAnew) {
     const auto before = colours();
     const auto carved = std::count(before.begin(), before.end(), before.front());
     EXPECT_GT(carved, 0);
-    ASSERT_TRUE(click("start"));
+    ASSERT_TRUE(click_and_answer("start_anew", "anew_go"));
     ASSERT_TRUE(click("hold"));
     ASSERT_TRUE(comes_to(S::held));
     ASSERT_TRUE(comes_true([&] {

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/going_on.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "hmi/session/display_text.hpp"
+#include "hmi/session/radius_map.hpp"
+#include "shared/machine_state.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::session {
+namespace {
+
+/// What is open here is the job that the core has, or had.
+bool is_cores_job(const MachineSight& machine, const JobSight& job) noexcept {
+    switch (job.state) {
+        case DeskState::empty:
+        case DeskState::published:
+            return true;
+        case DeskState::job:
+            return !machine.is_heard();  // nobody is there to accept it
+        default:
+            return false;
+    }
+}
+
+bool is_under_way(const MachineSight& machine) noexcept {
+    return machine.is_heard() && machine.status && runs_job(machine.state());
+}
+
+/// "Last good: layer 131, to its point 201."
+Phrase last_good(const UnfinishedPiece& piece, const cam::PreparedJob* job) {
+    const std::string layer = std::to_string(piece.carved_layers);
+    if (job == nullptr) return phrase("Last good layer: %1.", layer);
+    return phrase("Last good: layer %1, to its point %2.", layer, std::to_string(job->view.point_count()));
+}
+
+/// Of the run that this core carved, or the one that is gone.
+std::optional<Phrase> ended_at(const MachineSight& machine) {
+    if (!machine.status || machine.status->is_dry != 0) return std::nullopt;
+    const CoreStatus& status = *machine.status;
+    if (status.points_done == 0 || status.points_done >= status.points_total) return std::nullopt;
+    return phrase("It ended in layer %1, point %2.", std::to_string(status.layer + 1),
+                  std::to_string(status.point + 1));
+}
+
+std::optional<Phrase> to_do_first(const MachineSight& machine) {
+    if (!machine.is_heard()) return phrase("First start psicarve-rtcore, then Home all.");
+    std::string missing;
+    for (const Axis axis : kAllAxes) {
+        if (!machine.is_homed(axis)) missing += (missing.empty() ? "" : " ") + std::string{axis_letter(axis)};
+    }
+    if (!missing.empty()) return phrase("First Home all: %1 are not homed.", missing);
+    if (machine.state() == MachineState::off) return phrase("First Home all: the drives are off.");
+    return std::nullopt;
+}
+
+/// As docs/motion.md has it.
+Phrase approach(const cam::PreparedJob& job, std::uint32_t layer) {
+    constexpr int kWayDecimals = 2;
+    const LayerCurves curves = layer_curves(job, layer);
+    const double y_mm = mm_from_pulses(job.view.y_pulses(layer, 0), job.profile.y.pulses_per_mm);
+    return phrase("Then: heads out, Ψ to %1°, Y to %2 mm, spindle on, heads in to R1 %3, R2 %4 mm.",
+                  number_text(curves.psi_deg.front(), kWayDecimals), number_text(y_mm, kWayDecimals),
+                  number_text(curves.r1_mm.front(), kWayDecimals),
+                  number_text(curves.r2_mm.front(), kWayDecimals));
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> layer_to_begin_with(const MachineSight& machine, const JobSight& job,
+                                                 bool is_dry) {
+    if (machine.is_heard() && machine.state() == MachineState::waiting) {
+        const std::uint32_t layer = machine.status->layer;
+        return layer != 0 && machine.status->is_dry == 0 ? std::optional{layer} : std::nullopt;
+    }
+    if (is_dry || is_under_way(machine) || !is_cores_job(machine, job)) return std::nullopt;
+    return machine.resumable_layer;
+}
+
+Phrase start_text(const MachineSight& machine, const JobSight& job, bool is_dry) {
+    const bool waits = machine.is_heard() && machine.state() == MachineState::waiting;
+    if (waits ? machine.status->is_dry != 0 : is_dry) return phrase("Start dry run");
+    const auto layer = layer_to_begin_with(machine, job, is_dry);
+    return layer ? phrase("Continue from layer %1", std::to_string(*layer + 1)) : phrase("Start");
+}
+
+std::optional<UnfinishedPiece> unfinished_piece(const MachineSight& machine, const JobSight& job) {
+    if (is_under_way(machine) || !is_cores_job(machine, job)) return std::nullopt;
+    const UnfinishedPiece piece{machine.resumable_layer.value_or(0), machine.earlier_layer.value_or(0),
+                                machine.checkpoint_layer_count};
+    return piece.carved_layers == 0 && piece.earlier_layers == 0 ? std::nullopt : std::optional{piece};
+}
+
+Phrase unfinished_title(const UnfinishedPiece& piece) {
+    const std::string count = std::to_string(piece.layer_count);
+    if (piece.carved_layers == 0) return phrase("Begun anew: none of %1 layers is finished", count);
+    return phrase("Unfinished: %1 of %2 layers are carved", std::to_string(piece.carved_layers), count);
+}
+
+std::vector<Phrase> unfinished_details(const UnfinishedPiece& piece, const MachineSight& machine,
+                                       const cam::PreparedJob* job) {
+    std::vector<Phrase> details;
+    if (piece.carved_layers != 0) details.push_back(last_good(piece, job));
+    if (auto end = ended_at(machine)) details.push_back(*std::move(end));
+    if (auto first = to_do_first(machine)) details.push_back(*std::move(first));
+    if (piece.carved_layers != 0 && job != nullptr && piece.carved_layers < job->view.layer_count())
+        details.push_back(approach(*job, piece.carved_layers));
+    if (piece.earlier_layers != 0) {
+        details.push_back(
+            phrase("The run before came to layer %1: if its piece is still mounted, From layer %2 "
+                   "goes on with it.",
+                   std::to_string(piece.earlier_layers), std::to_string(piece.earlier_layers + 1)));
+    }
+    return details;
+}
+
+CarvedPicture carved_picture(const cam::PreparedJob& job, std::uint32_t carved_layers,
+                             std::uint32_t rest_rgb) {
+    constexpr std::size_t kMostColumns = 144;
+    constexpr std::size_t kMostRows = 112;
+    constexpr std::uint32_t kOpaque = 0xFF000000;
+    const RadiusMap map = radius_map(job, kMostColumns, kMostRows);
+    CarvedPicture picture{map.columns, map.rows, radius_picture(map, true)};
+    const double half = 0.5 / (job.view.layer_count() - job.view.finishing_layer());
+    const double top = carved_layers == 0 ? 0.0 : place_in_map(job.view, carved_layers - 1) + half;
+    for (std::size_t row = 0; row < map.rows; ++row) {
+        const double place = 1.0 - (static_cast<double>(row) + 0.5) / static_cast<double>(map.rows);
+        const bool is_lowest = row + 1 == map.rows && carved_layers != 0;
+        if (place <= top || is_lowest) continue;
+        const auto begin = picture.rgb.begin() + static_cast<std::ptrdiff_t>(row * map.columns);
+        std::fill_n(begin, map.columns, kOpaque | rest_rgb);
+    }
+    return picture;
+}
+
+Phrase anew_question(const UnfinishedPiece& piece) {
+    const std::string carved = std::to_string(piece.carved_layers);
+    const std::string count = std::to_string(piece.layer_count);
+    if (piece.carved_layers == 1) return phrase("Layer 1 of %1 is carved and would be carved again.", count);
+    return phrase("Layers 1 to %1 of %2 are carved and would be carved again.", carved, count);
+}
+
+}  // namespace psicarve::session

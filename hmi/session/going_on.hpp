@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "hmi/cam/prepared_job.hpp"
+#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/phrase.hpp"
+
+namespace psicarve::session {
+
+/// The layer, counted from 0, with which the button that starts the job begins: behind the last that was
+/// finished of the published job, or where the heads wait; nothing: with the first. A dry run begins there.
+std::optional<std::uint32_t> layer_to_begin_with(const MachineSight& machine, const JobSight& job,
+                                                 bool is_dry);
+/// What that button says: "Start", "Continue from layer 132", "Start dry run".
+Phrase start_text(const MachineSight& machine, const JobSight& job, bool is_dry);
+
+/// A piece of the published job that was begun and is not finished.
+struct UnfinishedPiece {
+    std::uint32_t carved_layers = 0;   ///< of the run carved last; 0: it has finished none
+    std::uint32_t earlier_layers = 0;  ///< of the run before, where that came further; else 0
+    std::uint32_t layer_count = 0;
+
+    friend bool operator==(const UnfinishedPiece&, const UnfinishedPiece&) = default;
+};
+/// Nothing: there is none, it is being carved, or another job is open.
+std::optional<UnfinishedPiece> unfinished_piece(const MachineSight& machine, const JobSight& job);
+
+/// "Unfinished: 131 of 200 layers are carved".
+Phrase unfinished_title(const UnfinishedPiece& piece);
+/// Sentences for the operator: the last good layer and point, where the run ended, what has to be done first,
+/// on which way the heads come to the layer, and where the run before came to. `job`: the published one;
+/// null: not known.
+std::vector<Phrase> unfinished_details(const UnfinishedPiece& piece, const MachineSight& machine,
+                                       const cam::PreparedJob* job);
+
+/// The job's surface unrolled, highest layer first, 0xFFRRGGBB: coloured by radius as far as it is carved,
+/// and `rest_rgb` above.
+struct CarvedPicture {
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    std::vector<std::uint32_t> rgb;
+};
+CarvedPicture carved_picture(const cam::PreparedJob& job, std::uint32_t carved_layers,
+                             std::uint32_t rest_rgb);
+
+/// What is asked before a job is begun anew of which something is carved.
+Phrase anew_question(const UnfinishedPiece& piece);
+
+}  // namespace psicarve::session

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/unfinished_bar.hpp"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "hmi/session/lost_core.hpp"
+#include "hmi/ui/action_button.hpp"
+#include "hmi/ui/anew_dialog.hpp"
+#include "hmi/ui/frames.hpp"
+#include "hmi/ui/icon.hpp"
+#include "hmi/ui/words.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+constexpr int kUnfinishedIconSide = 24;
+constexpr int kUnfinishedIconWidth = 40;
+
+void show_words(QLabel& label, const QString& text) {
+    if (label.text() != text) label.setText(text);
+}
+
+}  // namespace
+
+UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
+    : QFrame(parent),
+      bench_(bench),
+      icon_(new QLabel),
+      title_(role_label("title")),
+      details_(new QLabel),
+      anew_(new ActionButton{session::Action::from_layer, tr("Start anew…"), [this] { begin_anew(); }}),
+      dismiss_(new QPushButton{tr("Dismiss")}) {
+    setObjectName("unfinished");
+    title_->setObjectName("unfinished_title");
+    details_->setObjectName("unfinished_details");
+    icon_->setFixedWidth(kUnfinishedIconWidth);
+    icon_->setAlignment(Qt::AlignCenter);
+    auto* text = new QVBoxLayout;
+    text->setContentsMargins(0, kGap, kGap, kGap);
+    text->setSpacing(3);
+    for (QLabel* label : {title_, details_}) {
+        label->setWordWrap(true);
+        text->addWidget(label);
+    }
+    anew_->setObjectName("start_anew");
+    anew_->set_hint(tr("Begins with layer 1 again; it asks first"));
+    dismiss_->setObjectName("unfinished_dismiss");
+    dismiss_->setFocusPolicy(Qt::TabFocus);
+    dismiss_->setToolTip(tr("Takes this away until more is carved; it moves and forgets nothing"));
+    connect(dismiss_, &QPushButton::clicked, this, [this] {
+        dismissed_ = piece();
+        refresh();
+    });
+    auto* buttons = new QVBoxLayout;
+    buttons->setContentsMargins(0, kSmallGap, 0, kSmallGap);
+    buttons->setSpacing(kSmallGap);
+    buttons->addWidget(anew_);
+    buttons->addWidget(dismiss_);
+    buttons->addStretch();
+    auto* all = new QHBoxLayout{this};
+    all->setContentsMargins(0, 0, kGap, 0);
+    all->setSpacing(0);
+    all->addWidget(icon_);
+    all->addLayout(text, 1);
+    all->addLayout(buttons);
+    setVisible(false);
+}
+
+void UnfinishedBar::set_theme(const Tokens& tokens) {
+    icon_->setPixmap(glyph_pixmap(Glyph::info, kUnfinishedIconSide, tokens.warn));
+    refresh();
+}
+
+void UnfinishedBar::set_room(Room room) {
+    is_small_ = room == Room::small;
+    details_->setVisible(!is_small_);
+}
+
+/// What is louder says where to go on itself.
+std::optional<session::UnfinishedPiece> UnfinishedBar::piece() const {
+    const session::MachineSight& sight = bench_.machine.sight();
+    if (bench_.replay.is_open() || session::loud_text(sight)) return std::nullopt;
+    return session::unfinished_piece(sight, bench_.desk.sight());
+}
+
+void UnfinishedBar::begin_anew() {
+    if (asked_to_begin_anew(bench_, window())) bench_.machine.start(0);
+}
+
+void UnfinishedBar::refresh() {
+    const auto shown = piece();
+    if (shown && dismissed_ != shown) dismissed_.reset();
+    const bool is_there = shown && !dismissed_;
+    if (isHidden() == is_there) setVisible(is_there);
+    if (!is_there) return;
+    QStringList details;
+    const auto job = bench_.desk.core_job() ? bench_.desk.core_job() : bench_.desk.job();
+    for (const session::Phrase& detail :
+         session::unfinished_details(*shown, bench_.machine.sight(), job.get()))
+        details << words(detail);
+    show_words(*title_, words(session::unfinished_title(*shown)));
+    show_words(*details_, details.join(' '));
+    if (title_->toolTip() != details_->text()) title_->setToolTip(details_->text());
+    setAccessibleName(title_->text());
+    setAccessibleDescription(details_->text());
+    anew_->refresh(bench_);
+}
+
+}  // namespace psicarve::ui

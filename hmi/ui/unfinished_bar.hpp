@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QFrame>
+
+#include <optional>
+
+#include "hmi/session/going_on.hpp"
+#include "hmi/ui/bench.hpp"
+#include "hmi/ui/side_panels.hpp"
+#include "hmi/ui/tokens.hpp"
+
+class QLabel;
+class QPushButton;
+
+namespace psicarve::ui {
+
+class ActionButton;
+
+/// Which piece is unfinished, where it goes on, on which way the heads come there and what has to be done
+/// first. Above all pages whenever there is one and nothing louder, until it goes on or somebody has
+/// dismissed it. Begins it anew, once asked.
+class UnfinishedBar : public QFrame {
+    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::UnfinishedBar)
+public:
+    explicit UnfinishedBar(Bench& bench, QWidget* parent = nullptr);
+
+    void set_theme(const Tokens& tokens);
+    /// In a small window the details are in the tool tip.
+    void set_room(Room room);
+    void refresh();
+
+private:
+    std::optional<session::UnfinishedPiece> piece() const;
+    void begin_anew();
+
+    Bench& bench_;
+    QLabel* icon_;
+    QLabel* title_;
+    QLabel* details_;
+    ActionButton* anew_;
+    QPushButton* dismiss_;
+    std::optional<session::UnfinishedPiece> dismissed_;
+    bool is_small_ = false;
+};
+
+}  // namespace psicarve::ui

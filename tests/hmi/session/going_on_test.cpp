@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/going_on.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/hmi/session/sights.hpp"
+
+namespace psicarve::session {
+namespace {
+
+using test::machine_in;
+using S = MachineState;
+
+/// After 131 of 200 layers.
+MachineSight stopped_in(S state) {
+    MachineSight machine = machine_in(state);
+    machine.resumable_layer = 131;
+    machine.checkpoint_layer_count = 200;
+    return machine;
+}
+
+JobSight desk_in(DeskState state) {
+    return JobSight{state, false, 200};
+}
+
+std::string start_says(const MachineSight& machine, DeskState desk = DeskState::published,
+                       bool is_dry = false) {
+    return in_english(start_text(machine, desk_in(desk), is_dry));
+}
+
+std::vector<std::string> details(const UnfinishedPiece& piece, const MachineSight& machine,
+                                 const cam::PreparedJob* job = nullptr) {
+    std::vector<std::string> said;
+    for (const Phrase& each : unfinished_details(piece, machine, job)) said.push_back(in_english(each));
+    return said;
+}
+
+/// Of five points, 1 mm apart; R1's tip at 10 mm, R2's at 20 mm.
+cam::PreparedJob some_layers(std::uint32_t count = 4, std::int64_t apart_pulses = 400) {
+    const Profile profile;
+    JobTable table;
+    table.layer_count = count;
+    table.point_count = 5;
+    table.psi_sweep_pulses = profile.psi.pulses_per_rev / 2;
+    table.joining = Joining::continuous;
+    table.feed_mm_s = 20.0;
+    table.profile_toml = profile_to_toml(profile);
+    table.report_json = "{}";
+    for (std::int64_t layer = 0; layer < count; ++layer) {
+        table.layer_height_pulses.push_back(apart_pulses * (layer + 1));
+        table.r_left_pulses.insert(table.r_left_pulses.end(), 5, 4000);
+        table.r_right_pulses.insert(table.r_right_pulses.end(), 5, 8000);
+    }
+    auto job = cam::prepare_blob(job_blob_from_table(table), profile, "four layers");
+    EXPECT_TRUE(job);
+    return std::move(*job);
+}
+
+TEST(GoingOnWords, TheButtonSaysWithWhichLayerItBegins) {
+    for (const S state : {S::off, S::ready, S::alarm, S::homing, S::moving})
+        EXPECT_EQ(start_says(stopped_in(state)), "Continue from layer 132") << name_of(state);
+    EXPECT_EQ(start_says(stopped_in(S::ready), DeskState::empty), "Continue from layer 132");
+    EXPECT_EQ(start_says(machine_in(S::ready)), "Start");
+    EXPECT_EQ(start_says(stopped_in(S::ready), DeskState::published, true), "Start dry run");
+    for (const S state : {S::positioning, S::carving, S::holding, S::held, S::finishing, S::stopping})
+        EXPECT_EQ(start_says(stopped_in(state)), "Start") << name_of(state);
+    for (const DeskState other : {DeskState::opening, DeskState::model, DeskState::slicing, DeskState::job})
+        EXPECT_EQ(start_says(stopped_in(S::ready), other), "Start") << "another job is open";
+}
+
+TEST(GoingOnWords, TheButtonSaysItOfACoreThatIsGone) {
+    MachineSight machine = stopped_in(S::carving);
+    machine.life = CoreLife::none;
+    EXPECT_EQ(start_says(machine), "Continue from layer 132");
+    EXPECT_EQ(start_says(machine, DeskState::job), "Continue from layer 132") << "as the segment has it";
+    EXPECT_EQ(start_says(machine, DeskState::model), "Start");
+}
+
+TEST(GoingOnWords, TheButtonSaysForWhichLayerTheHeadsWait) {
+    MachineSight machine = stopped_in(S::waiting);
+    EXPECT_EQ(start_says(machine), "Start") << "at the first";
+    machine.status->layer = 40;
+    EXPECT_EQ(start_says(machine), "Continue from layer 41");
+    EXPECT_EQ(layer_to_begin_with(machine, desk_in(DeskState::published), false), 40U);
+    machine.status->is_dry = 1;
+    EXPECT_EQ(start_says(machine), "Start dry run");
+}
+
+TEST(GoingOnWords, APieceIsUnfinishedUntilItGoesOnOrAnotherJobIsOpen) {
+    const JobSight desk = desk_in(DeskState::published);
+    EXPECT_EQ(unfinished_piece(stopped_in(S::ready), desk), (UnfinishedPiece{131, 0, 200}));
+    EXPECT_FALSE(unfinished_piece(stopped_in(S::carving), desk));
+    EXPECT_FALSE(unfinished_piece(machine_in(S::ready), desk));
+    EXPECT_FALSE(unfinished_piece(stopped_in(S::ready), desk_in(DeskState::model)));
+    MachineSight slipped = machine_in(S::ready);
+    slipped.earlier_layer = 94;
+    slipped.checkpoint_layer_count = 200;
+    EXPECT_EQ(unfinished_piece(slipped, desk), (UnfinishedPiece{0, 94, 200}));
+    EXPECT_EQ(in_english(unfinished_title({131, 0, 200})), "Unfinished: 131 of 200 layers are carved");
+    EXPECT_EQ(in_english(unfinished_title({0, 94, 200})), "Begun anew: none of 200 layers is finished");
+    EXPECT_EQ(in_english(anew_question({131, 0, 200})),
+              "Layers 1 to 131 of 200 are carved and would be carved again.");
+    EXPECT_EQ(in_english(anew_question({1, 0, 200})), "Layer 1 of 200 is carved and would be carved again.");
+}
+
+TEST(GoingOnWords, ItsDetailsSayTheLastGoodPointTheWayAndWhatComesFirst) {
+    const cam::PreparedJob job = some_layers();
+    MachineSight machine = machine_in(S::ready);
+    machine.status->points_done = 12;
+    machine.status->points_total = 20;
+    machine.status->layer = 2;
+    machine.status->point = 1;
+    EXPECT_EQ(
+        details({2, 0, 4}, machine, &job),
+        (std::vector<std::string>{
+            "Last good: layer 2, to its point 5.", "It ended in layer 3, point 2.",
+            "Then: heads out, Ψ to 0.00°, Y to 3.00 mm, spindle on, heads in to R1 10.00, R2 20.00 mm."}));
+    machine.status->points_done = 0;
+    machine.status->homed_mask = 0x1;
+    EXPECT_EQ(details({2, 0, 4}, machine),
+              (std::vector<std::string>{"Last good layer: 2.", "First Home all: R2 Ψ Y are not homed."}));
+    machine.status->homed_mask = test::kAllHomed;
+    machine.status->state = S::off;
+    EXPECT_EQ(details({2, 0, 4}, machine).back(), "First Home all: the drives are off.");
+    machine.life = CoreLife::none;
+    EXPECT_EQ(details({2, 3, 4}, machine),
+              (std::vector<std::string>{"Last good layer: 2.", "First start psicarve-rtcore, then Home all.",
+                                        "The run before came to layer 3: if its piece is still mounted, From "
+                                        "layer 4 goes on with it."}));
+}
+
+TEST(GoingOnWords, ThePictureIsColouredAsFarAsItIsCarved) {
+    const cam::PreparedJob job = some_layers();
+    for (const std::uint32_t carved : {0U, 1U, 3U, 4U}) {
+        const CarvedPicture picture = carved_picture(job, carved, 0x123456);
+        ASSERT_EQ(picture.rows, 4U);
+        ASSERT_EQ(picture.rgb.size(), picture.rows * picture.columns);
+        for (std::size_t row = 0; row < 4; ++row) {
+            const bool is_rest = picture.rgb[row * picture.columns] == 0xFF123456;
+            EXPECT_EQ(is_rest, row < 4 - carved) << "row " << row << " from the top, " << carved << " carved";
+        }
+    }
+    const CarvedPicture fine = carved_picture(some_layers(1000, 40), 1, 0x123456);
+    ASSERT_LT(fine.rows, 500U);
+    EXPECT_NE(fine.rgb.back(), 0xFF123456) << "a little is seen, too";
+    EXPECT_EQ(fine.rgb[(fine.rows - 2) * fine.columns], 0xFF123456);
+}
+
+}  // namespace
+}  // namespace psicarve::session

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whatever ended a job: what the window knows of it, and how it goes on.
+#include <gtest/gtest.h>
+
+#include <QDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTest>
+
+#include "tests/hmi/ui/hands_rig.hpp"
+#include "tests/places.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using S = MachineState;
+
+class GoingOn : public test::HandsRig {
+protected:
+    QString label(const char* name) { return part<QLabel>(name).text(); }
+    /// Somewhere behind the third layer of a long job.
+    void carve_some_layers() {
+        ASSERT_NO_FATAL_FAILURE(carve_job(two_process::long_job()));
+        ASSERT_TRUE(comes_true([&] { return sight().resumable_layer.value_or(0) >= 3; }));
+    }
+    void kill_core() {
+        core_->send_signal(SIGKILL);
+        core_->wait_for_exit();
+        ASSERT_TRUE(comes_true([&] { return !sight().is_heard(); }));
+    }
+    /// A window that sees nothing but what a core has left behind.
+    void open_on_dead_core() {
+        start_core();
+        open_window();
+        ASSERT_NO_FATAL_FAILURE(carve_some_layers());
+        ASSERT_NO_FATAL_FAILURE(kill_core());
+        window_.reset();
+        open_in_front();
+        ASSERT_TRUE(comes_true([&] { return sight().resumable_layer.has_value(); }));
+    }
+    void home_on_new_core() {
+        start_core();
+        ASSERT_TRUE(click("home")) << all_messages().toStdString();
+        ASSERT_TRUE(comes_to(S::ready));
+    }
+};
+
+TEST_F(GoingOn, FillsInTheLayerOfAWindowThatWasOpenedOnADeadCore) {
+    ASSERT_NO_FATAL_FAILURE(open_on_dead_core());
+    const int next = static_cast<int>(*sight().resumable_layer) + 1;
+    ASSERT_NO_FATAL_FAILURE(home_on_new_core());
+    ASSERT_TRUE(comes_true([&] { return part<QSpinBox>("layer").maximum() == 4000; }));
+    EXPECT_TRUE(
+        comes_true([&] { return part<QSpinBox>("layer").value() == next; }, two_process::milliseconds{2000}))
+        << part<QSpinBox>("layer").value() << " of " << next;
+}
+
+TEST_F(GoingOn, KnowsTheJobOfACoreThatIsNoMore) {
+    ASSERT_NO_FATAL_FAILURE(open_on_dead_core());
+    ASSERT_TRUE(comes_true([&] { return window_->bench().desk.job() != nullptr; }))
+        << all_messages().toStdString();
+    EXPECT_EQ(window_->bench().desk.job()->view.layer_count(), 4000U);
+    EXPECT_TRUE(comes_true(
+        [&] { return part<QSpinBox>("layer").value() == static_cast<int>(*sight().resumable_layer) + 1; }));
+    EXPECT_FALSE(button("publish").isEnabled());
+    ASSERT_NO_FATAL_FAILURE(home_on_new_core());
+    EXPECT_TRUE(comes_to(session::DeskState::published)) << "it is the job that the new core has taken";
+}
+
+TEST_F(GoingOn, ShowsNoAxisOfADeadCoreAsHomed) {
+    start_core();
+    open_window();
+    ASSERT_NO_FATAL_FAILURE(carve_some_layers());
+    EXPECT_EQ(label("homed_r1"), "homed");
+    ASSERT_NO_FATAL_FAILURE(kill_core());
+    for (const Axis axis : kAllAxes) {
+        const std::string name{name_of(axis)};
+        EXPECT_EQ(label(("homed_" + name).c_str()), "home ?") << name;
+        EXPECT_EQ(part<QLabel>(("homed_" + name).c_str()).property("lamp").toString(), "unsure") << name;
+        const QString sensor = label(("sensor_" + name).c_str());
+        EXPECT_TRUE(sensor.startsWith('?')) << name << ": " << sensor.toStdString();
+        EXPECT_EQ(part<QLabel>(("sensor_" + name).c_str()).property("lamp").toString(), "off") << name;
+    }
+    take_picture("lamps_of_dead_core_light");
+    start_core();
+    ASSERT_TRUE(comes_true([&] { return label("sensor_r1") == QString::fromUtf8("○ limit"); }));
+}
+
+TEST_F(GoingOn, NoKeyReachesTheFeedOverride) {
+    start_core();
+    open_in_front();
+    ASSERT_NO_FATAL_FAILURE(publish_job(two_process::long_job()));
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    auto& slider = part<QSlider>("override");
+    ASSERT_TRUE(comes_true([&] { return slider.isEnabled(); }));
+    button("start").setFocus(Qt::TabFocusReason);
+    for (int i = 0; i < 60; ++i) {
+        press_key(Qt::Key_Tab);
+        ASSERT_FALSE(slider.hasFocus()) << "after " << i + 1 << " tabs";
+    }
+    QTest::mouseClick(&slider, Qt::LeftButton, {}, slider.rect().center());
+    EXPECT_FALSE(slider.hasFocus());
+    slider.setFocus();  // whatever gave it the focus
+    for (const Qt::Key key :
+         {Qt::Key_Right, Qt::Key_Up, Qt::Key_PageUp, Qt::Key_End, Qt::Key_Left, Qt::Key_Home})
+        QTest::keyClick(&slider, key);
+    EXPECT_TRUE(comes_true([&] { return !window_->bench().machine.is_override_under_way(); }));
+    EXPECT_EQ(slider.value(), 100);
+    EXPECT_EQ(sight().status->override_percent, 100U);
+    press_key(Qt::Key_Plus, Qt::ControlModifier);  // has keys of its own
+    ASSERT_TRUE(comes_true([&] { return sight().status->override_percent == 105; }));
+    EXPECT_TRUE(comes_true([&] { return label("reason").contains("Feed override: 105 %"); }))
+        << label("reason").toStdString();
+    ASSERT_TRUE(click("full"));
+    EXPECT_TRUE(comes_true([&] { return sight().status->override_percent == 100; }));
+}
+
+TEST_F(GoingOn, ContinuesByItsButtonAndItsKeyAsTheySay) {
+    start_core();
+    open_in_front();
+    ASSERT_NO_FATAL_FAILURE(carve_some_layers());
+    EXPECT_EQ(button("start").text(), "Start") << "while it is carved";
+    EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
+    ASSERT_TRUE(click("stop"));
+    ASSERT_TRUE(comes_to(S::ready));
+    const std::uint32_t next = *sight().resumable_layer;
+    const QString says = QString{"Continue from layer %1"}.arg(next + 1);
+    ASSERT_TRUE(comes_true([&] { return button("start").text() == says; }))
+        << button("start").text().toStdString();
+    EXPECT_EQ(button("motion_start").text(), says);
+    EXPECT_TRUE(part<QWidget>("unfinished").isVisible());
+    EXPECT_EQ(label("unfinished_title"), QString{"Unfinished: %1 of 4000 layers are carved"}.arg(next));
+    EXPECT_TRUE(
+        label("unfinished_details").startsWith(QString{"Last good: layer %1, to its point 201. "}.arg(next)))
+        << label("unfinished_details").toStdString();
+    EXPECT_TRUE(label("unfinished_details").contains("Then: heads out, Ψ to "))
+        << label("unfinished_details").toStdString();
+    take_picture("unfinished_light");
+    ASSERT_TRUE(comes_true([&] { return button("start").isEnabled(); }));
+    press_key(Qt::Key_Return, Qt::ControlModifier);
+    ASSERT_TRUE(comes_to(S::carving)) << all_messages().toStdString();
+    EXPECT_GE(sight().status->layer, next);
+    EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
+    ASSERT_TRUE(click("stop"));
+    ASSERT_TRUE(comes_to(S::ready));
+    const std::uint32_t later = *sight().resumable_layer;
+    EXPECT_GE(later, next);
+    ASSERT_TRUE(click("start"));
+    ASSERT_TRUE(comes_to(S::carving));
+    EXPECT_GE(sight().status->layer, later);
+}
+
+TEST_F(GoingOn, BeginsAnewOnlyOnceItWasAsked) {
+    start_core();
+    open_in_front();
+    ASSERT_NO_FATAL_FAILURE(carve_some_layers());
+    ASSERT_TRUE(click("stop"));
+    ASSERT_TRUE(comes_to(S::ready));
+    const std::uint32_t carved = *sight().resumable_layer;
+    const std::uint64_t started = sight().status->job_start_tick;
+    QString question;
+    QSize picture;
+    const auto answers = [&](const char* name) {
+        return [&, name](QDialog& dialog) {
+            auto& box = dynamic_cast<QMessageBox&>(dialog);
+            question = box.text();
+            picture = box.iconPixmap().size();
+            box.grab().save(QString::fromStdString(in_build("screenshots/anew_question_light.png")));
+            QTest::mouseClick(dialog.findChild<QAbstractButton*>(name), Qt::LeftButton);
+        };
+    };
+    EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("start_anew")); }, {answers("anew_cancel")}));
+    EXPECT_TRUE(question.startsWith(
+        QString{"Layers 1 to %1 of 4000 are carved and would be carved again."}.arg(carved)))
+        << question.toStdString();
+    EXPECT_FALSE(picture.isEmpty());
+    part<QSpinBox>("layer").setValue(1);  // what comes to the same
+    EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("from_layer")); }, {answers("anew_cancel")}));
+    EXPECT_TRUE(comes_true([&] { return !window_->bench().machine.has_orders(); }));
+    EXPECT_EQ(sight().status->job_start_tick, started) << "nothing was started";
+    EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("start_anew")); }, {answers("anew_go")}));
+    ASSERT_TRUE(comes_to(S::carving));
+    EXPECT_LT(sight().status->layer, carved);
+    ASSERT_TRUE(comes_true(
+        [&] { return sight().earlier_layer.has_value() || sight().resumable_layer.value_or(0) >= carved; }));
+}
+
+TEST_F(GoingOn, TellsWhereTheRunBeforeASlipCameTo) {
+    start_core();
+    open_window();
+    publish_job(two_process::lobed_job(40, 40));
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    const auto carve = [&](std::uint32_t layers) {
+        window_->bench().machine.start(0, layers);
+        ASSERT_TRUE(comes_true([&] {
+            return sight().state() == S::ready && sight().resumable_layer == layers;
+        })) << all_messages().toStdString();
+    };
+    carve(9);
+    EXPECT_FALSE(label("unfinished_details").contains("run before"));
+    carve(2);
+    ASSERT_TRUE(comes_true([&] {
+        return label("unfinished_details").contains("From layer 10 goes on with it.");
+    })) << label("unfinished_details").toStdString();
+    EXPECT_EQ(button("start").text(), "Continue from layer 3");
+}
+
+TEST_F(GoingOn, IsDismissedUntilMoreIsCarved) {
+    start_core();
+    open_in_front();
+    ASSERT_NO_FATAL_FAILURE(carve_some_layers());
+    kill_core();
+    EXPECT_FALSE(part<QWidget>("unfinished").isVisible()) << "the red one says it";
+    EXPECT_TRUE(button("start").text().startsWith("Continue from layer "))
+        << button("start").text().toStdString();
+    start_core();
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("unfinished").isVisible(); }));
+    EXPECT_TRUE(comes_true([&] {
+        return label("unfinished_details").contains("First Home all: R1 R2 Ψ Y are not homed.");
+    })) << label("unfinished_details").toStdString();
+    take_picture("unfinished_new_core_light");
+    ASSERT_TRUE(click("unfinished_dismiss"));
+    EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
+    ASSERT_TRUE(click("start"));
+    const std::uint32_t before = *sight().resumable_layer;
+    ASSERT_TRUE(comes_true([&] { return sight().resumable_layer.value_or(0) > before; }));
+    ASSERT_TRUE(click("stop"));
+    ASSERT_TRUE(comes_to(S::ready));
+    EXPECT_TRUE(comes_true([&] { return part<QWidget>("unfinished").isVisible(); }));
+}
+
+}  // namespace
+}  // namespace psicarve::ui

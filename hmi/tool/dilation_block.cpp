@@ -2,6 +2,7 @@
 #include "hmi/tool/dilation_block.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -37,27 +38,17 @@ DilationScene::DilationScene(const SampledRadii& sampled, const Tool& moved, uns
 }
 
 DilationBlock::DilationBlock(const DilationScene& scene, std::size_t first_row) : scene_(scene) {
-    for (std::size_t i = 0; i < kBlockRows; ++i)
+    for (std::size_t i = 0; i < kBlockRows; ++i) {
         rows_[i] = std::min(scene.surface.row_count - 1, first_row + i);
+        places_.z[i] = static_cast<float>(scene.surface.row_pitch) * static_cast<float>(rows_[i]);
+    }
 }
 
+PSICARVE_WHOLE_FOR_WIDE_REGISTERS
 void DilationBlock::fill_rows(std::vector<float>& tips) {
     if (scene_.tool.shape == Shape::ball) return fill_rows_of<Shape::ball>(tips);
     if (scene_.tool.shape == Shape::vee) return fill_rows_of<Shape::vee>(tips);
     fill_rows_of<Shape::flat>(tips);
-}
-
-float DilationBlock::height(std::size_t row) const noexcept {
-    return static_cast<float>(scene_.surface.row_pitch) * static_cast<float>(rows_[row]);
-}
-
-PlaceRow DilationBlock::places(std::size_t row) const noexcept {
-    return {scene_.table.cosine(first_column_),
-            scene_.table.sine(first_column_),
-            height(row),
-            tips_[row].tips,
-            centre_x_[row],
-            centre_y_[row]};
 }
 
 template <Shape kShape>
@@ -69,7 +60,7 @@ void DilationBlock::fill_rows_of(std::vector<float>& tips) {
         if constexpr (kShape == Shape::ball) set_disc();
         seek_coarse<kShape>();
         for (std::size_t row = 0; row < kBlockRows; ++row)
-            std::memcpy(tips.data() + rows_[row] * columns + column, tips_[row].tips.data(),
+            std::memcpy(tips.data() + rows_[row] * columns + column, places_.rows[row].tips.data(),
                         std::min(kLanes, columns - column) * sizeof(float));
     }
 }
@@ -81,9 +72,11 @@ void DilationBlock::fill_rows_of(std::vector<float>& tips) {
 template <Shape kShape>
 void DilationBlock::begin(std::size_t first_column) {
     first_column_ = first_column;
+    places_.cosine = scene_.table.cosine(first_column);
+    places_.sine = scene_.table.sine(first_column);
     const SampledRadii& surface = scene_.surface;
     for (std::size_t row = 0; row < kBlockRows; ++row) {
-        TipRow& at = tips_[row];
+        TipRow& at = places_.rows[row];
         if (first_column > 0) {
             at.tips.fill(0.0F);
             try_contacts<kShape>(row, 0, static_cast<std::int32_t>(kLanes));
@@ -108,31 +101,30 @@ void DilationBlock::try_contacts(std::size_t row, std::int32_t rows_on, std::int
     const SampledRadii& surface = scene_.surface;
     const auto columns = static_cast<std::int32_t>(surface.column_count);
     const auto last_row = static_cast<std::int32_t>(surface.row_count) - 1;
-    TipRow& at = tips_[row];
-    Lanes out;
-    Lanes s2;
-    Columns contact_row;
-    Columns contact_column;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const std::int32_t from = std::clamp(at.contact_row[lane] + rows_on, 0, last_row);
-        std::int32_t column = at.contact_column[lane] + columns_on;
-        while (column >= columns) column -= columns;
-        while (column < 0) column += columns;
-        contact_row[lane] = from;
-        contact_column[lane] = column;
-        const float radius = surface.radius[static_cast<std::size_t>(from) * surface.column_count +
-                                            static_cast<std::size_t>(column)];
-        const std::size_t turn =
-            surface.column_count + first_column_ + lane - static_cast<std::size_t>(column);
-        const float up = static_cast<float>(surface.row_pitch) *
-                         (static_cast<float>(from) - static_cast<float>(rows_[row]));
-        out[lane] = radius * *scene_.table.cosine(turn);
-        s2[lane] = radius * radius * *scene_.table.sine2(turn) + up * up;
-    }
+    if (columns <= static_cast<std::int32_t>(kLanes)) columns_on %= columns;
+    TipRow& at = places_.rows[row];
     for (std::size_t lane = 0; lane < kLanes; lane += kQuad) {
-        const Quad tip = tips_by<kShape>(scene_.tool, quad_at(out.data() + lane), quad_at(s2.data() + lane));
+        const QuadMask contact_row = mask_at(at.contact_row.data() + lane) + rows_on;
+        const QuadMask contact_column = mask_at(at.contact_column.data() + lane) + columns_on;
+        const QuadMask least = contact_row < 0 ? QuadMask{} : contact_row;
+        const QuadMask from = least > last_row ? QuadMask{} + last_row : least;
+        const QuadMask past = contact_column < 0 ? contact_column + columns : contact_column;
+        const QuadMask column = past >= columns ? past - columns : past;
+        Quad radius;
+        Quad cosine;
+        Quad sine2;
+        for (std::size_t k = 0; k < kQuad; ++k) {
+            const auto left = static_cast<std::size_t>(column[k]);
+            const std::size_t turn = surface.column_count + first_column_ + lane + k - left;
+            radius[k] = surface.radius[static_cast<std::size_t>(from[k]) * surface.column_count + left];
+            cosine[k] = *scene_.table.cosine(turn);
+            sine2[k] = *scene_.table.sine2(turn);
+        }
+        const Quad up = static_cast<float>(surface.row_pitch) *
+                        (__builtin_convertvector(from, Quad) - static_cast<float>(rows_[row]));
         HeldQuad held = at.held(lane);
-        held.take(tip, mask_at(contact_row.data() + lane), mask_at(contact_column.data() + lane));
+        held.take(tips_by<kShape>(scene_.tool, radius * cosine, radius * radius * sine2 + up * up), from,
+                  column);
         at.set(lane, held);
     }
 }
@@ -141,9 +133,9 @@ void DilationBlock::set_centres(std::size_t row) {
     const float* cosine = scene_.table.cosine(first_column_);
     const float* sine = scene_.table.sine(first_column_);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const float centre = tips_[row].tips[lane] + scene_.tool.radius;
-        centre_x_[row][lane] = centre * cosine[lane];
-        centre_y_[row][lane] = centre * sine[lane];
+        const float centre = places_.rows[row].tips[lane] + scene_.tool.radius;
+        places_.centre_x[row][lane] = centre * cosine[lane];
+        places_.centre_y[row][lane] = centre * sine[lane];
     }
 }
 
@@ -154,10 +146,10 @@ void DilationBlock::set_view() {
     view_.cosine = static_cast<float>(std::cos(middle_rad));
     view_.sine = static_cast<float>(std::sin(middle_rad));
     view_.aside = static_cast<float>(half_rad < 0.5 * kPi ? std::sin(half_rad) : 1.0) + 1e-6F;
-    view_.above = 0.5F * (height(kBlockRows - 1) - height(0));
-    view_.z = height(0) + view_.above;
-    view_.least_tip = tips_[0].tips[0];
-    for (const TipRow& row : tips_) {
+    view_.above = 0.5F * (places_.z[kBlockRows - 1] - places_.z[0]);
+    view_.z = places_.z[0] + view_.above;
+    view_.least_tip = places_.rows[0].tips[0];
+    for (const TipRow& row : places_.rows) {
         for (const float tip : row.tips) view_.least_tip = std::min(view_.least_tip, tip);
     }
 }
@@ -165,7 +157,7 @@ void DilationBlock::set_view() {
 /// Through the middle of the centres and across both diagonals of their corners, else outwards.
 void DilationBlock::set_disc() {
     const auto centre = [this](std::size_t row, std::size_t lane) {
-        return Spot{centre_x_[row][lane], centre_y_[row][lane], height(row)};
+        return Spot{places_.centre_x[row][lane], places_.centre_y[row][lane], places_.z[row]};
     };
     const Spot one = difference(centre(kBlockRows - 1, kLanes - 1), centre(0, 0));
     const Spot other = difference(centre(kBlockRows - 1, 0), centre(0, kLanes - 1));
@@ -179,8 +171,8 @@ void DilationBlock::set_disc() {
     Spot middle{0.0F, 0.0F, view_.z};
     for (std::size_t row = 0; row < kBlockRows; ++row) {
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            middle[0] += centre_x_[row][lane] / static_cast<float>(kLanes * kBlockRows);
-            middle[1] += centre_y_[row][lane] / static_cast<float>(kLanes * kBlockRows);
+            middle[0] += places_.centre_x[row][lane] / static_cast<float>(kLanes * kBlockRows);
+            middle[1] += places_.centre_y[row][lane] / static_cast<float>(kLanes * kBlockRows);
         }
     }
     for (float& part : normal) part /= length;
@@ -188,10 +180,10 @@ void DilationBlock::set_disc() {
     Quad high{};
     Quad reach2{};
     for (std::size_t row = 0; row < kBlockRows; ++row) {
-        const float up = height(row) - middle[2];
+        const float up = places_.z[row] - middle[2];
         for (std::size_t lane = 0; lane < kLanes; lane += kQuad) {
-            const Quad x = quad_at(centre_x_[row].data() + lane) - middle[0];
-            const Quad y = quad_at(centre_y_[row].data() + lane) - middle[1];
+            const Quad x = quad_at(places_.centre_x[row].data() + lane) - middle[0];
+            const Quad y = quad_at(places_.centre_y[row].data() + lane) - middle[1];
             const Quad along = x * normal[0] + y * normal[1] + up * normal[2];
             low = smaller(low, along);
             high = larger(high, along);
@@ -265,27 +257,27 @@ void DilationBlock::seek_fine(Seat coarse) {
     const std::size_t row_end = std::min(fine.row_count, (coarse.row + 1) * kTilesPerSide);
     const std::size_t first = coarse.column * kTilesPerSide;
     const std::size_t count = std::min(kTilesPerSide, fine.column_count - first);
+    const unsigned within = (1U << count) - 1;
     for (std::size_t row = coarse.row * kTilesPerSide; row < row_end; ++row) {
-        const unsigned bits =
+        unsigned bits =
             negative_bits(block_excess<kShape>(scene_.tool, view_, fine, row * fine.column_count + first));
-        for (std::size_t k = 0; bits != 0 && k < count; ++k) {
-            if ((bits >> k & 1U) != 0) touch<kShape>(row, first + k);
-        }
+        for (bits &= within; bits != 0; bits &= bits - 1)
+            touch<kShape>(row, first + static_cast<std::size_t>(std::countr_zero(bits)));
     }
 }
 
 template <Shape kShape>
 void DilationBlock::touch(std::size_t tile_row, std::size_t tile_column) {
     const std::size_t tile = tile_row * scene_.fine.column_count + tile_column;
-    for (std::size_t row = 0; row < kBlockRows; ++row) {
-        const unsigned near = near_quads<kShape>(scene_.tool, places(row), scene_.fine, tile);
-        bool has_raised = false;
-        for (std::size_t lane = 0; near >> lane / kQuad != 0; lane += kQuad) {
-            if ((near >> lane / kQuad & 1U) != 0)
-                has_raised = try_tile<kShape>(row, lane, tile_row, tile_column) || has_raised;
-        }
-        if (kShape == Shape::ball && has_raised) set_centres(row);
+    unsigned raised = 0;
+    for (unsigned near = near_quads<kShape>(scene_.tool, places_, scene_.fine, tile); near != 0;
+         near &= near - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(near));
+        if (try_tile<kShape>(i / kRowQuads, i % kRowQuads * kQuad, tile_row, tile_column))
+            raised |= 1U << i / kRowQuads;
     }
+    if constexpr (kShape != Shape::ball) return;
+    for (; raised != 0; raised &= raised - 1) set_centres(static_cast<std::size_t>(std::countr_zero(raised)));
 }
 
 /// Whether it raised any of the four tips from `lane` on.
@@ -301,19 +293,31 @@ bool DilationBlock::try_tile(std::size_t row, std::size_t lane, std::size_t tile
     run.count = std::min(kFineSide, columns - first_column);
     run.turn = columns + first_column_ + lane - first_column;
     run.column = static_cast<std::int32_t>(first_column);
-    HeldQuad held = tips_[row].held(lane);
-    bool has_raised = false;
-    for (std::size_t from = first_row; from < row_end; ++from) {
+    run.radius = surface.radius.data() + first_row * columns + first_column;
+    std::array<float, kFineSide> up2{};
+    for (std::size_t i = 0; i < kFineSide; ++i) {
         const float up = static_cast<float>(surface.row_pitch) *
-                         (static_cast<float>(from) - static_cast<float>(rows_[row]));
-        run.radius = surface.radius.data() + from * columns + first_column;
-        run.row = static_cast<std::int32_t>(from);
-        run.up2 = up * up;
-        if (!may_raise<kShape>(scene_.tool, run, scene_.table, held.tips)) continue;
-        raise<kShape>(scene_.tool, run, scene_.table, held);
+                         (static_cast<float>(first_row + i) - static_cast<float>(rows_[row]));
+        up2[i] = up * up;
+    }
+    HeldQuad held = places_.rows[row].held(lane);
+    const bool is_whole = run.count == kFineSide && first_row + kFineSide <= surface.row_count;
+    unsigned left = (1U << (row_end - first_row)) - 1;
+    if (is_whole) left = may_raise_rows<kShape>(scene_.tool, run, columns, up2, scene_.table, held.tips);
+    bool has_raised = false;
+    for (; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        Run at = run;
+        at.radius += i * columns;
+        at.row = static_cast<std::int32_t>(first_row + i);
+        at.up2 = up2[i];
+        // Tips that a row before has raised may be out of this one's reach.
+        const bool is_tested = is_whole && !has_raised;
+        if (!is_tested && !may_raise<kShape>(scene_.tool, at, scene_.table, held.tips)) continue;
+        raise<kShape>(scene_.tool, at, scene_.table, held);
         has_raised = true;
     }
-    if (has_raised) tips_[row].set(lane, held);
+    if (has_raised) places_.rows[row].set(lane, held);
     return has_raised;
 }
 

@@ -58,15 +58,11 @@ private:
     void touch(std::size_t tile_row, std::size_t tile_column);
     template <Shape kShape>
     bool try_tile(std::size_t row, std::size_t lane, std::size_t tile_row, std::size_t tile_column);
-    float height(std::size_t row) const noexcept;
-    PlaceRow places(std::size_t row) const noexcept;
 
     const DilationScene& scene_;
     std::array<std::size_t, kBlockRows> rows_{};  ///< past the last one: the last one again
     std::size_t first_column_ = 0;
-    std::array<TipRow, kBlockRows> tips_{};
-    std::array<Lanes, kBlockRows> centre_x_{};
-    std::array<Lanes, kBlockRows> centre_y_{};
+    PlaceBlock places_;
     BlockView view_;
     std::vector<Seat> coarse_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +20,7 @@ namespace psicarve::tool::dilation {
 
 // So many places are a block: neighbours in a row, and rows.
 inline constexpr std::size_t kLanes = 8;
-inline constexpr std::size_t kBlockRows = 4;
+inline constexpr std::size_t kBlockRows = 8;
 // What single precision may take from a squared length.
 inline constexpr float kRimSlack = 1.0F + 1e-6F;
 inline constexpr float kPruneSlack = 1.0F + 1e-4F;
@@ -106,59 +107,17 @@ inline Quad block_excess(const DilationTool& tool, const BlockView& view, const 
     };
     const Quad from_disc = apart2(way_x * view.normal[0] + way_y * view.normal[1] + way_z * view.normal[2],
                                   view.bulge + bulge * cosine + reach * sine, view.reach);
-    const Quad from_tile = apart2(way_x * normal_x + way_y * normal_y + way_z * normal_z,
-                                  bulge + view.bulge * cosine + view.reach * sine, view.distance);
-    const Quad apart = larger(from_disc, from_tile) - tool.radius * tool.radius * kPruneSlack;
+    const float radius2 = tool.radius * tool.radius * kPruneSlack;
+    Quad apart = from_disc - radius2;
+    // Mostly none of the four is near the disc.
+    if (negative_bits(apart) != 0) {
+        const Quad off = bulge + view.bulge * cosine + view.reach * sine;
+        const Quad from_tile =
+            apart2(way_x * normal_x + way_y * normal_y + way_z * normal_z, off, view.distance);
+        apart = larger(from_disc, from_tile) - radius2;
+    }
     if (negative_bits(view.least_tip + tool.radius - most_radius) == 0) return apart;
     return smaller(apart, beside_or_behind());
-}
-
-/// A row of places of a block.
-struct PlaceRow {
-    const float* cosine;  ///< by lane
-    const float* sine;
-    float z;
-    const Lanes& tips;
-    const Lanes& centre_x;  ///< of a ball
-    const Lanes& centre_y;
-};
-
-/// By bits, of which four tips of the row a tile may raise any; see block_excess(), with one place instead of
-/// a disc.
-template <Shape kShape>
-inline unsigned near_quads(const DilationTool& tool, const PlaceRow& row, const SurfaceTiles& tiles,
-                           std::size_t i) {
-    const Quad none{};
-    const float up = tiles.z[i] - row.z;
-    unsigned near = 0;
-    for (std::size_t lane = 0; lane < kLanes; lane += kQuad) {
-        const Quad tip = quad_at(row.tips.data() + lane);
-        const auto beside_or_behind = [&] {
-            const Quad cosine = quad_at(row.cosine + lane);
-            const Quad sine = quad_at(row.sine + lane);
-            const Quad out = tiles.x[i] * cosine + tiles.y[i] * sine;
-            const Quad across = tiles.y[i] * cosine - tiles.x[i] * sine;
-            const Quad s = larger(none, root(across * across + up * up) - tiles.reach[i]);
-            const Quad outermost = smaller(all_of(tiles.most_radius[i]), larger(out, none) + tiles.reach[i]);
-            const Quad behind = kShape == Shape::ball ? tip + tool.radius : tip + tool.slope * s;
-            return larger(s - tool.radius, behind - outermost);
-        };
-        if constexpr (kShape != Shape::ball) {
-            near |= negative_bits(beside_or_behind()) != 0 ? 1U << lane / kQuad : 0U;
-            continue;
-        }
-        const Quad way_x = tiles.x[i] - quad_at(row.centre_x.data() + lane);
-        const Quad way_y = tiles.y[i] - quad_at(row.centre_y.data() + lane);
-        const Quad along = way_x * tiles.normal_x[i] + way_y * tiles.normal_y[i] + up * tiles.normal_z[i];
-        const Quad way2 = way_x * way_x + way_y * way_y + up * up;
-        const Quad straight = larger(none, size_of(along) - tiles.bulge[i]);
-        const Quad aside = larger(none, root(larger(none, way2 - along * along)) - tiles.reach[i]);
-        Quad excess = straight * straight + aside * aside - tool.radius * tool.radius * kPruneSlack;
-        if (negative_bits(tip + tool.radius - tiles.most_radius[i]) != 0)
-            excess = smaller(excess, beside_or_behind());
-        near |= negative_bits(excess) != 0 ? 1U << lane / kQuad : 0U;
-    }
-    return near;
 }
 
 /// The turn's cosines, sines and squared sines by column, twice over and a little more.
@@ -224,6 +183,85 @@ struct TipRow {
     }
 };
 
+/// The places of a block, by row and lane.
+struct PlaceBlock {
+    const float* cosine = nullptr;  ///< by lane
+    const float* sine = nullptr;
+    std::array<float, kBlockRows> z{};
+    std::array<TipRow, kBlockRows> rows{};
+    std::array<Lanes, kBlockRows> centre_x{};  ///< of a ball
+    std::array<Lanes, kBlockRows> centre_y{};
+};
+
+inline constexpr std::size_t kRowQuads = kLanes / kQuad;
+inline constexpr std::size_t kBlockQuads = kBlockRows * kRowQuads;
+static_assert(kBlockQuads <= 32, "a bit each");
+
+/// As block_excess() looks beside and behind, with one place instead of a disc, for the four of the block's
+/// quad `i` and one tile.
+template <Shape kShape>
+inline Quad place_excess(const DilationTool& tool, const PlaceBlock& places, const SurfaceTiles& tiles,
+                         std::size_t tile, std::size_t i) {
+    const Quad none{};
+    const std::size_t lane = i % kRowQuads * kQuad;
+    const float up = tiles.z[tile] - places.z[i / kRowQuads];
+    const Quad tip = quad_at(places.rows[i / kRowQuads].tips.data() + lane);
+    const Quad cosine = quad_at(places.cosine + lane);
+    const Quad sine = quad_at(places.sine + lane);
+    const Quad out = tiles.x[tile] * cosine + tiles.y[tile] * sine;
+    const Quad across = tiles.y[tile] * cosine - tiles.x[tile] * sine;
+    const Quad s = larger(none, root(across * across + up * up) - tiles.reach[tile]);
+    const Quad outermost = smaller(all_of(tiles.most_radius[tile]), larger(out, none) + tiles.reach[tile]);
+    const Quad behind = kShape == Shape::ball ? tip + tool.radius : tip + tool.slope * s;
+    return larger(s - tool.radius, behind - outermost);
+}
+
+/// Of which of the block's quads a tile may raise any tip, by bits, row after row. No branch in it for a
+/// ball: a square root is waited for long, and so are several side by side.
+template <Shape kShape>
+inline unsigned near_quads(const DilationTool& tool, const PlaceBlock& places, const SurfaceTiles& tiles,
+                           std::size_t tile) {
+    unsigned near = 0;
+    const auto is_near = [&near](std::size_t i, const Quad& excess) {
+        near |= static_cast<unsigned>(negative_bits(excess) != 0) << i;
+    };
+    if constexpr (kShape != Shape::ball) {
+        for (std::size_t i = 0; i < kBlockQuads; ++i)
+            is_near(i, place_excess<kShape>(tool, places, tiles, tile, i));
+        return near;
+    }
+    const Quad none{};
+    const float x = tiles.x[tile];
+    const float y = tiles.y[tile];
+    const float normal_x = tiles.normal_x[tile];
+    const float normal_y = tiles.normal_y[tile];
+    const float normal_z = tiles.normal_z[tile];
+    const float bulge = tiles.bulge[tile];
+    const float reach = tiles.reach[tile];
+    const float most_radius = tiles.most_radius[tile];
+    const float radius2 = tool.radius * tool.radius * kPruneSlack;
+    unsigned below = 0;  // of which some tip's centre is nearer to the axis than some sample
+    for (std::size_t i = 0; i < kBlockQuads; ++i) {
+        const std::size_t row = i / kRowQuads;
+        const std::size_t lane = i % kRowQuads * kQuad;
+        const float up = tiles.z[tile] - places.z[row];
+        const Quad way_x = x - quad_at(places.centre_x[row].data() + lane);
+        const Quad way_y = y - quad_at(places.centre_y[row].data() + lane);
+        const Quad along = way_x * normal_x + way_y * normal_y + up * normal_z;
+        const Quad way2 = way_x * way_x + way_y * way_y + up * up;
+        const Quad straight = larger(none, size_of(along) - bulge);
+        const Quad aside = larger(none, root(larger(none, way2 - along * along)) - reach);
+        is_near(i, straight * straight + aside * aside - radius2);
+        const Quad inwards = quad_at(places.rows[row].tips.data() + lane) + tool.radius - most_radius;
+        below |= static_cast<unsigned>(negative_bits(inwards) != 0) << i;
+    }
+    for (unsigned left = below & ~near; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        is_near(i, place_excess<kShape>(tool, places, tiles, tile, i));
+    }
+    return near;
+}
+
 /// Where four tips would stand by one sample; 0 where it is not below the tool.
 template <Shape kShape>
 inline Quad tips_by(const DilationTool& tool, const Quad& out, const Quad& s2) {
@@ -235,26 +273,51 @@ inline Quad tips_by(const DilationTool& tool, const Quad& out, const Quad& s2) {
     return s2 <= none + radius2 * kRimSlack ? tip : none;
 }
 
+/// Below 0: a sample may raise a tip.
+template <Shape kShape>
+inline Quad sample_excess(const DilationTool& tool, const Quad& tips, const Quad& out, const Quad& s2) {
+    const float rim2 = tool.radius * tool.radius * kRimSlack;
+    if constexpr (kShape == Shape::ball) {
+        const Quad in = larger(Quad{}, tips + tool.radius - out);
+        return s2 + in * in - rim2;
+    }
+    const Quad behind = tips - out;
+    return larger(s2 - rim2, tool.slope * tool.slope * s2 + behind * size_of(behind));
+}
+
 /// Whether the samples may raise any of four tips.
 template <Shape kShape>
 inline bool may_raise(const DilationTool& tool, const Run& run, const TurnTable& table, const Quad& tips) {
-    const float rim2 = tool.radius * tool.radius * kRimSlack;
-    const float slope2 = tool.slope * tool.slope;
-    const Quad none{};
     Quad lowest = all_of(1.0F);
     for (std::size_t k = 0; k < run.count; ++k) {
         const float radius = run.radius[k];
         const Quad out = radius * quad_at(table.cosine(run.turn - k));
         const Quad s2 = radius * radius * quad_at(table.sine2(run.turn - k)) + run.up2;
-        if constexpr (kShape == Shape::ball) {
-            const Quad in = larger(none, tips + tool.radius - out);
-            lowest = smaller(lowest, s2 + in * in - rim2);
-        } else {
-            const Quad behind = tips - out;
-            lowest = smaller(lowest, larger(s2 - rim2, slope2 * s2 + behind * size_of(behind)));
-        }
+        lowest = smaller(lowest, sample_excess<kShape>(tool, tips, out, s2));
     }
     return negative_bits(lowest) != 0;
+}
+
+/// may_raise() of the rows of a whole tile, by bits; the next row's samples are `stride` on. `run` is the
+/// first one, `up2` is each one's.
+template <Shape kShape>
+inline unsigned may_raise_rows(const DilationTool& tool, const Run& run, std::size_t stride,
+                               const std::array<float, kQuad>& up2, const TurnTable& table,
+                               const Quad& tips) {
+    std::array<Quad, kQuad> lowest{all_of(1.0F), all_of(1.0F), all_of(1.0F), all_of(1.0F)};
+    for (std::size_t k = 0; k < kQuad; ++k) {
+        const Quad cosine = quad_at(table.cosine(run.turn - k));
+        const Quad sine2 = quad_at(table.sine2(run.turn - k));
+        for (std::size_t row = 0; row < kQuad; ++row) {
+            const float radius = run.radius[row * stride + k];
+            const Quad s2 = radius * radius * sine2 + up2[row];
+            lowest[row] = smaller(lowest[row], sample_excess<kShape>(tool, tips, radius * cosine, s2));
+        }
+    }
+    unsigned bits = 0;
+    for (unsigned row = 0; row < kQuad; ++row)
+        bits |= static_cast<unsigned>(negative_bits(lowest[row]) != 0) << row;
+    return bits;
 }
 
 template <Shape kShape>

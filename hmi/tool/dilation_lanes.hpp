@@ -10,6 +10,16 @@
 #include <xmmintrin.h>
 #endif
 
+// Such a function becomes one with all that it calls, for wide registers' instructions too, which need fewer
+// copies. The same operations in the same order, so the same bits, with or without; sanitizers start too late
+// for the linker's choice between the two.
+#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define PSICARVE_WHOLE_FOR_WIDE_REGISTERS __attribute__((flatten, target_clones("avx2", "default")))
+#else
+#define PSICARVE_WHOLE_FOR_WIDE_REGISTERS
+#endif
+
 /// Four numbers at a time, as the simplest vectors of the processor hold.
 namespace psicarve::tool::dilation {
 

@@ -130,6 +130,26 @@ TEST(MapDilation, IsTheDefinitionOnNeedlesBesideAWall) {
     }
 }
 
+/// A whole tile of samples may stand further out than a ball beside it, out of reach of its centre.
+TEST(MapDilation, IsTheDefinitionBesideAPillarTallerThanTheBall) {
+    const Sampled map = sampled(48, 360, 0.1, [](double t, double y) {
+        const auto row = std::lround(y / 0.1);
+        const auto column = std::lround(t / (2.0 * kPi) * 360.0);
+        return row >= 20 && row < 24 && column >= 100 && column < 104 ? 12.0 : 6.0;
+    });
+    const Tool tool{Shape::ball, 1.3137, 0.0};
+    const auto tips = dilated(map.view, tool, 0.0, {2, {}});
+    ASSERT_TRUE(tips);
+    for (std::size_t row = 4; row < 40; ++row) {
+        for (std::size_t column = 84; column < 120; ++column) {
+            const std::size_t place = row * 360 + column;
+            ASSERT_NEAR((*tips)[place], plain_tip(map, tool, direction_of(map, place), height_of(map, place)),
+                        5e-5)
+                << "place " << row << ", " << column;
+        }
+    }
+}
+
 /// Then a block is wider than half a turn.
 TEST(MapDilation, IsTheDefinitionWithHardlyAnyColumns) {
     for (std::size_t columns = 4; columns < 16; ++columns) {

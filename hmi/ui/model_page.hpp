@@ -26,6 +26,7 @@ class SlicingPanel;
 class TurnForm;
 class WarningList;
 class WorkBar;
+struct Tokens;
 
 /// The model, how it is to stand and be sliced, and what was noticed about it.
 class ModelPage : public QWidget {

@@ -28,7 +28,8 @@ constexpr CommandText kCarveText{
     "Uses the core that serves the segment. When none does, starts one on the "
     "simulated machine with the virtual\n"
     "clock, and ends it. Either way its pins are verified while it runs. Ctrl-C stops "
-    "the machine; twice is an\nemergency stop.",
+    "the machine; twice is an\nemergency stop. "
+    "Of several workpieces --json prints one object a line, each when its workpiece is done.",
     "psicarve carve figurine.stl --picture carved.png --trace pins.vcd --json\n"
     "  psicarve carve figurine.job letter.job"};
 
@@ -161,7 +162,8 @@ Result<int> carve(const CommonOptions& common, const CarveOptions& options) {
     return simulated_run(std::move(launch), *job, {run_it, options.picture, common.json, &*piece});
 }
 
-/// All are looked at before the first is carved: what is wrong with the last is not told hours later.
+/// All are looked at before the first is carved: what is wrong with the last is not told hours later. What
+/// there is to say of one is said when it is carved.
 Result<void> check_queue(const CommonOptions& common, const CarveOptions& options) {
     if (options.paths.size() == 1) {
         if (!options.unattended) return {};
@@ -171,7 +173,7 @@ Result<void> check_queue(const CommonOptions& common, const CarveOptions& option
         return Error{ErrorCode::bad_usage,
                      "carve: --picture, --trace, --piece, --deviation and --model are of one workpiece"};
     for (const std::string& path : options.paths)
-        if (const auto job = prepare_job(path, options.model, common); !job) return job.error();
+        if (const auto job = prepare_unsaid(path, options.model, common); !job) return job.error();
     return {};
 }
 

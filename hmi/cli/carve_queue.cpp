@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/cli/carve_queue.hpp"
 
+#include <sys/types.h>
+#include <termios.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstddef>
-#include <cstdio>
-#include <iostream>
 
 #include "hmi/cli/exit_code.hpp"
-#include "hmi/cli/progress_bar.hpp"
+#include "hmi/cli/operator_break.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -19,16 +20,26 @@ std::string names_from(const std::vector<std::string>& paths, std::size_t first)
     return names;
 }
 
-/// Whether the next blank is in. Nothing but yes is yes.
+/// The next line from the terminal, of which nothing is held back for later.
+std::string typed_line() {
+    std::string line;
+    for (char letter = 0;;) {
+        const ssize_t got = read(STDIN_FILENO, &letter, 1);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return {};  // an answer is whole, or none
+        if (letter == '\n') return line;
+        line += letter;
+    }
+}
+
+/// Whether the next blank is in. Nothing but yes is yes, and nothing that was typed before the question.
 bool is_next_blank_in(const std::vector<std::string>& paths, std::size_t next) {
-    clear_progress_line();
-    std::fprintf(
-        stderr,
-        "psicarve: %zu of %zu carved: %s. The heads stand outside and the spindle is off. Take it out, put "
-        "the next blank in.\npsicarve: carve %s now? yes or no: ",
-        next, paths.size(), paths[next - 1].c_str(), paths[next].c_str());
-    std::string answer;
-    return static_cast<bool>(std::getline(std::cin, answer)) && (answer == "yes" || answer == "y");
+    print_note(std::to_string(next) + " of " + std::to_string(paths.size()) + " carved: " + paths[next - 1] +
+               ". The heads stand outside and the spindle is off. Take it out, put the next blank in.");
+    (void)tcflush(STDIN_FILENO, TCIFLUSH);
+    print_question("carve " + paths[next] + " now? yes or no: ");
+    const std::string answer = typed_line();
+    return answer == "yes" || answer == "y";
 }
 
 }  // namespace
@@ -40,12 +51,20 @@ Result<int> carve_in_turn(const std::vector<std::string>& paths, bool unattended
             ErrorCode::bad_usage,
             "carve: between two workpieces somebody changes the blank and says so at the terminal, and there "
             "is none; --unattended asks nobody"};
+    const unsigned breaks_before = OperatorBreak::asked_ever();
     for (std::size_t i = 0; i < paths.size(); ++i) {
         if (i > 0 && !unattended && !is_next_blank_in(paths, i))
             return Error{ErrorCode::cancelled, "not carved, as was answered: " + names_from(paths, i)};
         const auto carved = carve_one(paths[i]);
-        if (carved && *carved == kExitDone) continue;
-        if (i + 1 < paths.size()) print_note("not carved after this: " + names_from(paths, i + 1));
+        const bool is_last = i + 1 == paths.size();
+        // A break that came too late for a workpiece is of those behind it.
+        const bool was_broken = OperatorBreak::asked_ever() != breaks_before;
+        const bool is_done = carved && *carved == kExitDone;
+        if (is_done && (is_last || !was_broken)) continue;
+        if (is_done)
+            return Error{ErrorCode::cancelled,
+                         "stopped by the operator; not carved after this: " + names_from(paths, i + 1)};
+        if (!is_last) print_note("not carved after this: " + names_from(paths, i + 1));
         return carved;
     }
     return kExitDone;

@@ -11,7 +11,8 @@ namespace psicarve::cli {
 
 /// Carves one workpiece after the other. Between two of them somebody has to change the blank, and says so at
 /// the terminal: without a word nothing moves. `unattended`: nobody is asked. The first that does not end
-/// with 0 is the last. Errors: bad_usage when nobody is there to ask, before anything is carved; cancelled.
+/// with 0 is the last, and so is one in which the operator broke off, even if too late for it. Errors:
+/// bad_usage when nobody is there to ask, before anything is carved; cancelled.
 Result<int> carve_in_turn(const std::vector<std::string>& paths, bool unattended,
                           const std::function<Result<int>(const std::string&)>& carve_one);
 

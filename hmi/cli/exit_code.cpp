@@ -49,6 +49,11 @@ void print_note(const std::string& text) {
     print_line("psicarve: ", text);
 }
 
+void print_question(const std::string& text) {
+    clear_progress_line();
+    std::fprintf(stderr, "psicarve: %s", printable(in_words(text)).c_str());
+}
+
 Result<void> flush_output() {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return {};
     return Error{ErrorCode::out_of_room, std::string{"standard output: "} + std::strerror(errno)};

@@ -24,6 +24,8 @@ int report_error(const Error& error, bool as_json);
 void print_warning(const std::string& text);
 /// "psicarve: ..." on standard error: what goes on, for people.
 void print_note(const std::string& text);
+/// "psicarve: ..." on standard error, where the answer stands on the same line.
+void print_question(const std::string& text);
 /// "psicarve: ..." for what a report on standard output has already said to programs.
 void print_error(const Error& error);
 

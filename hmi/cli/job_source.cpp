@@ -15,7 +15,6 @@
 #include "hmi/cam/table_job.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/progress_bar.hpp"
-#include "hmi/cli/standard_streams.hpp"
 #include "hmi/cli/tool_choice.hpp"
 #include "hmi/cli/turn_choice.hpp"
 #include "hmi/flat/load_model.hpp"
@@ -326,22 +325,25 @@ Result<PlacedBody> place_body(const std::string& path, const ModelOptions& optio
                        profile->core_radius_mm}};
 }
 
+Result<PreparedJob> prepare_unsaid(const std::string& path, const ModelOptions& options,
+                                   const CommonOptions& common) {
+    if (!is_snapshot_file(path)) return slice_model(path, options, common);
+    if (has_any(options)) {
+        return Error{ErrorCode::bad_usage,
+                     path + " is a job and already sliced: options for models do not apply"};
+    }
+    auto snapshot = load_snapshot(path);
+    if (!snapshot) return snapshot.error();
+    return job_of_snapshot(std::move(snapshot).value(), path, common);
+}
+
 Result<PreparedJob> prepare_job(const std::string& path, const ModelOptions& options,
                                 const CommonOptions& common) {
-    auto job = [&]() -> Result<PreparedJob> {
-        if (!is_snapshot_file(path) && common.profile.empty()) {
-            if (const std::string found = chosen_profile_path(common); !found.empty())
-                print_note("profile " + found);
-        }
-        if (!is_snapshot_file(path)) return slice_model(path, options, common);
-        if (has_any(options)) {
-            return Error{ErrorCode::bad_usage,
-                         path + " is a job and already sliced: options for models do not apply"};
-        }
-        auto snapshot = load_snapshot(path);
-        if (!snapshot) return snapshot.error();
-        return job_of_snapshot(std::move(snapshot).value(), path, common);
-    }();
+    if (!is_snapshot_file(path) && common.profile.empty()) {
+        if (const std::string found = chosen_profile_path(common); !found.empty())
+            print_note("profile " + found);
+    }
+    auto job = prepare_unsaid(path, options, common);
     if (job) {
         for (const std::string& warning : job->warnings) print_warning(warning);
         for (const std::string& note : job->notes) print_note(note);
@@ -351,13 +353,12 @@ Result<PreparedJob> prepare_job(const std::string& path, const ModelOptions& opt
 
 Result<void> check_output_folder(const std::string& path) {
     namespace fs = std::filesystem;
-    if (path.empty() || is_standard_output(path)) return {};
+    if (path.empty()) return {};
     std::error_code error;
     if (fs::is_directory(path, error)) return bad_input(path + ": is a folder, not a file to write");
-    // A pipe or a device is written as it stands.
     if (!fs::exists(path, error) || fs::is_regular_file(path, error)) return check_writable(path);
-    const fs::path folder = fs::path{path}.has_parent_path() ? fs::path{path}.parent_path() : fs::path{"."};
-    if (access(folder.c_str(), W_OK | X_OK) == 0) return {};
+    // A pipe or a device is written as it stands, whatever its folder is.
+    if (access(path.c_str(), W_OK) == 0) return {};
     return bad_input(path + ": cannot be written: " + std::strerror(errno));
 }
 

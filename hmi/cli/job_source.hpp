@@ -50,6 +50,9 @@ using cam::PreparedJob;
 /// Slices a model, or loads a job or snapshot. Errors: the file is wrong, or the machine cannot carve it.
 Result<PreparedJob> prepare_job(const std::string& path, const ModelOptions& options,
                                 const CommonOptions& common);
+/// The same, but that nothing is said of it: neither warnings nor notes.
+Result<PreparedJob> prepare_unsaid(const std::string& path, const ModelOptions& options,
+                                   const CommonOptions& common);
 /// A model as it would stand, not sliced, and the machine with what the options name.
 struct PlacedBody {
     Profile profile;

@@ -13,12 +13,15 @@ constexpr int kEmergencyStop = 2;
 
 // A signal handler can reach nothing else.
 std::atomic<int> break_count{0};
+std::atomic<unsigned> breaks_ever{0};  ///< of all waits together
 std::atomic<bool> third_ends_us{false};
 struct sigaction interrupt_before {};
 struct sigaction terminate_before {};
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
+              std::atomic<unsigned>::is_always_lock_free);
 
 extern "C" void count_break(int number) {
+    breaks_ever.fetch_add(1, std::memory_order_relaxed);
     const int count = break_count.fetch_add(1, std::memory_order_relaxed) + 1;
     if (count <= kEmergencyStop || !third_ends_us.load()) return;
     // As if there were no handler of ours; delivered as soon as this one returns.
@@ -49,6 +52,10 @@ void OperatorBreak::let_third_end_us() noexcept {
 
 bool OperatorBreak::was_asked() const noexcept {
     return break_count.load(std::memory_order_relaxed) > 0;
+}
+
+unsigned OperatorBreak::asked_ever() noexcept {
+    return breaks_ever.load(std::memory_order_relaxed);
 }
 
 Result<void> OperatorBreak::pass_on(machine::MachineLink& link) {

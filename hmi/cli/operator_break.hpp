@@ -19,6 +19,8 @@ public:
     OperatorBreak& operator=(const OperatorBreak&) = delete;
 
     bool was_asked() const noexcept;
+    /// How often any of them was asked since the program began: also what came too late for its own wait.
+    static unsigned asked_ever() noexcept;
     /// To be called again and again while waiting: passes what was asked on to the core. `cancelled` once the
     /// waiting itself is to end.
     Result<void> pass_on(machine::MachineLink& link);

@@ -3,6 +3,9 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <thread>
+
 #include "tests/places.hpp"
 #include "tests/two_process/cli_machine_rig.hpp"
 
@@ -58,21 +61,60 @@ TEST_F(Queue, WithAWrongOneAtItsEndIsNotBegun) {
     EXPECT_EQ(generation(), 0U) << "nothing was published";
 }
 
-/// A terminal whose operator types this.
+TEST_F(Queue, SaysOnceWhatIsToBeSaidOfAWorkpiece) {
+    start_core();
+    const std::string model_path = box_stl("box.stl");
+    const std::vector<std::string> how{"--layers", "2", "--points", "9", "--height", "6", "--blank", "3x20"};
+    std::vector<std::string> one{"publish", model_path};
+    one.insert(one.end(), how.begin(), how.end());
+    const auto warnings = [](const std::string& text) {
+        std::size_t count = 0;
+        for (std::size_t at = text.find("warning: "); at != std::string::npos;
+             at = text.find("warning: ", at + 1))
+            ++count;
+        return count;
+    };
+    const Outcome published = run(one);
+    ASSERT_EQ(published.exit_code, 0) << published.error;
+    ASSERT_GT(warnings(published.error), 0U) << published.error;
+    std::vector<std::string> two{"carve", model_path, model_path, "--unattended", "--no-deviation"};
+    two.insert(two.end(), how.begin(), how.end());
+    const Outcome carved = run(two);
+    EXPECT_EQ(carved.exit_code, 0) << carved.error;
+    EXPECT_EQ(warnings(carved.error), 2 * warnings(published.error)) << carved.error;
+}
+
+/// A terminal whose operator types what and when the test says.
 class QueueAtATerminal : public Queue {
 protected:
-    int carve_two(const std::string& answer) {
-        const std::string a = model("a.job", "9");
-        const std::string b = model("b.job", "11");
+    int carve_two(const std::string& answer, const std::string& typed_ahead = {}) {
+        return carve_two_of(model("a.job", "9"), model("b.job", "11"), answer, typed_ahead);
+    }
+    int carve_two_of(const std::string& a, const std::string& b, const std::string& answer,
+                     const std::string& typed_ahead = {}) {
         const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
         EXPECT_EQ(grantpt(terminal) | unlockpt(terminal), 0);
-        const std::string line = in_build("bin/psicarve") + " carve " + a + " " + b + " --segment " +
-                                 segment_ + " <" + ptsname(terminal) + " >" + file("out") + " 2>" +
-                                 file("err");
-        EXPECT_EQ(::write(terminal, answer.data(), answer.size()), static_cast<ssize_t>(answer.size()));
-        const int status = std::system(line.c_str());
+        const std::string line = "exec '" + in_build("bin/psicarve") + "' carve '" + a + "' '" + b +
+                                 "' --segment " + segment_ + " <" + ptsname(terminal) + " >" + file("out") +
+                                 " 2>" + file("err");
+        type(terminal, typed_ahead);
+        int status = -1;
+        std::atomic<bool> is_over{false};
+        std::thread shell{[&] {
+            status = std::system(line.c_str());
+            is_over = true;
+        }};
+        EXPECT_TRUE(eventually([&] { return is_over || has_asked(); })) << "it neither asks nor ends";
+        type(terminal, answer);
+        shell.join();
         close(terminal);
         return WEXITSTATUS(status);
+    }
+
+private:
+    bool has_asked() const { return text_of(file("err")).find("yes or no: ") != std::string::npos; }
+    static void type(int terminal, const std::string& text) {
+        EXPECT_EQ(::write(terminal, text.data(), text.size()), static_cast<ssize_t>(text.size()));
     }
 };
 
@@ -89,6 +131,24 @@ TEST_F(QueueAtATerminal, EndsAtAnyOtherAnswer) {
     EXPECT_EQ(generation(), 1U) << "the second is not even published";
     EXPECT_NE(text_of(file("err")).find("not carved, as was answered: " + file("b.job")), std::string::npos)
         << text_of(file("err"));
+}
+
+TEST_F(QueueAtATerminal, TakesNothingThatWasTypedBeforeItAsked) {
+    start_core();
+    EXPECT_EQ(carve_two("no\n", "yes\n"), 4) << text_of(file("err"));
+    EXPECT_EQ(generation(), 1U) << "nobody has seen the question yet";
+}
+
+TEST_F(QueueAtATerminal, AsksInPrintableWords) {
+    start_core();
+    const std::string wild = model("a\x1b[31m.job", "9");
+    const std::string plain = model("b.job", "11");
+    EXPECT_EQ(carve_two_of(plain, wild, "no\n"), 4);
+    const std::string said = text_of(file("err"));
+    EXPECT_EQ(said.find('\x1b'), std::string::npos) << said;
+    EXPECT_NE(said.find("psicarve: carve " + file("a\\u001b[31m.job") + " now? yes or no: "),
+              std::string::npos)
+        << said;
 }
 
 }  // namespace

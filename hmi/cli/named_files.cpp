@@ -33,6 +33,18 @@ void add_files_of(const CLI::App& app, std::vector<NamedFile>& files) {
 
 }  // namespace
 
+Result<void> check_no_stream(const std::vector<NamedFile>& files) {
+    for (const NamedFile& file : files) {
+        if (file.path != "-") continue;
+        // slice's, and that of snapshot save.
+        if (file.is_written && (file.name == "--output" || file.name == "FILE")) continue;
+        return Error{ErrorCode::bad_usage,
+                     file.name + " -: a file's name is meant; standard " +
+                         (file.is_written ? "output takes none of it" : "input is not read for it")};
+    }
+    return {};
+}
+
 std::vector<NamedFile> named_files(const CLI::App& command) {
     std::vector<NamedFile> files;
     for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) add_files_of(*app, files);

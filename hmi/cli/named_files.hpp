@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "shared/distinct_files.hpp"
+#include "shared/result.hpp"
 
 namespace CLI {
 class App;
@@ -13,5 +14,9 @@ namespace psicarve::cli {
 
 /// All files that a parsed command line names, before the command's name and after it.
 std::vector<NamedFile> named_files(const CLI::App& command);
+
+/// Refuses "-", as bad_usage, where no stream can stand for the file. Inputs that read standard input have
+/// been given another name by then.
+Result<void> check_no_stream(const std::vector<NamedFile>& files);
 
 }  // namespace psicarve::cli

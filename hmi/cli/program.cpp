@@ -176,7 +176,9 @@ int run(int argc, char** argv) {
         return report_error(Error{ErrorCode::bad_usage, usage_error(program, error)},
                             asks_for_json(argc, argv));
     }
-    if (const auto distinct = check_distinct(named_files(typed_command(program))); !distinct)
+    const auto files = named_files(typed_command(program));
+    if (const auto named = check_no_stream(files); !named) return report_error(named.error(), common.json);
+    if (const auto distinct = check_distinct(files); !distinct)
         return report_error(distinct.error(), common.json);
     // Also where a command has no use for it: a profile that is wrong is never passed over.
     if (!common.profile.empty()) {

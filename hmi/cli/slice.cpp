@@ -16,6 +16,7 @@
 #include "hmi/cli/standard_streams.hpp"
 #include "hmi/machine/planned_time.hpp"
 #include "hmi/report/job_passes.hpp"
+#include "shared/atomic_file.hpp"
 #include "shared/snapshot_file.hpp"
 
 namespace psicarve::cli {
@@ -73,7 +74,10 @@ std::string report_json(const PreparedJob& job, const std::string& output, const
 }
 
 Result<int> slice(const CommonOptions& common, const SliceOptions& options) {
-    if (const auto writable = check_output_folder(options.output); !writable) return writable.error();
+    // A job takes the place of a file, and a pipe or a device has none to give.
+    if (!is_standard_output(options.output)) {
+        if (const auto writable = check_writable(options.output); !writable) return writable.error();
+    }
     if (const auto writable = check_preview(options.preview); !writable) return writable.error();
     if (const auto good = check_standard_output(options.output, common.json); !good) return good.error();
     if (is_snapshot_file(options.path)) return bad_input(options.path + ": is a job already, not a model");

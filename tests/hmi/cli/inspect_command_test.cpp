@@ -132,7 +132,7 @@ TEST_F(InspectCommand, TellsOfATableWhatATableHas) {
     const auto json = psicarve({"slice", file("radii.csv"), "-o", file("radii.job"), "--json"}).json();
     EXPECT_TRUE(json["undercut_share"].is_null());
     EXPECT_TRUE(json["open_points"].is_null());
-    const Outcome carved = psicarve({"carve", file("radii.csv"), "--deviation", file("d.png")});
+    const Outcome carved = run({"carve", file("radii.csv"), "--deviation", file("d.png")});
     EXPECT_EQ(carved.exit_code, 2) << carved.error;
     EXPECT_NE(carved.error.find("radii.csv is a table of radii, which has none"), std::string::npos)
         << carved.error;

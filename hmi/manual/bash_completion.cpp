@@ -15,8 +15,9 @@ namespace {
 /// FUNCTION stands for the function's name. Bash splits --option=value at =, and ball:3 at the colon.
 constexpr const char* kBashHead = R"(FUNCTION_files() {
     local ending
-    compopt -o filenames 2>/dev/null
-    mapfile -t COMPREPLY < <(
+    # Words are not quoted as names are.
+    if ((${#COMPREPLY[@]} == 0)); then compopt -o filenames 2>/dev/null; fi
+    mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(
         compgen -d -- "$cur"
         for ending; do compgen -f -X "!*.$ending" -- "$cur"; compgen -f -X "!*.${ending^^}" -- "$cur"; done)
 }
@@ -25,9 +26,10 @@ FUNCTION_words() {
     if ((${#COMPREPLY[@]} == 1)) && [[ ${COMPREPLY[0]} == *[=:] ]]; then compopt -o nospace 2>/dev/null; fi
 }
 FUNCTION() {
-    local cur=${COMP_WORDS[COMP_CWORD]} previous='' command='' position=0 i word
+    local cur=${COMP_WORDS[COMP_CWORD]} previous='' command='' position=0 value='' i word
     COMPREPLY=()
     if ((COMP_CWORD > 0)); then previous=${COMP_WORDS[COMP_CWORD - 1]}; fi
+    if [[ $cur == [=:] || $previous == [=:] ]]; then value=1; fi
     if [[ $cur == '=' ]]; then
         cur=''
     elif [[ $previous == '=' ]]; then
@@ -69,9 +71,10 @@ std::string bash_action(const ValueCompletion& completion, const std::string& fu
     if (completion.users) return "mapfile -t COMPREPLY < <(compgen -u -- \"$cur\")";
     if (completion.any_file)
         return "compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -f -- \"$cur\")";
-    if (!completion.endings.empty()) return function + "_files " + joined(completion.endings, " ");
-    if (!completion.words.empty()) return function + "_words '" + joined(completion.words, " ") + "'";
-    return ":";
+    std::string action;
+    if (!completion.words.empty()) action = function + "_words '" + joined(completion.words, " ") + "'";
+    if (completion.endings.empty()) return action.empty() ? ":" : action;
+    return (action.empty() ? "" : action + "; ") + function + "_files " + joined(completion.endings, " ");
 }
 
 /// Labels of a `case`, all with one answer.
@@ -163,7 +166,9 @@ std::string bash_completion(const CommandTable& program) {
     return "# bash completion for " + program.name + "\n# shellcheck shell=bash disable=SC2034\n" +
            replaced(kBashHead, "FUNCTION", function) + walk + "    case \"$command:$previous\" in\n" +
            replaced(parts.of_options.text(), " ;;\n", "; return ;;\n") + "    esac\n" +
-           "    if [[ $cur == -* ]]; then\n        case \"$command\" in\n" + parts.option_names.text() +
+           "    if [[ -n $value ]]; then return; fi\n    if [[ $cur == -* ]]; then\n        case "
+           "\"$command\" in\n" +
+           parts.option_names.text() +
            "        esac\n        return\n    fi\n    case \"$command:$position\" in\n" +
            parts.of_arguments.text() + "    esac\n}\ncomplete -F " + function + " " + program.name + "\n";
 }

@@ -42,11 +42,11 @@ function __NAME_at
 end
 function __NAME_files
     set -l typed (commandline -ct | string replace -r -- '^--[^=]*=' '')
-    for file in $typed*
-        if test -d $file
-            echo $file/
-        else if string match -qri -- "\\.($argv[1])\$" $file
-            echo $file
+    # Fish's own names of files know ~, $HOME, quotes and backslashes.
+    for file in (complete -C "__fish_command_without_completions $typed")
+        set -l path (string split -f1 \t -- $file)
+        if string match -qri -- "(/|\\.($argv[1]))\$" $path
+            echo $path
         end
     end
 end
@@ -67,15 +67,17 @@ std::string with(std::string text, const std::string& what, const std::string& b
     return text;
 }
 
-/// The options of `complete` that say which words there are.
+/// The options of `complete` that say which words there are: of several -a it takes the last alone.
 std::string fish_words(const ValueCompletion& completion, const std::string& function) {
-    std::string all;
-    if (!completion.words.empty()) all += " -a " + fish_text(joined(completion.words, " "));
-    if (completion.groups) all += " -a '(__fish_complete_groups)'";
-    if (completion.users) all += " -a '(__fish_complete_users)'";
+    std::vector<std::string> all = completion.words;
+    if (completion.groups) all.emplace_back("(__fish_complete_groups)");
+    if (completion.users) all.emplace_back("(__fish_complete_users)");
+    // Fish takes what is behind the = of key=value for the beginning of a name.
+    const std::string unless =
+        completion.words.empty() ? "" : "string match -q '*=*' -- (commandline -ct); or ";
     if (!completion.endings.empty())
-        all += " -a " + fish_text("(" + function + "_files '" + joined(completion.endings, "|") + "')");
-    return all + (completion.any_file ? " -F" : "");
+        all.push_back("(" + unless + function + "_files '" + joined(completion.endings, "|") + "')");
+    return (all.empty() ? "" : " -a " + fish_text(joined(all, " "))) + (completion.any_file ? " -F" : "");
 }
 
 std::string fish_option(const OptionRow& option, const std::string& function) {

@@ -33,6 +33,8 @@ const std::map<std::string, Endings>& endings_by_type() {
         {"REPLAY", kJobEndings},
         {"TRACE", {"vcd", "trace"}},
         {"PIECE", {"stl", "ply"}},
+        // Of `profile set`, which takes the file last.
+        {"KEY=VALUE", {"toml"}},
     };
     return endings;
 }
@@ -98,10 +100,10 @@ void append(std::vector<Value>& to, const std::vector<Value>& from) {
 /// `owner`: in capitals, what a FILE or a NAME is of.
 void add_part(const std::string& part, const std::string& owner, ValueCompletion& completion) {
     const std::size_t dot = part.rfind('.');
+    const auto words = words_by_type().find(part);
+    if (words != words_by_type().end()) append(completion.words, words->second);
     if (is_word(part)) {
         completion.words.push_back(part);
-    } else if (const auto words = words_by_type().find(part); words != words_by_type().end()) {
-        append(completion.words, words->second);
     } else if (const auto known = endings_by_type().find(part); known != endings_by_type().end()) {
         append(completion.endings, known->second);
     } else if (part == "FILE") {

@@ -36,16 +36,25 @@ std::string zsh_function(const std::vector<std::string>& words) {
     return name;
 }
 
+/// A single ending in parentheses at the end would be a qualifier of the files.
+std::string zsh_pattern(const std::vector<std::string>& endings) {
+    const std::string all = joined(endings, "|");
+    return "*.(#i)" + (endings.size() == 1 ? all : "(" + all + ")");
+}
+
 /// What stands after the second colon of a specification.
 std::string zsh_action(const ValueCompletion& completion) {
     if (completion.groups) return "_groups";
     if (completion.users) return "_users";
     if (completion.any_file) return "_files";
-    if (!completion.endings.empty()) return "_files -g \"*.(#i)(" + joined(completion.endings, "|") + ")\"";
-    if (completion.words.empty()) return " ";
+    std::string files;
+    if (!completion.endings.empty()) files = "_files -g \"" + zsh_pattern(completion.endings) + "\"";
+    if (completion.words.empty()) return files.empty() ? " " : files;
     const bool is_open = std::any_of(completion.words.begin(), completion.words.end(), goes_on);
     const std::string words = zsh_text(joined(completion.words, " "));
-    return is_open ? "{compadd -S \"\" -- " + words + "}" : "(" + words + ")";
+    if (!is_open && files.empty()) return "(" + words + ")";
+    return std::string{"{compadd "} + (is_open ? "-S \"\" " : "") + "-- " + words +
+           (files.empty() ? "}" : "; _wanted files expl file " + files + "}");
 }
 
 std::string option_specifications(const OptionRow& option) {

@@ -11,9 +11,13 @@ import sys
 import tempfile
 import unittest
 
+# No profile of whoever runs this has a say.
+os.environ["PSICARVE_PROFILE"] = ""
 SOURCE = pathlib.Path(sys.argv.pop(2)).resolve()
 BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
 NAMES = ["psicarve", "psicarve-core", "psicarve-hmi"]
+# What maintainer scripts, debhelper's among them, would ask of the computer that the test runs on.
+ASKED_OF_THE_COMPUTER = ["systemctl", "deb-systemd-invoke", "udevadm", "modprobe", "invoke-rc.d"]
 PROGRAMS = {"psicarve": "psicarve", "psicarve-core": "psicarve-rtcore", "psicarve-hmi": "psicarve-hmi"}
 
 
@@ -57,10 +61,17 @@ class Packages(unittest.TestCase):
 
     def dpkg(self, root, *arguments):
         # Nobody of this computer is changed: below the folder, without its libraries, by a root who is none.
+        stubs = pathlib.Path(self.temporary.name) / "stubs"
+        stubs.mkdir(exist_ok=True)
+        for name in ASKED_OF_THE_COMPUTER:
+            (stubs / name).write_text(f'#!/bin/sh\necho "{name} $*" >>"{stubs}/asked"\n')
+            (stubs / name).chmod(0o755)
+        # A user's PATH on Debian is without the folders that dpkg looks for its programs in.
+        path = f"{stubs}:{os.environ['PATH']}:/usr/sbin:/sbin"
         return run("fakeroot", "dpkg", f"--root={root}", "--force-script-chrootless", "--force-depends", "--no-triggers",
                    "--force-not-root", f"--log={root}/log",
                    # Whatever this computer leaves out of what it installs.
-                   "--path-include=/usr/share/*", *arguments, env={**os.environ, "LC_ALL": "C.UTF-8"})
+                   "--path-include=/usr/share/*", *arguments, env={**os.environ, "LC_ALL": "C.UTF-8", "PATH": path})
 
     def test_they_install_run_and_go_without_a_trace(self):
         root = pathlib.Path(self.temporary.name) / "root"
@@ -69,6 +80,9 @@ class Packages(unittest.TestCase):
         (root / "var/lib/dpkg/status").touch()
         done = self.dpkg(root, "--install", *self.files.values())
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        # An upgrade has systemd read the service anew; below a folder it is no matter of this computer's.
+        self.assertIn("systemctl --system daemon-reload", (root / "var/lib/dpkg/info/psicarve-core.postinst").read_text())
+        self.assertFalse((pathlib.Path(self.temporary.name) / "stubs" / "asked").exists())
         for package, program in PROGRAMS.items():
             said = run(root / "usr/bin" / program, "--version")
             self.assertEqual(said.returncode, 0, said.stderr)

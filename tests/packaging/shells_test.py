@@ -13,6 +13,10 @@ import sys
 import tempfile
 import unittest
 
+# No profile, folder or shell of whoever runs this has a say.
+os.environ["PSICARVE_PROFILE"] = ""
+for place in ("XDG_CONFIG_HOME", "XDG_DATA_HOME"):
+    os.environ.pop(place, None)
 BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
 PAGES = BUILD / "packaging" / "pages"
 HERE = pathlib.Path(__file__).resolve().parent
@@ -36,6 +40,41 @@ LINES = [
     ("psicarve-rtcore --clock ", ["real", "virtual"]),
     ("psicarve-rtcore --allow", ["--allow-no-realtime"]),
     ("psicarve-hmi --language ", ["en", "ru", "zh_CN"]),
+    ("psicarve profile set p.", ["p.toml"]),
+    ("psicarve profile set axis.r1.sp", ["axis.r1.speed_mm_s="]),
+    ("psicarve profile set tool.shape=ball p.", ["p.toml"]),
+]
+# As people quote: fish offers what is behind what was typed.
+FISH_LINES = LINES + [
+    ("psicarve slice ~/", ["~/a.stl", "~/b.STL", "~/sub/"]),
+    ("psicarve slice $HOME/", ["$HOME/a.stl", "$HOME/b.STL", "$HOME/sub/"]),
+    ("psicarve snapshot info c\\ ", ["c d.job"]),
+    ("psicarve snapshot info \"c ", ["c d.job"]),
+    ("psicarve snapshot info \"c", ["c d.job"]),
+    ("psicarve --profile=~/p", ["~/p.toml"]),
+    ("psicarve profile set axis.r1.speed_mm_s=", ["axis.r1.speed_mm_s="]),
+    ("psicarve --profile=", ["c d.job", "p.toml", "sub/"]),
+]
+# As bash splits it: there is no value to offer.
+BASH_WORDS = LINES + [
+    ("psicarve profile set axis.r1.speed_mm_s=", []),
+    ("psicarve profile set axis.r1.speed_mm_s=p", []),
+    ("psicarve slice --tool ball:", []),
+    ("psicarve --profile=p", ["p.toml"]),
+]
+# What bash makes of a line when Tab is pressed at its end.
+BASH_LINES = [
+    ("psicarve snapshot info ~/c", "psicarve snapshot info ~/c\\ d.job "),
+    ("psicarve snapshot info $HOME/c", "psicarve snapshot info $HOME/c\\ d.job "),
+    ("psicarve snapshot info c\\ ", "psicarve snapshot info c\\ d.job "),
+    ("psicarve snapshot info \"c", "psicarve snapshot info \"c d.job\" "),
+    ("psicarve profile set axis.r1.speed_mm_s", "psicarve profile set axis.r1.speed_mm_s="),
+    ("psicarve profile set axis.r1.speed_mm_s=", "psicarve profile set axis.r1.speed_mm_s="),
+    ("psicarve profile set p.", "psicarve profile set p.toml "),
+    ("psicarve profile set tool.shape=ball p.", "psicarve profile set tool.shape=ball p.toml "),
+    ("psicarve profile set su", "psicarve profile set sub/"),
+    ("psicarve slice --tool ball:", "psicarve slice --tool ball:"),
+    ("psicarve slice --up=", "psicarve slice --up="),
 ]
 
 
@@ -62,6 +101,7 @@ class Shells(unittest.TestCase):
         for name in ("a.stl", "b.STL", "c d.job", "p.toml", "x.txt"):
             (pathlib.Path(cls.folder.name) / name).touch()
         (pathlib.Path(cls.folder.name) / "sub").mkdir()
+        os.environ["HOME"] = cls.folder.name
 
     @classmethod
     def tearDownClass(cls):
@@ -69,16 +109,16 @@ class Shells(unittest.TestCase):
 
     def run_shell(self, arguments, text):
         done = subprocess.run(arguments, input=text, capture_output=True, text=True, cwd=self.folder.name, timeout=120,
-                              env={**os.environ, "LC_ALL": "C.UTF-8", "HOME": self.folder.name})
+                              env={**os.environ, "LC_ALL": "C.UTF-8"})
         self.assertEqual(done.stderr, "")
         self.assertEqual(done.returncode, 0)
         return done.stdout
 
     def test_bash(self):
         script = "".join(f"source {PAGES}/bash/{name}\n" for name in ("psicarve", "psicarve-rtcore", "psicarve-hmi"))
-        for line, _ in LINES:
+        for line, _ in BASH_WORDS:
             # As readline splits it.
-            words = [word for word in re.split(r" |(=)", line) if word is not None]
+            words = [word for word in re.split(r" |([=:])", line) if word is not None]
             words = [word for at, word in enumerate(words) if word or at == len(words) - 1]
             function = "_" + words[0].replace("-", "_")
             quoted = " ".join(f"'{word}'" for word in words)
@@ -86,46 +126,59 @@ class Shells(unittest.TestCase):
                        "for reply in \"${COMPREPLY[@]}\"; do if [[ -d $reply ]]; then reply+=/; fi; printf '%s\\n' \"$reply\"; done\n"
                        "echo ==\n")
         answers = self.run_shell(["bash", "--norc"], script).split("==\n")
-        for (line, wanted), answer in zip(LINES, answers):
+        for (line, wanted), answer in zip(BASH_WORDS, answers):
             with self.subTest(line=line):
                 self.assertEqual(sorted(answer.splitlines()), sorted(wanted))
 
     def test_fish(self):
         script = "".join(f"source {PAGES}/fish/{name}.fish\n" for name in ("psicarve", "psicarve-rtcore", "psicarve-hmi"))
-        script += "".join(f"complete -C '{line}'\necho ==\n" for line, _ in LINES)
+        script += "".join(f"complete -C '{line}'\necho ==\n" for line, _ in FISH_LINES)
         answers = self.run_shell(["fish", "--no-config"], script).split("==\n")
-        for (line, wanted), answer in zip(LINES, answers):
+        for (line, wanted), answer in zip(FISH_LINES, answers):
             # Fish gives an option and its value as one word.
             got = [re.sub(r"^--[a-z0-9-]+=", "", row.split("\t")[0]) for row in answer.splitlines()]
             with self.subTest(line=line):
                 self.assertEqual(sorted(got), sorted(wanted))
 
-    def zsh_offers(self, line):
+    def at_terminal(self, shell, setting, line, keys, **environment):
+        """What the shell says from the line and the keys until END; it is set up by what prints READY."""
         pid, terminal = pty.fork()
         if pid == 0:
             os.chdir(self.folder.name)
-            os.environ.update(COMPLETIONS=str(PAGES / "zsh"), LC_ALL="C.UTF-8", TERM="dumb", HOME=self.folder.name)
-            os.execvp("zsh", ["zsh", "-f", "-i"])
+            os.environ.update(LC_ALL="C.UTF-8", TERM="dumb", **environment)
+            os.execvp(shell[0], shell)
         said = ""
 
         def read_until(word):
             nonlocal said
             while word not in said:
                 if not select.select([terminal], [], [], 60)[0]:
-                    self.fail(f"zsh says no {word}: {said}")
+                    self.fail(f"{shell[0]} says no {word}: {said}")
                 try:
                     said += os.read(terminal, 65536).decode(errors="replace")
                 except OSError:
-                    self.fail(f"zsh has ended: {said}")
+                    self.fail(f"{shell[0]} has ended: {said}")
 
-        os.write(terminal, f"source {HERE}/zsh_completion.zsh\n".encode())
+        os.write(terminal, f"{setting}\n".encode())
         read_until("READY\r\n")
         said = ""
-        os.write(terminal, line.encode() + b"\t")
+        os.write(terminal, line.encode() + keys)
         read_until("END\r\n")
         os.close(terminal)
         os.waitpid(pid, 0)
+        return said
+
+    def zsh_offers(self, line):
+        said = self.at_terminal(["zsh", "-f", "-i"], f"source {HERE}/zsh_completion.zsh", line, b"\t",
+                                COMPLETIONS=str(PAGES / "zsh"))
         return {hit.rstrip("\r").replace("\\", "") for hit in re.findall(r"HIT:([^\n]*)\n", said) if hit.strip()}
+
+    def test_bash_makes_of_a_line(self):
+        for line, wanted in BASH_LINES:
+            said = self.at_terminal(["bash", "--norc", "-i"], f"source {HERE}/bash_completion.bash", line, b"\t\x07",
+                                    COMPLETIONS=str(PAGES / "bash"))
+            with self.subTest(line=line):
+                self.assertEqual(re.search(r"LINE<(.*)>", said)[1], wanted)
 
     def test_zsh(self):
         # A zsh for each line: those that differ in kind.
@@ -170,7 +223,7 @@ class Shells(unittest.TestCase):
 
     def test_the_page_of_profiles_has_every_key(self):
         page = (PAGES / "man5" / "psicarve-profile.5").read_text()
-        toml = subprocess.run([BUILD / "bin" / "psicarve", "profile", "show"], capture_output=True, text=True, check=True).stdout
+        toml = subprocess.run([BUILD / "bin" / "psicarve", "profile", "show", "--built-in"], capture_output=True, text=True, check=True).stdout
         table = ""
         count = 0
         for line in toml.splitlines():

@@ -49,6 +49,7 @@ TEST(ValueCompletion, KnowsAxesSignalsToolsAndKeys) {
     EXPECT_THAT(of_argument("KEY", {"psicarve", "profile", "set"}).words, Contains("axis.r1.speed_mm_s"));
     EXPECT_THAT(of_argument("KEY=VALUE", {"psicarve", "profile", "set"}).words,
                 Contains("axis.r1.speed_mm_s="));
+    EXPECT_THAT(of_argument("KEY=VALUE", {"psicarve", "profile", "set"}).endings, ElementsAre("toml"));
     EXPECT_TRUE(goes_on("ball:"));
     EXPECT_FALSE(goes_on("point"));
 }

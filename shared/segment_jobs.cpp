@@ -97,6 +97,12 @@ Result<std::vector<std::byte>> copy_slot(Segment& segment, std::uint64_t generat
     return blob;
 }
 
+/// The generation that the core has in hand; 0: none.
+std::uint64_t accepted_generation(const SegmentHeader& header) noexcept {
+    const auto status = read_record(header.status);
+    return status ? status->job_generation : 0;
+}
+
 /// Nothing: the core has not judged it, and may still.
 std::optional<Result<void>> judgement(const SegmentHeader& header, std::uint64_t generation) {
     const auto verdict = read_record(header.verdict);
@@ -107,16 +113,13 @@ std::optional<Result<void>> judgement(const SegmentHeader& header, std::uint64_t
         return Error{ErrorCode::machine_refused,
                      reason.empty() ? "the core refused the job without a reason" : reason};
     }
-    // A greater number alone may be that of a word which was damaged, and refused, before ours.
-    if (verdict->generation < generation || header.publication.generation.load() == generation)
-        return std::nullopt;
-    return Error{ErrorCode::machine_refused, "another job was published before the core looked at this one"};
-}
-
-/// The generation that the core has in hand; 0: none.
-std::uint64_t accepted_generation(const SegmentHeader& header) noexcept {
-    const auto status = read_record(header.status);
-    return status ? status->job_generation : 0;
+    if (verdict->generation < generation) return std::nullopt;
+    // Read after the verdict: accepted before that one's, it is there yet unless another was accepted since.
+    if (accepted_generation(header) == generation) return Result<void>{};
+    // So great a number is that of a word which was damaged, and refused, before ours.
+    const bool is_damaged = verdict->generation > kLastGeneration;
+    if (is_damaged && header.publication.generation.load() == generation) return std::nullopt;
+    return Error{ErrorCode::machine_refused, "another job was published meanwhile; publish this one again"};
 }
 
 bool is_refused(const SegmentHeader& header, std::uint64_t generation) noexcept {

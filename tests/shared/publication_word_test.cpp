@@ -154,6 +154,31 @@ TEST_F(PublicationWord, ARefusalOfAnotherJobTakesNothingBack) {
     EXPECT_TRUE(take_published_job(*core_, first).value().value().blob == jobs_[second]);
 }
 
+// Its publisher was not given a processor until another's job was refused and taken back.
+TEST_F(PublicationWord, AnAcceptedJobIsAcceptedWhateverWasPublishedAndRefusedSince) {
+    ASSERT_TRUE(core_->claim_core());
+    const std::uint64_t good = publish(1);
+    accept(good);
+    const std::uint64_t bad = publish(2);
+    acknowledge_job(*core_, bad, false, "not this one");
+    EXPECT_TRUE(wait_for_acceptance(*hmi_, good, kShort)) << "before the other one is taken back";
+    EXPECT_FALSE(wait_for_acceptance(*hmi_, bad, kShort));
+    ASSERT_EQ(published_generation(*hmi_), good);
+    EXPECT_TRUE(wait_for_acceptance(*hmi_, good, kShort));
+}
+
+// It may have been accepted in between: nobody knows any more.
+TEST_F(PublicationWord, OfAJobThatAnotherFollowedNobodyClaimsThatItWasNotLookedAt) {
+    ASSERT_TRUE(core_->claim_core());
+    const std::uint64_t first = publish(1);
+    accept(first);
+    accept(publish(2));
+    const auto judged = wait_for_acceptance(*hmi_, first, kShort);
+    ASSERT_FALSE(judged);
+    EXPECT_EQ(judged.error().code, ErrorCode::machine_refused);
+    EXPECT_EQ(judged.error().message.find("looked at"), std::string::npos) << judged.error().message;
+}
+
 // Killed between the last word of its slot and the one that publishes it.
 TEST_F(PublicationWord, AJobThatWasNotQuitePublishedCostsThePublishedOneNothing) {
     const std::uint64_t first = publish(1);

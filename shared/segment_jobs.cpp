@@ -154,18 +154,29 @@ std::uint64_t generation_to_publish(const SegmentHeader& header) noexcept {
     return kept != 0 && slot_of(next) == slot_of(kept) ? next + 1 : next;
 }
 
-/// Whoever published it was told that it was refused: a core started anew must not find it. What the core
-/// accepted before is published again.
+/// What is to be published in place of a refused job: what the core accepted, also before it was started anew
+/// and forgot it. 0: there is none.
+std::uint64_t generation_before(const SegmentHeader& header, std::uint64_t refused) noexcept {
+    const std::uint64_t accepted = accepted_generation(header);
+    if (accepted != refused && is_in_slot(header, accepted)) return accepted;
+    const std::uint64_t other = header.publication.of_slot[slot_of(refused + 1)].generation.load();
+    return other < refused && is_in_slot(header, other) ? other : 0;
+}
+
+/// Whoever published it was told that it was refused: a core started anew must not find it.
 void take_back(Segment& segment, std::uint64_t generation) {
     SegmentHeader& header = segment.header();
     RobustMutex mutex{header.mutex};
     if (!mutex.lock_within(kTakeBackLimit)) return;
     const Lock lock{mutex, bip::accept_ownership};
-    if (header.publication.generation.load() != generation) return;
-    const std::uint64_t accepted = accepted_generation(header);
-    const bool is_accepted_there = accepted != generation && is_in_slot(header, accepted);
-    header.publication.generation.store(is_accepted_there ? accepted : 0, std::memory_order_release);
-    header.publication.of_slot[slot_of(generation)].bytes.store(0, std::memory_order_release);
+    // A core that was started anew meanwhile looks at it again.
+    if (!is_refused(header, generation)) return;
+    SlotContent& content = header.publication.of_slot[slot_of(generation)];
+    const bool is_published = header.publication.generation.load() == generation;
+    if (!is_published && !is_in_slot(header, generation)) return;
+    if (is_published)
+        header.publication.generation.store(generation_before(header, generation), std::memory_order_release);
+    content.bytes.store(0, std::memory_order_release);
 }
 
 /// While a job runs another would only be refused, and a core started anew would take it for the one to go on

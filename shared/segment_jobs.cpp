@@ -97,6 +97,12 @@ Result<std::vector<std::byte>> copy_slot(Segment& segment, std::uint64_t generat
     return blob;
 }
 
+/// The generation that the core has in hand; 0: none.
+std::uint64_t accepted_generation(const SegmentHeader& header) noexcept {
+    const auto status = read_record(header.status);
+    return status ? status->job_generation : 0;
+}
+
 /// Nothing: the core has not judged it, and may still.
 std::optional<Result<void>> judgement(const SegmentHeader& header, std::uint64_t generation) {
     const auto verdict = read_record(header.verdict);
@@ -107,16 +113,13 @@ std::optional<Result<void>> judgement(const SegmentHeader& header, std::uint64_t
         return Error{ErrorCode::machine_refused,
                      reason.empty() ? "the core refused the job without a reason" : reason};
     }
-    // A greater number alone may be that of a word which was damaged, and refused, before ours.
-    if (verdict->generation < generation || header.publication.generation.load() == generation)
-        return std::nullopt;
-    return Error{ErrorCode::machine_refused, "another job was published before the core looked at this one"};
-}
-
-/// The generation that the core has in hand; 0: none.
-std::uint64_t accepted_generation(const SegmentHeader& header) noexcept {
-    const auto status = read_record(header.status);
-    return status ? status->job_generation : 0;
+    if (verdict->generation < generation) return std::nullopt;
+    // Read after the verdict: accepted before that one's, it is there yet unless another was accepted since.
+    if (accepted_generation(header) == generation) return Result<void>{};
+    // So great a number is that of a word which was damaged, and refused, before ours.
+    const bool is_damaged = verdict->generation > kLastGeneration;
+    if (is_damaged && header.publication.generation.load() == generation) return std::nullopt;
+    return Error{ErrorCode::machine_refused, "another job was published meanwhile; publish this one again"};
 }
 
 bool is_refused(const SegmentHeader& header, std::uint64_t generation) noexcept {
@@ -151,18 +154,29 @@ std::uint64_t generation_to_publish(const SegmentHeader& header) noexcept {
     return kept != 0 && slot_of(next) == slot_of(kept) ? next + 1 : next;
 }
 
-/// Whoever published it was told that it was refused: a core started anew must not find it. What the core
-/// accepted before is published again.
+/// What is to be published in place of a refused job: what the core accepted, also before it was started anew
+/// and forgot it. 0: there is none.
+std::uint64_t generation_before(const SegmentHeader& header, std::uint64_t refused) noexcept {
+    const std::uint64_t accepted = accepted_generation(header);
+    if (accepted != refused && is_in_slot(header, accepted)) return accepted;
+    const std::uint64_t other = header.publication.of_slot[slot_of(refused + 1)].generation.load();
+    return other < refused && is_in_slot(header, other) ? other : 0;
+}
+
+/// Whoever published it was told that it was refused: a core started anew must not find it.
 void take_back(Segment& segment, std::uint64_t generation) {
     SegmentHeader& header = segment.header();
     RobustMutex mutex{header.mutex};
     if (!mutex.lock_within(kTakeBackLimit)) return;
     const Lock lock{mutex, bip::accept_ownership};
-    if (header.publication.generation.load() != generation) return;
-    const std::uint64_t accepted = accepted_generation(header);
-    const bool is_accepted_there = accepted != generation && is_in_slot(header, accepted);
-    header.publication.generation.store(is_accepted_there ? accepted : 0, std::memory_order_release);
-    header.publication.of_slot[slot_of(generation)].bytes.store(0, std::memory_order_release);
+    // A core that was started anew meanwhile looks at it again.
+    if (!is_refused(header, generation)) return;
+    SlotContent& content = header.publication.of_slot[slot_of(generation)];
+    const bool is_published = header.publication.generation.load() == generation;
+    if (!is_published && !is_in_slot(header, generation)) return;
+    if (is_published)
+        header.publication.generation.store(generation_before(header, generation), std::memory_order_release);
+    content.bytes.store(0, std::memory_order_release);
 }
 
 /// While a job runs another would only be refused, and a core started anew would take it for the one to go on

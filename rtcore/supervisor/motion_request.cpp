@@ -212,8 +212,10 @@ std::string speed_remark(const Command& command, const Profile& profile) {
         const bool is_moved = is_both ? axis == Axis::r1 || axis == Axis::r2 : command.axis == index_of(axis);
         if (!is_moved) continue;
         const AxisMotion motion = axis_motion(profile, axis);
+        // In pulses, as it is obeyed; divided, the limit itself may come out a little lower than it is.
+        constexpr double kRounding = 1e-9;
+        if (command.speed * motion.pulses_per_unit <= motion.speed_pps * (1.0 + kRounding)) continue;
         const double most = motion.speed_pps / motion.pulses_per_unit;
-        if (command.speed <= most) continue;
         char text[96];
         std::snprintf(text, sizeof text, "%s goes at %g %s at most, and so it does",
                       std::string{name_of(axis)}.c_str(), most, axis == Axis::psi ? "deg/s" : "mm/s");

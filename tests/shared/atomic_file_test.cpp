@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "shared/partial_file.hpp"
+#include "tests/shared/child_signals.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve {
@@ -105,6 +106,7 @@ TEST_F(AtomicFile, WriterKilledAtAnyInstantLeavesTheOldOneOrTheNewOneWhole) {
         const pid_t child = ::fork();
         ASSERT_GE(child, 0);
         if (child == 0) {
+            test::be_a_usual_child();
             for (;;) (void)write_file_atomically(file_, fresh).has_value();
         }
         ::usleep(delay_us(random));
@@ -134,6 +136,7 @@ TEST_F(AtomicFile, WriterThatASignalEndsWhileItWritesLeavesNothing) {
         const pid_t child = ::fork();
         ASSERT_GE(child, 0);
         if (child == 0) {
+            test::be_a_usual_child();
             remove_partials_when_killed();
             for (;;) (void)write_file_atomically(file_, large).has_value();
         }
@@ -164,6 +167,7 @@ TEST_F(AtomicFile, ASignalTakesAHiddenNameAway) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
+        test::be_a_usual_child();
         remove_partials_when_killed();
         const auto part = PartialFile::create_hidden(folder_of(file_), 0600);
         (void)!::write(ready[1], "r", 1);

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <map>
 #include <set>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "shared/layout.hpp"
+#include "shared/robust_mutex.hpp"
 #include "shared/segment.hpp"
 #include "shared/shared_record.hpp"
 #include "tests/shared/segment_fixture.hpp"
@@ -152,6 +158,97 @@ TEST_F(PublicationWord, ARefusalOfAnotherJobTakesNothingBack) {
     EXPECT_FALSE(wait_for_acceptance(*hmi_, first, kShort));
     EXPECT_EQ(published_generation(*hmi_), second);
     EXPECT_TRUE(take_published_job(*core_, first).value().value().blob == jobs_[second]);
+}
+
+// Its publisher was not given a processor until another's job was refused and taken back.
+TEST_F(PublicationWord, AnAcceptedJobIsAcceptedWhateverWasPublishedAndRefusedSince) {
+    ASSERT_TRUE(core_->claim_core());
+    const std::uint64_t good = publish(1);
+    accept(good);
+    const std::uint64_t bad = publish(2);
+    acknowledge_job(*core_, bad, false, "not this one");
+    EXPECT_TRUE(wait_for_acceptance(*hmi_, good, kShort)) << "before the other one is taken back";
+    EXPECT_FALSE(wait_for_acceptance(*hmi_, bad, kShort));
+    ASSERT_EQ(published_generation(*hmi_), good);
+    EXPECT_TRUE(wait_for_acceptance(*hmi_, good, kShort));
+}
+
+// It may have been accepted in between: nobody knows any more.
+TEST_F(PublicationWord, OfAJobThatAnotherFollowedNobodyClaimsThatItWasNotLookedAt) {
+    ASSERT_TRUE(core_->claim_core());
+    const std::uint64_t first = publish(1);
+    accept(first);
+    accept(publish(2));
+    const auto judged = wait_for_acceptance(*hmi_, first, kShort);
+    ASSERT_FALSE(judged);
+    EXPECT_EQ(judged.error().code, ErrorCode::machine_refused);
+    EXPECT_EQ(judged.error().message.find("looked at"), std::string::npos) << judged.error().message;
+}
+
+// So it is where a core was started anew, and has only refused yet.
+TEST_F(PublicationWord, ARefusedJobGivesWayToTheOneBeforeAlsoWhereNothingIsAccepted) {
+    ASSERT_TRUE(core_->claim_core());
+    const std::uint64_t before = publish(1);
+    const std::uint64_t bad = publish(2);
+    acknowledge_job(*core_, bad, false, "not this one");
+    EXPECT_FALSE(wait_for_acceptance(*hmi_, bad, kShort));
+    EXPECT_EQ(published_generation(*hmi_), before);
+    EXPECT_TRUE(take_published_job(*core_, 0).value().value().blob == jobs_[before]);
+    const auto judged = wait_for_acceptance(*hmi_, before, kShort);
+    ASSERT_FALSE(judged);
+    EXPECT_EQ(judged.error().code, ErrorCode::machine_refused) << "this core comes to it no more";
+}
+
+TEST_F(PublicationWord, ARefusedJobDoesNotGiveWayToOneThatWasRefusedBefore) {
+    ASSERT_TRUE(core_->claim_core());
+    const std::uint64_t first = publish(1);
+    acknowledge_job(*core_, first, false, "not this one");
+    const std::uint64_t second = publish(2);
+    EXPECT_FALSE(wait_for_acceptance(*hmi_, first, kShort));
+    acknowledge_job(*core_, second, false, "nor this one");
+    EXPECT_FALSE(wait_for_acceptance(*hmi_, second, kShort));
+    EXPECT_EQ(published_generation(*hmi_), 0U);
+}
+
+TEST_F(PublicationWord, AJobWhoseSlotWasDamagedIsTakenBackAsWell) {
+    ASSERT_TRUE(core_->claim_core());
+    const std::uint64_t good = publish(1);
+    accept(good);
+    const std::uint64_t bad = publish(2);
+    hmi_->header().publication.of_slot[bad % 2].seal.fetch_add(1);
+    acknowledge_job(*core_, bad, false, "damaged");
+    EXPECT_FALSE(wait_for_acceptance(*hmi_, bad, kShort));
+    EXPECT_EQ(published_generation(*hmi_), good);
+}
+
+/// Whether that thread of ours sleeps in the kernel.
+bool is_asleep(pid_t thread) {
+    std::ifstream stat{"/proc/self/task/" + std::to_string(thread) + "/stat"};
+    std::string text;
+    std::getline(stat, text);
+    const std::size_t name_end = text.rfind(')');
+    return name_end != std::string::npos && text.compare(name_end, 3, ") S") == 0;
+}
+
+TEST_F(PublicationWord, AJobIsNotTakenBackThatACoreStartedAnewHasAccepted) {
+    ASSERT_TRUE(core_->claim_core());
+    const std::uint64_t generation = publish(1);
+    acknowledge_job(*core_, generation, false, "the machine is busy");
+    RobustMutex mutex{hmi_->header().mutex};
+    mutex.lock();
+    std::atomic<pid_t> waiter_id{0};
+    std::thread waiter{[&] {
+        waiter_id = ::gettid();
+        EXPECT_FALSE(wait_for_acceptance(*hmi_, generation, kShort));
+    }};
+    // For the mutex: the refusal is there already.
+    while (waiter_id == 0 || !is_asleep(waiter_id)) std::this_thread::yield();
+    write_record(core_->header().verdict, JobVerdict{});
+    accept(generation);
+    mutex.unlock();
+    waiter.join();
+    EXPECT_EQ(published_generation(*hmi_), generation);
+    EXPECT_TRUE(take_published_job(*core_, 0).value().value().blob == jobs_[generation]);
 }
 
 // Killed between the last word of its slot and the one that publishes it.

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "tests/places.hpp"
+#include "tests/shared/child_signals.hpp"
 
 namespace psicarve::two_process {
 
@@ -38,10 +39,9 @@ public:
                                          O_WRONLY | O_CREAT | O_TRUNC, 0600);
         posix_spawnattr_t attributes;
         posix_spawnattr_init(&attributes);
-        // Whoever runs the tests may ignore it, and so would the core.
         sigset_t default_signals;
         sigemptyset(&default_signals);
-        sigaddset(&default_signals, SIGPIPE);
+        for (const int number : test::kSignalsToTake) sigaddset(&default_signals, number);
         posix_spawnattr_setsigdefault(&attributes, &default_signals);
         posix_spawnattr_setflags(&attributes, static_cast<short>(POSIX_SPAWN_SETSIGDEF |
                                                                  (leads_group ? POSIX_SPAWN_SETPGROUP : 0)));

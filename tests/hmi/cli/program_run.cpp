@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,6 +25,7 @@
 
 #include "shared/segment.hpp"
 #include "tests/places.hpp"
+#include "tests/shared/child_signals.hpp"
 #include "tests/shared/stale_segments.hpp"
 
 namespace psicarve::test {
@@ -43,7 +43,7 @@ RunningProgram::RunningProgram(const std::string& name, const std::vector<std::s
     argv.push_back(nullptr);
     pid_ = fork();
     if (pid_ == 0) {
-        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        be_a_usual_child();
         dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
         dup2(out_ends[1], STDOUT_FILENO);
         dup2(error_ends[1], STDERR_FILENO);

@@ -205,5 +205,19 @@ TEST(MotionRequest, JogsBothHeadsEachInItsOwnPulses) {
     EXPECT_NE(refusal(command, RequestKind::jog), "");
 }
 
+// Limits that in pulses and back are a little less than they were.
+TEST(MotionRequest, RemarksOnlyOnASpeedBeyondTheLimit) {
+    for (int limit_deg_s = 1; limit_deg_s <= 1000; ++limit_deg_s) {
+        Profile profile;
+        profile.psi.speed_deg_s = limit_deg_s;
+        Command command = jog(90.0);
+        command.axis = index_of(Axis::psi);
+        command.speed = limit_deg_s;
+        EXPECT_EQ(speed_remark(command, profile), "");
+        command.speed = limit_deg_s + 1e-3;
+        EXPECT_NE(speed_remark(command, profile), "") << limit_deg_s;
+    }
+}
+
 }  // namespace
 }  // namespace psicarve::supervisor

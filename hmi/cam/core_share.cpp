@@ -26,6 +26,32 @@ struct FileUnit {
 constexpr std::array<FileUnit, 2> kOtherUnits{
     {{"metres (--scale 1000)", 1000.0}, {"inches (--scale 25.4)", 25.4}}};
 
+/// How far in the tips come, and what stops them there.
+struct LeastRadius {
+    double mm = 0.0;
+    bool is_travel = false;  ///< the end of a head's travel; else the core radius
+};
+/// Of the head that stays further out.
+LeastRadius least_radius(const Profile& profile) {
+    LeastRadius least{profile.core_radius_mm, false};
+    for (const Axis head : {Axis::r1, Axis::r2}) {
+        const LinearAxisProfile& linear = head == Axis::r1 ? profile.r1 : profile.r2;
+        const std::int32_t pulses = least_radius_pulses(profile, head);
+        const double mm = mm_from_pulses(pulses, linear.pulses_per_mm) + linear.tip_mm();
+        if (pulses > core_radius_pulses(profile, head) && mm > least.mm) least = {mm, true};
+    }
+    return least;
+}
+
+std::string radius_of(const LeastRadius& least) {
+    return least.is_travel ? "the radius of " + mm_text(least.mm) + " at which the heads' travel ends"
+                           : "the core radius of " + mm_text(least.mm);
+}
+
+const char* way_further_in(const LeastRadius& least) {
+    return least.is_travel ? "travel_mm that goes further in" : "smaller core_radius_mm";
+}
+
 /// Which unit would make a model of it that the machine can carve.
 std::optional<FileUnit> probable_unit(const Profile& profile, const JobOptions& options,
                                       double model_radius_mm, const SliceReport& report) {
@@ -33,7 +59,7 @@ std::optional<FileUnit> probable_unit(const Profile& profile, const JobOptions& 
     const double top_mm =
         mm_from_pulses(axis_motion(profile, Axis::y).travel_max_pulses, profile.y.pulses_per_mm);
     const auto* const found = std::find_if(kOtherUnits.begin(), kOtherUnits.end(), [&](const FileUnit& unit) {
-        return model_radius_mm * unit.mm > profile.core_radius_mm &&
+        return model_radius_mm * unit.mm > least_radius(profile).mm &&
                model_radius_mm * unit.mm <= reachable_radius(profile, 1.0) &&
                profile.job.base_height_mm + report.box_mm[2] * unit.mm <= top_mm;
     });
@@ -67,29 +93,34 @@ void warn_about_core(const Profile& profile, const CoreShare& share, SliceReport
     const double part =
         share.all > 0 ? static_cast<double>(share.points) / static_cast<double>(share.all) : 0.0;
     if (part <= kWorthAWarning) return;
-    report.warnings.push_back(decimals(part * 100.0, 1) + " % of the points stand at the core radius of " +
-                              mm_text(profile.core_radius_mm) +
+    const LeastRadius least = least_radius(profile);
+    report.warnings.push_back(decimals(part * 100.0, 1) + " % of the points stand at " + radius_of(least) +
                               ": what lies inside it is not carved; a larger model (--scale, --height, a "
-                              "picture's --diameter) or a smaller core_radius_mm loses less");
+                              "picture's --diameter) or a " +
+                              way_further_in(least) + " loses less");
 }
 
 Error core_alone(const std::string& source_name, const Profile& profile, const JobOptions& options,
                  double model_radius_mm, const SliceReport& report) {
     const auto& box_mm = report.box_mm;
-    const std::string text = source_name + ": lies wholly within the core radius of " +
-                             mm_text(profile.core_radius_mm) +
+    const LeastRadius least = least_radius(profile);
+    const std::string text = source_name + ": lies wholly within " + radius_of(least) +
                              ": nothing but a plain rod would be carved; it is " + decimals(box_mm[0], 2) +
                              " x " + decimals(box_mm[1], 2) + " x " + mm_text(box_mm[2]) + " large: ";
     if (const auto unit = probable_unit(profile, options, model_radius_mm, report))
         return bad_input(text + "are its units " + unit->question + "?");
-    return bad_input(text +
-                     "make it larger (--scale, --height, a picture's --diameter), or core_radius_mm smaller");
+    return bad_input(text + "make it larger (--scale, --height, a picture's --diameter), or " +
+                     (least.is_travel ? "let travel_mm go further in" : "core_radius_mm smaller"));
 }
 
 Error core_alone(const std::string& path, const Profile& profile) {
-    return bad_input(path + ": all radii are the core radius of " + mm_text(profile.core_radius_mm) +
-                     ": nothing but a plain rod would be carved; larger radii, or a smaller core_radius_mm, "
-                     "carve more");
+    const LeastRadius least = least_radius(profile);
+    return bad_input(path +
+                     (least.is_travel ? ": no radius is beyond that of " + mm_text(least.mm) +
+                                            " at which the heads' travel ends"
+                                      : ": all radii are the core radius of " + mm_text(least.mm)) +
+                     ": nothing but a plain rod would be carved; larger radii, or a " +
+                     way_further_in(least) + ", carve more");
 }
 
 }  // namespace psicarve::cam

@@ -192,24 +192,19 @@ Result<void> look_between_points(const model::Mesh& mesh, const Profile& profile
     return {};
 }
 
-/// An axis beside the model; where all samples pass it by, it is far away.
-bool is_beside(const Totals& totals) {
-    return std::none_of(totals.begin(), totals.end(),
-                        [](const slice::LayerTotals& layer) { return layer.contains_axis; });
-}
-
 /// Before the heads are kept out of anything: whether the tables hold more than the core.
 Result<void> check_meets_model(const std::string& source_name, const Profile& profile,
-                               const JobOptions& options, const Totals& totals,
-                               const OutermostRadii& outermost, const BuiltJob& built) {
+                               const JobOptions& options, const OutermostRadii& outermost,
+                               const BuiltJob& built) {
     if (!core_share(profile, built.table).is_all()) return {};
-    if (is_beside(totals)) {
+    const auto radii = outermost.radii();
+    const double most = radii.empty() ? 0.0 : *std::max_element(radii.begin(), radii.end());
+    // Far away from the axis, or too small to be met: a ring around it is seen.
+    if (most <= 0.0) {
         return bad_input(source_name +
                          ": the axis passes beside the model and no sample meets it: nothing but the core "
                          "would be carved; --axis-at moves the axis");
     }
-    const auto radii = outermost.radii();
-    const double most = radii.empty() ? 0.0 : *std::max_element(radii.begin(), radii.end());
     return core_alone(source_name, profile, options, most * built.report.scale, built.report);
 }
 
@@ -251,7 +246,7 @@ Result<BuiltJob> build(const model::Mesh& mesh, const Profile& profile, const Jo
     const auto totals = sampled(mesh, profile, plan, options, tables, outermost);
     if (!totals) return totals.error();
     tables.join_rows();
-    if (auto good = check_meets_model(mesh.source_name, profile, options, *totals, outermost, built); !good)
+    if (auto good = check_meets_model(mesh.source_name, profile, options, outermost, built); !good)
         return good.error();
     hold_depth_limit(profile, table, report);
     if (auto fits = tables.check_travel(mesh.source_name); !fits) return fits.error();

@@ -66,11 +66,21 @@ std::string check_at_least_zero(const std::string& text) {
 }
 
 /// Standard input as a file.
-std::string input_path(std::string word) {
-    if (word != "-") return word;
+Result<void> read_if_standard(std::string& name) {
+    if (name != "-") return {};
     auto path = file_of_standard_input();
-    if (!path) throw CLI::ValidationError{path.error().message};
-    return std::move(path).value();
+    if (!path) return path.error();
+    name = std::move(path).value();
+    return {};
+}
+
+Result<void> read_standard_input(const InputTargets& inputs) {
+    for (std::string* file : inputs.files)
+        if (auto read = read_if_standard(*file); !read) return read;
+    for (std::vector<std::string>* list : inputs.lists)
+        for (std::string& file : *list)
+            if (auto read = read_if_standard(file); !read) return read;
+    return {};
 }
 
 /// "x|y|z"
@@ -91,8 +101,8 @@ Syntax& Syntax::input(const char* name, std::string& target, const char* help) {
     app_->add_option(name, target, std::string{help} + "; - reads standard input")
         ->required()
         ->type_name("")
-        ->check(check_not_empty)
-        ->transform(input_path);
+        ->check(check_not_empty);
+    inputs_->files.push_back(&target);
     return *this;
 }
 
@@ -100,8 +110,8 @@ Syntax& Syntax::inputs(const char* name, std::vector<std::string>& target, const
     app_->add_option(name, target, std::string{help} + "; - reads standard input")
         ->required()
         ->type_name("")
-        ->check(check_not_empty)
-        ->transform(input_path);
+        ->check(check_not_empty);
+    inputs_->lists.push_back(&target);
     return *this;
 }
 
@@ -209,9 +219,15 @@ Syntax CommandSet::add_to(const CommandText& text, CommandBody body, bool has_js
     std::string footer = text.details;
     if (!footer.empty()) footer += "\n\n";
     app->footer(footer + "Example:\n  " + text.example);
-    app->callback([chosen = chosen_, work = std::move(body)] { *chosen = work; });
+    const auto inputs = std::make_shared<InputTargets>();
+    app->callback([chosen = chosen_, inputs, work = std::move(body)] {
+        *chosen = [inputs, work](const CommonOptions& common) -> Result<int> {
+            if (const auto read = read_standard_input(*inputs); !read) return read.error();
+            return work(common);
+        };
+    });
     add_common(*app, *common_, has_json);
-    return Syntax{*app};
+    return Syntax{*app, inputs};
 }
 
 void CommandSet::add_common_options() {

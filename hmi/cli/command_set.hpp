@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hmi/manual/command_table.hpp"
@@ -37,14 +38,22 @@ struct CommandText {
     const char* example;  ///< one or more lines that can be typed
 };
 
+/// What a command reads, where it is kept: each may be "-".
+struct InputTargets {
+    std::vector<std::string*> files;
+    std::vector<std::vector<std::string>*> lists;
+};
+
 /// What one command takes: a thin cover over the parser, so that a command's file does not need it. Targets
 /// outlive the parsing and keep their values where the option is not given. An empty text is wrong usage.
 class Syntax {
 public:
-    explicit Syntax(CLI::App& app) noexcept : app_(&app) {}
+    Syntax(CLI::App& app, std::shared_ptr<InputTargets> inputs) noexcept
+        : app_(&app), inputs_(std::move(inputs)) {}
 
     Syntax& argument(const char* name, std::string& target, const char* help);
-    /// A file to read. "-": standard input, read whole and from then on a file's name that can be read.
+    /// A file to read. "-": standard input, read whole before the command's body begins, to which it is a
+    /// file's name that can be read; not for --help, nor where anything else is wrong.
     Syntax& input(const char* name, std::string& target, const char* help);
     /// One or more of them.
     Syntax& inputs(const char* name, std::vector<std::string>& target, const char* help);
@@ -79,6 +88,7 @@ public:
 
 private:
     CLI::App* app_;
+    std::shared_ptr<InputTargets> inputs_;
 };
 
 /// All commands of the program, or those of a group ("snapshot ...").

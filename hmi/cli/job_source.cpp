@@ -293,6 +293,14 @@ Result<Profile> chosen_profile(const CommonOptions& common) {
     return job_profile(*job);
 }
 
+Result<std::optional<Profile>> readable_profile(const CommonOptions& common) {
+    auto profile = chosen_profile(common);
+    if (profile) return std::optional<Profile>{std::move(profile).value()};
+    if (!common.profile.empty()) return profile.error();
+    print_warning(profile.error().message + "; going on without a profile");
+    return std::optional<Profile>{};
+}
+
 Result<PreparedJob> job_of_snapshot(Snapshot snapshot, const std::string& path, const CommonOptions& common,
                                     ProfileUse use) {
     auto job = cam::prepare_snapshot(std::move(snapshot), path);

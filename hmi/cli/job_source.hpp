@@ -71,6 +71,9 @@ Result<PreparedJob> job_of_snapshot(Snapshot snapshot, const std::string& path, 
 std::string chosen_profile_path(const CommonOptions& common);
 /// That profile, of TOML or a job file. A job's own is not asked for here.
 Result<Profile> chosen_profile(const CommonOptions& common);
+/// For what can do without: a profile in the default place that cannot be read is warned of, and none. Errors
+/// of chosen_profile() where --profile names it.
+Result<std::optional<Profile>> readable_profile(const CommonOptions& common);
 
 /// An output that cannot be written is better known before the work than after it.
 Result<void> check_output_folder(const std::string& path);

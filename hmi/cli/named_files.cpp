@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "hmi/model/source_name.hpp"
+
 namespace psicarve::cli {
 namespace {
 
@@ -21,13 +23,17 @@ bool is_among(const Names& names, const std::string& name) {
 }
 
 void add_files_of(const CLI::App& app, std::vector<NamedFile>& files) {
+    const std::string standard_input = std::string{model::kDescriptorFolder} + "0";
     for (const CLI::Option* option : app.get_options()) {
         const std::string name = option->get_name();
         // What `snapshot save FILE` names is made by it.
         const bool is_saved = app.get_name() == "save" && name == "FILE";
         const bool is_written = is_saved || is_among(kWritten, name);
         if (!is_written && !is_among(kRead, name)) continue;
-        for (const std::string& path : option->results()) files.push_back({name, path, is_written});
+        // Only arguments read standard input, which may well be a file.
+        const bool may_be_standard = !is_written && !name.starts_with('-');
+        for (const std::string& path : option->results())
+            files.push_back({name, may_be_standard && path == "-" ? standard_input : path, is_written});
     }
 }
 

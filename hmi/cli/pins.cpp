@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
@@ -40,9 +41,9 @@ struct PinsOptions {
 using Rows = std::vector<session::PinRow>;
 
 /// Without pins when the core's profile is not the one that we have.
-Rows rows_of(machine::MachineLink& link, const Profile& chosen) {
-    Rows rows = session::pin_rows(chosen);
-    const bool is_known = link.segment().header().core_profile_hash.load() == profile_hash(chosen);
+Rows rows_of(machine::MachineLink& link, const std::optional<Profile>& chosen) {
+    Rows rows = session::pin_rows(chosen.value_or(Profile{}));
+    const bool is_known = chosen && link.segment().header().core_profile_hash.load() == profile_hash(*chosen);
     for (session::PinRow& row : rows) row.pin = is_known ? row.pin : 0;
     return rows;
 }
@@ -132,7 +133,7 @@ Result<int> test_output(const CommonOptions& common, machine::MachineLink& link,
 Result<int> pins(const CommonOptions& common, const PinsOptions& options) {
     const auto lease = lease_argument(options.lease_s, kJogLease);
     if (!lease) return lease.error();
-    const auto chosen = chosen_profile(common);
+    const auto chosen = readable_profile(common);
     if (!chosen) return chosen.error();
     auto link = link_to_core(common);
     if (!link) return link.error();

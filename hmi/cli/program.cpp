@@ -160,6 +160,19 @@ int print_what_was_asked(const CLI::App& program, const CLI::Success& success) {
     return finish(kExitDone, false);
 }
 
+/// A profile that was named and is wrong is never passed over, not even where a command has no use for it.
+/// But no machine goes on running for it, and the command that mends it reads it in its own way.
+Result<void> check_named_profile(const CLI::App& command, const CommonOptions& common) {
+    const std::string name = full_name(command);
+    if (common.profile.empty() || name == "psicarve profile set") return {};
+    const auto profile = chosen_profile(common);
+    if (profile) return {};
+    const bool stops = name == "psicarve estop" || name == "psicarve stop" || name == "psicarve hold";
+    if (!stops) return profile.error();
+    print_warning(profile.error().message + "; going on without a profile");
+    return {};
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
@@ -180,11 +193,8 @@ int run(int argc, char** argv) {
     if (const auto named = check_no_stream(files); !named) return report_error(named.error(), common.json);
     if (const auto distinct = check_distinct(files); !distinct)
         return report_error(distinct.error(), common.json);
-    // Also where a command has no use for it: a profile that is wrong is never passed over.
-    if (!common.profile.empty()) {
-        if (const auto profile = chosen_profile(common); !profile)
-            return report_error(profile.error(), common.json);
-    }
+    if (const auto good = check_named_profile(typed_command(program), common); !good)
+        return report_error(good.error(), common.json);
     return finish(grammar.chosen(common), common.json);
 }
 

@@ -23,6 +23,7 @@ nlohmann::ordered_json changes_json(const profile::ProfileDraft& draft) {
 Result<int> save_draft(profile::ProfileDraft& draft, const CommonOptions& common) {
     const std::string changes = profile::changes_text(draft);
     const auto as_json = changes_json(draft);
+    const bool is_backed_up = !changes.empty() && draft.keeps_backup();
     if (!changes.empty()) {
         if (const auto saved = draft.save(); !saved) return saved.error();
     }
@@ -30,14 +31,14 @@ Result<int> save_draft(profile::ProfileDraft& draft, const CommonOptions& common
     if (common.json) {
         const nlohmann::ordered_json report{
             {"profile", draft.path()},
-            {"backup", changes.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(backup)},
+            {"backup", is_backed_up ? nlohmann::ordered_json(backup) : nlohmann::ordered_json()},
             {"changes", as_json}};
         std::printf("%s\n", report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     } else if (changes.empty()) {
         std::printf("%s: nothing changed\n", draft.path().c_str());
     } else {
-        std::printf("%s%s: written, the old one is %s. Start the core with it, and slice models anew.\n",
-                    changes.c_str(), draft.path().c_str(), backup.c_str());
+        std::printf("%s%s: written%s. Start the core with it, and slice models anew.\n", changes.c_str(),
+                    draft.path().c_str(), is_backed_up ? (", the old one is " + backup).c_str() : "");
     }
     return kExitDone;
 }

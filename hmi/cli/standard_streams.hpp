@@ -8,7 +8,7 @@
 namespace psicarve::cli {
 
 /// Reads standard input to its end into memory. The name under which this process, and those that it starts,
-/// can read it again as a regular file, as often as they want.
+/// can read it again as a regular file, as often as they want. Errors: bad_input, also beyond 1 GiB.
 Result<std::string> file_of_standard_input();
 
 /// Whether an output's name means standard output.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,9 @@ struct StatusOptions {
 };
 
 /// The core's profile, when the one that we have is the same: only then are its mm and degrees ours.
-std::optional<Profile> known_profile(machine::MachineLink& link, const Profile& chosen) {
-    if (link.segment().header().core_profile_hash.load() != profile_hash(chosen)) return std::nullopt;
+std::optional<Profile> known_profile(machine::MachineLink& link, const std::optional<Profile>& chosen) {
+    if (!chosen || link.segment().header().core_profile_hash.load() != profile_hash(*chosen))
+        return std::nullopt;
     return chosen;
 }
 
@@ -95,7 +97,7 @@ Error with_last_state(machine::MachineLink& link, Error error) {
 }
 
 Result<int> show_status(const CommonOptions& common, const StatusOptions& options) {
-    const auto chosen = chosen_profile(common);
+    const auto chosen = readable_profile(common);
     if (!chosen) return chosen.error();
     auto link = machine::MachineLink::attach(common.segment, common.group);
     if (!link) return link.error();

@@ -56,6 +56,8 @@ public:
     /// somebody else has changed the file meanwhile, or where a value cannot be put in its place; those of
     /// write_file_atomically: the old file stays.
     Result<void> save();
+    /// Whether save() leaves a backup: none of a file in which nothing stood.
+    bool keeps_backup() const noexcept { return !file_text_.empty(); }
     /// Under another name from now on; what stood there becomes the backup.
     Result<void> save_as(const std::string& path);
     /// A backup's values into the draft; nothing is saved yet.

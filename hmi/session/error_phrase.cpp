@@ -119,6 +119,25 @@ std::vector<Sentence> of_a_file() {
          phrase(
              "all radii are the core radius of %1 mm: nothing but a plain rod would be carved; larger radii, "
              "or a smaller core_radius_mm, carve more")},
+        {"lies wholly within the radius of %1 mm at which the heads' travel ends: nothing but a plain rod "
+         "would be carved; it is %2 large: "
+         "are its units metres (--scale 1000)?",
+         phrase("lies wholly within the radius of %1 mm at which the heads' travel ends: nothing but a plain "
+                "rod would be carved; it is %2 large: are its units metres? Height makes it larger")},
+        {"lies wholly within the radius of %1 mm at which the heads' travel ends: nothing but a plain rod "
+         "would be carved; it is %2 large: "
+         "are its units inches (--scale 25.4)?",
+         phrase("lies wholly within the radius of %1 mm at which the heads' travel ends: nothing but a plain "
+                "rod would be carved; it is %2 large: are its units inches? Height makes it larger")},
+        {"lies wholly within the radius of %1 mm at which the heads' travel ends: nothing but a plain rod "
+         "would be carved; it is %2 large: "
+         "make it larger (--scale, --height, a picture's --diameter), or let travel_mm go further in",
+         phrase("lies wholly within the radius of %1 mm at which the heads' travel ends: nothing but a plain "
+                "rod would be carved; it is %2 large: make it larger, or let travel_mm go further in")},
+        {"no radius is beyond that of %1 mm at which the heads' travel ends: nothing but a plain rod would "
+         "be carved; larger radii, or a travel_mm that goes further in, carve more",
+         phrase("no radius is beyond that of %1 mm at which the heads' travel ends: nothing but a plain rod "
+                "would be carved; larger radii, or a travel_mm that goes further in, carve more")},
         {"stands %1 mm above the table, and the blank is only %2 mm high: nothing of it is left to be carved",
          phrase("stands %1 mm above the table, and the blank is only %2 mm high: nothing of it is left to be "
                 "carved")},

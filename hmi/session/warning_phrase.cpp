@@ -68,6 +68,11 @@ std::vector<Sentence> warning_sentences() {
          phrase("%1 of the points stand at the core radius of %2 mm: what lies inside it is not carved; a "
                 "larger "
                 "model or a smaller core_radius_mm loses less.")},
+        {"%1 of the points stand at the radius of %2 mm at which the heads' travel ends: what lies inside it "
+         "is not carved; a larger model (--scale, --height, a picture's --diameter) or a travel_mm that goes "
+         "further in loses less",
+         phrase("%1 of the points stand at the radius of %2 mm at which the heads' travel ends: what lies "
+                "inside it is not carved; a larger model or a travel_mm that goes further in loses less.")},
         {"roughing cannot keep its stepover of %1 mm: the job's layers lie %2 mm apart",
          phrase("Roughing cannot keep its stepover of %1 mm: the job's layers lie %2 mm apart.")},
         {"the file ends without endsolid", phrase("The file ends without endsolid.")},

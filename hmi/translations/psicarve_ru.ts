@@ -320,6 +320,10 @@
             <translation>%1 точек стоят на радиусе сердцевины %2 mm: то, что внутри него, не вырезается; с моделью крупнее или меньшим core_radius_mm потери меньше.</translation>
         </message>
         <message>
+            <source>%1 of the points stand at the radius of %2 mm at which the heads' travel ends: what lies inside it is not carved; a larger model or a travel_mm that goes further in loses less.</source>
+            <translation>%1 точек стоят на радиусе %2 mm, на котором кончается ход головок: то, что внутри него, не вырезается; с моделью крупнее или travel_mm дальше внутрь потери меньше.</translation>
+        </message>
+        <message>
             <source>%1 of the surface lies behind another part and cannot be reached.</source>
             <translation>%1 поверхности заслонено другой частью и недостижимо.</translation>
         </message>
@@ -5443,6 +5447,18 @@ N, Shift+N  следующая, предыдущая запись
             <translation>целиком лежит внутри радиуса сердцевины %1 mm: получился бы только гладкий стержень; размер %2: увеличьте модель или уменьшите core_radius_mm</translation>
         </message>
         <message>
+            <source>lies wholly within the radius of %1 mm at which the heads' travel ends: nothing but a plain rod would be carved; it is %2 large: are its units inches? Height makes it larger</source>
+            <translation>целиком лежит внутри радиуса %1 mm, на котором кончается ход головок: получился бы только гладкий стержень; размер %2: не в дюймах ли она? Увеличить можно высотой</translation>
+        </message>
+        <message>
+            <source>lies wholly within the radius of %1 mm at which the heads' travel ends: nothing but a plain rod would be carved; it is %2 large: are its units metres? Height makes it larger</source>
+            <translation>целиком лежит внутри радиуса %1 mm, на котором кончается ход головок: получился бы только гладкий стержень; размер %2: не в метрах ли она? Увеличить можно высотой</translation>
+        </message>
+        <message>
+            <source>lies wholly within the radius of %1 mm at which the heads' travel ends: nothing but a plain rod would be carved; it is %2 large: make it larger, or let travel_mm go further in</source>
+            <translation>целиком лежит внутри радиуса %1 mm, на котором кончается ход головок: получился бы только гладкий стержень; размер %2: увеличьте модель или задайте travel_mm дальше внутрь</translation>
+        </message>
+        <message>
             <source>lift or stay</source>
             <translation>lift или stay</translation>
         </message>
@@ -5625,6 +5641,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>no pin has %1 mm; %2 to %3 mm can be</source>
             <translation>штифта в %1 mm не бывает; возможно от %2 до %3 mm</translation>
+        </message>
+        <message>
+            <source>no radius is beyond that of %1 mm at which the heads' travel ends: nothing but a plain rod would be carved; larger radii, or a travel_mm that goes further in, carve more</source>
+            <translation>ни один радиус не больше %1 mm, на котором кончается ход головок: получился бы только гладкий стержень; нужны большие радиусы или travel_mm дальше внутрь</translation>
         </message>
         <message>
             <source>no right to addresses</source>

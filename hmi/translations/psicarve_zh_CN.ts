@@ -320,6 +320,10 @@
             <translation>%1 的点位于芯半径 %2 mm 处：芯半径以内的部分不会雕刻；把模型放大或减小 core_radius_mm，损失会更少。</translation>
         </message>
         <message>
+            <source>%1 of the points stand at the radius of %2 mm at which the heads' travel ends: what lies inside it is not carved; a larger model or a travel_mm that goes further in loses less.</source>
+            <translation>%1 的点位于刀头行程终点的半径 %2 mm 处：该半径以内的部分不会雕刻；把模型放大或让 travel_mm 更靠内，损失会更少。</translation>
+        </message>
+        <message>
             <source>%1 of the surface lies behind another part and cannot be reached.</source>
             <translation>%1 的表面位于其他部分之后，无法到达。</translation>
         </message>
@@ -5436,6 +5440,18 @@ N、Shift+N  下一条、上一条记录
             <translation>完全位于芯半径 %1 mm 之内：只会雕出一根光杆；其大小为 %2：请放大，或减小 core_radius_mm</translation>
         </message>
         <message>
+            <source>lies wholly within the radius of %1 mm at which the heads' travel ends: nothing but a plain rod would be carved; it is %2 large: are its units inches? Height makes it larger</source>
+            <translation>完全位于刀头行程终点的半径 %1 mm 之内：只会雕出一根光杆；其大小为 %2：单位是英寸吗？可用“高度”放大</translation>
+        </message>
+        <message>
+            <source>lies wholly within the radius of %1 mm at which the heads' travel ends: nothing but a plain rod would be carved; it is %2 large: are its units metres? Height makes it larger</source>
+            <translation>完全位于刀头行程终点的半径 %1 mm 之内：只会雕出一根光杆；其大小为 %2：单位是米吗？可用“高度”放大</translation>
+        </message>
+        <message>
+            <source>lies wholly within the radius of %1 mm at which the heads' travel ends: nothing but a plain rod would be carved; it is %2 large: make it larger, or let travel_mm go further in</source>
+            <translation>完全位于刀头行程终点的半径 %1 mm 之内：只会雕出一根光杆；其大小为 %2：请放大，或让 travel_mm 更靠内</translation>
+        </message>
+        <message>
             <source>lift or stay</source>
             <translation>lift 或 stay</translation>
         </message>
@@ -5618,6 +5634,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>no pin has %1 mm; %2 to %3 mm can be</source>
             <translation>没有 %1 mm 的销；可为 %2 至 %3 mm</translation>
+        </message>
+        <message>
+            <source>no radius is beyond that of %1 mm at which the heads' travel ends: nothing but a plain rod would be carved; larger radii, or a travel_mm that goes further in, carve more</source>
+            <translation>没有半径超出刀头行程终点的 %1 mm：只会雕出一根光杆；请用更大的半径，或让 travel_mm 更靠内</translation>
         </message>
         <message>
             <source>no right to addresses</source>

@@ -72,6 +72,60 @@ TEST(CoreShare, NoUnitIsGuessedWhereASizeWasAskedForOrNoneFits) {
     EXPECT_THAT(needle.message, AllOf(HasSubstr("lies wholly within"), Not(HasSubstr("inches"))));
 }
 
+/// Tips that stand 5 mm out where their axes end.
+Profile stopped_by_travel() {
+    Profile profile;
+    profile.r1.tip_offset_mm = profile.r2.tip_offset_mm = 5.0;
+    return profile;
+}
+
+TEST(CoreShare, NamesTheTravelWhereThatIsTheLimit) {
+    const Error sut = refused(shapes::cylinder(1.52, 0.0, 30.0, 40), stopped_by_travel(), small(10, 20));
+    EXPECT_THAT(sut.message,
+                AllOf(HasSubstr("lies wholly within the radius of 5.00 mm at which the heads' travel ends"),
+                      HasSubstr("travel_mm"), Not(HasSubstr("core radius"))));
+    EXPECT_THAT(in_window(sut.message), AllOf(HasSubstr("5.00 mm"), HasSubstr("travel")));
+    // One that is larger than the core, and not than where the heads stop: 25.4 times it is carved.
+    const Error inches = refused(shapes::sphere(1.0, 20, 40), stopped_by_travel(), small(10, 20));
+    EXPECT_THAT(inches.message, HasSubstr("inches (--scale 25.4)"));
+    EXPECT_THAT(in_window(inches.message), AllOf(HasSubstr("5.00 mm"), HasSubstr("inches")));
+    const Error metres = refused(shapes::sphere(0.02, 20, 40), stopped_by_travel(), small(4, 20));
+    EXPECT_THAT(in_window(metres.message), AllOf(HasSubstr("5.00 mm"), HasSubstr("metres")));
+}
+
+TEST(CoreShare, WarnsOfTheTravelWhereThatIsTheLimit) {
+    const BuiltJob sut = built(thin_below(8.0), stopped_by_travel(), small(20, 20));
+    EXPECT_EQ(core_warning(sut.report), "");
+    ASSERT_THAT(sut.report.warnings,
+                Contains(HasSubstr("40.0 % of the points stand at the radius of 5.00 mm at which the heads' "
+                                   "travel ends")));
+    for (const std::string& warning : sut.report.warnings) {
+        if (warning.find("travel ends") == std::string::npos) continue;
+        const session::Phrase phrase = session::warning_phrase(warning);
+        EXPECT_STRNE(phrase.english, "%1") << warning;
+        EXPECT_THAT(session::in_english(phrase), AllOf(HasSubstr("5.00 mm"), Not(HasSubstr("--"))));
+    }
+}
+
+TEST(CoreShare, ARingAboutTheAxisIsNotBesideIt) {
+    const auto ring = [](double far) {
+        return shapes::Builder()
+            .add(shapes::box({-1.0, -far, 0}, {1.0, -far + 0.2, 8}))
+            .add(shapes::box({-1.0, far - 0.2, 0}, {1.0, far, 8}))
+            .mesh();
+    };
+    JobOptions options = small(4, 20);
+    options.axis_at = AxisAt::origin;
+    for (const ToolShape shape : {ToolShape::point, ToolShape::ball}) {
+        Profile profile;
+        profile.tool.shape = shape;
+        profile.tool.diameter_mm = 0.2;
+        const Error sut = refused(ring(1.1), profile, options);
+        EXPECT_THAT(sut.message, AllOf(HasSubstr("lies wholly within the core radius of 1.50 mm"),
+                                       Not(HasSubstr("beside"))));
+    }
+}
+
 TEST(CoreShare, HeadsKeptApartAndADepthLimitHideNothing) {
     Profile apart;
     apart.core_radius_mm = 1.0;
@@ -129,10 +183,10 @@ TEST(CoreShare, OfAJobWithRoughingIsThatOfItsFinishedSurface) {
 
 class CoreShareOfATable : public ::testing::Test {
 protected:
-    Result<BuiltJob> read(const std::string& text) const {
+    Result<BuiltJob> read(const std::string& text, const Profile& profile = {}) const {
         const std::string path = folder_.path("t.csv");
         std::ofstream(path, std::ios::binary) << text;
-        return job_from_table(path, Profile{}, {});
+        return job_from_table(path, profile, {});
     }
     test::TemporaryFolder folder_;
 };
@@ -144,6 +198,14 @@ TEST_F(CoreShareOfATable, IsRefusedWhereItIsAllOfIt) {
     EXPECT_THAT(
         sut.error().message,
         HasSubstr("all radii are the core radius of 1.50 mm: nothing but a plain rod would be carved"));
+    EXPECT_THAT(in_window(sut.error().message), HasSubstr("plain rod"));
+}
+
+TEST_F(CoreShareOfATable, NamesTheTravelWhereThatIsTheLimit) {
+    const auto sut = read("y_mm,r_mm\n1,2,2,2,2\n2,2,2,2,2\n", stopped_by_travel());
+    ASSERT_FALSE(sut);
+    EXPECT_THAT(sut.error().message,
+                HasSubstr("no radius is beyond that of 5.00 mm at which the heads' travel ends"));
     EXPECT_THAT(in_window(sut.error().message), HasSubstr("plain rod"));
 }
 

@@ -115,7 +115,8 @@ enum class RecordKind : std::uint16_t {
     alarm = 6,
     job = 7,
     home_latch = 8,
-    gap = 9,       ///< value: ticks missed from here on, before whatever follows; code: in so many gaps
+    gap = 9,       ///< value: ticks missed from here on, before whatever follows; code: in so many gaps;
+                   ///< answer: the longest of them that would be harmless here [ticks]
     failure = 10,  ///< code: the AlarmCause that the core itself found
     order = 11,    ///< code: OrderPart of the command that follows in the same tick; axis, value
     jog_end = 12,  ///< a jog was let go, or its lease ran out: slowing down from here
@@ -129,6 +130,11 @@ enum class OrderPart : std::uint16_t {
     centre = 3,  ///< of an arc; axis: 0 or 1, its first or second axis; value [pulses]
 };
 
+/// FlightRecord::answer of a gap that was too long for the rotors that turned: no other is counted with it.
+inline constexpr std::uint32_t kAlarmingGap = 0;
+/// No rotor turned.
+inline constexpr std::uint32_t kAnyGap = 0xFFFF'FFFF;
+
 /// One entry of the flight recorder.
 struct FlightRecord {
     std::uint64_t tick;
@@ -136,7 +142,7 @@ struct FlightRecord {
     std::uint16_t code;    ///< CommandKind, MachineState entered, AlarmCause, by kind
     std::uint32_t axis;    ///< Axis or kNoAxis
     SignalWord signals;    ///< all levels after it happened
-    std::uint32_t answer;  ///< command: AnswerKind
+    std::uint32_t answer;  ///< command: AnswerKind; gap: as said there
     std::int64_t
         value;  ///< command: its value; alarm: count seen; job: generation; latch: correction [pulses]
     std::int64_t position_pulses[kAxisCount];

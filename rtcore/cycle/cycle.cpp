@@ -60,28 +60,21 @@ void Cycle::tend_port() noexcept {
 
 void Cycle::advance_missed(std::uint64_t ticks) noexcept {
     missed_ticks_ += ticks;
+    report_gap(ticks);
     const std::int64_t step_ticks = config_.has_two_timers() ? config_.io_ticks : 1;
     const auto count = static_cast<std::int64_t>(ticks);
-    const std::int64_t gap_ticks = (count + 1) * step_ticks;
-    bool is_alarm = false;
-    for (std::size_t k = 0; k < kAxisCount; ++k) is_alarm = is_alarm || has_lost_steps(k, gap_ticks);
-    // A record of its own: in a replay the sum of many must be none.
-    if (is_alarm) tell_gaps();
-    count_gap(ticks);
-    check_gap(gap_ticks);
+    check_gap((count + 1) * step_ticks);
     tick_ += static_cast<std::uint64_t>(count * step_ticks);
     time_ns_ += count * step_ticks * config_.period_ns;
 }
 
 // A rotor that coasted so long has lost its steps.
-bool Cycle::has_lost_steps(std::size_t axis, std::int64_t gap_ticks) const noexcept {
-    const std::int64_t coast_ticks = config_.axes[axis].coast_ticks;
-    return gap_ticks > coast_ticks && pulses_.stepped_within(axis, coast_ticks, tick_);
-}
-
 void Cycle::check_gap(std::int64_t gap_ticks) noexcept {
     for (std::size_t k = 0; k < kAxisCount; ++k) {
-        if (has_lost_steps(k, gap_ticks)) raise_alarm(AlarmCause::tick_gap, static_cast<std::uint8_t>(k));
+        const std::int64_t coast_ticks = config_.axes[k].coast_ticks;
+        if (gap_ticks > coast_ticks && pulses_.stepped_within(k, coast_ticks, tick_)) {
+            raise_alarm(AlarmCause::tick_gap, static_cast<std::uint8_t>(k));
+        }
     }
 }
 
@@ -257,10 +250,6 @@ void Cycle::publish() noexcept {
                                    .y_pulses = now[3]};
         if (!io_->increments.push(entry)) ++increments_lost_;
     }
-    constexpr std::uint64_t kSecond_ns = 1'000'000'000;
-    const bool has_gaps = untold_gaps_.value != 0;
-    if (has_gaps && (tick_ - untold_gaps_.tick) * static_cast<std::uint64_t>(config_.period_ns) >= kSecond_ns)
-        tell_gaps();
     io_->sample.write(sample());
 }
 

@@ -89,7 +89,6 @@ private:
     void trace_pins(std::int64_t offset_ns) noexcept;
     void publish() noexcept;
     void check_gap(std::int64_t gap_ticks) noexcept;
-    bool has_lost_steps(std::size_t axis, std::int64_t gap_ticks) const noexcept;
     // cycle_two_timer.cpp
     void tick_by_two_timers() noexcept;
     // cycle_states.cpp: states and alarms
@@ -145,8 +144,8 @@ private:
     void report(const FlightRecord& record, std::int64_t expected_pulses = 0) noexcept;
     void answer(const Request& request, Refusal refusal) noexcept;
     void push_report(const Report& report) noexcept;
-    void count_gap(std::uint64_t ticks) noexcept;
-    void tell_gaps() noexcept;
+    void report_gap(std::uint64_t ticks) noexcept;
+    std::uint32_t longest_harmless_gap() const noexcept;
     FlightRecord record_of(RecordKind kind, std::uint16_t code, std::uint8_t axis = kNoAxis,
                            std::int64_t value = 0) const noexcept;
     void trace_position() noexcept;
@@ -214,7 +213,6 @@ private:
     std::uint64_t carve_last_tick_ = 0;
     std::uint64_t job_end_tick_ = 0;
     std::uint64_t missed_ticks_ = 0;
-    FlightRecord untold_gaps_{};  ///< value 0: none
     std::uint64_t trace_lost_ = 0;
     std::uint64_t reports_lost_ = 0;
     std::uint64_t increments_lost_ = 0;

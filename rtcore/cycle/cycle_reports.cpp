@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <limits>
 
 #include "rtcore/cycle/cycle.hpp"
 #include "rtcore/cycle/request_command.hpp"
@@ -88,26 +89,34 @@ void Cycle::answer(const Request& request, Refusal refusal) noexcept {
 }
 
 void Cycle::push_report(const Report& report) noexcept {
-    tell_gaps();
     if (!io_->reports.push(report)) ++reports_lost_;
 }
 
-void Cycle::count_gap(std::uint64_t ticks) noexcept {
-    constexpr std::uint16_t kMostGaps = 0xFFFF;
-    if (untold_gaps_.value == 0) untold_gaps_ = record_of(RecordKind::gap, 0);
-    if (untold_gaps_.code < kMostGaps) ++untold_gaps_.code;
-    untold_gaps_.value += static_cast<std::int64_t>(ticks);
+// Each by itself, at once: whoever looks at the recorder finds there what the status has counted. Half of the
+// ring is for whatever else happens while nobody empties it.
+void Cycle::report_gap(std::uint64_t ticks) noexcept {
+    const std::uint32_t longest = longest_harmless_gap();
+    FlightRecord record = record_of(RecordKind::gap, 1, kNoAxis, static_cast<std::int64_t>(ticks));
+    record.answer = ticks > longest ? kAlarmingGap : longest;
+    if (record.answer != kAlarmingGap && io_->reports.size() >= ReportRing::capacity() / 2) {
+        ++reports_lost_;
+        return;
+    }
+    report(record);
 }
 
-// At most once a second where nothing happens, and before whatever happens: in a replay all of them come at
-// the first one's tick, and what comes next at its own.
-void Cycle::tell_gaps() noexcept {
-    if (untold_gaps_.value == 0) return;
-    Report entry{};
-    entry.record = untold_gaps_;
-    entry.kind = Report::Kind::event;
-    untold_gaps_.value = 0;
-    if (!io_->reports.push(entry)) ++reports_lost_;
+/// Missed ticks after which no rotor that turns now has lost its steps: as check_gap() has it.
+std::uint32_t Cycle::longest_harmless_gap() const noexcept {
+    constexpr std::int64_t kNoRotorTurns = std::numeric_limits<std::int64_t>::max();
+    std::int64_t least_ticks = kNoRotorTurns;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        const std::int64_t coast_ticks = config_.axes[k].coast_ticks;
+        if (pulses_.stepped_within(k, coast_ticks, tick_)) least_ticks = std::min(least_ticks, coast_ticks);
+    }
+    if (least_ticks == kNoRotorTurns) return kAnyGap;
+    const std::int64_t step_ticks = config_.has_two_timers() ? config_.io_ticks : 1;
+    return static_cast<std::uint32_t>(
+        std::clamp<std::int64_t>(least_ticks / step_ticks - 1, 0, std::int64_t{kAnyGap} - 1));
 }
 
 // After the pins of the same tick: what is counted from here on includes their pulses.

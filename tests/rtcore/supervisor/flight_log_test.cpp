@@ -18,6 +18,12 @@ FlightRecord record_at(std::uint64_t tick, RecordKind kind, std::int64_t value =
     return record;
 }
 
+FlightRecord gap_at(std::uint64_t tick, std::int64_t missed, std::uint32_t longest_harmless = kAnyGap) {
+    FlightRecord record = record_at(tick, RecordKind::gap, missed, 1);
+    record.answer = longest_harmless;
+    return record;
+}
+
 class FlightLogTest : public testing::Test {
 protected:
     std::vector<FlightRecord> kept() const {
@@ -33,8 +39,7 @@ protected:
 // Two years of an idle core on a busy computer.
 TEST_F(FlightLogTest, NoFloodOfMissedTicksPushesAnythingOut) {
     sut_.append(*ring_, record_at(7, RecordKind::alarm));
-    for (std::uint64_t i = 0; i < 10 * kFlightRecords; ++i)
-        sut_.append(*ring_, record_at(10 + i, RecordKind::gap, 3, 2));
+    for (std::uint64_t i = 0; i < 10 * kFlightRecords; ++i) sut_.append(*ring_, gap_at(10 + i, 3));
     const auto records = kept();
     ASSERT_EQ(records.size(), 2U);
     EXPECT_EQ(records[0].kind, RecordKind::alarm);
@@ -45,7 +50,7 @@ TEST_F(FlightLogTest, NoFloodOfMissedTicksPushesAnythingOut) {
 
 TEST_F(FlightLogTest, HalfOfTheRecordsAreNeverCounters) {
     for (std::uint64_t i = 0; i < kFlightRecords / 2; ++i) {
-        for (int k = 0; k < 20; ++k) sut_.append(*ring_, record_at(3 * i, RecordKind::gap, 1, 1));
+        for (int k = 0; k < 20; ++k) sut_.append(*ring_, gap_at(3 * i, 1));
         sut_.append(*ring_, record_at(3 * i + 1, RecordKind::command));
     }
     const auto records = kept();
@@ -55,21 +60,62 @@ TEST_F(FlightLogTest, HalfOfTheRecordsAreNeverCounters) {
 }
 
 TEST_F(FlightLogTest, WhatComesBetweenEndsACounter) {
-    sut_.append(*ring_, record_at(1, RecordKind::gap, 3, 1));
-    sut_.append(*ring_, record_at(2, RecordKind::gap, 4, 1));
+    sut_.append(*ring_, gap_at(1, 3));
+    sut_.append(*ring_, gap_at(2, 4));
     sut_.append(*ring_, record_at(3, RecordKind::command));
-    sut_.append(*ring_, record_at(4, RecordKind::gap, 5, 1));
+    sut_.append(*ring_, gap_at(4, 5));
     const auto records = kept();
     ASSERT_EQ(records.size(), 3U);
     EXPECT_EQ(records[0].value, 7);
     EXPECT_EQ(records[2].value, 5);
 }
 
+TEST_F(FlightLogTest, AGapThatWasAnAlarmIsCountedWithNoOther) {
+    for (const std::uint32_t longest : {49U, kAnyGap}) {
+        sut_.append(*ring_, record_at(1, RecordKind::command));
+        sut_.append(*ring_, gap_at(2, 2, longest));
+        sut_.append(*ring_, gap_at(3, 60, kAlarmingGap));
+        sut_.append(*ring_, gap_at(4, 2, longest));
+    }
+    const auto records = kept();
+    ASSERT_EQ(records.size(), 8U);
+    for (const std::size_t n : {2U, 6U}) {
+        EXPECT_EQ(records[n].value, 60);
+        EXPECT_EQ(records[n].code, 1);
+    }
+}
+
+// In a replay all come where the first one was.
+TEST_F(FlightLogTest, WhatIsHarmlessAtRestAloneIsNotCountedInMotion) {
+    sut_.append(*ring_, gap_at(1, 2, 49));
+    sut_.append(*ring_, gap_at(2, 49, 80));
+    sut_.append(*ring_, gap_at(3, 50));
+    sut_.append(*ring_, gap_at(4, 3, 49));
+    sut_.append(*ring_, gap_at(5, 5000));
+    const auto records = kept();
+    ASSERT_EQ(records.size(), 2U);
+    EXPECT_EQ(records[0].value, 51);
+    EXPECT_EQ(records[0].code, 2);
+    EXPECT_EQ(records[1].tick, 3U);
+    EXPECT_EQ(records[1].value, 5053);
+    EXPECT_EQ(records[1].code, 3);
+}
+
+TEST_F(FlightLogTest, NoAverageIsLongerThanItsGaps) {
+    constexpr std::int64_t kGaps = 70'000;
+    for (std::int64_t n = 0; n < kGaps; ++n) sut_.append(*ring_, gap_at(1, 40, 49));
+    const auto records = kept();
+    ASSERT_EQ(records.size(), 2U);
+    EXPECT_EQ(records[0].code, 0xFFFF);
+    EXPECT_EQ(records[1].code, kGaps - 0xFFFF);
+    for (const FlightRecord& record : records) EXPECT_EQ(record.value, 40 * std::int64_t{record.code});
+}
+
 TEST_F(FlightLogTest, ANewSegmentBeginsWithNoCounterOfTheOldOne) {
-    sut_.append(*ring_, record_at(1, RecordKind::gap, 3, 1));
+    sut_.append(*ring_, gap_at(1, 3));
     auto fresh = std::make_unique<FlightRecorder>();
     sut_.begin_anew();
-    sut_.append(*fresh, record_at(9, RecordKind::gap, 4, 1));
+    sut_.append(*fresh, gap_at(9, 4));
     EXPECT_EQ(fresh->published.load(), 1U);
     ring_ = std::move(fresh);
     EXPECT_EQ(kept().front().value, 4);

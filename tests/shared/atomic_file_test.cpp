@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -179,6 +182,17 @@ TEST_F(AtomicFile, ASignalTakesAHiddenNameAway) {
     EXPECT_THAT(left_in(folder_), testing::IsEmpty());
     ::close(ready[0]);
     ::close(ready[1]);
+}
+
+// Whoever sweeps the folder meanwhile would have the lock, and take the name away before the file gets its
+// own.
+TEST_F(AtomicFile, AHiddenFileIsLockedUntilItHasItsName) {
+    auto part = PartialFile::create_hidden(folder_of(file_), 0600);
+    ASSERT_TRUE(part);
+    ASSERT_EQ(part->take_name(file_), 0);
+    const OpenFile other{::open(file_.c_str(), O_RDONLY | O_CLOEXEC)};
+    EXPECT_EQ(::flock(other.get(), LOCK_EX | LOCK_NB), -1);
+    EXPECT_EQ(errno, EWOULDBLOCK);
 }
 
 TEST_F(AtomicFile, WhatADeadProcessLeftIsSweptAndNothingElse) {

@@ -52,15 +52,33 @@ int write_all(int file, std::span<const std::byte> bytes) noexcept {
     return 0;
 }
 
-int fill(const OpenFile& file, std::optional<FileRights> rights,
-         std::span<const std::span<const std::byte>> parts) noexcept {
+/// What puts the content into a file; the error number, or 0.
+using Filling = std::function<int(int file)>;
+
+int put_stream(int file, const std::function<void(std::FILE*)>& put) {
+    const int copy = ::fcntl(file, F_DUPFD_CLOEXEC, 0);
+    if (copy < 0) return errno;
+    std::FILE* const out = ::fdopen(copy, "wb");
+    if (out == nullptr) {
+        const int failed = errno;
+        ::close(copy);
+        return failed;
+    }
+    errno = 0;
+    put(out);
+    int failed = 0;
+    if (std::ferror(out) != 0) failed = errno != 0 ? errno : EIO;
+    if (std::fflush(out) != 0 && failed == 0) failed = errno;
+    if (std::fclose(out) != 0 && failed == 0) failed = errno;
+    return failed;
+}
+
+int fill(const OpenFile& file, std::optional<FileRights> rights, const Filling& put) {
     constexpr auto kSameUser = static_cast<uid_t>(-1);
     // First the group, then its rights: at no instant may a wrong group read it.
     if (rights && rights->group && ::fchown(file.get(), kSameUser, *rights->group) != 0) return errno;
     if (rights && ::fchmod(file.get(), rights->mode) != 0) return errno;
-    for (const auto part : parts) {
-        if (const int failed = write_all(file.get(), part); failed != 0) return failed;
-    }
+    if (const int failed = put(file.get()); failed != 0) return failed;
     return ::fsync(file.get()) == 0 ? 0 : errno;
 }
 
@@ -102,11 +120,8 @@ Result<std::vector<std::byte>> read_start(const RegularFile& file, const std::st
     return bytes;
 }
 
-}  // namespace
-
-Result<void> write_parts_atomically(const std::string& path,
-                                    std::span<const std::span<const std::byte>> parts,
-                                    const std::optional<FileRights>& rights) {
+Result<void> replace_file(const std::string& path, const std::optional<FileRights>& rights,
+                          const Filling& put) {
     const auto mode = mode_to_keep(path);
     if (!mode) return mode.error();
     std::optional<FileRights> wanted = rights;
@@ -114,7 +129,7 @@ Result<void> write_parts_atomically(const std::string& path,
     constexpr mode_t kOwnerAlone = 0600;
     auto part = PartialFile::create(folder_of(path), rights ? kOwnerAlone : kNewFileMode);
     if (!part) return file_error(path, "cannot be written in this folder", part.error());
-    if (const int failed = fill(part->file(), wanted, parts); failed != 0) {
+    if (const int failed = fill(part->file(), wanted, put); failed != 0) {
         return file_error(path, "cannot be written, what was there before is unchanged", failed);
     }
     if (const int failed = part->take_name(path); failed != 0) {
@@ -122,6 +137,23 @@ Result<void> write_parts_atomically(const std::string& path,
     }
     sync_folder(path);
     return {};
+}
+
+}  // namespace
+
+Result<void> write_parts_atomically(const std::string& path,
+                                    std::span<const std::span<const std::byte>> parts,
+                                    const std::optional<FileRights>& rights) {
+    return replace_file(path, rights, [parts](int file) {
+        for (const auto part : parts) {
+            if (const int failed = write_all(file, part); failed != 0) return failed;
+        }
+        return 0;
+    });
+}
+
+Result<void> write_stream_atomically(const std::string& path, const std::function<void(std::FILE*)>& put) {
+    return replace_file(path, std::nullopt, [&put](int file) { return put_stream(file, put); });
 }
 
 Result<void> check_writable(const std::string& path) {

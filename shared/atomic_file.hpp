@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,6 +30,8 @@ Result<void> write_file_atomically(const std::string& path, std::span<const std:
 Result<void> write_parts_atomically(const std::string& path,
                                     std::span<const std::span<const std::byte>> parts,
                                     const std::optional<FileRights>& rights = std::nullopt);
+/// The same for what is too much to be held: `put` writes it, and need not look whether it could.
+Result<void> write_stream_atomically(const std::string& path, const std::function<void(std::FILE*)>& put);
 
 /// Whether a file of this name could be written now, for whoever has long to work before there is something
 /// to write. Leaves what is there.

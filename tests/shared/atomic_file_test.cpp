@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -81,6 +82,31 @@ TEST_F(AtomicFile, FolderDeviceAndMissingFolderAreRefusedByName) {
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
+void put_rows(std::FILE* out) {
+    for (int i = 0; i < 5000; ++i) std::fputc('r', out);
+}
+
+TEST_F(AtomicFile, StreamReplacesTheOldOneKeepsItsModeAndTouchesNothingElse) {
+    ASSERT_EQ(::chmod(file_.c_str(), 0604), 0);
+    std::ofstream(folder_.path("file.part")) << "mine";
+
+    ASSERT_TRUE(write_stream_atomically(file_, put_rows).has_value());
+
+    EXPECT_EQ(content(), bytes_of('r', 5000));
+    EXPECT_EQ(mode_of(file_), 0604U);
+    EXPECT_EQ(read_whole_file(folder_.path("file.part")).value().size(), 4U);
+    EXPECT_EQ(folder_.file_count(), 2U);
+}
+
+TEST_F(AtomicFile, StreamRefusesWhatARenameWouldDestroy) {
+    ASSERT_EQ(::mkfifo(folder_.path("pipe").c_str(), 0600), 0);
+    EXPECT_THAT(write_stream_atomically(folder_.path("pipe"), put_rows).error().message,
+                HasSubstr("is no regular file"));
+    EXPECT_TRUE(std::filesystem::is_fifo(folder_.path("pipe")));
+    EXPECT_THAT(write_stream_atomically(folder_.path(""), put_rows).error().message,
+                HasSubstr("is a folder"));
+}
+
 TEST_F(AtomicFile, FullDiskLeavesTheOldOneIntact) {
     rlimit former{};
     ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &former), 0);
@@ -90,12 +116,15 @@ TEST_F(AtomicFile, FullDiskLeavesTheOldOneIntact) {
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
 
     const auto written = write_file_atomically(file_, bytes_of('n', 100'000));
+    const auto streamed = write_stream_atomically(file_, put_rows);
 
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &former), 0);
     ::signal(SIGXFSZ, former_handler);
     ASSERT_FALSE(written.has_value());
     EXPECT_EQ(written.error().code, ErrorCode::out_of_room);
     EXPECT_THAT(written.error().message, HasSubstr(file_));
+    ASSERT_FALSE(streamed.has_value());
+    EXPECT_EQ(streamed.error().code, ErrorCode::out_of_room);
     EXPECT_EQ(content(), old_);
     EXPECT_EQ(folder_.file_count(), 1U);
 }

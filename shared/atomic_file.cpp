@@ -2,14 +2,18 @@
 #include "shared/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <linux/magic.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <climits>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -28,8 +32,31 @@ Error file_error(const std::string& path, const std::string& what, int error_num
                  path + ": " + what + ": " + std::generic_category().message(error_number)};
 }
 
+bool is_on_proc(const std::string& folder) noexcept {
+    struct statfs facts {};
+    return ::statfs(folder.c_str(), &facts) == 0 && facts.f_type == PROC_SUPER_MAGIC;
+}
+
+/// Whether it leads, link by link, by what the kernel shows of a process, as /dev/stdout does to
+/// /proc/self/fd/1: whatever file is open there, that name is none of the file's.
+bool leads_by_proc(std::string path) {
+    constexpr int kMostLinks = 40;  // the kernel's own limit
+    for (int i = 0; i < kMostLinks; ++i) {
+        std::array<char, PATH_MAX> target{};
+        const ssize_t size = ::readlink(path.c_str(), target.data(), target.size());
+        const std::string folder = folder_of(path);
+        if ((size > 0 || i > 0) && is_on_proc(folder)) return true;
+        if (size <= 0) return false;
+        const std::string_view to{target.data(), static_cast<std::size_t>(size)};
+        path = to.starts_with('/') ? std::string{to} : folder + std::string{to};
+    }
+    return false;
+}
+
 /// The mode of the file that is to be replaced, if there is one. Refuses what a rename would destroy.
 Result<std::optional<mode_t>> mode_to_keep(const std::string& path) {
+    if (leads_by_proc(path))
+        return bad_input(path + ": is an open descriptor, not a file's name: use - for standard output");
     struct stat facts {};
     if (::stat(path.c_str(), &facts) != 0) {
         if (errno == ENOENT) return std::optional<mode_t>{};

@@ -24,7 +24,8 @@ struct FileRights {
 
 /// Temporary file beside it, fsync, rename, fsync of the folder: the old file stays intact whatever happens.
 /// Keeps an existing file's mode; a new one gets what the umask leaves. A symbolic link is replaced, not
-/// followed; what is no regular file (a folder, a device, a pipe) is refused.
+/// followed; what is no regular file (a folder, a device, a pipe) is refused, and so is a name of an open
+/// descriptor (/dev/stdout), whatever is open there.
 Result<void> write_file_atomically(const std::string& path, std::span<const std::byte> bytes);
 /// The same for bytes that stand in several places.
 Result<void> write_parts_atomically(const std::string& path,

@@ -82,6 +82,37 @@ TEST_F(AtomicFile, FolderDeviceAndMissingFolderAreRefusedByName) {
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
+// As /dev/stdout is one: by /proc/self/fd/1 to the file of a redirection.
+TEST_F(AtomicFile, LinkToAnOpenDescriptorIsRefusedAndStays) {
+    const OpenFile open_file{::open(file_.c_str(), O_RDWR | O_CLOEXEC)};
+    const std::string descriptor = "/proc/self/fd/" + std::to_string(open_file.get());
+    std::filesystem::create_symlink(descriptor, folder_.path("direct"));
+    std::filesystem::create_symlink("direct", folder_.path("stdout"));
+    std::filesystem::create_symlink("/proc/self/fd", folder_.path("fd"));
+    std::filesystem::create_symlink("/proc/self/fd/987654", folder_.path("closed"));
+    const std::string by_folder = folder_.path("fd/") + std::to_string(open_file.get());
+    for (const std::string& path :
+         {descriptor, folder_.path("direct"), folder_.path("stdout"), by_folder, folder_.path("closed")}) {
+        const std::string said =
+            path + ": is an open descriptor, not a file's name: use - for standard output";
+        EXPECT_THAT(check_writable(path).error().message, HasSubstr(said));
+        EXPECT_THAT(write_file_atomically(path, bytes_of('n', 10)).error().message, HasSubstr(said));
+        EXPECT_TRUE(std::filesystem::is_symlink(std::filesystem::symlink_status(path)) ||
+                    path == folder_.path("closed"));
+    }
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_.path("closed")));
+    EXPECT_EQ(content(), old_);
+}
+
+TEST_F(AtomicFile, LinkThatLeadsNowhereOrInACircleIsReplacedOrRefused) {
+    std::filesystem::create_symlink("nowhere", folder_.path("link"));
+    ASSERT_TRUE(write_file_atomically(folder_.path("link"), old_).has_value());
+    EXPECT_FALSE(std::filesystem::is_symlink(folder_.path("link")));
+
+    std::filesystem::create_symlink("circle", folder_.path("circle"));
+    EXPECT_FALSE(write_file_atomically(folder_.path("circle"), old_).has_value());
+}
+
 void put_rows(std::FILE* out) {
     for (int i = 0; i < 5000; ++i) std::fputc('r', out);
 }

@@ -89,6 +89,17 @@ TEST_F(ProfilePlace, AWrongOneIsNeverPassedOver) {
     EXPECT_EQ(psicarve({"profile", "path"}).exit_code, 3) << "named, but not there";
 }
 
+TEST_F(ProfilePlace, ThatCannotBeLookedAtIsNotPassedOver) {
+    std::filesystem::remove(file("config/psicarve"));
+    std::filesystem::create_symlink("psicarve", file("config/psicarve"));  // a circle: also root sees nothing
+    const Outcome outcome = psicarve({"profile", "path"});
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.out;
+    EXPECT_NE(outcome.error.find(place() + ": cannot be read: "), std::string::npos) << outcome.error;
+    std::filesystem::remove(file("config/psicarve"));
+    write("config/psicarve", "no folder");
+    EXPECT_EQ(psicarve({"profile", "path"}).exit_code, 0) << "nothing can be there";
+}
+
 class ProfileDiff : public CliTest {};
 
 TEST_F(ProfileDiff, NamesKeysWithBothValuesAndTheirUnit) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "shared/profile_place.hpp"
+
 namespace psicarve::cli {
 namespace {
 
@@ -36,6 +38,9 @@ void add_files_of(const CLI::App& app, std::vector<NamedFile>& files) {
 std::vector<NamedFile> named_files(const CLI::App& command) {
     std::vector<NamedFile> files;
     for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) add_files_of(*app, files);
+    const auto is_profile = [](const NamedFile& file) { return file.name == "--profile"; };
+    if (std::none_of(files.begin(), files.end(), is_profile))
+        files.push_back({"profile", default_profile_path(), false});
     return files;
 }
 

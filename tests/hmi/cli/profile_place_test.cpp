@@ -89,6 +89,31 @@ TEST_F(ProfilePlace, AWrongOneIsNeverPassedOver) {
     EXPECT_EQ(psicarve({"profile", "path"}).exit_code, 3) << "named, but not there";
 }
 
+TEST_F(ProfilePlace, IsKeptAsAnInputIs) {
+    put_profile();
+    const std::string kept = text_of(place());
+    std::filesystem::create_symlink(place(), file("link"));
+    const auto is_refused = [&](const Outcome& outcome, const std::string& option, const std::string& path) {
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.error;
+        const std::string said = option + " " + path + " and profile " + place() + " are one file";
+        EXPECT_NE(outcome.error.find(said), std::string::npos) << outcome.error;
+        EXPECT_EQ(text_of(place()), kept);
+    };
+    for (const std::string& path : {place(), file("link")}) {
+        is_refused(psicarve({"slice", box_stl("box.stl"), "-o", path, "--layers", "3", "--points", "5"}),
+                   "--output", path);
+        for (const char* option : {"--trace", "--piece", "--layer-times"}) {
+            RunningProgram core{
+                "psicarve-rtcore",
+                {"--segment", segment_, "--clock", "virtual", "--capacity", "1x1", option, path}};
+            ASSERT_TRUE(eventually([&] { return core.has_ended() || run({"status"}).exit_code == 0; }));
+            core.send(SIGTERM);
+            is_refused(core.outcome(), option, path);
+        }
+    }
+    EXPECT_TRUE(std::filesystem::is_symlink(file("link")));
+}
+
 TEST_F(ProfilePlace, ThatCannotBeLookedAtIsNotPassedOver) {
     std::filesystem::remove(file("config/psicarve"));
     std::filesystem::create_symlink("psicarve", file("config/psicarve"));  // a circle: also root sees nothing

@@ -232,7 +232,8 @@ int run_core(const CoreOptions& options) {
     const auto profile = load_core_profile(profile_path_of(options));
     if (!profile) return fail(profile.error());
     if (!options.unnamed_profile_path.empty() && options.replay_path.empty())
-        std::fprintf(stderr, "psicarve-rtcore: profile %s\n", options.unnamed_profile_path.c_str());
+        std::fprintf(stderr, "psicarve-rtcore: profile %s\n",
+                     printable(options.unnamed_profile_path).c_str());
     const auto machine = options.machine_path.empty() ? profile : load_core_profile(options.machine_path);
     if (!machine) return fail(machine.error());
     PartsRequest request = parts_request_of(*replay, *profile, *machine);

@@ -125,6 +125,19 @@ TEST_F(ProfilePlace, ThatCannotBeLookedAtIsNotPassedOver) {
     EXPECT_EQ(psicarve({"profile", "path"}).exit_code, 0) << "nothing can be there";
 }
 
+TEST_F(ProfilePlace, IsToldByTheCoreInLettersAlone) {
+    const std::string folder = file("\033[2Jconfig");
+    setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
+    std::filesystem::create_directories(folder + "/psicarve");
+    write("\033[2Jconfig/psicarve/machine.toml", "name = \"mine\"\n");
+    RunningProgram core{"psicarve-rtcore", {"--segment", segment_, "--clock", "virtual"}};
+    ASSERT_TRUE(eventually([&] { return run({"status"}).exit_code == 0 || core.has_ended(); }));
+    core.send(SIGTERM);
+    const Outcome ended = core.outcome();
+    EXPECT_NE(ended.error.find("\\u001b[2Jconfig/psicarve/machine.toml"), std::string::npos) << ended.error;
+    EXPECT_EQ(ended.error.find('\033'), std::string::npos);
+}
+
 class ProfileDiff : public CliTest {};
 
 TEST_F(ProfileDiff, NamesKeysWithBothValuesAndTheirUnit) {

@@ -2,14 +2,18 @@
 #include "shared/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <linux/magic.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <climits>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -28,8 +32,31 @@ Error file_error(const std::string& path, const std::string& what, int error_num
                  path + ": " + what + ": " + std::generic_category().message(error_number)};
 }
 
+bool is_on_proc(const std::string& folder) noexcept {
+    struct statfs facts {};
+    return ::statfs(folder.c_str(), &facts) == 0 && facts.f_type == PROC_SUPER_MAGIC;
+}
+
+/// Whether it leads, link by link, by what the kernel shows of a process, as /dev/stdout does to
+/// /proc/self/fd/1: whatever file is open there, that name is none of the file's.
+bool leads_by_proc(std::string path) {
+    constexpr int kMostLinks = 40;  // the kernel's own limit
+    for (int i = 0; i < kMostLinks; ++i) {
+        std::array<char, PATH_MAX> target{};
+        const ssize_t size = ::readlink(path.c_str(), target.data(), target.size());
+        const std::string folder = folder_of(path);
+        if ((size > 0 || i > 0) && is_on_proc(folder)) return true;
+        if (size <= 0) return false;
+        const std::string_view to{target.data(), static_cast<std::size_t>(size)};
+        path = to.starts_with('/') ? std::string{to} : folder + std::string{to};
+    }
+    return false;
+}
+
 /// The mode of the file that is to be replaced, if there is one. Refuses what a rename would destroy.
 Result<std::optional<mode_t>> mode_to_keep(const std::string& path) {
+    if (leads_by_proc(path))
+        return bad_input(path + ": is an open descriptor, not a file's name: use - for standard output");
     struct stat facts {};
     if (::stat(path.c_str(), &facts) != 0) {
         if (errno == ENOENT) return std::optional<mode_t>{};
@@ -52,15 +79,33 @@ int write_all(int file, std::span<const std::byte> bytes) noexcept {
     return 0;
 }
 
-int fill(const OpenFile& file, std::optional<FileRights> rights,
-         std::span<const std::span<const std::byte>> parts) noexcept {
+/// What puts the content into a file; the error number, or 0.
+using Filling = std::function<int(int file)>;
+
+int put_stream(int file, const std::function<void(std::FILE*)>& put) {
+    const int copy = ::fcntl(file, F_DUPFD_CLOEXEC, 0);
+    if (copy < 0) return errno;
+    std::FILE* const out = ::fdopen(copy, "wb");
+    if (out == nullptr) {
+        const int failed = errno;
+        ::close(copy);
+        return failed;
+    }
+    errno = 0;
+    put(out);
+    int failed = 0;
+    if (std::ferror(out) != 0) failed = errno != 0 ? errno : EIO;
+    if (std::fflush(out) != 0 && failed == 0) failed = errno;
+    if (std::fclose(out) != 0 && failed == 0) failed = errno;
+    return failed;
+}
+
+int fill(const OpenFile& file, std::optional<FileRights> rights, const Filling& put) {
     constexpr auto kSameUser = static_cast<uid_t>(-1);
     // First the group, then its rights: at no instant may a wrong group read it.
     if (rights && rights->group && ::fchown(file.get(), kSameUser, *rights->group) != 0) return errno;
     if (rights && ::fchmod(file.get(), rights->mode) != 0) return errno;
-    for (const auto part : parts) {
-        if (const int failed = write_all(file.get(), part); failed != 0) return failed;
-    }
+    if (const int failed = put(file.get()); failed != 0) return failed;
     return ::fsync(file.get()) == 0 ? 0 : errno;
 }
 
@@ -102,11 +147,8 @@ Result<std::vector<std::byte>> read_start(const RegularFile& file, const std::st
     return bytes;
 }
 
-}  // namespace
-
-Result<void> write_parts_atomically(const std::string& path,
-                                    std::span<const std::span<const std::byte>> parts,
-                                    const std::optional<FileRights>& rights) {
+Result<void> replace_file(const std::string& path, const std::optional<FileRights>& rights,
+                          const Filling& put) {
     const auto mode = mode_to_keep(path);
     if (!mode) return mode.error();
     std::optional<FileRights> wanted = rights;
@@ -114,7 +156,7 @@ Result<void> write_parts_atomically(const std::string& path,
     constexpr mode_t kOwnerAlone = 0600;
     auto part = PartialFile::create(folder_of(path), rights ? kOwnerAlone : kNewFileMode);
     if (!part) return file_error(path, "cannot be written in this folder", part.error());
-    if (const int failed = fill(part->file(), wanted, parts); failed != 0) {
+    if (const int failed = fill(part->file(), wanted, put); failed != 0) {
         return file_error(path, "cannot be written, what was there before is unchanged", failed);
     }
     if (const int failed = part->take_name(path); failed != 0) {
@@ -122,6 +164,23 @@ Result<void> write_parts_atomically(const std::string& path,
     }
     sync_folder(path);
     return {};
+}
+
+}  // namespace
+
+Result<void> write_parts_atomically(const std::string& path,
+                                    std::span<const std::span<const std::byte>> parts,
+                                    const std::optional<FileRights>& rights) {
+    return replace_file(path, rights, [parts](int file) {
+        for (const auto part : parts) {
+            if (const int failed = write_all(file, part); failed != 0) return failed;
+        }
+        return 0;
+    });
+}
+
+Result<void> write_stream_atomically(const std::string& path, const std::function<void(std::FILE*)>& put) {
+    return replace_file(path, std::nullopt, [&put](int file) { return put_stream(file, put); });
 }
 
 Result<void> check_writable(const std::string& path) {

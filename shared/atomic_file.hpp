@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,12 +24,15 @@ struct FileRights {
 
 /// Temporary file beside it, fsync, rename, fsync of the folder: the old file stays intact whatever happens.
 /// Keeps an existing file's mode; a new one gets what the umask leaves. A symbolic link is replaced, not
-/// followed; what is no regular file (a folder, a device, a pipe) is refused.
+/// followed; what is no regular file (a folder, a device, a pipe) is refused, and so is a name of an open
+/// descriptor (/dev/stdout), whatever is open there.
 Result<void> write_file_atomically(const std::string& path, std::span<const std::byte> bytes);
 /// The same for bytes that stand in several places.
 Result<void> write_parts_atomically(const std::string& path,
                                     std::span<const std::span<const std::byte>> parts,
                                     const std::optional<FileRights>& rights = std::nullopt);
+/// The same for what is too much to be held: `put` writes it, and need not look whether it could.
+Result<void> write_stream_atomically(const std::string& path, const std::function<void(std::FILE*)>& put);
 
 /// Whether a file of this name could be written now, for whoever has long to work before there is something
 /// to write. Leaves what is there.

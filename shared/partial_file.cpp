@@ -182,15 +182,11 @@ int PartialFile::replace(const std::string& path) noexcept {
 }
 
 int PartialFile::take_name(const std::string& path) noexcept {
-    if (!hidden_path_.empty()) {
-        // Where a file has a name while it is written it may be on a disk that tells only now that it is
-        // full.
-        if (const int failed = file_.close(); failed != 0) return failed;
-        return replace(path);
-    }
-    // A descriptor of it that is closed tells what else only closing tells, while nothing has the name yet.
+    // Some disks tell only a descriptor that is closed that they are full: another one, while nothing has the
+    // name yet. With the file itself the lock would go, and the hidden name be anyone's to sweep away.
     int failed = OpenFile{::fcntl(file_.get(), F_DUPFD_CLOEXEC, 0)}.close();
     if (failed != 0) return failed;
+    if (!hidden_path_.empty()) return replace(path);
     // A file that replaces nothing gets its name in one call; linking replaces none.
     failed = link_as(path);
     for (int attempt = 0; failed == EEXIST && attempt < kNameAttempts; ++attempt) {

@@ -39,9 +39,8 @@ std::string default_profile_path() {
     for (const std::string& place : profile_places()) {
         std::error_code error;
         const auto status = std::filesystem::symlink_status(place, error);
-        if (status.type() != std::filesystem::file_type::not_found &&
-            status.type() != std::filesystem::file_type::none)
-            return place;
+        // What cannot be told (a folder that may not be looked into) is told when it is read.
+        if (status.type() != std::filesystem::file_type::not_found) return place;
     }
     return {};
 }

@@ -11,8 +11,8 @@ namespace psicarve {
 /// instead; set but empty, there is none.
 std::vector<std::string> profile_places();
 
-/// The first of them where something stands, readable or not: what is there is never passed over. Empty: the
-/// built-in profile applies.
+/// The first of them where something stands, readable or not, or where that cannot be told: what is there is
+/// never passed over. Empty: the built-in profile applies.
 std::string default_profile_path();
 
 }  // namespace psicarve

@@ -65,6 +65,9 @@ std::string check_at_least_zero(const std::string& text) {
     return is_good ? std::string{} : "'" + text + "' is not a number from 0 on";
 }
 
+/// The end of an input's help.
+constexpr const char* kReadsStandardInput = "; - reads standard input";
+
 /// Standard input as a file.
 Result<void> read_if_standard(std::string& name) {
     if (name != "-") return {};
@@ -92,13 +95,17 @@ std::string one_of(const std::vector<std::string>& words) {
 
 }  // namespace
 
+bool reads_standard_input(const CLI::Option& option) {
+    return option.get_description().ends_with(kReadsStandardInput);
+}
+
 Syntax& Syntax::argument(const char* name, std::string& target, const char* help) {
     app_->add_option(name, target, help)->required()->type_name("")->check(check_not_empty);
     return *this;
 }
 
 Syntax& Syntax::input(const char* name, std::string& target, const char* help) {
-    app_->add_option(name, target, std::string{help} + "; - reads standard input")
+    app_->add_option(name, target, std::string{help} + kReadsStandardInput)
         ->required()
         ->type_name("")
         ->check(check_not_empty);
@@ -107,7 +114,7 @@ Syntax& Syntax::input(const char* name, std::string& target, const char* help) {
 }
 
 Syntax& Syntax::inputs(const char* name, std::vector<std::string>& target, const char* help) {
-    app_->add_option(name, target, std::string{help} + "; - reads standard input")
+    app_->add_option(name, target, std::string{help} + kReadsStandardInput)
         ->required()
         ->type_name("")
         ->check(check_not_empty);

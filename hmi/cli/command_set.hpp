@@ -16,7 +16,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace psicarve::cli {
 
@@ -43,6 +44,9 @@ struct InputTargets {
     std::vector<std::string*> files;
     std::vector<std::vector<std::string>*> lists;
 };
+
+/// Whether it was added with `Syntax::input` or `inputs`.
+bool reads_standard_input(const CLI::Option& option);
 
 /// What one command takes: a thin cover over the parser, so that a command's file does not need it. Targets
 /// outlive the parsing and keep their values where the option is not given. An empty text is wrong usage.

@@ -7,7 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "hmi/cli/command_set.hpp"
 #include "hmi/model/source_name.hpp"
+#include "shared/profile_place.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -30,8 +32,8 @@ void add_files_of(const CLI::App& app, std::vector<NamedFile>& files) {
         const bool is_saved = app.get_name() == "save" && name == "FILE";
         const bool is_written = is_saved || is_among(kWritten, name);
         if (!is_written && !is_among(kRead, name)) continue;
-        // Only arguments read standard input, which may well be a file.
-        const bool may_be_standard = !is_written && !name.starts_with('-');
+        // Standard input may well be a file.
+        const bool may_be_standard = reads_standard_input(*option);
         for (const std::string& path : option->results())
             files.push_back({name, may_be_standard && path == "-" ? standard_input : path, is_written});
     }
@@ -54,6 +56,9 @@ Result<void> check_no_stream(const std::vector<NamedFile>& files) {
 std::vector<NamedFile> named_files(const CLI::App& command) {
     std::vector<NamedFile> files;
     for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) add_files_of(*app, files);
+    const auto is_profile = [](const NamedFile& file) { return file.name == "--profile"; };
+    if (std::none_of(files.begin(), files.end(), is_profile))
+        files.push_back({"profile", default_profile_path(), false});
     return files;
 }
 

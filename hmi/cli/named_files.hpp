@@ -12,7 +12,8 @@ class App;
 
 namespace psicarve::cli {
 
-/// All files that a parsed command line names, before the command's name and after it.
+/// All files that a parsed command line names, before the command's name and after it, and the profile of the
+/// default place where it names none.
 std::vector<NamedFile> named_files(const CLI::App& command);
 
 /// Refuses "-", as bad_usage, where no stream can stand for the file. Inputs that read standard input have

@@ -2,10 +2,8 @@
 #include "hmi/session/file_desk.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <span>
 #include <utility>
 
@@ -31,22 +29,10 @@ Result<void> snapshot_of_segment(const std::string& path, const std::string& seg
     return save_snapshot(*snapshot, path, group);
 }
 
-/// Millions of rows: they go to a file beside it, which then takes the name.
+/// Millions of rows: they are never held in memory.
 Result<void> tables_to(const std::string& path, const JobView& job) {
-    const std::string part = path + ".part";
-    std::FILE* const out = std::fopen(part.c_str(), "wb");
-    if (out == nullptr) return bad_input(path + ": " + std::strerror(errno));
-    if (path.ends_with(".json")) {
-        report::write_json(job, out);
-    } else {
-        report::write_csv(job, out);
-    }
-    const bool is_written = std::fflush(out) == 0 && std::ferror(out) == 0;
-    const bool is_whole = std::fclose(out) == 0 && is_written;
-    if (is_whole && std::rename(part.c_str(), path.c_str()) == 0) return {};
-    const Error why{ErrorCode::out_of_room, path + ": " + std::strerror(errno)};
-    (void)std::remove(part.c_str());
-    return why;
+    const auto write = path.ends_with(".json") ? report::write_json : report::write_csv;
+    return write_stream_atomically(path, [&](std::FILE* out) { write(job, out); });
 }
 
 }  // namespace

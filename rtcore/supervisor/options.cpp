@@ -18,6 +18,7 @@
 #include "shared/distinct_files.hpp"
 #include "shared/nearest.hpp"
 #include "shared/printable.hpp"
+#include "shared/profile_place.hpp"
 #include "shared/segment.hpp"
 
 namespace psicarve::supervisor {
@@ -173,10 +174,13 @@ int print_what_was_asked(const CLI::App& app, const CLI::Success& success) {
 
 /// Descriptors among the traces are their giver's own.
 Result<void> check_files(const CoreOptions& options) {
-    std::vector<NamedFile> files{
-        {"--profile", options.profile_path, false},  {"--machine", options.machine_path, false},
-        {"--replay", options.replay_path, false},    {"--piece", options.piece_path, true},
-        {"--lateness", options.lateness_path, true}, {"--layer-times", options.layer_times_path, true}};
+    std::vector<NamedFile> files{{"--profile", options.profile_path, false},
+                                 {"profile", options.unnamed_profile_path, false},
+                                 {"--machine", options.machine_path, false},
+                                 {"--replay", options.replay_path, false},
+                                 {"--piece", options.piece_path, true},
+                                 {"--lateness", options.lateness_path, true},
+                                 {"--layer-times", options.layer_times_path, true}};
     for (const std::string& path : options.trace_paths)
         if (!path.starts_with("fd:")) files.push_back({"--trace", path, true});
     return check_distinct(files);
@@ -291,6 +295,7 @@ std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
     options.cpu = cpu_from(texts.cpu);
     auto taken = take_port(texts.port, options);
     if (taken) taken = check_meant(app, options);
+    if (options.profile_path.empty()) options.unnamed_profile_path = default_profile_path();
     if (taken) taken = check_files(options);
     if (!taken) return report_usage(taken.error().message);
     if (!texts.capacity.empty()) {

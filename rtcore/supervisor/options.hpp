@@ -27,6 +27,8 @@ struct CoreOptions {
     port::PortAddress port;
     ClockKind clock = ClockKind::real;
     std::string profile_path;  ///< TOML, or a job file whose profile is meant; empty: built-in default
+    /// Where none is named: the one of the default place; empty: there is none. Found as whoever starts it.
+    std::string unnamed_profile_path;
     std::string machine_path;  ///< profile of the simulated machine; empty: the core's own
     std::string piece_path;    ///< at the end: what the tips left of the blank, CSV; simulated machine
     std::vector<std::string> trace_paths;  ///< file or "fd:N"; ".vcd": value-change dump, else binary

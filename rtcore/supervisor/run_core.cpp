@@ -27,7 +27,6 @@
 #include "rtcore/supervisor/run_loops.hpp"
 #include "rtcore/supervisor/supervisor.hpp"
 #include "shared/printable.hpp"
-#include "shared/profile_place.hpp"
 #include "shared/segment_object.hpp"
 #include "shared/snapshot_file.hpp"
 
@@ -87,7 +86,7 @@ Result<std::optional<Replay>> load_replay(const CoreOptions& options) {
 /// it the one applies that psicarve takes, too.
 std::string profile_path_of(const CoreOptions& options) {
     if (!options.profile_path.empty()) return options.profile_path;
-    return options.replay_path.empty() ? default_profile_path() : options.replay_path;
+    return options.replay_path.empty() ? options.unnamed_profile_path : options.replay_path;
 }
 
 PartsRequest parts_request_of(const std::optional<Replay>& replay, const Profile& profile,
@@ -232,9 +231,9 @@ int run_core(const CoreOptions& options) {
     if (!replay) return fail(replay.error());
     const auto profile = load_core_profile(profile_path_of(options));
     if (!profile) return fail(profile.error());
-    if (const std::string path = profile_path_of(options);
-        !path.empty() && options.profile_path.empty() && options.replay_path.empty())
-        std::fprintf(stderr, "psicarve-rtcore: profile %s\n", path.c_str());
+    if (!options.unnamed_profile_path.empty() && options.replay_path.empty())
+        std::fprintf(stderr, "psicarve-rtcore: profile %s\n",
+                     printable(options.unnamed_profile_path).c_str());
     const auto machine = options.machine_path.empty() ? profile : load_core_profile(options.machine_path);
     if (!machine) return fail(machine.error());
     PartsRequest request = parts_request_of(*replay, *profile, *machine);

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -79,6 +83,62 @@ TEST_F(AtomicFile, FolderDeviceAndMissingFolderAreRefusedByName) {
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
+// As /dev/stdout is one: by /proc/self/fd/1 to the file of a redirection.
+TEST_F(AtomicFile, LinkToAnOpenDescriptorIsRefusedAndStays) {
+    const OpenFile open_file{::open(file_.c_str(), O_RDWR | O_CLOEXEC)};
+    const std::string descriptor = "/proc/self/fd/" + std::to_string(open_file.get());
+    std::filesystem::create_symlink(descriptor, folder_.path("direct"));
+    std::filesystem::create_symlink("direct", folder_.path("stdout"));
+    std::filesystem::create_symlink("/proc/self/fd", folder_.path("fd"));
+    std::filesystem::create_symlink("/proc/self/fd/987654", folder_.path("closed"));
+    const std::string by_folder = folder_.path("fd/") + std::to_string(open_file.get());
+    for (const std::string& path :
+         {descriptor, folder_.path("direct"), folder_.path("stdout"), by_folder, folder_.path("closed")}) {
+        const std::string said =
+            path + ": is an open descriptor, not a file's name: use - for standard output";
+        EXPECT_THAT(check_writable(path).error().message, HasSubstr(said));
+        EXPECT_THAT(write_file_atomically(path, bytes_of('n', 10)).error().message, HasSubstr(said));
+        EXPECT_TRUE(std::filesystem::is_symlink(std::filesystem::symlink_status(path)) ||
+                    path == folder_.path("closed"));
+    }
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_.path("closed")));
+    EXPECT_EQ(content(), old_);
+}
+
+TEST_F(AtomicFile, LinkThatLeadsNowhereOrInACircleIsReplacedOrRefused) {
+    std::filesystem::create_symlink("nowhere", folder_.path("link"));
+    ASSERT_TRUE(write_file_atomically(folder_.path("link"), old_).has_value());
+    EXPECT_FALSE(std::filesystem::is_symlink(folder_.path("link")));
+
+    std::filesystem::create_symlink("circle", folder_.path("circle"));
+    EXPECT_FALSE(write_file_atomically(folder_.path("circle"), old_).has_value());
+}
+
+void put_rows(std::FILE* out) {
+    for (int i = 0; i < 5000; ++i) std::fputc('r', out);
+}
+
+TEST_F(AtomicFile, StreamReplacesTheOldOneKeepsItsModeAndTouchesNothingElse) {
+    ASSERT_EQ(::chmod(file_.c_str(), 0604), 0);
+    std::ofstream(folder_.path("file.part")) << "mine";
+
+    ASSERT_TRUE(write_stream_atomically(file_, put_rows).has_value());
+
+    EXPECT_EQ(content(), bytes_of('r', 5000));
+    EXPECT_EQ(mode_of(file_), 0604U);
+    EXPECT_EQ(read_whole_file(folder_.path("file.part")).value().size(), 4U);
+    EXPECT_EQ(folder_.file_count(), 2U);
+}
+
+TEST_F(AtomicFile, StreamRefusesWhatARenameWouldDestroy) {
+    ASSERT_EQ(::mkfifo(folder_.path("pipe").c_str(), 0600), 0);
+    EXPECT_THAT(write_stream_atomically(folder_.path("pipe"), put_rows).error().message,
+                HasSubstr("is no regular file"));
+    EXPECT_TRUE(std::filesystem::is_fifo(folder_.path("pipe")));
+    EXPECT_THAT(write_stream_atomically(folder_.path(""), put_rows).error().message,
+                HasSubstr("is a folder"));
+}
+
 TEST_F(AtomicFile, FullDiskLeavesTheOldOneIntact) {
     rlimit former{};
     ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &former), 0);
@@ -88,12 +148,15 @@ TEST_F(AtomicFile, FullDiskLeavesTheOldOneIntact) {
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
 
     const auto written = write_file_atomically(file_, bytes_of('n', 100'000));
+    const auto streamed = write_stream_atomically(file_, put_rows);
 
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &former), 0);
     ::signal(SIGXFSZ, former_handler);
     ASSERT_FALSE(written.has_value());
     EXPECT_EQ(written.error().code, ErrorCode::out_of_room);
     EXPECT_THAT(written.error().message, HasSubstr(file_));
+    ASSERT_FALSE(streamed.has_value());
+    EXPECT_EQ(streamed.error().code, ErrorCode::out_of_room);
     EXPECT_EQ(content(), old_);
     EXPECT_EQ(folder_.file_count(), 1U);
 }
@@ -183,6 +246,17 @@ TEST_F(AtomicFile, ASignalTakesAHiddenNameAway) {
     EXPECT_THAT(left_in(folder_), testing::IsEmpty());
     ::close(ready[0]);
     ::close(ready[1]);
+}
+
+// Whoever sweeps the folder meanwhile would have the lock, and take the name away before the file gets its
+// own.
+TEST_F(AtomicFile, AHiddenFileIsLockedUntilItHasItsName) {
+    auto part = PartialFile::create_hidden(folder_of(file_), 0600);
+    ASSERT_TRUE(part);
+    ASSERT_EQ(part->take_name(file_), 0);
+    const OpenFile other{::open(file_.c_str(), O_RDONLY | O_CLOEXEC)};
+    EXPECT_EQ(::flock(other.get(), LOCK_EX | LOCK_NB), -1);
+    EXPECT_EQ(errno, EWOULDBLOCK);
 }
 
 TEST_F(AtomicFile, WhatADeadProcessLeftIsSweptAndNothingElse) {

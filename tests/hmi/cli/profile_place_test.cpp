@@ -89,6 +89,55 @@ TEST_F(ProfilePlace, AWrongOneIsNeverPassedOver) {
     EXPECT_EQ(psicarve({"profile", "path"}).exit_code, 3) << "named, but not there";
 }
 
+TEST_F(ProfilePlace, IsKeptAsAnInputIs) {
+    put_profile();
+    const std::string kept = text_of(place());
+    std::filesystem::create_symlink(place(), file("link"));
+    const auto is_refused = [&](const Outcome& outcome, const std::string& option, const std::string& path) {
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.error;
+        const std::string said = option + " " + path + " and profile " + place() + " are one file";
+        EXPECT_NE(outcome.error.find(said), std::string::npos) << outcome.error;
+        EXPECT_EQ(text_of(place()), kept);
+    };
+    for (const std::string& path : {place(), file("link")}) {
+        is_refused(psicarve({"slice", box_stl("box.stl"), "-o", path, "--layers", "3", "--points", "5"}),
+                   "--output", path);
+        for (const char* option : {"--trace", "--piece", "--layer-times"}) {
+            RunningProgram core{
+                "psicarve-rtcore",
+                {"--segment", segment_, "--clock", "virtual", "--capacity", "1x1", option, path}};
+            ASSERT_TRUE(eventually([&] { return core.has_ended() || run({"status"}).exit_code == 0; }));
+            core.send(SIGTERM);
+            is_refused(core.outcome(), option, path);
+        }
+    }
+    EXPECT_TRUE(std::filesystem::is_symlink(file("link")));
+}
+
+TEST_F(ProfilePlace, ThatCannotBeLookedAtIsNotPassedOver) {
+    std::filesystem::remove(file("config/psicarve"));
+    std::filesystem::create_symlink("psicarve", file("config/psicarve"));  // a circle: also root sees nothing
+    const Outcome outcome = psicarve({"profile", "path"});
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.out;
+    EXPECT_NE(outcome.error.find(place() + ": cannot be read: "), std::string::npos) << outcome.error;
+    std::filesystem::remove(file("config/psicarve"));
+    write("config/psicarve", "no folder");
+    EXPECT_EQ(psicarve({"profile", "path"}).exit_code, 0) << "nothing can be there";
+}
+
+TEST_F(ProfilePlace, IsToldByTheCoreInLettersAlone) {
+    const std::string folder = file("\033[2Jconfig");
+    setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
+    std::filesystem::create_directories(folder + "/psicarve");
+    write("\033[2Jconfig/psicarve/machine.toml", "name = \"mine\"\n");
+    RunningProgram core{"psicarve-rtcore", {"--segment", segment_, "--clock", "virtual"}};
+    ASSERT_TRUE(eventually([&] { return run({"status"}).exit_code == 0 || core.has_ended(); }));
+    core.send(SIGTERM);
+    const Outcome ended = core.outcome();
+    EXPECT_NE(ended.error.find("\\u001b[2Jconfig/psicarve/machine.toml"), std::string::npos) << ended.error;
+    EXPECT_EQ(ended.error.find('\033'), std::string::npos);
+}
+
 class ProfileDiff : public CliTest {};
 
 TEST_F(ProfileDiff, NamesKeysWithBothValuesAndTheirUnit) {

@@ -20,7 +20,7 @@ bool is_cores_job(const MachineSight& machine, const JobSight& job) noexcept {
         case DeskState::published:
             return true;
         case DeskState::job:
-            return !machine.is_heard();  // nobody is there to accept it
+            return !machine.is_heard() && job.is_of_checkpoint;  // nobody is there to accept it
         default:
             return false;
     }

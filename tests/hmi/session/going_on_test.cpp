@@ -82,7 +82,13 @@ TEST(GoingOnWords, TheButtonSaysItOfACoreThatIsGone) {
     MachineSight machine = stopped_in(S::carving);
     machine.life = CoreLife::none;
     EXPECT_EQ(start_says(machine), "Continue from layer 132");
-    EXPECT_EQ(start_says(machine, DeskState::job), "Continue from layer 132") << "as the segment has it";
+    JobSight open = desk_in(DeskState::job);
+    open.is_of_checkpoint = true;
+    EXPECT_EQ(in_english(start_text(machine, open, false)), "Continue from layer 132")
+        << "as the segment has it";
+    EXPECT_TRUE(unfinished_piece(machine, open));
+    EXPECT_EQ(start_says(machine, DeskState::job), "Start") << "another job is open";
+    EXPECT_FALSE(unfinished_piece(machine, desk_in(DeskState::job)));
     EXPECT_EQ(start_says(machine, DeskState::model), "Start");
 }
 

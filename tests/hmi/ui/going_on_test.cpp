@@ -220,6 +220,31 @@ TEST_F(GoingOn, BeginsAnewOnlyOnceItWasAsked) {
     })) << carved;
 }
 
+TEST_F(GoingOn, SaysNothingOfAnotherJobThatIsOpenWithoutACore) {
+    start_core();
+    open_window();
+    ASSERT_NO_FATAL_FAILURE(carve_of_forty(4));
+    ASSERT_NO_FATAL_FAILURE(kill_core());
+    EXPECT_TRUE(comes_true([&] { return button("start").text() == "Continue from layer 5"; }))
+        << button("start").text().toStdString();
+    const auto opens = [&](const JobTable& table, const char* name) {
+        Snapshot snapshot;
+        snapshot.job_blob = job_blob_from_table(table);
+        ASSERT_TRUE(save_snapshot(snapshot, file(name)));
+        const std::uint64_t edition = window_->bench().desk.edition();
+        window_->open(QString::fromStdString(file(name)));
+        ASSERT_TRUE(comes_true([&] { return window_->bench().desk.edition() != edition; }));
+        ASSERT_TRUE(comes_to(session::DeskState::job));
+    };
+    opens(two_process::lobed_job(40, 44), "other.job");  // as many layers
+    EXPECT_TRUE(comes_true([&] { return button("start").text() == "Start"; }))
+        << button("start").text().toStdString();
+    EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
+    opens(two_process::lobed_job(40, 40), "same.job");
+    EXPECT_TRUE(comes_true([&] { return button("start").text() == "Continue from layer 5"; }));
+    EXPECT_TRUE(comes_true([&] { return part<QWidget>("unfinished").isVisible(); }));
+}
+
 TEST_F(GoingOn, StartsADryRunAnewThatWasChosenBeforeItWasAsked) {
     start_core();
     open_window();

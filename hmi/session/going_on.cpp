@@ -20,7 +20,7 @@ bool is_cores_job(const MachineSight& machine, const JobSight& job) noexcept {
         case DeskState::published:
             return true;
         case DeskState::job:
-            return !machine.is_heard();  // nobody is there to accept it
+            return !machine.is_heard() && job.is_of_checkpoint;  // nobody is there to accept it
         default:
             return false;
     }
@@ -68,6 +68,13 @@ Phrase approach(const cam::PreparedJob& job, std::uint32_t layer) {
                   number_text(curves.r2_mm.front(), kWayDecimals));
 }
 
+Phrase way_back(const UnfinishedPiece& piece) {
+    return phrase(
+        "The run before came to layer %1: if its piece is still mounted, From layer %2 "
+        "goes on with it.",
+        std::to_string(piece.earlier_layers), std::to_string(piece.earlier_layers + 1));
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> layer_to_begin_with(const MachineSight& machine, const JobSight& job,
@@ -108,13 +115,20 @@ std::vector<Phrase> unfinished_details(const UnfinishedPiece& piece, const Machi
     if (auto first = to_do_first(machine)) details.push_back(*std::move(first));
     if (piece.carved_layers != 0 && job != nullptr && piece.carved_layers < job->view.layer_count())
         details.push_back(approach(*job, piece.carved_layers));
-    if (piece.earlier_layers != 0) {
-        details.push_back(
-            phrase("The run before came to layer %1: if its piece is still mounted, From layer %2 "
-                   "goes on with it.",
-                   std::to_string(piece.earlier_layers), std::to_string(piece.earlier_layers + 1)));
-    }
+    if (piece.earlier_layers != 0) details.push_back(way_back(piece));
     return details;
+}
+
+std::vector<Phrase> unfinished_needs(const UnfinishedPiece& piece, const MachineSight& machine) {
+    std::vector<Phrase> needs;
+    if (auto first = to_do_first(machine))
+        needs.push_back(machine.is_heard() ? phrase("First Home all.") : *std::move(first));
+    if (piece.earlier_layers != 0) {
+        needs.push_back(phrase("Run before: to layer %1 (From layer %2).",
+                               std::to_string(piece.earlier_layers),
+                               std::to_string(piece.earlier_layers + 1)));
+    }
+    return needs;
 }
 
 CarvedPicture carved_picture(const cam::PreparedJob& job, std::uint32_t carved_layers,
@@ -124,11 +138,13 @@ CarvedPicture carved_picture(const cam::PreparedJob& job, std::uint32_t carved_l
     constexpr std::uint32_t kOpaque = 0xFF000000;
     const RadiusMap map = radius_map(job, kMostColumns, kMostRows);
     CarvedPicture picture{map.columns, map.rows, radius_picture(map, true)};
-    const double half = 0.5 / (job.view.layer_count() - job.view.finishing_layer());
-    const double top = carved_layers == 0 ? 0.0 : place_in_map(job.view, carved_layers - 1) + half;
+    const std::uint32_t finishing_layer = job.view.finishing_layer();
+    const bool is_some_finished = carved_layers > finishing_layer;
+    const double half = 0.5 / (job.view.layer_count() - finishing_layer);
+    const double top = is_some_finished ? place_in_map(job.view, carved_layers - 1) + half : 0.0;
     for (std::size_t row = 0; row < map.rows; ++row) {
         const double place = 1.0 - (static_cast<double>(row) + 0.5) / static_cast<double>(map.rows);
-        const bool is_lowest = row + 1 == map.rows && carved_layers != 0;
+        const bool is_lowest = row + 1 == map.rows && is_some_finished;
         if (place <= top || is_lowest) continue;
         const auto begin = picture.rgb.begin() + static_cast<std::ptrdiff_t>(row * map.columns);
         std::fill_n(begin, map.columns, kOpaque | rest_rgb);
@@ -139,6 +155,12 @@ CarvedPicture carved_picture(const cam::PreparedJob& job, std::uint32_t carved_l
 Phrase anew_question(const UnfinishedPiece& piece) {
     const std::string carved = std::to_string(piece.carved_layers);
     const std::string count = std::to_string(piece.layer_count);
+    if (piece.carved_layers == 0) {
+        return phrase(
+            "The run before came to layer %1 of %2: if its piece is still mounted, From layer %3 goes on "
+            "with it, and layer 1 carves it again.",
+            std::to_string(piece.earlier_layers), count, std::to_string(piece.earlier_layers + 1));
+    }
     if (piece.carved_layers == 1) return phrase("Layer 1 of %1 is carved and would be carved again.", count);
     return phrase("Layers 1 to %1 of %2 are carved and would be carved again.", carved, count);
 }

@@ -38,8 +38,12 @@ Phrase unfinished_title(const UnfinishedPiece& piece);
 std::vector<Phrase> unfinished_details(const UnfinishedPiece& piece, const MachineSight& machine,
                                        const cam::PreparedJob* job);
 
-/// The job's surface unrolled, highest layer first, 0xFFRRGGBB: coloured by radius as far as it is carved,
-/// and `rest_rgb` above.
+/// In few words those of them that nobody may miss: what has to be done first, and where the run before came
+/// to.
+std::vector<Phrase> unfinished_needs(const UnfinishedPiece& piece, const MachineSight& machine);
+
+/// The job's surface unrolled, highest layer first, 0xFFRRGGBB: coloured by radius as far as its finishing
+/// pass is carved, and `rest_rgb` above: what is only roughed has no such radius yet.
 struct CarvedPicture {
     std::size_t columns = 0;
     std::size_t rows = 0;

@@ -263,10 +263,22 @@ void JobDesk::poll(const MachineSight& machine) {
     sight_.layer_count = job_ ? job_->view.layer_count() : 0;
     accepted_generation_ = accepted;
     compare_profiles(machine);
+    sight_.is_of_checkpoint = is_of_checkpoint(machine);
     sight_.core_layer_count = core_job() ? core_job()->view.layer_count() : 0;
     // Of a core that is gone its segment still has the job, for whoever wants to know what it was at.
     const std::uint64_t left = machine.status ? machine.status->job_generation : 0;
     if (left != 0 && left != fetched_generation_ && lane_.is_idle()) fetch_from_core(left);
+}
+
+/// The checksum is only made where it is asked for: a large job takes a while.
+bool JobDesk::is_of_checkpoint(const MachineSight& machine) {
+    const bool is_known = machine.resumable_layer || machine.earlier_layer;
+    if (machine.is_heard() || !is_known || !job_ ||
+        job_->view.layer_count() != machine.checkpoint_layer_count)
+        return false;
+    if (summed_job_ != job_) job_sum_ = job_checksum(job_->blob);
+    summed_job_ = job_;
+    return job_sum_ == machine.checkpoint_job_checksum;
 }
 
 /// Only when one of them is another: there is nothing to be found out thirty times a second.

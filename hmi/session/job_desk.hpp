@@ -109,6 +109,7 @@ private:
     void make_table_job(TableWay way);
     void take_body(OpenedFile opened);
     void compare_profiles(const MachineSight& machine);
+    bool is_of_checkpoint(const MachineSight& machine);
     void take_opened(const std::string& path, const TableWay& way, OpenedFile opened);
     void watch(const std::optional<FileWatch::Stamp>& opened);
     void note_change();
@@ -139,6 +140,8 @@ private:
     flat::FlatOptions shape_;
     std::shared_ptr<const cam::PreparedJob> compared_job_;  ///< whose profile was held against the core's
     std::uint64_t compared_hash_ = 0;
+    JobPointer summed_job_;  ///< of which `job_sum_` is the checksum
+    std::uint64_t job_sum_ = 0;
     flat::ModelKind kind_ = flat::ModelKind::mesh;
     std::optional<flat::FlatOptions> wished_;  ///< another body, once what is under way is done
     std::shared_ptr<const MeshScene> scene_;

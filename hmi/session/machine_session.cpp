@@ -160,6 +160,7 @@ void MachineSession::look_for_checkpoint() {
         sight_.resumable_layer = checkpoint->next_layer;
     if (checkpoint->earlier_layer != 0) sight_.earlier_layer = checkpoint->earlier_layer;
     sight_.checkpoint_layer_count = checkpoint->layer_count;
+    sight_.checkpoint_job_checksum = checkpoint->job_checksum;
 }
 
 void MachineSession::find_profile() {

@@ -58,6 +58,7 @@ struct MachineSight {
     /// The same of the run before, which that one began anew and has not passed.
     std::optional<std::uint32_t> earlier_layer;
     std::uint32_t checkpoint_layer_count = 0;  ///< of that job, where one of the two is known
+    std::uint64_t checkpoint_job_checksum = 0;
     /// What the core itself said last; `status` may have its guard's word instead. Nothing: none was heard.
     std::optional<MachineState> heard_state;
     /// An emergency stop was asked for here and no core was there to hear it; until somebody has read that.
@@ -104,6 +105,8 @@ struct JobSight {
     bool can_be_sliced = false;          ///< a model or a table is open
     std::uint32_t layer_count = 0;       ///< of the job, when there is one
     std::uint32_t core_layer_count = 0;  ///< of the core's job, which may be another; 0: not known
+    /// The job is that of the machine's checkpoint; only looked for where no core is heard.
+    bool is_of_checkpoint = false;
     /// The first key of motion in which the job's profile is not the core's; empty: none, or not known.
     std::string profile_difference{};
     /// In what the blank of the job, or of the core's where none is open, is not that of the core's profile.

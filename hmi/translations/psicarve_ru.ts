@@ -604,6 +604,10 @@
             <translation>Создаётся задание; сначала отмените его</translation>
         </message>
         <message>
+            <source>A new blank has to begin with layer 1.</source>
+            <translation>Новую заготовку надо начинать со слоя 1.</translation>
+        </message>
+        <message>
             <source>A sensor counts once it has stood this long; the emergency stop is never filtered.</source>
             <translation>Датчик считается сработавшим, если сигнал держится столько; аварийный останов не фильтруется никогда.</translation>
         </message>
@@ -976,6 +980,10 @@
             <translation>Деталь</translation>
         </message>
         <message>
+            <source>Carves from the point where the heads wait (Ctrl+Enter)</source>
+            <translation>Режет с точки, где ждут головки (Ctrl+Enter)</translation>
+        </message>
+        <message>
             <source>Carves this layer and stops in order; press again for the next one</source>
             <translation>Вырезает этот слой и останавливается; нажмите ещё раз для следующего</translation>
         </message>
@@ -1220,6 +1228,10 @@
             <translation>Холостой прогон со слоя %1: головки выходят и остаются снаружи, шпиндель выключен; Y идёт к слою, затем стол и Y движутся как при резьбе.</translation>
         </message>
         <message>
+            <source>Dry run from layer 1: the heads go out and stay there, spindle off; table and Y go as they would. Nothing is cut, and where the piece goes on stays known.</source>
+            <translation>Холостой прогон со слоя 1: головки выходят и остаются снаружи, шпиндель выключен; стол и Y движутся как при резьбе. Ничего не режется, и место, откуда продолжать деталь, остаётся известным.</translation>
+        </message>
+        <message>
             <source>Dry run, layer %1 of %2</source>
             <translation>Холостой, слой %1 из %2</translation>
         </message>
@@ -1387,6 +1399,10 @@ F12  этот список</translation>
         <message>
             <source>Find a key</source>
             <translation>Найти ключ</translation>
+        </message>
+        <message>
+            <source>First Home all.</source>
+            <translation>Сначала «Все нули».</translation>
         </message>
         <message>
             <source>First Home all: %1 are not homed.</source>
@@ -3089,6 +3105,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Черновая обработка не может выдержать шаг %1 мм: слои задания отстоят на %2 мм.</translation>
         </message>
         <message>
+            <source>Run before: to layer %1 (From layer %2).</source>
+            <translation>Прошлая: до слоя %1 («Со слоя» %2).</translation>
+        </message>
+        <message>
             <source>Runs the core's own tick loop with nothing in the tick; touches no machine</source>
             <translation>Крутит цикл тактов самого ядра с пустым тактом; станка не касается</translation>
         </message>
@@ -3419,6 +3439,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Start dry run from layer %1</source>
             <translation>Пуск вхолостую со слоя %1</translation>
+        </message>
+        <message>
+            <source>Start dry run from layer 1</source>
+            <translation>Пуск вхолостую со слоя 1</translation>
         </message>
         <message>
             <source>Start from layer %1</source>
@@ -3965,6 +3989,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Настоящий станок на порту %1</translation>
         </message>
         <message>
+            <source>The run before came to layer %1 of %2: if its piece is still mounted, From layer %3 goes on with it, and layer 1 carves it again.</source>
+            <translation>Прошлая обработка дошла до слоя %1 из %2: если её деталь ещё закреплена, «Со слоя» %3 продолжит её, а со слоя 1 она будет вырезана снова.</translation>
+        </message>
+        <message>
             <source>The run before came to layer %1: if its piece is still mounted, From layer %2 goes on with it.</source>
             <translation>Прошлая обработка дошла до слоя %1: если её деталь ещё закреплена, «Со слоя» %2 продолжит её.</translation>
         </message>
@@ -4038,7 +4066,7 @@ N, Shift+N  следующая, предыдущая запись
         </message>
         <message>
             <source>Then: heads out, Ψ to %1°, Y to %2 mm, spindle on, heads in to R1 %3, R2 %4 mm.</source>
-            <translation>Затем: головки наружу, Ψ на %1°, Y на %2 мм, шпиндель вкл., головки внутрь до R1 %3, R2 %4 мм.</translation>
+            <translation>Затем: головки наружу, Ψ на %1°, Y на %2 mm, шпиндель вкл., головки внутрь до R1 %3, R2 %4 mm.</translation>
         </message>
         <message>
             <source>This computer</source>

@@ -604,6 +604,10 @@
             <translation>正在生成作业；请先取消</translation>
         </message>
         <message>
+            <source>A new blank has to begin with layer 1.</source>
+            <translation>新毛坯必须从第 1 层开始。</translation>
+        </message>
+        <message>
             <source>A sensor counts once it has stood this long; the emergency stop is never filtered.</source>
             <translation>传感器信号保持这么久才算数；急停从不滤波。</translation>
         </message>
@@ -976,6 +980,10 @@
             <translation>工件</translation>
         </message>
         <message>
+            <source>Carves from the point where the heads wait (Ctrl+Enter)</source>
+            <translation>从刀头等待的点开始雕刻（Ctrl+Enter）</translation>
+        </message>
+        <message>
             <source>Carves this layer and stops in order; press again for the next one</source>
             <translation>雕刻这一层后有序停止；再按一次雕刻下一层</translation>
         </message>
@@ -1220,6 +1228,10 @@
             <translation>从第 %1 层空运行：刀头退出并停在外面，主轴关闭；Y 移到该层，然后转台和 Y 按作业运动。</translation>
         </message>
         <message>
+            <source>Dry run from layer 1: the heads go out and stay there, spindle off; table and Y go as they would. Nothing is cut, and where the piece goes on stays known.</source>
+            <translation>从第 1 层空运行：刀头退出并停在外面，主轴关闭；转台和 Y 按作业运动。不切削任何材料，工件从何处继续仍会记住。</translation>
+        </message>
+        <message>
             <source>Dry run, layer %1 of %2</source>
             <translation>空运行，第 %1 层，共 %2 层</translation>
         </message>
@@ -1386,6 +1398,10 @@ F12  本列表</translation>
         <message>
             <source>Find a key</source>
             <translation>查找参数</translation>
+        </message>
+        <message>
+            <source>First Home all.</source>
+            <translation>先“全部回零”。</translation>
         </message>
         <message>
             <source>First Home all: %1 are not homed.</source>
@@ -3084,6 +3100,10 @@ N、Shift+N  下一条、上一条记录
             <translation>粗加工无法保持 %1 mm 的步距：作业各层相距 %2 mm。</translation>
         </message>
         <message>
+            <source>Run before: to layer %1 (From layer %2).</source>
+            <translation>上一次：到第 %1 层（“从层”%2）。</translation>
+        </message>
+        <message>
             <source>Runs the core's own tick loop with nothing in the tick; touches no machine</source>
             <translation>运行内核自身的空节拍循环；不接触机床</translation>
         </message>
@@ -3414,6 +3434,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Start dry run from layer %1</source>
             <translation>从第 %1 层启动空运行</translation>
+        </message>
+        <message>
+            <source>Start dry run from layer 1</source>
+            <translation>从第 1 层启动空运行</translation>
         </message>
         <message>
             <source>Start from layer %1</source>
@@ -3960,8 +3984,12 @@ N、Shift+N  下一条、上一条记录
             <translation>端口 %1 上的真实机床</translation>
         </message>
         <message>
+            <source>The run before came to layer %1 of %2: if its piece is still mounted, From layer %3 goes on with it, and layer 1 carves it again.</source>
+            <translation>上一次运行到第 %1 层（共 %2 层）：如果其工件仍装着，用“从层”%3 可继续；从第 1 层开始则会再次雕刻它。</translation>
+        </message>
+        <message>
             <source>The run before came to layer %1: if its piece is still mounted, From layer %2 goes on with it.</source>
-            <translation>上一次运行到第 %1 层：如果其工件仍装着，从第 %2 层开始可继续。</translation>
+            <translation>上一次运行到第 %1 层：如果其工件仍装着，用“从层”%2 可继续。</translation>
         </message>
         <message>
             <source>The shared memory was removed or damaged from outside: reset the alarm and publish the job again.</source>

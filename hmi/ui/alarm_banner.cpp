@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QResizeEvent>
 #include <QScrollArea>
+#include <QScrollBar>
 
 #include <algorithm>
 
@@ -193,9 +194,12 @@ void AlarmBanner::refresh() {
     const session::MachineSight& sight = bench_.machine.sight();
     const auto text = session::loud_text(sight);
     refresh_buttons();
-    if (isHidden() == text.has_value()) setVisible(text.has_value());
+    const bool was_hidden = isHidden();
+    if (was_hidden == text.has_value()) setVisible(text.has_value());
     if (!text) return;
-    title_->setText(words(text->title));
+    const QString title = words(text->title);
+    if (was_hidden || title_->text() != title) room_->verticalScrollBar()->setValue(0);
+    title_->setText(title);
     const bool is_past = !sight.is_heard() && sight.status;
     detail_->setText(is_past ? QStringLiteral("%1 (%2)").arg(words(text->detail), last_known(sight))
                              : words(text->detail));

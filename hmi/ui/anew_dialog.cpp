@@ -6,6 +6,11 @@
 #include <QMessageBox>
 #include <QPixmap>
 #include <QPushButton>
+#include <QTimer>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
 
 #include "hmi/session/action_lock.hpp"
 #include "hmi/session/going_on.hpp"
@@ -30,28 +35,71 @@ QPixmap picture_of(const cam::PreparedJob& job, std::uint32_t carved_layers) {
     return QPixmap::fromImage(image.copy().scaled(kShown));  // the numbers go with this function
 }
 
+/// What a question is about.
+struct AskedPiece {
+    std::optional<session::UnfinishedPiece> piece;
+    std::uint64_t job_generation = 0;
+
+    friend bool operator==(const AskedPiece&, const AskedPiece&) = default;
+};
+
+AskedPiece asked_piece(const Bench& bench) {
+    const session::MachineSight& sight = bench.machine.sight();
+    return {session::unfinished_piece(sight, bench.desk.sight()),
+            sight.status ? sight.status->job_generation : 0};
+}
+
+bool may_still_start(const Bench& bench, const AskedPiece& asked) {
+    return !bench.replay.is_open() && asked_piece(bench) == asked &&
+           !session::lock_of(session::Action::from_layer, bench.machine.sight(), bench.desk.sight());
+}
+
+QString anew_text(const session::UnfinishedPiece& piece, bool is_dry) {
+    if (is_dry) {
+        return AnewWords::tr(
+            "Dry run from layer 1: the heads go out and stay there, spindle off; table and Y go as they "
+            "would. "
+            "Nothing is cut, and where the piece goes on stays known.");
+    }
+    QString text = words(session::anew_question(piece)) + QStringLiteral("\n\n");
+    return text + (piece.carved_layers == 0
+                       ? AnewWords::tr("A new blank has to begin with layer 1.")
+                       : AnewWords::tr("On this piece that takes time and cuts nothing. A new blank has to "
+                                       "begin with layer 1."));
+}
+
 }  // namespace
 
-bool asked_to_begin_anew(const Bench& bench, QWidget* window) {
+bool asked_of_this_piece(const Bench& bench, QMessageBox& box, const QPushButton* go) {
+    constexpr std::chrono::milliseconds kLook{30};
+    const AskedPiece asked = asked_piece(bench);
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &box, [&] {
+        if (!may_still_start(bench, asked)) box.reject();
+    });
+    look.start(kLook);
+    run_dialog(box);
+    return box.clickedButton() == go && may_still_start(bench, asked);
+}
+
+bool asked_to_begin_anew(const Bench& bench, session::RunKind kind, QWidget* window) {
     const auto piece = session::unfinished_piece(bench.machine.sight(), bench.desk.sight());
-    if (!piece || piece->carved_layers == 0) return true;
-    QMessageBox box{
-        QMessageBox::Question, AnewWords::tr("Start anew"),
-        words(session::anew_question(*piece)) + QStringLiteral("\n\n") +
-            AnewWords::tr(
-                "On this piece that takes time and cuts nothing. A new blank has to begin with layer 1."),
-        QMessageBox::NoButton, window};
+    if (!piece) return true;
+    const bool is_dry = kind == session::RunKind::dry;
+    QMessageBox box{QMessageBox::Question, AnewWords::tr("Start anew"), anew_text(*piece, is_dry),
+                    QMessageBox::NoButton, window};
     box.setObjectName("anew_question");
-    if (const auto job = bench.desk.core_job()) box.setIconPixmap(picture_of(*job, piece->carved_layers));
-    QPushButton* go = box.addButton(AnewWords::tr("Start from layer 1"), QMessageBox::AcceptRole);
+    // Of roughed layers there is nothing to be seen in it.
+    if (const auto job = bench.desk.core_job(); job && piece->carved_layers > job->view.finishing_layer())
+        box.setIconPixmap(picture_of(*job, piece->carved_layers));
+    QPushButton* go = box.addButton(
+        is_dry ? AnewWords::tr("Start dry run from layer 1") : AnewWords::tr("Start from layer 1"),
+        QMessageBox::AcceptRole);
     go->setObjectName("anew_go");
     QPushButton* none = box.addButton(AnewWords::tr("Cancel"), QMessageBox::RejectRole);
     none->setObjectName("anew_cancel");
     box.setDefaultButton(none);
-    run_dialog(box);
-    // A minute may have passed.
-    return box.clickedButton() == go && !bench.replay.is_open() &&
-           !session::lock_of(session::Action::from_layer, bench.machine.sight(), bench.desk.sight());
+    return asked_of_this_piece(bench, box, go);
 }
 
 }  // namespace psicarve::ui

@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "hmi/session/machine_session.hpp"
+
+class QMessageBox;
+class QPushButton;
 class QWidget;
 
 namespace psicarve::ui {
 
 struct Bench;
 
-/// Asks whether the published job, of which something is carved, is to begin with its first layer, with a
-/// picture of what is carved. True: yes, and it may still be started.
-bool asked_to_begin_anew(const Bench& bench, QWidget* window);
+/// Asks whether the published job is to begin with its first layer though a piece of it was begun, with a
+/// picture of what is carved. True: yes, and it may still be started; unasked where there is no such piece.
+bool asked_to_begin_anew(const Bench& bench, session::RunKind kind, QWidget* window);
+
+/// Shows the box, and closes it as soon as what it asks is no more so: another job or another state of its
+/// piece, or the machine cannot start it from a layer. True: `go` was pressed while it was.
+bool asked_of_this_piece(const Bench& bench, QMessageBox& box, const QPushButton* go);
 
 }  // namespace psicarve::ui

@@ -11,7 +11,6 @@
 #include "hmi/session/preflight.hpp"
 #include "hmi/session/start_intent.hpp"
 #include "hmi/ui/anew_dialog.hpp"
-#include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/elided_label.hpp"
 #include "hmi/ui/job_facts_view.hpp"
 #include "hmi/ui/lock_with.hpp"
@@ -163,10 +162,7 @@ void JobPanel::start_at_layer(std::uint32_t layers) {
 }
 
 bool JobPanel::may_start_from_layer(std::uint32_t layer, session::RunKind kind) {
-    if (layer == 1) {
-        const bool is_anew = kind == session::RunKind::carve && layer_to_begin_with(bench_);
-        return !is_anew || asked_to_begin_anew(bench_, window());
-    }
+    if (layer == 1) return kind == session::RunKind::dry || asked_to_begin_anew(bench_, kind, window());
     const bool is_resumed = bench_.machine.sight().resumable_layer == layer - 1;
     const QString finished =
         is_resumed ? QStringLiteral("\n\n") + tr("Layer %1 was the last that was finished.").arg(layer - 1)
@@ -188,9 +184,7 @@ bool JobPanel::may_start_from_layer(std::uint32_t layer, session::RunKind kind) 
     QPushButton* none = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
     none->setObjectName("from_layer_cancel");
     box.setDefaultButton(none);
-    run_dialog(box);
-    // A minute may have passed: ask again whether it may start.
-    return box.clickedButton() == go && from_layer_->refresh(bench_).isEmpty();
+    return asked_of_this_piece(bench_, box, go);
 }
 
 void JobPanel::show_report() {

@@ -65,6 +65,7 @@ void show_what_starts(ActionButton& start, const Bench& bench) {
     start.set_hint(
         is_dry  ? Words::tr("Table and Y go as they would, heads outside the blank, spindle off "
                              "(Ctrl+Enter)")
+        : waits ? Words::tr("Carves from the point where the heads wait (Ctrl+Enter)")
         : layer ? Words::tr("Heads out, to the first point of layer %1, then carve what is left (Ctrl+Enter)")
                       .arg(*layer + 1)
                 : Words::tr("Heads to the first point, then carve (Ctrl+Enter)"));

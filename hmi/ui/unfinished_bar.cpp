@@ -6,12 +6,15 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <vector>
+
 #include "hmi/session/lost_core.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/anew_dialog.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
 #include "hmi/ui/words.hpp"
+#include "shared/machine_state.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -21,6 +24,12 @@ constexpr int kUnfinishedIconWidth = 40;
 
 void show_words(QLabel& label, const QString& text) {
     if (label.text() != text) label.setText(text);
+}
+
+QString in_one_line(const std::vector<session::Phrase>& sentences) {
+    QStringList said;
+    for (const session::Phrase& each : sentences) said << words(each);
+    return said.join(' ');
 }
 
 }  // namespace
@@ -52,6 +61,7 @@ UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
     dismiss_->setToolTip(tr("Takes this away until more is carved; it moves and forgets nothing"));
     connect(dismiss_, &QPushButton::clicked, this, [this] {
         dismissed_ = piece();
+        dismissed_job_ = job_generation();
         refresh();
     });
     auto* buttons = new QVBoxLayout;
@@ -76,7 +86,7 @@ void UnfinishedBar::set_theme(const Tokens& tokens) {
 
 void UnfinishedBar::set_room(Room room) {
     is_small_ = room == Room::small;
-    details_->setVisible(!is_small_);
+    refresh();
 }
 
 /// What is louder says where to go on itself.
@@ -86,26 +96,41 @@ std::optional<session::UnfinishedPiece> UnfinishedBar::piece() const {
     return session::unfinished_piece(sight, bench_.desk.sight());
 }
 
+std::uint64_t UnfinishedBar::job_generation() const {
+    const auto& status = bench_.machine.sight().status;
+    return status ? status->job_generation : 0;
+}
+
+/// The next piece may come to the same numbers.
+void UnfinishedBar::forget_dismissed() {
+    const session::MachineSight& sight = bench_.machine.sight();
+    const bool is_under_way = sight.is_heard() && runs_job(sight.state());
+    if (is_under_way || dismissed_job_ != job_generation()) dismissed_.reset();
+}
+
 void UnfinishedBar::begin_anew() {
-    if (asked_to_begin_anew(bench_, window())) bench_.machine.start(0);
+    const session::RunKind kind = bench_.wanted_run;  // whatever is chosen while it is asked
+    if (asked_to_begin_anew(bench_, kind, window())) bench_.machine.start(0, 0, kind);
 }
 
 void UnfinishedBar::refresh() {
+    forget_dismissed();
     const auto shown = piece();
     if (shown && dismissed_ != shown) dismissed_.reset();
     const bool is_there = shown && !dismissed_;
     if (isHidden() == is_there) setVisible(is_there);
     if (!is_there) return;
-    QStringList details;
+    const session::MachineSight& sight = bench_.machine.sight();
     const auto job = bench_.desk.core_job() ? bench_.desk.core_job() : bench_.desk.job();
-    for (const session::Phrase& detail :
-         session::unfinished_details(*shown, bench_.machine.sight(), job.get()))
-        details << words(detail);
+    const QString all = in_one_line(session::unfinished_details(*shown, sight, job.get()));
     show_words(*title_, words(session::unfinished_title(*shown)));
-    show_words(*details_, details.join(' '));
-    if (title_->toolTip() != details_->text()) title_->setToolTip(details_->text());
+    show_words(*details_, is_small_ ? in_one_line(session::unfinished_needs(*shown, sight)) : all);
+    if (details_->isHidden() != details_->text().isEmpty()) details_->setHidden(details_->text().isEmpty());
+    for (QLabel* label : {title_, details_}) {
+        if (label->toolTip() != all) label->setToolTip(all);
+    }
     setAccessibleName(title_->text());
-    setAccessibleDescription(details_->text());
+    setAccessibleDescription(all);
     anew_->refresh(bench_);
 }
 

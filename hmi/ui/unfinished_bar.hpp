@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QFrame>
 
+#include <cstdint>
 #include <optional>
 
 #include "hmi/session/going_on.hpp"
@@ -27,12 +28,14 @@ public:
     explicit UnfinishedBar(Bench& bench, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
-    /// In a small window the details are in the tool tip.
+    /// In a small window all but what has to be done or known first is in the tool tip.
     void set_room(Room room);
     void refresh();
 
 private:
     std::optional<session::UnfinishedPiece> piece() const;
+    std::uint64_t job_generation() const;
+    void forget_dismissed();
     void begin_anew();
 
     Bench& bench_;
@@ -42,6 +45,7 @@ private:
     ActionButton* anew_;
     QPushButton* dismiss_;
     std::optional<session::UnfinishedPiece> dismissed_;
+    std::uint64_t dismissed_job_ = 0;  ///< generation
     bool is_small_ = false;
 };
 

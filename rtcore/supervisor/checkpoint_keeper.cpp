@@ -38,11 +38,13 @@ void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t firs
     if (!is_known) return;  // whoever begins later than with the first knows of the layers before
     const bool is_whole = before->next_layer == before->layer_count;
     if (first_layer == 0) {
-        if (!is_whole) earlier_layer_ = std::max(before->next_layer, before->earlier_layer);
+        // The run before, and not whichever came furthest: where that has finished none, the one before it.
+        if (!is_whole) earlier_layer_ = before->next_layer != 0 ? before->next_layer : before->earlier_layer;
         return;
     }
     if (before->next_layer == 0 && before->earlier_layer == 0) return;
-    const bool goes_back = first_layer > before->next_layer && first_layer <= before->earlier_layer;
+    // Any other layer behind the newer run's leaves a gap in that: nobody said that it is the older piece's.
+    const bool goes_back = before->earlier_layer > before->next_layer && first_layer == before->earlier_layer;
     carved_before_ = goes_back ? before->earlier_layer : before->next_layer;
     earlier_layer_ = goes_back ? 0 : before->earlier_layer;
     leaves_gap_ = first_layer > carved_before_;

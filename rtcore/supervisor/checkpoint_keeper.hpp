@@ -14,9 +14,9 @@ namespace psicarve::supervisor {
 /// Writes into the segment how far a carving has come, a layer at a time, while it carves and as it ends in
 /// whatever way. A run of the whole job begins anew: what was carved before it may be another piece's. How
 /// far that was stands beside it until it is passed, so that a start by mistake leaves a way back. One that
-/// begins with a later layer goes on from where the checkpoint stands, or the run before it, if it leaves no
-/// layer out; one that does leaves the checkpoint at the first layer that is not carved. The supervisor's
-/// thread.
+/// begins with a later layer goes on from where the checkpoint stands, if it leaves no layer out, or, with
+/// exactly the layer behind the run before, goes back to that one's piece; any other leaves the checkpoint at
+/// the first layer that is not carved. The supervisor's thread.
 class CheckpointKeeper {
 public:
     void note(SegmentHeader& header, const cycle::Sample& sample, const LoadedJob* job) noexcept;

@@ -162,7 +162,7 @@ TEST_F(CoreCheckpoint, AStartByMistakeLeavesTheWayBack) {
     carve(0, 2);
     EXPECT_TRUE(comes_to(2, 6)) << checkpoint().next_layer << ", " << checkpoint().earlier_layer;
     carve(0, 1);
-    EXPECT_TRUE(comes_to(1, 6)) << "once more";
+    EXPECT_TRUE(comes_to(1, 2)) << "the run before is the one that was begun by mistake";
     // What may be a new blank is not taken for the old piece unasked.
     ASSERT_EQ(refusal_of(resuming()), "");
     ASSERT_TRUE(reaches(MachineState::waiting));
@@ -170,13 +170,36 @@ TEST_F(CoreCheckpoint, AStartByMistakeLeavesTheWayBack) {
     request_stop(*segment_);
     ASSERT_TRUE(reaches(MachineState::ready));
     carve(30, 1);
-    EXPECT_TRUE(comes_to(1, 6)) << "layers are left out of either";
-    carve(6, 1);
-    EXPECT_TRUE(comes_to(7, 0)) << "the piece of before goes on";
+    EXPECT_TRUE(comes_to(1, 2)) << "layers are left out of either";
+    carve(2, 1);
+    EXPECT_TRUE(comes_to(3, 0)) << "the piece of before goes on";
+    carve(3, 4);
+    ASSERT_TRUE(comes_to(7, 0));
     carve(0, 2);
     ASSERT_TRUE(comes_to(2, 7));
     carve(2, 8);
     EXPECT_TRUE(comes_to(10, 0)) << "passed";
+}
+
+TEST_F(CoreCheckpoint, OnlyTheLayerBehindTheRunBeforeGoesBackToIt) {
+    start_core();
+    ASSERT_EQ(publish(long_job()), "");
+    home();
+    carve(0, 6);
+    carve(0, 2);
+    ASSERT_TRUE(comes_to(2, 6)) << checkpoint().next_layer << ", " << checkpoint().earlier_layer;
+    for (const std::uint32_t between : {3U, 4U, 5U}) {
+        carve(between, 1);
+        EXPECT_TRUE(comes_to(2, 6)) << "a gap in the one, and done again in the other: " << between << ", "
+                                    << checkpoint().next_layer << ", " << checkpoint().earlier_layer;
+    }
+    carve(2, 1);
+    EXPECT_TRUE(comes_to(3, 6)) << "goes on: " << checkpoint().next_layer << ", "
+                                << checkpoint().earlier_layer;
+    carve(7, 1);
+    EXPECT_TRUE(comes_to(3, 6)) << "behind both";
+    carve(6, 2);
+    EXPECT_TRUE(comes_to(8, 0)) << "back";
 }
 
 TEST_F(CoreCheckpoint, AStartByMistakeWithoutALayerSaysWhereTheRunBeforeCameTo) {

@@ -40,7 +40,8 @@ std::vector<std::string> details(const UnfinishedPiece& piece, const MachineSigh
 }
 
 /// Of five points, 1 mm apart; R1's tip at 10 mm, R2's at 20 mm.
-cam::PreparedJob some_layers(std::uint32_t count = 4, std::int64_t apart_pulses = 400) {
+cam::PreparedJob some_layers(std::uint32_t count = 4, std::int64_t apart_pulses = 400,
+                             std::vector<JobPass> passes = {}) {
     const Profile profile;
     JobTable table;
     table.layer_count = count;
@@ -55,6 +56,11 @@ cam::PreparedJob some_layers(std::uint32_t count = 4, std::int64_t apart_pulses 
         table.r_left_pulses.insert(table.r_left_pulses.end(), 5, 4000);
         table.r_right_pulses.insert(table.r_right_pulses.end(), 5, 8000);
     }
+    if (!passes.empty()) {  // the upper layers lie where the lower ones do
+        for (std::uint32_t layer = passes.back().first_layer; layer < count; ++layer)
+            table.layer_height_pulses[layer] = table.layer_height_pulses[layer - passes.back().first_layer];
+    }
+    table.passes = std::move(passes);
     auto job = cam::prepare_blob(job_blob_from_table(table), profile, "four layers");
     EXPECT_TRUE(job);
     return std::move(*job);
@@ -76,7 +82,13 @@ TEST(GoingOnWords, TheButtonSaysItOfACoreThatIsGone) {
     MachineSight machine = stopped_in(S::carving);
     machine.life = CoreLife::none;
     EXPECT_EQ(start_says(machine), "Continue from layer 132");
-    EXPECT_EQ(start_says(machine, DeskState::job), "Continue from layer 132") << "as the segment has it";
+    JobSight open = desk_in(DeskState::job);
+    open.is_of_checkpoint = true;
+    EXPECT_EQ(in_english(start_text(machine, open, false)), "Continue from layer 132")
+        << "as the segment has it";
+    EXPECT_TRUE(unfinished_piece(machine, open));
+    EXPECT_EQ(start_says(machine, DeskState::job), "Start") << "another job is open";
+    EXPECT_FALSE(unfinished_piece(machine, desk_in(DeskState::job)));
     EXPECT_EQ(start_says(machine, DeskState::model), "Start");
 }
 
@@ -104,6 +116,9 @@ TEST(GoingOnWords, APieceIsUnfinishedUntilItGoesOnOrAnotherJobIsOpen) {
     EXPECT_EQ(in_english(unfinished_title({0, 94, 200})), "Begun anew: none of 200 layers is finished");
     EXPECT_EQ(in_english(anew_question({131, 0, 200})),
               "Layers 1 to 131 of 200 are carved and would be carved again.");
+    EXPECT_EQ(in_english(anew_question({0, 94, 200})),
+              "The run before came to layer 94 of 200: if its piece is still mounted, From layer 95 goes on "
+              "with it, and layer 1 carves it again.");
     EXPECT_EQ(in_english(anew_question({1, 0, 200})), "Layer 1 of 200 is carved and would be carved again.");
 }
 
@@ -131,6 +146,37 @@ TEST(GoingOnWords, ItsDetailsSayTheLastGoodPointTheWayAndWhatComesFirst) {
               (std::vector<std::string>{"Last good layer: 2.", "First start psicarve-rtcore, then Home all.",
                                         "The run before came to layer 3: if its piece is still mounted, From "
                                         "layer 4 goes on with it."}));
+}
+
+TEST(GoingOnWords, ItsNeedsAreWhatComesFirstAndTheWayBack) {
+    EXPECT_TRUE(unfinished_needs({2, 0, 4}, machine_in(S::ready)).empty());
+    MachineSight machine = machine_in(S::ready, 0x1);
+    machine.status->points_done = 12;
+    machine.status->points_total = 20;
+    std::vector<std::string> said;
+    for (const Phrase& each : unfinished_needs({2, 3, 4}, machine)) said.push_back(in_english(each));
+    EXPECT_EQ(said, (std::vector<std::string>{"First Home all.", "Run before: to layer 3 (From layer 4)."}));
+    machine.life = CoreLife::none;
+    EXPECT_EQ(in_english(unfinished_needs({2, 0, 4}, machine).front()),
+              "First start psicarve-rtcore, then Home all.");
+}
+
+TEST(GoingOnWords, ThePictureHasNoRadiusOfWhatIsOnlyRoughed) {
+    const std::vector<JobPass> passes{
+        {static_cast<std::uint32_t>(PassKind::roughing), 1, 0, 2, 0.3, 2.0, 30.0},
+        {static_cast<std::uint32_t>(PassKind::finishing), 2, 2, 2, 0.0, 0.0, 30.0}};
+    const cam::PreparedJob job = some_layers(4, 400, passes);
+    ASSERT_EQ(job.view.finishing_layer(), 2U);
+    for (const std::uint32_t carved : {0U, 1U, 2U, 3U, 4U}) {
+        const CarvedPicture picture = carved_picture(job, carved, 0x123456);
+        ASSERT_EQ(picture.rows, 2U);
+        const std::size_t coloured = carved > 2 ? carved - 2 : 0;
+        for (std::size_t row = 0; row < 2; ++row) {
+            const bool is_rest = picture.rgb[row * picture.columns] == 0xFF123456;
+            EXPECT_EQ(is_rest, row < 2 - coloured)
+                << "row " << row << " from the top, " << carved << " carved";
+        }
+    }
 }
 
 TEST(GoingOnWords, ThePictureIsColouredAsFarAsItIsCarved) {

@@ -17,8 +17,11 @@
 #include <tuple>
 #include <vector>
 
+#include "hmi/session/going_on.hpp"
 #include "hmi/ui/keys_dialog.hpp"
 #include "hmi/ui/language.hpp"
+#include "hmi/ui/side_panels.hpp"
+#include "hmi/ui/words.hpp"
 #include "hmi/ui/work_keeper.hpp"
 #include "tests/hmi/ui/fit_audit.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
@@ -153,6 +156,14 @@ TEST_P(Fit, WithAPieceThatIsUnfinished) {
     start_core_anew();
     ASSERT_TRUE(comes_true([&] { return sight().is_heard() && sight().state() == S::off; }));
     expect_fit("unfinished_piece_of_a_core_before");
+    // What has to be done first, and the way back, are no matter of room.
+    EXPECT_TRUE(part<QLabel>("unfinished_details").isVisible());
+    const session::UnfinishedPiece piece{2, 4, 4000};
+    const auto needs = session::unfinished_needs(piece, sight());
+    EXPECT_EQ(needs.size(), 2U);
+    for (const session::Phrase& need : room_in(size()) == Room::small ? needs : decltype(needs){})
+        EXPECT_TRUE(part<QLabel>("unfinished_details").text().contains(words(need)))
+            << words(need).toStdString();
 }
 
 TEST_P(Fit, WithAJobBeforeAndWhileItIsCarved) {

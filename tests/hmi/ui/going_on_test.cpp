@@ -9,6 +9,12 @@
 #include <QSpinBox>
 #include <QTest>
 
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "shared/checkpoint.hpp"
+#include "shared/shared_record.hpp"
 #include "tests/hmi/ui/hands_rig.hpp"
 #include "tests/places.hpp"
 
@@ -39,6 +45,30 @@ protected:
         window_.reset();
         open_in_front();
         ASSERT_TRUE(comes_true([&] { return sight().resumable_layer.has_value(); }));
+    }
+    /// The first of forty.
+    void carve_of_forty(std::uint32_t layers) {
+        publish_job(two_process::lobed_job(40, 40));
+        ASSERT_TRUE(click("home"));
+        ASSERT_TRUE(comes_to(S::ready));
+        window_->bench().machine.start(0, layers);
+        ASSERT_TRUE(comes_true([&] {
+            return sight().state() == S::ready && sight().resumable_layer == layers;
+        })) << all_messages().toStdString();
+        ASSERT_TRUE(comes_true([&] { return part<QWidget>("unfinished").isVisible(); }));
+    }
+    /// As another run of the same job would.
+    void leave_checkpoint(std::uint32_t next_layer, std::uint32_t earlier_layer) {
+        auto& record = segment_->header().checkpoint;
+        const auto before = read_record(record);
+        ASSERT_TRUE(before);
+        write_record(record,
+                     checkpoint_at(before->job_checksum, next_layer, before->layer_count, earlier_layer));
+    }
+    static QAbstractButton& button_of(QDialog& dialog, const char* name) {
+        auto* const found = dialog.findChild<QAbstractButton*>(name);
+        if (found == nullptr) throw std::runtime_error{std::string{"no "} + name};
+        return *found;
     }
     void home_on_new_core() {
         start_core();
@@ -183,9 +213,114 @@ TEST_F(GoingOn, BeginsAnewOnlyOnceItWasAsked) {
     EXPECT_EQ(sight().status->job_start_tick, started) << "nothing was started";
     EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("start_anew")); }, {answers("anew_go")}));
     ASSERT_TRUE(comes_to(S::carving));
-    EXPECT_LT(sight().status->layer, carved);
-    ASSERT_TRUE(comes_true(
-        [&] { return sight().earlier_layer.has_value() || sight().resumable_layer.value_or(0) >= carved; }));
+    EXPECT_NE(sight().status->job_start_tick, started);
+    ASSERT_TRUE(click("hold"));  // however busy the computer is, it does not pass the layers of before
+    EXPECT_TRUE(comes_true([&] {
+        return sight().earlier_layer == carved || sight().resumable_layer.value_or(0) >= carved;
+    })) << carved;
+}
+
+TEST_F(GoingOn, SaysNothingOfAnotherJobThatIsOpenWithoutACore) {
+    start_core();
+    open_window();
+    ASSERT_NO_FATAL_FAILURE(carve_of_forty(4));
+    ASSERT_NO_FATAL_FAILURE(kill_core());
+    EXPECT_TRUE(comes_true([&] { return button("start").text() == "Continue from layer 5"; }))
+        << button("start").text().toStdString();
+    const auto opens = [&](const JobTable& table, const char* name) {
+        Snapshot snapshot;
+        snapshot.job_blob = job_blob_from_table(table);
+        ASSERT_TRUE(save_snapshot(snapshot, file(name)));
+        const std::uint64_t edition = window_->bench().desk.edition();
+        window_->open(QString::fromStdString(file(name)));
+        ASSERT_TRUE(comes_true([&] { return window_->bench().desk.edition() != edition; }));
+        ASSERT_TRUE(comes_to(session::DeskState::job));
+    };
+    opens(two_process::lobed_job(40, 44), "other.job");  // as many layers
+    EXPECT_TRUE(comes_true([&] { return button("start").text() == "Start"; }))
+        << button("start").text().toStdString();
+    EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
+    opens(two_process::lobed_job(40, 40), "same.job");
+    EXPECT_TRUE(comes_true([&] { return button("start").text() == "Continue from layer 5"; }));
+    EXPECT_TRUE(comes_true([&] { return part<QWidget>("unfinished").isVisible(); }));
+}
+
+TEST_F(GoingOn, StartsADryRunAnewThatWasChosenBeforeItWasAsked) {
+    start_core();
+    open_window();
+    ASSERT_NO_FATAL_FAILURE(carve_of_forty(4));
+    button("dry_run").click();
+    QString question;
+    EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("start_anew")); }, {[&](QDialog& dialog) {
+                             question = dynamic_cast<QMessageBox&>(dialog).text();
+                             button("dry_run").click();  // the window is not shut out
+                             button_of(dialog, "anew_go").click();
+                         }}));
+    EXPECT_TRUE(question.startsWith("Dry run from layer 1: ")) << question.toStdString();
+    ASSERT_TRUE(comes_true([&] { return sight().status->is_dry == 1; })) << all_messages().toStdString();
+    EXPECT_EQ(sight().resumable_layer, 4U) << "nothing is cut";
+}
+
+TEST_F(GoingOn, AsksBeforeItBeginsAnewThoughNoLayerIsFinished) {
+    start_core();
+    open_window();
+    ASSERT_NO_FATAL_FAILURE(carve_of_forty(4));
+    leave_checkpoint(0, 4);
+    ASSERT_TRUE(comes_true([&] { return label("unfinished_title").startsWith("Begun anew"); }))
+        << label("unfinished_title").toStdString();
+    const std::uint64_t started = sight().status->job_start_tick;
+    part<QSpinBox>("layer").setValue(1);
+    for (const char* name : {"start_anew", "from_layer"}) {
+        QString question;
+        EXPECT_TRUE(answered([&] { EXPECT_TRUE(click(name)); }, {[&](QDialog& dialog) {
+                                 question = dynamic_cast<QMessageBox&>(dialog).text();
+                                 button_of(dialog, "anew_cancel").click();
+                             }}))
+            << name;
+        EXPECT_TRUE(question.startsWith("The run before came to layer 4 of 40: ")) << question.toStdString();
+    }
+    EXPECT_TRUE(comes_true([&] { return !window_->bench().machine.has_orders(); }));
+    EXPECT_EQ(sight().status->job_start_tick, started) << "nothing was started";
+}
+
+TEST_F(GoingOn, AQuestionIsClosedOnceItIsAboutAnotherPieceOrTheMachineLeavesRest) {
+    start_core();
+    open_window();
+    ASSERT_NO_FATAL_FAILURE(carve_of_forty(4));
+    const std::uint64_t started = sight().status->job_start_tick;
+    const auto is_closed_by = [&](const char* name, const std::function<void()>& change) {
+        bool is_closed = false;
+        EXPECT_TRUE(answered([&] { EXPECT_TRUE(click(name)); }, {[&](QDialog& dialog) {
+                                 change();
+                                 is_closed = comes_true([&] { return !dialog.isVisible(); });
+                             }}));
+        return is_closed;
+    };
+    for (const char* name : {"start_anew", "from_layer"}) {
+        part<QSpinBox>("layer").setValue(3);
+        leave_checkpoint(4, 0);
+        ASSERT_TRUE(comes_true([&] { return sight().resumable_layer == 4; }));
+        EXPECT_TRUE(is_closed_by(name, [&] { leave_checkpoint(7, 0); })) << name;
+        ASSERT_TRUE(comes_true([&] { return button(name).isEnabled(); }));
+        EXPECT_TRUE(is_closed_by(name, [&] { window_->bench().desk.publish(); })) << name;
+        ASSERT_TRUE(comes_true([&] { return button(name).isEnabled(); })) << name;
+    }
+    part<QSpinBox>("layer").setValue(3);
+    EXPECT_TRUE(is_closed_by("from_layer", [&] { request_emergency_stop(*segment_); }));
+    EXPECT_EQ(sight().status->job_start_tick, started) << "nothing was started";
+}
+
+TEST_F(GoingOn, TheNextPieceThatComesAsFarIsNotDismissed) {
+    start_core();
+    open_window();
+    ASSERT_NO_FATAL_FAILURE(carve_of_forty(4));
+    ASSERT_TRUE(click("unfinished_dismiss"));
+    EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
+    leave_checkpoint(40, 0);  // it was carved to its end
+    ASSERT_TRUE(comes_true([&] { return !sight().resumable_layer; }));
+    window_->bench().machine.start(0, 4);
+    ASSERT_TRUE(comes_true([&] { return sight().state() == S::ready && sight().resumable_layer == 4; }));
+    EXPECT_TRUE(comes_true([&] { return part<QWidget>("unfinished").isVisible(); }));
 }
 
 TEST_F(GoingOn, TellsWhereTheRunBeforeASlipCameTo) {

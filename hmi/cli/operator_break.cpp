@@ -29,6 +29,12 @@ extern "C" void count_break(int number) {
     raise(number);
 }
 
+void install(int number, const struct sigaction& action, struct sigaction& before) {
+    struct sigaction former {};
+    sigaction(number, &action, &former);
+    if (former.sa_handler != count_break) before = former;
+}
+
 }  // namespace
 
 OperatorBreak::OperatorBreak() {
@@ -37,11 +43,16 @@ OperatorBreak::OperatorBreak() {
     struct sigaction action {};
     action.sa_handler = count_break;
     sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, &interrupt_before);
-    sigaction(SIGTERM, &action, &terminate_before);
+    install(SIGINT, action, interrupt_before);
+    install(SIGTERM, action, terminate_before);
 }
 
 OperatorBreak::~OperatorBreak() {
+    // Whoever was asked ends the program now: a second one on the way out must not change how it ends.
+    if (was_asked()) {
+        third_ends_us = true;
+        return;
+    }
     sigaction(SIGINT, &interrupt_before, nullptr);
     sigaction(SIGTERM, &terminate_before, nullptr);
 }

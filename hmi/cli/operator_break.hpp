@@ -10,7 +10,8 @@ namespace psicarve::cli {
 
 /// Ctrl-C (SIGINT) and SIGTERM while we wait for a machine: the first asks the core to stop in order, the
 /// second is an emergency stop, the third ends the waiting. Lives until the report is out: whoever presses
-/// once more while the core ends is not to lose it. One at a time; the old behaviour returns with its end.
+/// once more while the core ends is not to lose it. One at a time; with its end the old behaviour returns,
+/// once asked for the third.
 class OperatorBreak {
 public:
     OperatorBreak();

@@ -211,8 +211,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"open_arcs", kLibrecad + "elektro/grounding/gr6.dxf", "", "has no closed outline"},
         Refusal{"strokes_there_and_back", kLibrecad + "plan/vegetation/v15.dxf", "",
                 "its outlines enclose no area"},
-        Refusal{"leaves_round_an_empty_middle", kLibrecad + "plan/vegetation/v22.dxf", "--fit --blank 12x20",
-                "the axis passes beside the model and no sample meets it"},
+        Refusal{
+            "leaves_round_an_empty_middle", kLibrecad + "plan/vegetation/v22.dxf", "--fit --blank 12x20",
+            "lies wholly within the core radius of 1.50 mm: nothing but a plain rod would be carved; it is "
+            "1.60 x 0.40 x 20.00 mm large"},
         Refusal{"a_plan_of_metres", kLibrecad + "plan/architect/Complete-Lib-E.dxf", "",
                 "larger than the machine's travel"}),
     [](const auto& chosen) { return chosen.param.name; });

@@ -262,9 +262,11 @@ TEST_F(Roughing, IsWhatTheProfileSaysUnlessAnOptionSaysElse) {
     std::ofstream(file("shop.toml")) << "[tool]\nshape = \"flat\"\ndiameter_mm = 2\n[blank]\nradius_mm = 9\n"
                                         "[roughing]\nstepdown_mm = 2\nallowance_mm = 0.5\nstepover_mm = 1\n";
     const auto sliced = [this](const std::string& profile, const std::vector<std::string>& more) {
-        std::vector<std::string> arguments{
-            "slice", box_stl("box.stl"), "-o", file("p.job"), "--layers",    "6",     "--points",
-            "31",    "--height",         "3",  "--profile",   file(profile), "--json"};
+        // Not over the job whose profile is meant.
+        const std::string output = file(profile == "p.job" ? "again.job" : "p.job");
+        std::vector<std::string> arguments{"slice",     box_stl("box.stl"), "-o",    output,     "--layers",
+                                           "6",         "--points",         "31",    "--height", "3",
+                                           "--profile", file(profile),      "--json"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const Outcome outcome = psicarve(arguments);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.error;

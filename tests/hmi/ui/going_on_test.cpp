@@ -22,6 +22,8 @@ namespace psicarve::ui {
 namespace {
 
 using S = MachineState;
+/// Of the long job.
+constexpr int kLayers = two_process::kLongLayers;
 
 class GoingOn : public test::HandsRig {
 protected:
@@ -81,7 +83,7 @@ TEST_F(GoingOn, FillsInTheLayerOfAWindowThatWasOpenedOnADeadCore) {
     ASSERT_NO_FATAL_FAILURE(open_on_dead_core());
     const int next = static_cast<int>(*sight().resumable_layer) + 1;
     ASSERT_NO_FATAL_FAILURE(home_on_new_core());
-    ASSERT_TRUE(comes_true([&] { return part<QSpinBox>("layer").maximum() == 4000; }));
+    ASSERT_TRUE(comes_true([&] { return part<QSpinBox>("layer").maximum() == kLayers; }));
     EXPECT_TRUE(
         comes_true([&] { return part<QSpinBox>("layer").value() == next; }, two_process::milliseconds{2000}))
         << part<QSpinBox>("layer").value() << " of " << next;
@@ -91,7 +93,7 @@ TEST_F(GoingOn, KnowsTheJobOfACoreThatIsNoMore) {
     ASSERT_NO_FATAL_FAILURE(open_on_dead_core());
     ASSERT_TRUE(comes_true([&] { return window_->bench().desk.job() != nullptr; }))
         << all_messages().toStdString();
-    EXPECT_EQ(window_->bench().desk.job()->view.layer_count(), 4000U);
+    EXPECT_EQ(window_->bench().desk.job()->view.layer_count(), two_process::kLongLayers);
     EXPECT_TRUE(comes_true(
         [&] { return part<QSpinBox>("layer").value() == static_cast<int>(*sight().resumable_layer) + 1; }));
     EXPECT_FALSE(button("publish").isEnabled());
@@ -162,7 +164,8 @@ TEST_F(GoingOn, ContinuesByItsButtonAndItsKeyAsTheySay) {
         << button("start").text().toStdString();
     EXPECT_EQ(button("motion_start").text(), says);
     EXPECT_TRUE(part<QWidget>("unfinished").isVisible());
-    EXPECT_EQ(label("unfinished_title"), QString{"Unfinished: %1 of 4000 layers are carved"}.arg(next));
+    EXPECT_EQ(label("unfinished_title"),
+              QString{"Unfinished: %1 of %2 layers are carved"}.arg(next).arg(kLayers));
     EXPECT_TRUE(
         label("unfinished_details").startsWith(QString{"Last good: layer %1, to its point 201. "}.arg(next)))
         << label("unfinished_details").toStdString();
@@ -204,7 +207,7 @@ TEST_F(GoingOn, BeginsAnewOnlyOnceItWasAsked) {
     };
     EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("start_anew")); }, {answers("anew_cancel")}));
     EXPECT_TRUE(question.startsWith(
-        QString{"Layers 1 to %1 of 4000 are carved and would be carved again."}.arg(carved)))
+        QString{"Layers 1 to %1 of %2 are carved and would be carved again."}.arg(carved).arg(kLayers)))
         << question.toStdString();
     EXPECT_FALSE(picture.isEmpty());
     part<QSpinBox>("layer").setValue(1);  // what comes to the same

@@ -66,6 +66,13 @@ bool MotionWitness::take_running(const TrainEvent& event, double time_s) {
     return !running_.is_empty();
 }
 
+Range MotionWitness::slow_positions() const noexcept {
+    if (is_slow_) return slow_;
+    if (running_.is_empty() || running_.slowest() > limits_.jump_pps) return Range::none();
+    const Range row = running_.slowest_row();
+    return is_upward_ ? row : mirrored(row);
+}
+
 void MotionWitness::hand_to(MotorReach& reach) const {
     if (is_slow_)
         reach.start_slow(slow_);

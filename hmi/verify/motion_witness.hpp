@@ -25,6 +25,9 @@ public:
     /// False: no such motion is left.
     bool take(const TrainEvent& event);
 
+    bool is_slow() const noexcept { return is_slow_; }
+    /// Positions where it may be no faster than start-stop now.
+    Range slow_positions() const noexcept;
     /// No motion was left out so far.
     bool is_whole() const noexcept { return is_whole_; }
     /// Gives all of it to a set of states that knew nothing else.

@@ -11,6 +11,10 @@ namespace psicarve::verify {
 namespace {
 constexpr int kLeastPatience = 4;
 constexpr int kMostPatience = 256;
+// So many events back another witness is tried, those that carried furthest in carvings first: one that left
+// the slow speeds too late, or too early, has little room.
+constexpr std::array<std::size_t, 14> kTurns{4, 3, 6, 2, 8, 1, 12, 10, 5, 16, 24, 32, 48, 64};
+constexpr std::size_t kFarthestTurn = *std::max_element(kTurns.begin(), kTurns.end());
 }  // namespace
 
 TrainFollower::TrainFollower(const MotorLimits& limits, std::int64_t begin_ns)
@@ -45,7 +49,7 @@ void TrainFollower::step(const TrainEvent& event) {
 
 bool TrainFollower::take(const TrainEvent& event) {
     if (has_witness_) {
-        if (witness_.take(event)) {
+        if (witness_.take(event) || turn(event)) {
             keep_late(event);
             return true;
         }
@@ -86,23 +90,72 @@ void TrainFollower::open_window() {
 }
 
 void TrainFollower::keep_late(const TrainEvent& event) {
+    const Late now{event, witness_.slow_positions(), witness_.count()};
     // An axis that stands passes many joints: the first and the last of them will do.
     const auto is_joint = [this](std::size_t back) {
-        return late_[late_count_ - back].kind == TrainEvent::Kind::joint;
+        return late_[late_count_ - back].event.kind == TrainEvent::Kind::joint;
     };
     if (late_count_ >= earlier_count_ + 2 && event.kind == TrainEvent::Kind::joint && is_joint(1) &&
         is_joint(2)) {
-        late_[late_count_ - 1] = event;
+        late_[late_count_ - 1] = now;
         return;
     }
     if (late_count_ == kMostLate) forget_earlier();
-    late_[late_count_++] = event;
+    late_[late_count_++] = now;
     if (earlier_count_ == 0 && late_count_ >= (witness_.is_whole() ? kFewLate : kMostLate / 2)) {
         earlier_ = witness_;
         earlier_count_ = late_count_;
     }
     // A witness that left nothing out is as good as everything.
     if (earlier_count_ > 0 && earlier_.is_whole()) forget_earlier();
+}
+
+/// The witness came to its end with this event: another one, that was no faster than start-stop after some
+/// event before, goes on in its place. Only from events since `earlier_`, which stands for all that came
+/// before it.
+bool TrainFollower::turn(const TrainEvent& event) {
+    const bool is_slow = witness_.is_slow();
+    for (const std::size_t back : kTurns) {
+        if (back > late_count_ - earlier_count_) continue;
+        const std::size_t index = late_count_ - back;
+        if (late_[index].slow.is_empty()) continue;
+        if (!is_slow && go_on(slow_witness(index), index, event)) return true;
+        if (go_on(running_witness(index, event), index, event)) return true;
+    }
+    return false;
+}
+
+MotionWitness TrainFollower::slow_witness(std::size_t index) const {
+    const Late& from = late_[index];
+    MotionWitness slow(reach_.limits());
+    slow.start_slow(from.slow, from.event.time_ns, from.count);
+    return slow;
+}
+
+/// One that becomes faster than start-stop just then, towards the event.
+MotionWitness TrainFollower::running_witness(std::size_t index, const TrainEvent& event) const {
+    const Late& from = late_[index];
+    const bool is_upward = event.count_after(late_[late_count_ - 1].count) >= from.count;
+    const double jump_pps = reach_.limits().jump_pps;
+    const Range positions = is_upward ? from.slow : mirrored(from.slow);
+    MotionWitness running(reach_.limits());
+    running.start_running(StateSet::box(positions, {jump_pps, jump_pps}), false, is_upward,
+                          from.event.time_ns, from.count);
+    return running;
+}
+
+/// Takes a witness of the time behind late_[index] up to the event. If it comes so far it is the witness.
+bool TrainFollower::go_on(MotionWitness witness, std::size_t index, const TrainEvent& event) {
+    std::array<Range, kFarthestTurn> slow{};
+    const std::size_t first = index + 1;
+    for (std::size_t i = first; i < late_count_; ++i) {
+        if (!witness.take(late_[i].event)) return false;
+        slow[i - first] = witness.slow_positions();
+    }
+    if (!witness.take(event)) return false;
+    for (std::size_t i = first; i < late_count_; ++i) late_[i].slow = slow[i - first];
+    witness_ = witness;
+    return true;
 }
 
 /// What lies so far back has no bearing any more: the witness of then stands for it.
@@ -119,7 +172,7 @@ void TrainFollower::forget_earlier() {
 
 void TrainFollower::catch_up() {
     has_witness_ = false;
-    for (std::size_t i = 0; i < late_count_; ++i) step(late_[i]);
+    for (std::size_t i = 0; i < late_count_; ++i) step(late_[i].event);
     late_count_ = 0;
     earlier_count_ = 0;
     open_window();

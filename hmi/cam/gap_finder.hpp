@@ -14,12 +14,7 @@ namespace psicarve::cam {
 /// Which gap between two neighbouring directions a place lies in, and about where, without trigonometry.
 class GapFinder {
 public:
-    struct Found {
-        bool is_sure = false;  ///< false: too near to a direction to be told, or the gaps are too wide
-        std::size_t gap = 0;
-        double least_along = 0.0;  ///< from the gap's begin 0 to its end 1, no more than it is
-        double most_along = 1.0;   ///< no less
-    };
+    static constexpr std::size_t kUnsure = ~std::size_t{0};
 
     /// Requires ascending directions once round, the first 0.
     explicit GapFinder(std::span<const double> round_rad) : directions_(round_rad) {
@@ -33,23 +28,29 @@ public:
         ends_.back() = kTurn;
     }
 
-    /// Of (x, y), so far from the axis.
-    Found find(double x, double y, double radius) const noexcept {
-        Found found;
+    /// Of (x, y); kUnsure too near to a direction to be told, or where gaps are too wide.
+    std::size_t gap_at(double x, double y) const noexcept {
+        if (!is_fine_) return kUnsure;
         const double diamond = slice::diamond_angle(x, y);
         const std::size_t gap = directions_.count_up_to(diamond) - std::size_t{1};
-        if (!is_fine_ || gap >= ends_.size()) return found;
+        if (gap >= ends_.size()) return kUnsure;
         constexpr double kTooNear = 1e-12;  // rounding is a thousand times less
         const double begin = gap > 0 ? ends_[gap - 1] : 0.0;
-        if (diamond - begin < kTooNear || ends_[gap] - diamond < kTooNear) return found;
+        return diamond - begin < kTooNear || ends_[gap] - diamond < kTooNear ? kUnsure : gap;
+    }
+
+    struct Along {
+        double least;
+        double most;
+    };
+    /// How far (x, y) lies along the gap that it is in, from its begin 0 to its end 1: from .. to.
+    Along along(std::size_t gap, double x, double y) const noexcept {
         // The sine of what it lies behind the gap's begin; of less than 0.5 the angle is s to s + s^3 / 4.
-        const double sine = (directions_.cosine()[gap] * y - directions_.sine()[gap] * x) / radius;
+        const double sine =
+            (directions_.cosine()[gap] * y - directions_.sine()[gap] * x) / std::sqrt(x * x + y * y);
         constexpr double kRounding = 1e-12;
-        found.least_along = (sine - kRounding) * gaps_per_rad_[gap];
-        found.most_along = (sine + kRounding + 0.25 * sine * sine * sine) * gaps_per_rad_[gap];
-        found.gap = gap;
-        found.is_sure = sine > 0.0;
-        return found;
+        return {(sine - kRounding) * gaps_per_rad_[gap],
+                (sine + kRounding + 0.25 * sine * sine * sine) * gaps_per_rad_[gap]};
     }
 
 private:

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "hmi/cam/gap_finder.hpp"
@@ -41,11 +42,17 @@ public:
           gap_finder_(round_) {
         round_.push_back(2.0 * kPi);
         const bool is_opposite = heads_[1].facing_rad == 0.0 && heads_[1].height == 0.0;
+        for (const Head& head : heads_) {
+            const auto least = std::min_element(head.radii.begin(), head.radii.end());
+            least_tip_ = std::min(least_tip_, *least * head.units_per_pulse + head.tip_units);
+        }
         frames_ = std::span(heads_).first(is_opposite ? 1 : 2);
         pitch_ = plan.heights.size() > 1 ? plan.heights[1] - plan.heights[0] : 0.0;
     }
 
-    std::vector<Gap> found() {
+    /// By gap; or, with less work, only the most of them all.
+    std::vector<Gap> found(bool is_most_enough) {
+        is_most_enough_ = is_most_enough;
         if (tool_.shape == tool::Shape::point && !rises_) {
             for (const model::Triangle& facet : mesh_.triangles) cross_flat_rows(facet);
         } else {
@@ -127,6 +134,10 @@ private:
     void cross_flat_rows(const model::Triangle& facet) {
         std::array<std::array<double, 3>, 3> corners;
         for (std::size_t k = 0; k < 3; ++k) corners[k] = upright(facet.vertices[k]);
+        // Nothing of a facet is further out than its corners.
+        double square = 0.0;
+        for (const auto& [x, y, z] : corners) square = std::max(square, x * x + y * y);
+        if (!is_worth_a_look(square, least_tip_, most_)) return;
         for (const Head& head : frames_) {
             std::array<double, 3> level;
             std::array<std::size_t, 3> at_or_above;
@@ -263,22 +274,32 @@ private:
         return head.radii.data() + row * plan_.point_count + (gap < half_ ? gap : gap - half_);
     }
 
-    /// Whether note() could take up where an edge crosses a flat row: what it needs trigonometry for is
-    /// bounded first, and mostly that is enough.
+    /// Whether note() could take something up at this radius (its square) if the tip stands there or further
+    /// out, and so much is known already.
+    bool is_worth_a_look(double radius_square, double tip, double known) const noexcept {
+        constexpr double kRounding = 1.0 + 1e-12;
+        const double least = tip + rounding_ + known;
+        return least < 0.0 || radius_square * kRounding > least * least;
+    }
+    /// The same of an edge's crossing with a flat row: what takes trigonometry is bounded first, and mostly
+    /// that is enough.
     bool may_say_more(const Head& frame, double x, double y, std::size_t row) const noexcept {
-        const double radius = std::sqrt(x * x + y * y);
-        const auto found = gap_finder_.find(x * frame.facing_cosine + y * frame.facing_sine,
-                                            y * frame.facing_cosine - x * frame.facing_sine, radius);
-        if (!found.is_sure) return true;
-        const Head& head = head_in(row, found.gap);
+        const double square = x * x + y * y;
+        if (!is_worth_a_look(square, least_tip_, most_)) return false;
+        const double seen_x = x * frame.facing_cosine + y * frame.facing_sine;
+        const double seen_y = y * frame.facing_cosine - x * frame.facing_sine;
+        const std::size_t gap = gap_finder_.gap_at(seen_x, seen_y);
+        if (gap == GapFinder::kUnsure) return true;
+        const Head& head = head_in(row, gap);
         if (!has_frame(head, frame)) return false;
-        const std::int32_t* radii = radii_at(head, row, found.gap);
+        const double known = is_most_enough_ ? most_ : gaps_[gap].sunk_mm;
+        const std::int32_t* radii = radii_at(head, row, gap);
+        const auto tip_at = [&head](double pulses) { return pulses * head.units_per_pulse + head.tip_units; };
+        if (!is_worth_a_look(square, tip_at(std::min(radii[0], radii[1])), known)) return false;
+        const auto [least_along, most_along] = gap_finder_.along(gap, seen_x, seen_y);
         const double rise = static_cast<double>(radii[1] - radii[0]);
-        const double straight = radii[0] + std::min(found.least_along * rise, found.most_along * rise);
-        const double tip = straight * head.units_per_pulse + head.tip_units;
-        constexpr double kRoundingRatio = 1e-12;
-        return radius - tip - rounding_ + kRoundingRatio * (radius + std::abs(tip)) >
-               gaps_[found.gap].sunk_mm;
+        const double straight = radii[0] + std::min(least_along * rise, most_along * rise);
+        return is_worth_a_look(square, tip_at(straight), known);
     }
 
     void note(const Head& frame, const Seat& seat, std::size_t height, double least_tip) {
@@ -293,6 +314,7 @@ private:
         Gap& gap = gaps_[seat.gap];
         if (sunk <= gap.sunk_mm) return;
         gap = {sunk, seat.angle};
+        if (is_most_enough_) most_ = std::max(most_, sunk);
     }
 
     const model::Mesh& mesh_;
@@ -310,13 +332,24 @@ private:
     slice::LayerFinder row_finder_;
     GapFinder gap_finder_;
     double pitch_ = 0.0;
+    double least_tip_ = std::numeric_limits<double>::max();  ///< of all points
+    double most_ = 0.0;                                      ///< of all gaps, if that is enough
+    bool is_most_enough_ = false;
 };
 
 }  // namespace
 
 std::vector<Gap> sunk_at_edges(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan,
                                const JobTable& table) {
-    return GapSearch(mesh, profile, plan, table).found();
+    return GapSearch(mesh, profile, plan, table).found(false);
+}
+
+double most_sunk_at_edges_mm(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan,
+                             const JobTable& table) {
+    double most_mm = 0.0;
+    for (const Gap& gap : GapSearch(mesh, profile, plan, table).found(true))
+        most_mm = std::max(most_mm, gap.sunk_mm);
+    return most_mm;
 }
 
 }  // namespace psicarve::cam

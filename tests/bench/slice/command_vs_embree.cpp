@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole command, from its start to the written job, against what Embree 3 takes to load, build and trace
 // the same samples, in alternating runs: CPU time of one thread each.
-//   bench_command_vs_embree PSICARVE MESH...      500 layers x 1000 points; MESH as slice takes them
+//   bench_command_vs_embree [--points N] PSICARVE MESH...
+// 500 layers x N points (1000); MESH in any format that slice takes.
 // Each mesh is written as a binary STL first, which both read: a plain copy of its facets for Embree (robust
 // scene, one thread, a first-hit ray from outside for each sample of both heads), the program with all its
 // checks and warnings. Embree's start is not counted, the program's is.
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -31,18 +33,18 @@ namespace {
 using namespace psicarve;
 
 constexpr std::size_t kLayers = 500;
-constexpr std::size_t kPoints = 1000;
+constexpr int kUsualPoints = 1000;
 constexpr int kRuns = 7;
 constexpr double kMostOfEmbree = 0.5;
 
 /// The samples of the program's job: about the middle of the box.
-bench::Rays rays_of(const model::Mesh& mesh) {
+bench::Rays rays_of(const model::Mesh& mesh, int points) {
     const auto& low = mesh.facts.min;
     const auto& high = mesh.facts.max;
     const slice::Placement placement{slice::Up::z, 0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])};
     bench::Rays rays;
     rays.heights = slice::layer_heights(low[2], high[2] - low[2], kLayers);
-    rays.angles_rad = slice::full_circle_rad(kPoints, Profile{}.psi.pulses_per_rev, 0.0);
+    rays.angles_rad = slice::full_circle_rad(points, Profile{}.psi.pulses_per_rev, 0.0);
     rays.axis_x = static_cast<float>(placement.axis_x);
     rays.axis_y = static_cast<float>(placement.axis_y);
     rays.outside = static_cast<float>(1.1 * slice::largest_radius(mesh, placement));
@@ -61,7 +63,7 @@ std::size_t run_embree(const std::string& file, const bench::Rays& rays, RTCDevi
 }
 
 /// Whether the program was fast enough.
-bool compare(const std::string& psicarve, const std::string& path, const std::string& folder,
+bool compare(const std::string& psicarve, const std::string& path, const std::string& folder, int points,
              RTCDevice device) {
     const auto mesh = model::load_mesh(path);
     if (!mesh) {
@@ -70,10 +72,10 @@ bool compare(const std::string& psicarve, const std::string& path, const std::st
     }
     const std::string model = folder + "/model.stl";
     if (!bench::write_binary_stl(mesh->triangles, model)) return false;
-    const bench::Rays rays = rays_of(*mesh);
+    const bench::Rays rays = rays_of(*mesh, points);
     bench::Cost ours{"psicarve slice",
                      {psicarve, "slice", model, "-o", folder + "/model.job", "--fit", "--layers",
-                      std::to_string(kLayers), "--points", std::to_string(kPoints), "--threads", "1"},
+                      std::to_string(kLayers), "--points", std::to_string(points), "--threads", "1"},
                      {},
                      {},
                      0.0,
@@ -106,8 +108,14 @@ bool compare(const std::string& psicarve, const std::string& path, const std::st
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 3) {
-        std::fprintf(stderr, "usage: bench_command_vs_embree PSICARVE MESH...\n");
+    std::vector<std::string> words(argv + 1, argv + argc);
+    int points = kUsualPoints;
+    if (words.size() > 2 && words[0] == "--points") {
+        points = std::max(2, std::atoi(words[1].c_str()));
+        words.erase(words.begin(), words.begin() + 2);
+    }
+    if (words.size() < 2) {
+        std::fprintf(stderr, "usage: bench_command_vs_embree [--points N] PSICARVE MESH...\n");
         return 2;
     }
     const std::filesystem::path folder =
@@ -115,7 +123,8 @@ int main(int argc, char** argv) {
     std::filesystem::create_directory(folder);
     RTCDevice device = rtcNewDevice("threads=1");
     bool is_fast = true;
-    for (int i = 2; i < argc; ++i) is_fast = compare(argv[1], argv[i], folder, device) && is_fast;
+    for (std::size_t i = 1; i < words.size(); ++i)
+        is_fast = compare(words[0], words[i], folder, points, device) && is_fast;
     rtcReleaseDevice(device);
     std::filesystem::remove_all(folder);
     return is_fast ? 0 : 1;

@@ -288,6 +288,10 @@
             <translation>Слоёв, не содержащих ось: %1 из %2.</translation>
         </message>
         <message>
+            <source>%1 of %2 layers do not contain the axis. Axis at: least lost looks for an axis that loses less.</source>
+            <translation>Слоёв, не содержащих ось: %1 из %2. «Ось проходит: мин. потеря» ищет ось с меньшими потерями.</translation>
+        </message>
+        <message>
             <source>%1 of %2 layers do not contain the axis. With Axis at: least lost, %3 of the surface and %4 of the layers would be lost; by the same look this axis loses %5 and %6.</source>
             <translation>Слоёв, не содержащих ось: %1 из %2. С «Ось проходит: мин. потеря» потеря составит %3 поверхности и %4 слоёв; при таком же подсчёте эта ось теряет %5 и %6.</translation>
         </message>
@@ -326,6 +330,10 @@
         <message>
             <source>%1 of the surface lies behind another part and cannot be reached.</source>
             <translation>%1 поверхности заслонено другой частью и недостижимо.</translation>
+        </message>
+        <message>
+            <source>%1 of the surface lies behind another part and cannot be reached. Axis at: least lost looks for an axis that loses less.</source>
+            <translation>%1 поверхности заслонено другой частью и недостижимо. «Ось проходит: мин. потеря» ищет ось с меньшими потерями.</translation>
         </message>
         <message>
             <source>%1 of the surface lies behind another part and cannot be reached. With Axis at: least lost, %2 of the surface and %3 of the layers would be lost; by the same look this axis loses %4 and %5.</source>

@@ -288,6 +288,10 @@
             <translation>%2 层中有 %1 层不包含轴心。</translation>
         </message>
         <message>
+            <source>%1 of %2 layers do not contain the axis. Axis at: least lost looks for an axis that loses less.</source>
+            <translation>%2 层中有 %1 层不包含轴心。“轴心位于”选“损失最少”，可寻找损失更少的轴心。</translation>
+        </message>
+        <message>
             <source>%1 of %2 layers do not contain the axis. With Axis at: least lost, %3 of the surface and %4 of the layers would be lost; by the same look this axis loses %5 and %6.</source>
             <translation>%2 层中有 %1 层不包含轴心。若“轴心位于”选“损失最少”，将损失 %3 的表面和 %4 的层；按同样的估算，当前轴心损失 %5 和 %6。</translation>
         </message>
@@ -326,6 +330,10 @@
         <message>
             <source>%1 of the surface lies behind another part and cannot be reached.</source>
             <translation>%1 的表面位于其他部分之后，无法到达。</translation>
+        </message>
+        <message>
+            <source>%1 of the surface lies behind another part and cannot be reached. Axis at: least lost looks for an axis that loses less.</source>
+            <translation>%1 的表面位于其他部分之后，无法到达。“轴心位于”选“损失最少”，可寻找损失更少的轴心。</translation>
         </message>
         <message>
             <source>%1 of the surface lies behind another part and cannot be reached. With Axis at: least lost, %2 of the surface and %3 of the layers would be lost; by the same look this axis loses %4 and %5.</source>

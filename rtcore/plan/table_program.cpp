@@ -31,7 +31,8 @@ TableProgram::TableProgram(const MachineLimits& limits, std::shared_ptr<const Jo
       job_(std::move(job)),
       first_layer_(layers.first),
       end_layer_(std::min(layers.end, job_->layer_count())),
-      layer_(layers.first) {}
+      layer_(layers.first),
+      times_(limits_) {}
 
 bool TableProgram::next(MotionBlock& block) {
     while (next_ == blocks_.size()) {
@@ -43,11 +44,16 @@ bool TableProgram::next(MotionBlock& block) {
             blocks_.emplace_back();
             blocks_.back().kind = BlockKind::program_end;
         } else {
-            make_layers();
+            make_blocks();
         }
     }
     block = blocks_[next_++];
     return true;
+}
+
+void TableProgram::make_blocks() {
+    make_layers();
+    planned_.seconds += times_.seconds_of(blocks_);
 }
 
 void TableProgram::add_way_to_pass(const Pulses4& from_pulses) {
@@ -55,12 +61,6 @@ void TableProgram::add_way_to_pass(const Pulses4& from_pulses) {
     add_way_between_passes(list, limits_, *job_, from_pulses, layer_);
     for (const MotionBlock& block : list.blocks()) {
         planned_.points += block.reaches_points;
-        if (block.kind == BlockKind::dwell) {
-            planned_.seconds += static_cast<double>(block.ticks) * limits_.tick_seconds();
-        } else {
-            planned_.seconds += group_seconds(
-                {block.start_speed_per_s, block.max_speed_per_s, block.accel_per_s2}, block.group_iterations);
-        }
         blocks_.push_back(block);
     }
 }

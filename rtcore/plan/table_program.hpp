@@ -8,6 +8,7 @@
 
 #include "rtcore/plan/machine_limits.hpp"
 #include "rtcore/plan/program.hpp"
+#include "rtcore/plan/tick_times.hpp"
 #include "shared/job.hpp"
 
 namespace psicarve::plan {
@@ -30,13 +31,13 @@ public:
 protected:
     TableProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, LayerSpan layers);
 
-    /// Adds the blocks of the next layers to blocks() and moves layer_ on, past them.
+    /// Adds the blocks of the next layers, whole groups, to blocks_ and moves layer_ on, past them.
     virtual void make_layers() = 0;
 
     /// Whether the next layers to make are rows of a spiral, which only the finishing pass can be.
     bool is_spiral() const { return job_->joining() == Joining::spiral && layer_ >= job_->finishing_layer(); }
     bool begins_pass() const { return job_->begins_pass(layer_); }
-    /// Heads clear between two passes; what it takes counts as planned.
+    /// Heads clear between two passes.
     void add_way_to_pass(const Pulses4& from_pulses);
     /// So many layers are made at once: nothing stops between the rows of a spiral, so each begins as fast as
     /// the one before it ended.
@@ -54,6 +55,9 @@ protected:
     PlannedSoFar planned_;
 
 private:
+    void make_blocks();
+
+    TickTimes times_;
     std::size_t next_ = 0;
     bool is_ended_ = false;
 };

@@ -16,6 +16,8 @@ using cycle::MotionBlock;
 // A stop after so many of a spiral's points costs next to nothing, and what they take of memory is little.
 constexpr std::uint32_t kSpiralPointsAtOnce = 8192;
 
+}  // namespace
+
 MachineLimits limits_of_job(const MachineLimits& limits, const JobView& job) {
     MachineLimits result = limits;
     // The feed is the job's own; the profile's is what a slicer puts there.
@@ -24,7 +26,15 @@ MachineLimits limits_of_job(const MachineLimits& limits, const JobView& job) {
     return result;
 }
 
-}  // namespace
+Pulses4 pulses_at(const JobView& job, std::uint32_t layer, std::uint32_t step) {
+    const std::uint32_t point = carved_point(job.joining(), job.point_count(), layer, step);
+    return {job.r_left_pulses(layer)[point], job.r_right_pulses(layer)[point], job.psi_pulses(layer, point),
+            job.y_pulses(layer, point)};
+}
+
+std::uint32_t layers_at_once(const JobView& job, std::uint32_t layer) {
+    return is_spiral_row(job, layer) ? std::max(1U, kSpiralPointsAtOnce / job.point_count()) : 1;
+}
 
 TableProgram::TableProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, LayerSpan layers)
     : limits_(limits_of_job(limits, *job)),
@@ -63,16 +73,6 @@ void TableProgram::add_way_to_pass(const Pulses4& from_pulses) {
         planned_.points += block.reaches_points;
         blocks_.push_back(block);
     }
-}
-
-std::uint32_t TableProgram::layers_at_once() const {
-    return is_spiral() ? std::max(1U, kSpiralPointsAtOnce / job_->point_count()) : 1;
-}
-
-Pulses4 TableProgram::point_at(std::uint32_t layer, std::uint32_t step) const {
-    const std::uint32_t point = carved_point(job_->joining(), job_->point_count(), layer, step);
-    return {job_->r_left_pulses(layer)[point], job_->r_right_pulses(layer)[point],
-            job_->psi_pulses(layer, point), job_->y_pulses(layer, point)};
 }
 
 void TableProgram::reach(MotionBlock& block, std::uint32_t layer, std::uint32_t step) {

@@ -281,12 +281,18 @@ PlannedTimes Supervisor::planned_times() {
     PlannedTimes times{.left_s = -1.0, .reference_s = parts_->planner->reference_seconds()};
     if (parts_->estimator != nullptr) {
         estimate = parts_->estimator->estimate();
-        times.left_s = parts_->estimator->seconds_left(sample_.points_done, parts_->planner->points_total());
+        const plan::TimeLeft left =
+            parts_->estimator->left(sample_.points_done, parts_->planner->points_total());
+        times.left_s = left.seconds;
+        times.is_left_forecast = !left.is_planned;
     }
     // Before the status tells that the job is planned.
     if (!layer_times_.tell(estimate, job_)) return {.left_s = -1.0, .reference_s = -1.0};
     if (estimate == nullptr) return times;
-    if (!runs_job(sample_.state)) times.left_s = estimate->seconds();
+    if (!runs_job(sample_.state)) {
+        times.left_s = estimate->seconds();
+        times.is_left_forecast = false;
+    }
     if (times.reference_s < 0.0 && estimate->is_reference()) times.reference_s = estimate->seconds();
     return times;
 }

@@ -283,16 +283,16 @@ PlannedTimes Supervisor::planned_times() {
         estimate = parts_->estimator->estimate();
         const plan::TimeLeft left =
             parts_->estimator->left(sample_.points_done, parts_->planner->points_total());
-        times.left_s = left.seconds;
-        times.is_left_forecast = !left.is_planned;
+        // At rest it is the whole job that is told of, once it is planned.
+        if (runs_job(sample_.state)) {
+            times.left_s = left.seconds;
+            times.is_left_forecast = left.seconds >= 0.0 && !left.is_planned;
+        }
     }
     // Before the status tells that the job is planned.
     if (!layer_times_.tell(estimate, job_)) return {.left_s = -1.0, .reference_s = -1.0};
     if (estimate == nullptr) return times;
-    if (!runs_job(sample_.state)) {
-        times.left_s = estimate->seconds();
-        times.is_left_forecast = false;
-    }
+    if (!runs_job(sample_.state)) times.left_s = estimate->seconds();
     if (times.reference_s < 0.0 && estimate->is_reference()) times.reference_s = estimate->seconds();
     return times;
 }

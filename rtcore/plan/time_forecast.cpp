@@ -127,7 +127,7 @@ std::vector<double> TimeForecast::layer_ends_seconds() const {
     return ends;
 }
 
-// Between two samples of its pass in proportion.
+// A sample's is that of all its layers; between two of its pass in proportion.
 double TimeForecast::ratio_of(std::uint32_t layer) const {
     const std::uint32_t pass = job_->pass_of(layer);
     const auto first_of = [](const Sample& sample) { return sample.layers.first; };
@@ -136,9 +136,9 @@ double TimeForecast::ratio_of(std::uint32_t layer) const {
     const bool has_before = after != samples_.begin() && std::prev(after)->pass == pass;
     if (!has_before) return after->ratio;
     const Sample& before = *std::prev(after);
-    if (!has_after) return before.ratio;
-    const double share = static_cast<double>(layer - before.layers.first) /
-                         static_cast<double>(after->layers.first - before.layers.first);
+    if (!has_after || layer < before.layers.end) return before.ratio;
+    const std::uint32_t last = before.layers.end - 1;
+    const double share = static_cast<double>(layer - last) / static_cast<double>(after->layers.first - last);
     return before.ratio + share * (after->ratio - before.ratio);
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The time that is told of the five benchmark jobs while they are planned never falls by more than a tenth.
+"""The time that is told of the five benchmark jobs while they are planned never falls by more than a tenth,
+nor does what is left from a layer on.
 
 usage: estimate_course_test.py PSICARVE ESTIMATE_COURSE WORK
 

@@ -23,6 +23,13 @@ constexpr std::uint32_t kMostSamples = 16;
 constexpr std::uint32_t kFewSamples = 8;
 constexpr std::uint32_t kLayersASample = 4;
 
+/// In [begin, end), by the golden ratio: spread over it as `i` counts, and in step with no period.
+std::uint32_t somewhere(std::uint32_t begin, std::uint32_t end, std::uint32_t i) {
+    constexpr std::uint32_t kGolden = 0x9E3779B9;  // of 2^32
+    const std::uint32_t place = kGolden * i + (std::uint32_t{1} << 31U);
+    return begin + static_cast<std::uint32_t>((std::uint64_t{place} * (end - begin)) >> 32U);
+}
+
 /// Straight from point to point at full speed, or at the feed.
 double least_seconds(const MachineLimits& limits, const Pulses4& from, const Pulses4& to) {
     double seconds = 0.0;
@@ -53,7 +60,8 @@ TimeForecast::TimeForecast(const MachineLimits& limits, std::shared_ptr<const Jo
     cut_s_.reserve(job_->layer_count());
 }
 
-// Evenly over the pass. Of a spiral, rows that are planned at once.
+// One somewhere in each of as many equal stretches of the pass: evenly spaced ones would all be alike where
+// layers come back as often, as with ribs or threads. Of a spiral, rows that are planned at once.
 void TimeForecast::choose_samples(std::uint32_t pass) {
     const JobPass& layers = job_->passes()[pass];
     const std::uint32_t at_once = layers_at_once(*job_, layers.first_layer);
@@ -65,8 +73,9 @@ void TimeForecast::choose_samples(std::uint32_t pass) {
     const std::uint32_t few = std::max(of_pass(kFewSamples), parts / kLayersASample);
     const std::uint32_t count = std::min({of_pass(kMostSamples), few, parts});
     for (std::uint32_t i = 0; i < count; ++i) {
-        const auto part = static_cast<std::uint32_t>((2ULL * i + 1) * parts / (2ULL * count));
-        const std::uint32_t first = layers.first_layer + part * at_once;
+        const auto begin = static_cast<std::uint32_t>(std::uint64_t{i} * parts / count);
+        const auto end = static_cast<std::uint32_t>((i + 1ULL) * parts / count);
+        const std::uint32_t first = layers.first_layer + somewhere(begin, end, i) * at_once;
         samples_.push_back({pass, {first, std::min(first + at_once, job_->pass_end(first))}});
     }
 }

@@ -127,5 +127,25 @@ TEST(TimeForecast, WhatIsToldOfAnUnevenJobHardlyFallsWhileItIsPlanned) {
                         test::job_of(waves(120, [](double at) { return at < 0.3 ? 400.0 : 5.0; })));
 }
 
+// Ribs and threads come back after so many layers, as evenly spaced samples would.
+TEST(TimeForecast, IsNotDeceivedByRibs) {
+    for (const psicarve::Planner planner : {psicarve::Planner::lookahead, psicarve::Planner::angle}) {
+        const MachineLimits limits = limits_by(planner);
+        for (const std::uint32_t layers : {160U, 320U}) {
+            for (const std::uint32_t period : {2U, 5U, 10U, 20U, 40U}) {
+                for (const std::uint32_t shift : {0U, period / 2}) {
+                    SCOPED_TRACE(::testing::Message() << layers << " by " << period << " from " << shift);
+                    const auto is_rib = [&](double at) {
+                        const auto layer = static_cast<std::uint32_t>(std::lround(at * (layers - 1)));
+                        return 2 * ((layer + shift) % period) < period;
+                    };
+                    const auto height = [&](double at) { return is_rib(at) ? 400.0 : 5.0; };
+                    expect_hardly_falls(limits, test::job_of(waves(layers, height)));
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace psicarve::plan

@@ -440,6 +440,10 @@
             <translation>%1 · конец в %2</translation>
         </message>
         <message>
+            <source>%1 · ends about %2</source>
+            <translation>%1 · конец около %2</translation>
+        </message>
+        <message>
             <source>%1 × %2 × %3 mm, scale %4</source>
             <translation>%1 × %2 × %3 mm, масштаб %4</translation>
         </message>
@@ -4761,6 +4765,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>about %1 % of the surface</source>
             <translation>около %1 % поверхности</translation>
+        </message>
+        <message>
+            <source>about %1 left</source>
+            <translation>осталось около %1</translation>
         </message>
         <message>
             <source>alarm</source>

@@ -440,6 +440,10 @@
             <translation>%1 · %2 结束</translation>
         </message>
         <message>
+            <source>%1 · ends about %2</source>
+            <translation>%1 · 约 %2 结束</translation>
+        </message>
+        <message>
             <source>%1 × %2 × %3 mm, scale %4</source>
             <translation>%1 × %2 × %3 mm，比例 %4</translation>
         </message>
@@ -4754,6 +4758,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>about %1 % of the surface</source>
             <translation>约占表面的 %1 %</translation>
+        </message>
+        <message>
+            <source>about %1 left</source>
+            <translation>剩余约 %1</translation>
         </message>
         <message>
             <source>alarm</source>

@@ -134,7 +134,7 @@ TEST_P(Languages, SayEveryStateInFull) {
     constexpr std::uint32_t kMany = 4000;
     std::vector<session::MachineSight> all{session::test::limit_alarm(Axis::psi), session::MachineSight{}};
     for (std::uint32_t k = 0; k < kMachineStateCount; ++k) {
-        for (const std::uint16_t is_dry : {std::uint16_t{0}, std::uint16_t{1}}) {
+        for (const std::uint8_t is_dry : {std::uint8_t{0}, std::uint8_t{1}}) {
             all.push_back(session::test::machine_in(static_cast<MachineState>(k)));
             all.back().status->is_dry = is_dry;
             all.back().status->layer = kMany - 1;

@@ -215,17 +215,45 @@ void JobDesk::take_job(JobPointer job, std::uint64_t generation, MeshPointer mes
 void JobDesk::publish() {
     if (sight_.is_busy() || !job_) return;
     begin(DeskState::publishing);
-    lane_.post([this, job = job_]() -> WorkLane::Finish {
+    lane_.post([this, job = job_, mesh = job_mesh_]() -> WorkLane::Finish {
         const auto generation = publish_and_wait(segment_name_, group_, *job, cancels_);
         if (!generation) return [this, error = generation.error()] { fail(error); };
-        return [this, job, number = *generation] {
+        return [this, job, mesh, number = *generation] {
             generation_ = number;
             fetched_generation_ = number;
             core_job_generation_ = number;
             core_job_ = job;
+            core_job_mesh_ = mesh;
             resting_state_ = DeskState::job;
         };
     });
+}
+
+void JobDesk::take_over() {
+    if (!can_take_over()) return;
+    const JobPointer job = core_job();
+    if (!core_job_mesh_ || core_job_mesh_ != mesh_) close_file();
+    if (opened_) opened_();
+    taken_job_ = job;
+    log_.add(Severity::info, phrase("Taken over from the machine: %1", std::string{job->view.source_name()}));
+    take_job(job, core_job_generation_, mesh_);
+}
+
+void JobDesk::close_file() {
+    path_.clear();
+    watch({});
+    refused_file_.reset();
+    mesh_.reset();
+    file_mesh_.reset();
+    scene_.reset();
+    mesh_bytes_ = 0;
+    kind_ = flat::ModelKind::mesh;
+    table_way_.reset();
+    wished_.reset();
+    shape_ = {};
+    turn_ = {};
+    wishes_turn_ = false;
+    drop_job();
 }
 
 void JobDesk::fail(const Error& error) {
@@ -241,6 +269,7 @@ void JobDesk::fetch_from_core(std::uint64_t generation) {
         return [this, made = *job, generation] {
             core_job_generation_ = generation;
             core_job_ = made;
+            core_job_mesh_.reset();
             ++edition_;
             if (!mesh_ && path_.empty()) take_job(made, generation);
         };
@@ -260,6 +289,7 @@ void JobDesk::poll(const MachineSight& machine) {
     const std::uint64_t accepted = is_there ? machine.status->job_generation : 0;
     if (job_ && generation_ != 0 && accepted == generation_) sight_.state = DeskState::published;
     sight_.can_be_sliced = mesh_ != nullptr || table_way_;
+    sight_.was_published = job_ && generation_ != 0;
     sight_.layer_count = job_ ? job_->view.layer_count() : 0;
     accepted_generation_ = accepted;
     compare_profiles(machine);

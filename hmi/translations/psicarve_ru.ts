@@ -1845,6 +1845,10 @@ F12  этот список</translation>
             <translation>Задание</translation>
         </message>
         <message>
+            <source>Job in the machine</source>
+            <translation>Задание в станке</translation>
+        </message>
+        <message>
             <source>Job in travel</source>
             <translation>Ход достаточен</translation>
         </message>
@@ -2473,6 +2477,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>В паузе головки остаются в резе или отходят на retract_mm и возвращаются, прежде чем продолжить.</translation>
         </message>
         <message>
+            <source>On the desk</source>
+            <translation>В этом окне</translation>
+        </message>
+        <message>
             <source>On the virtual clock nothing has to be in time</source>
             <translation>На виртуальных часах опоздать нельзя</translation>
         </message>
@@ -2547,10 +2555,6 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Opened without its model: there is nothing to compare the piece with</source>
             <translation>Открыто без модели: деталь не с чем сравнить</translation>
-        </message>
-        <message>
-            <source>Opened, not sliced yet: %1</source>
-            <translation>Открыто, ещё не нарезано: %1</translation>
         </message>
         <message>
             <source>Opens the model with the form it had</source>
@@ -2815,6 +2819,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Pump</source>
             <translation>Накачка</translation>
+        </message>
+        <message>
+            <source>Puts this job on the desk</source>
+            <translation>Берёт это задание в окно</translation>
+        </message>
+        <message>
+            <source>Puts this job on the desk in place of %1</source>
+            <translation>Берёт это задание в окно вместо %1</translation>
         </message>
         <message>
             <source>R1 and R2 out, then Y, then Ψ to its index (Ctrl+Home)</source>
@@ -3349,10 +3361,6 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Нарезать: это задание, оно уже нарезано</translation>
         </message>
         <message>
-            <source>Sliced, not published yet: %1</source>
-            <translation>Нарезано, ещё не опубликовано: %1</translation>
-        </message>
-        <message>
             <source>Slicing …</source>
             <translation>Нарезается …</translation>
         </message>
@@ -3657,6 +3665,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Таблицы (*.csv)</translation>
         </message>
         <message>
+            <source>Take over</source>
+            <translation>Взять</translation>
+        </message>
+        <message>
+            <source>Take over: a job is being made</source>
+            <translation>Взять: задание составляется</translation>
+        </message>
+        <message>
             <source>Take up again</source>
             <translation>Вернуть на стол</translation>
         </message>
@@ -3667,6 +3683,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Take up again: %1, %2 layers × %3 points, sliced</source>
             <translation>Вернуть на стол: %1, слоёв %2 × точек %3, нарезано</translation>
+        </message>
+        <message>
+            <source>Taken over from the machine: %1</source>
+            <translation>Взято из станка: %1</translation>
         </message>
         <message>
             <source>Takes the position that the core counts now</source>
@@ -4915,6 +4935,18 @@ N, Shift+N  следующая, предыдущая запись
             <translation>составляется</translation>
         </message>
         <message>
+            <source>being published</source>
+            <translation>передаётся</translation>
+        </message>
+        <message>
+            <source>being read</source>
+            <translation>читается</translation>
+        </message>
+        <message>
+            <source>being sliced</source>
+            <translation>нарезается</translation>
+        </message>
+        <message>
             <source>blank</source>
             <translation>заготовка</translation>
         </message>
@@ -5663,6 +5695,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>нет линий для гравировки</translation>
         </message>
         <message>
+            <source>no longer in the machine</source>
+            <translation>уже не в станке</translation>
+        </message>
+        <message>
             <source>no pin</source>
             <translation>нет вывода</translation>
         </message>
@@ -5697,6 +5733,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>no. %1</source>
             <translation>№ %1</translation>
+        </message>
+        <message>
+            <source>no. %1, %2 % done</source>
+            <translation>№ %1, готово %2 %</translation>
+        </message>
+        <message>
+            <source>no. %1, dry run %2 %</source>
+            <translation>№ %1, прогон %2 %</translation>
         </message>
         <message>
             <source>no: a dry run carves nothing</source>
@@ -5779,6 +5823,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>при виртуальных часах не нужны</translation>
         </message>
         <message>
+            <source>not published</source>
+            <translation>не передано</translation>
+        </message>
+        <message>
             <source>not recorded</source>
             <translation>не записано</translation>
         </message>
@@ -5789,6 +5837,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>not while %1; %2</source>
             <translation>нельзя в состоянии «%1»; %2</translation>
+        </message>
+        <message>
+            <source>nothing</source>
+            <translation>ничего</translation>
         </message>
         <message>
             <source>nothing is open</source>
@@ -6409,6 +6461,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the profile is %1 bytes long; the most is %2</source>
             <translation>профиль занимает %1 байт; допустимо не больше %2</translation>
+        </message>
+        <message>
+            <source>the same job</source>
+            <translation>то же задание</translation>
         </message>
         <message>
             <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>

@@ -1844,6 +1844,10 @@ F12  本列表</translation>
             <translation>作业</translation>
         </message>
         <message>
+            <source>Job in the machine</source>
+            <translation>机床中的作业</translation>
+        </message>
+        <message>
             <source>Job in travel</source>
             <translation>作业在行程内</translation>
         </message>
@@ -2472,6 +2476,10 @@ N、Shift+N  下一条、上一条记录
             <translation>暂停时刀头留在切口中，或退出 retract_mm，继续之前再返回。</translation>
         </message>
         <message>
+            <source>On the desk</source>
+            <translation>在此窗口中</translation>
+        </message>
+        <message>
             <source>On the virtual clock nothing has to be in time</source>
             <translation>虚拟时钟下没有准时要求</translation>
         </message>
@@ -2546,10 +2554,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Opened without its model: there is nothing to compare the piece with</source>
             <translation>打开时没有模型：工件无可比较</translation>
-        </message>
-        <message>
-            <source>Opened, not sliced yet: %1</source>
-            <translation>已打开、尚未切片：%1</translation>
         </message>
         <message>
             <source>Opens the model with the form it had</source>
@@ -2814,6 +2818,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Pump</source>
             <translation>电荷泵</translation>
+        </message>
+        <message>
+            <source>Puts this job on the desk</source>
+            <translation>把此作业取到窗口中</translation>
+        </message>
+        <message>
+            <source>Puts this job on the desk in place of %1</source>
+            <translation>把此作业取到窗口中，代替 %1</translation>
         </message>
         <message>
             <source>R1 and R2 out, then Y, then Ψ to its index (Ctrl+Home)</source>
@@ -3344,10 +3356,6 @@ N、Shift+N  下一条、上一条记录
             <translation>切片：这是作业，已经切片</translation>
         </message>
         <message>
-            <source>Sliced, not published yet: %1</source>
-            <translation>已切片、尚未发布：%1</translation>
-        </message>
-        <message>
             <source>Slicing …</source>
             <translation>正在切片 …</translation>
         </message>
@@ -3652,6 +3660,14 @@ N、Shift+N  下一条、上一条记录
             <translation>表格 (*.csv)</translation>
         </message>
         <message>
+            <source>Take over</source>
+            <translation>取用</translation>
+        </message>
+        <message>
+            <source>Take over: a job is being made</source>
+            <translation>取用：正在生成作业</translation>
+        </message>
+        <message>
             <source>Take up again</source>
             <translation>取回</translation>
         </message>
@@ -3662,6 +3678,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Take up again: %1, %2 layers × %3 points, sliced</source>
             <translation>取回：%1，%2 层 × %3 点，已切片</translation>
+        </message>
+        <message>
+            <source>Taken over from the machine: %1</source>
+            <translation>已从机床取用：%1</translation>
         </message>
         <message>
             <source>Takes the position that the core counts now</source>
@@ -4908,6 +4928,18 @@ N、Shift+N  下一条、上一条记录
             <translation>正在生成</translation>
         </message>
         <message>
+            <source>being published</source>
+            <translation>正在发布</translation>
+        </message>
+        <message>
+            <source>being read</source>
+            <translation>正在读取</translation>
+        </message>
+        <message>
+            <source>being sliced</source>
+            <translation>正在切片</translation>
+        </message>
+        <message>
             <source>blank</source>
             <translation>毛坯</translation>
         </message>
@@ -5656,6 +5688,10 @@ N、Shift+N  下一条、上一条记录
             <translation>没有可雕刻的线条</translation>
         </message>
         <message>
+            <source>no longer in the machine</source>
+            <translation>已不在机床中</translation>
+        </message>
+        <message>
             <source>no pin</source>
             <translation>无引脚</translation>
         </message>
@@ -5690,6 +5726,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>no. %1</source>
             <translation>%1 号</translation>
+        </message>
+        <message>
+            <source>no. %1, %2 % done</source>
+            <translation>%1 号，已完成 %2 %</translation>
+        </message>
+        <message>
+            <source>no. %1, dry run %2 %</source>
+            <translation>%1 号，空运行 %2 %</translation>
         </message>
         <message>
             <source>no: a dry run carves nothing</source>
@@ -5772,6 +5816,10 @@ N、Shift+N  下一条、上一条记录
             <translation>虚拟时钟下不需要</translation>
         </message>
         <message>
+            <source>not published</source>
+            <translation>未发布</translation>
+        </message>
+        <message>
             <source>not recorded</source>
             <translation>未记录</translation>
         </message>
@@ -5782,6 +5830,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>not while %1; %2</source>
             <translation>当前状态（%1）下不可用；%2</translation>
+        </message>
+        <message>
+            <source>nothing</source>
+            <translation>无</translation>
         </message>
         <message>
             <source>nothing is open</source>
@@ -6402,6 +6454,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the profile is %1 bytes long; the most is %2</source>
             <translation>配置长 %1 字节；最多 %2 字节</translation>
+        </message>
+        <message>
+            <source>the same job</source>
+            <translation>同一作业</translation>
         </message>
         <message>
             <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>

@@ -329,7 +329,7 @@ bool ModelPage::is_stale() const {
     if (sight.state != DeskState::job && sight.state != DeskState::published) return false;
     // A table becomes a job without anybody's asking, too.
     if (const auto& way = bench_.desk.table_way()) return !way->is_as(table_way());
-    return bench_.desk.mesh() && changes_ != sliced_changes_;
+    return bench_.desk.mesh() && (changes_ != sliced_changes_ || bench_.desk.is_taken_over());
 }
 
 }  // namespace psicarve::ui

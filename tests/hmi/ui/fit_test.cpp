@@ -194,6 +194,25 @@ TEST_P(Fit, WithAJobBeforeAndWhileItIsCarved) {
     expect_panels_fit("alarm");
 }
 
+TEST_P(Fit, WithAnotherJobOnTheDeskThanInTheMachine) {
+    open_small();
+    ASSERT_NO_FATAL_FAILURE(publish_job(two_process::long_job()));
+    std::filesystem::copy_file(example("figurine.stl"), file(kLongName));
+    window_->open(QString::fromStdString(file(kLongName)));
+    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(click("slice"));
+    ASSERT_TRUE(comes_to(session::DeskState::job));
+    ASSERT_FALSE(part<QWidget>("desk_job").isHidden());
+    expect_fit("two_jobs");
+    expect_panels_fit("two_jobs");
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    window_->bench().machine.start(0);  // by another program
+    ASSERT_TRUE(comes_to(S::carving));
+    expect_fit("two_jobs_carving");
+    expect_panels_fit("two_jobs_carving");
+}
+
 TEST_P(Fit, WithASlicedModel) {
     open_small();
     std::filesystem::copy_file(example("figurine.stl"), file(kLongName));

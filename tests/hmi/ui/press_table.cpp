@@ -237,6 +237,7 @@ constexpr PressLine kLines[] = {
     {"start", "Keys.HomeStartHoldResumeAndChangeTheFeed"},
     {"start_anew", "GoingOn.BeginsAnewOnlyOnceItWasAsked"},
     {"stop", "WindowOnCore.CarvesHoldsResumesStopsInAnEmergencyAndGoesOn"},
+    {"take_over", "JobPair.TakesOverTheJobThatAnotherProgramHasPublished"},
     {"theme_dark", "MenuEntries.OfViewChooseThemeLanguageAndPanels"},
     {"theme_light", "MenuEntries.OfViewChooseThemeLanguageAndPanels"},
     {"theme_system", "MenuEntries.OfViewChooseThemeLanguageAndPanels"},

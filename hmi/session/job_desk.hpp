@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/cam/prepared_job.hpp"
@@ -19,6 +20,7 @@
 #include "hmi/session/message_log.hpp"
 #include "hmi/session/opened_file.hpp"
 #include "hmi/session/refused_file.hpp"
+#include "hmi/session/remedy.hpp"
 #include "hmi/session/work_lane.hpp"
 
 namespace psicarve::session {
@@ -54,6 +56,8 @@ public:
         refused_file_ = {path, std::move(why)};
     }
     void forget_refused_file() noexcept { refused_file_.reset(); }
+    /// The slicing or publishing that was asked for last and refused, until anything else is asked for.
+    const std::optional<DeskRefusal>& refusal() const noexcept { return refusal_; }
     /// The file that is open was written since.
     bool has_changed() const noexcept { return watch_.has_changed(); }
     /// In what state the file that is open was read; nothing where that is not known.
@@ -123,6 +127,7 @@ private:
     void drop_job();
     void close_file();
     void fail(const Error& error);
+    void refuse_desk(DeskRefusal::Of of, const Error& error, std::vector<Remedy> remedies);
     void fetch_from_core(std::uint64_t generation);
 
     std::function<bool(const std::string&)> is_recording_;
@@ -138,6 +143,7 @@ private:
     DeskState resting_state_ = DeskState::empty;  ///< without what is under way
     std::string path_;
     std::optional<RefusedFile> refused_file_;
+    std::optional<DeskRefusal> refusal_;
     FileWatch watch_;
     bool is_change_told_ = false;
     std::shared_ptr<const model::Mesh> mesh_;

@@ -192,6 +192,10 @@
             <translation>%1 нечётно, и пол-оборота не целое число импульсов; задайте чётное число</translation>
         </message>
         <message>
+            <source>%1 layers</source>
+            <translation>Слоёв: %1</translation>
+        </message>
+        <message>
             <source>%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis Y</source>
             <translation>слоёв %1, а не %2: высота %3 лишь %4 mm, а слою нужен импульс оси Y</translation>
         </message>
@@ -270,6 +274,10 @@
         <message>
             <source>%1 mm/s</source>
             <translation>%1 mm/s</translation>
+        </message>
+        <message>
+            <source>%1 more</source>
+            <translation>и ещё %1</translation>
         </message>
         <message>
             <source>%1 numbers, not %2</source>
@@ -478,6 +486,10 @@
         <message>
             <source>%1: %2 values become others</source>
             <translation>%1: изменятся значения: %2</translation>
+        </message>
+        <message>
+            <source>%1: core %2, here %3</source>
+            <translation>%1: в ядре %2, здесь %3</translation>
         </message>
         <message>
             <source>%1: homed</source>
@@ -776,6 +788,10 @@
             <translation>Ось Ψ</translation>
         </message>
         <message>
+            <source>Axis: least lost</source>
+            <translation>Ось: мин. потеря</translation>
+        </message>
+        <message>
             <source>BACKING OFF</source>
             <translation>ОТВОД</translation>
         </message>
@@ -1010,6 +1026,10 @@
         <message>
             <source>Changed since it was sliced: slice again to take it over.</source>
             <translation>Изменено после нарезки: нарежьте заново, чтобы учесть.</translation>
+        </message>
+        <message>
+            <source>Changes that, and slices again</source>
+            <translation>Меняет это и нарезает снова</translation>
         </message>
         <message>
             <source>Charge pump</source>
@@ -1595,6 +1615,10 @@ F12  этот список</translation>
         <message>
             <source>Height</source>
             <translation>Высота</translation>
+        </message>
+        <message>
+            <source>Height %1 mm</source>
+            <translation>Высота %1 mm</translation>
         </message>
         <message>
             <source>Height sets it</source>
@@ -2265,6 +2289,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Более %1 mm на %2 % поверхности</translation>
         </message>
         <message>
+            <source>Motion and slicing go by the core's. %1</source>
+            <translation>Движение и нарезка идут по профилю ядра. %1</translation>
+        </message>
+        <message>
             <source>Motor pulses for one millimetre.</source>
             <translation>Импульсов двигателя на миллиметр.</translation>
         </message>
@@ -2393,6 +2421,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Не открыто, так как не открыт профиль станка: %1</translation>
         </message>
         <message>
+            <source>Not published</source>
+            <translation>Не передано</translation>
+        </message>
+        <message>
             <source>Not published when a window ended: %1 (page Model)</source>
             <translation>Не передано, когда окно закрылось: %1 (страница «Модель»)</translation>
         </message>
@@ -2403,6 +2435,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Not saved: %1 is open here, and would be lost; choose another name</source>
             <translation>Не сохранено: %1 открыт здесь и был бы потерян; выберите другое имя</translation>
+        </message>
+        <message>
+            <source>Not sliced</source>
+            <translation>Не нарезано</translation>
         </message>
         <message>
             <source>Not sliced yet.</source>
@@ -3241,6 +3277,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Масштаб</translation>
         </message>
         <message>
+            <source>Scale %1</source>
+            <translation>Масштаб %1</translation>
+        </message>
+        <message>
             <source>Scale sets it</source>
             <translation>Задано масштабом</translation>
         </message>
@@ -3685,6 +3725,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Вернуть на стол: %1, слоёв %2 × точек %3, нарезано</translation>
         </message>
         <message>
+            <source>Taken over from the core: profile %1</source>
+            <translation>Взят из ядра профиль %1</translation>
+        </message>
+        <message>
             <source>Taken over from the machine: %1</source>
             <translation>Взято из станка: %1</translation>
         </message>
@@ -3815,6 +3859,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>
             <translation>Ядро идёт по виртуальным часам: такты не запаздывают</translation>
+        </message>
+        <message>
+            <source>The core runs with profile %1, not with %2 of --profile</source>
+            <translation>Ядро работает с профилем %1, а не с %2 из --profile</translation>
+        </message>
+        <message>
+            <source>The core's profile is not known: give the window its file, with --profile</source>
+            <translation>Профиль ядра неизвестен: задайте окну его файл ключом --profile</translation>
         </message>
         <message>
             <source>The core's tick</source>
@@ -4093,6 +4145,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Этот компьютер</translation>
         </message>
         <message>
+            <source>This window goes by it from now on, also without a core; no file is changed</source>
+            <translation>Отныне окно работает по нему, в том числе без ядра; файлы не меняются</translation>
+        </message>
+        <message>
             <source>Thread</source>
             <translation>Поток</translation>
         </message>
@@ -4291,6 +4347,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Up to %1 roughing passes, layers %2 mm apart</source>
             <translation>До %1 черновых проходов, слои через %2 mm</translation>
+        </message>
+        <message>
+            <source>Use the core's profile</source>
+            <translation>Взять профиль ядра</translation>
         </message>
         <message>
             <source>Use the switch on the machine to stop it</source>

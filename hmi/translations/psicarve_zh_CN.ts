@@ -192,6 +192,10 @@
             <translation>%1 是奇数，半转就不是整数个脉冲；请输入偶数</translation>
         </message>
         <message>
+            <source>%1 layers</source>
+            <translation>%1 层</translation>
+        </message>
+        <message>
             <source>%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis Y</source>
             <translation>%1 层而不是 %2 层：%3 只有 %4 mm 高，每层至少需要 Y 轴一个脉冲</translation>
         </message>
@@ -270,6 +274,10 @@
         <message>
             <source>%1 mm/s</source>
             <translation>%1 mm/s</translation>
+        </message>
+        <message>
+            <source>%1 more</source>
+            <translation>另有 %1 项</translation>
         </message>
         <message>
             <source>%1 numbers, not %2</source>
@@ -478,6 +486,10 @@
         <message>
             <source>%1: %2 values become others</source>
             <translation>%1：%2 个值将改变</translation>
+        </message>
+        <message>
+            <source>%1: core %2, here %3</source>
+            <translation>%1：内核 %2，此处 %3</translation>
         </message>
         <message>
             <source>%1: homed</source>
@@ -776,6 +788,10 @@
             <translation>Ψ 轴</translation>
         </message>
         <message>
+            <source>Axis: least lost</source>
+            <translation>轴心：损失最少</translation>
+        </message>
+        <message>
             <source>BACKING OFF</source>
             <translation>退离中</translation>
         </message>
@@ -1010,6 +1026,10 @@
         <message>
             <source>Changed since it was sliced: slice again to take it over.</source>
             <translation>切片之后有更改：请重新切片以采用。</translation>
+        </message>
+        <message>
+            <source>Changes that, and slices again</source>
+            <translation>改为此值并重新切片</translation>
         </message>
         <message>
             <source>Charge pump</source>
@@ -1594,6 +1614,10 @@ F12  本列表</translation>
         <message>
             <source>Height</source>
             <translation>高度</translation>
+        </message>
+        <message>
+            <source>Height %1 mm</source>
+            <translation>高度 %1 mm</translation>
         </message>
         <message>
             <source>Height sets it</source>
@@ -2264,6 +2288,10 @@ N、Shift+N  下一条、上一条记录
             <translation>超过 %1 mm 的占表面 %2 %</translation>
         </message>
         <message>
+            <source>Motion and slicing go by the core's. %1</source>
+            <translation>运动和切片以内核的配置为准。%1</translation>
+        </message>
+        <message>
             <source>Motor pulses for one millimetre.</source>
             <translation>每毫米的电机脉冲数。</translation>
         </message>
@@ -2392,6 +2420,10 @@ N、Shift+N  下一条、上一条记录
             <translation>未打开，因为机床配置未能打开：%1</translation>
         </message>
         <message>
+            <source>Not published</source>
+            <translation>未发布</translation>
+        </message>
+        <message>
             <source>Not published when a window ended: %1 (page Model)</source>
             <translation>窗口结束时尚未发布：%1（模型页）</translation>
         </message>
@@ -2402,6 +2434,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Not saved: %1 is open here, and would be lost; choose another name</source>
             <translation>未保存：%1 正在此处打开，会丢失；请换一个名称</translation>
+        </message>
+        <message>
+            <source>Not sliced</source>
+            <translation>未切片</translation>
         </message>
         <message>
             <source>Not sliced yet.</source>
@@ -3236,6 +3272,10 @@ N、Shift+N  下一条、上一条记录
             <translation>比例</translation>
         </message>
         <message>
+            <source>Scale %1</source>
+            <translation>比例 %1</translation>
+        </message>
+        <message>
             <source>Scale sets it</source>
             <translation>由比例决定</translation>
         </message>
@@ -3680,6 +3720,10 @@ N、Shift+N  下一条、上一条记录
             <translation>取回：%1，%2 层 × %3 点，已切片</translation>
         </message>
         <message>
+            <source>Taken over from the core: profile %1</source>
+            <translation>已采用内核的配置 %1</translation>
+        </message>
+        <message>
             <source>Taken over from the machine: %1</source>
             <translation>已从机床取用：%1</translation>
         </message>
@@ -3810,6 +3854,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>
             <translation>内核使用虚拟时钟：节拍从不迟滞</translation>
+        </message>
+        <message>
+            <source>The core runs with profile %1, not with %2 of --profile</source>
+            <translation>内核使用配置 %1，而非 --profile 的 %2</translation>
+        </message>
+        <message>
+            <source>The core's profile is not known: give the window its file, with --profile</source>
+            <translation>内核的配置未知：请用 --profile 指定其文件</translation>
         </message>
         <message>
             <source>The core's tick</source>
@@ -4088,6 +4140,10 @@ N、Shift+N  下一条、上一条记录
             <translation>本机</translation>
         </message>
         <message>
+            <source>This window goes by it from now on, also without a core; no file is changed</source>
+            <translation>此后本窗口以它为准，无内核时亦然；不修改任何文件</translation>
+        </message>
+        <message>
             <source>Thread</source>
             <translation>线程</translation>
         </message>
@@ -4286,6 +4342,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Up to %1 roughing passes, layers %2 mm apart</source>
             <translation>最多 %1 道粗加工，层距 %2 mm</translation>
+        </message>
+        <message>
+            <source>Use the core's profile</source>
+            <translation>采用内核的配置</translation>
         </message>
         <message>
             <source>Use the switch on the machine to stop it</source>

@@ -2,6 +2,7 @@
 // Nothing is cut off, in any language, on a screen of 1280 x 720 and on one of 1920 x 1080 at 200 %.
 #include <gtest/gtest.h>
 
+#include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
@@ -211,6 +212,30 @@ TEST_P(Fit, WithAnotherJobOnTheDeskThanInTheMachine) {
     ASSERT_TRUE(comes_to(S::carving));
     expect_fit("two_jobs_carving");
     expect_panels_fit("two_jobs_carving");
+}
+
+TEST_P(Fit, WithASlicingThatWasRefused) {
+    open_small();
+    std::filesystem::copy_file(example("figurine.stl"), file(kLongName));
+    window_->open(QString::fromStdString(file(kLongName)));
+    ASSERT_TRUE(comes_to(session::DeskState::model));
+    part<QDoubleSpinBox>("scale").setValue(10.0);
+    ASSERT_TRUE(click("slice"));
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("desk_refusal").isVisible(); }));
+    expect_fit("not_sliced");
+}
+
+TEST_P(Fit, WithAnotherProfileThanTheCores) {
+    Profile given;
+    given.name = "a_profile_of_a_machine_that_has_a_long_name";
+    given.r1.pulses_per_mm *= 2.0;
+    given.r2.pulses_per_mm *= 2.0;
+    given.y.pulses_per_mm *= 2.0;
+    given.head_clearance_mm += 1.0;
+    open_small();
+    window_->bench().machine.set_profile(given);
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("core_profile").isVisible(); }));
+    expect_fit("other_profile");
 }
 
 TEST_P(Fit, WithASlicedModel) {

@@ -1112,6 +1112,10 @@
             <translation>Ядро найдено, процесс %1</translation>
         </message>
         <message>
+            <source>Core: profile %1, not %2</source>
+            <translation>Ядро: профиль %1, а не %2</translation>
+        </message>
+        <message>
             <source>Cutting end of the tools; jobs keep all of it out of the model. A point has no size.</source>
             <translation>Режущий конец инструментов; задание не пускает его в модель целиком. У point нет размера.</translation>
         </message>

@@ -1112,6 +1112,10 @@
             <translation>找到内核，进程 %1</translation>
         </message>
         <message>
+            <source>Core: profile %1, not %2</source>
+            <translation>内核：配置 %1，而非 %2</translation>
+        </message>
+        <message>
             <source>Cutting end of the tools; jobs keep all of it out of the model. A point has no size.</source>
             <translation>刀具的切削端；加工任务使整个切削端不进入模型。point 没有尺寸。</translation>
         </message>

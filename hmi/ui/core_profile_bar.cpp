@@ -69,6 +69,12 @@ void CoreProfileBar::set_theme(const Tokens& tokens) {
     refresh();
 }
 
+void CoreProfileBar::set_room(Room room) {
+    is_small_ = room == Room::small;
+    shown_hash_ = 0;
+    refresh();
+}
+
 bool CoreProfileBar::is_there() const {
     const session::MachineSight& sight = bench_.machine.sight();
     return sight.is_heard() && bench_.knows_core_profile() && !sight.unused_profile.empty() &&
@@ -82,14 +88,17 @@ void CoreProfileBar::refresh() {
     if (!is_shown || shown_hash_ == sight.core_profile_hash) return;
     shown_hash_ = sight.core_profile_hash;
     const Profile& given = *bench_.machine.options().profile;
+    const QString of_core = short_file_name(sight.profile->name);
+    const QString of_window = short_file_name(sight.unused_profile);
     title_->setText(breakable(
-        tr("The core runs with profile %1, not with %2 of --profile")
-            .arg(QString::fromStdString(sight.profile->name), QString::fromStdString(sight.unused_profile))));
+        is_small_ ? tr("Core: profile %1, not %2").arg(of_core, of_window)
+                  : tr("The core runs with profile %1, not with %2 of --profile").arg(of_core, of_window)));
     const auto told = [&](std::size_t most, const QString& between) {
         return told_with(session::profile_differences(*sight.profile, given, most), between);
     };
     details_->setText(breakable(tr("Motion and slicing go by the core's. %1").arg(told(kShownKeys, "; "))));
-    details_->setToolTip(told(kAllKeys, "\n"));
+    details_->setHidden(is_small_);
+    for (QLabel* label : {title_, details_}) label->setToolTip(told(kAllKeys, "\n"));
     setAccessibleName(title_->text());
     setAccessibleDescription(details_->text());
 }

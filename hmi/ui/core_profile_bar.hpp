@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "hmi/ui/bench.hpp"
+#include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/tokens.hpp"
 
 class QLabel;
@@ -22,6 +23,8 @@ public:
     explicit CoreProfileBar(Bench& bench, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
+    /// Where it is short the keys are in the tooltip only.
+    void set_room(Room room);
     void refresh();
 
 private:
@@ -33,6 +36,7 @@ private:
     QLabel* details_;
     QPushButton* take_;
     std::uint64_t shown_hash_ = 0;
+    bool is_small_ = false;
 };
 
 }  // namespace psicarve::ui

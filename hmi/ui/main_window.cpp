@@ -255,6 +255,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
     strip_->set_room(room);
     job_->set_room(room);
     unfinished_->set_room(room);
+    core_profile_->set_room(room);
     position_->set_room(room);
     show_menu_bar(room == Room::wide);
     if (sides_->arrange(room)) {

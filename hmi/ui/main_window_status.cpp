@@ -4,6 +4,7 @@
 
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/main_window.hpp"
+#include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
@@ -55,7 +56,9 @@ void MainWindow::refresh_profile_label() {
                          : sight.profile ? tr("profile %1").arg(QString::fromStdString(sight.profile->name))
                                          : tr("profile unknown");
     const QString unused = QString::fromStdString(sight.unused_profile);
-    const QString text = unused.isEmpty() ? name : tr("%1, not %2 of --profile").arg(name, unused);
+    // Where room is short the bar above the pages says it.
+    const bool is_whole = unused.isEmpty() || room_in(size()) == Room::small;
+    const QString text = is_whole ? name : tr("%1, not %2 of --profile").arg(name, unused);
     if (profile_label_->text() == text) return;
     profile_label_->setText(text);
     set_styled(profile_label_, "role", unused.isEmpty() ? "label" : "problem");

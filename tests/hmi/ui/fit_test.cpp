@@ -227,7 +227,7 @@ TEST_P(Fit, WithASlicingThatWasRefused) {
 
 TEST_P(Fit, WithAnotherProfileThanTheCores) {
     Profile given;
-    given.name = "a_profile_of_a_machine_that_has_a_long_name";
+    given.name = "mill_in_the_workshop";
     given.r1.pulses_per_mm *= 2.0;
     given.r2.pulses_per_mm *= 2.0;
     given.y.pulses_per_mm *= 2.0;

@@ -85,11 +85,13 @@ void JobPairView::set_room(Room room) {
     facts_->set_room(room);
 }
 
-void JobPairView::set_brief(bool is_brief) {
+void JobPairView::set_density(bool is_close, bool is_brief) {
     facts_->set_brief(is_brief);
-    const int gap = is_brief ? 2 : kSmallGap;
+    const int gap = is_close ? kSmallGap / 2 : kSmallGap;
     column_->setSpacing(gap);
     desk_->layout()->setSpacing(gap);
+    desk_->layout()->setContentsMargins(0, gap, 0, 0);
+    for (QWidget* part : {static_cast<QWidget*>(facts_), desk_}) part->updateGeometry();
 }
 
 JobPlace JobPairView::place() const {

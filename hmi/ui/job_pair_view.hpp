@@ -29,8 +29,8 @@ public:
     void add_button(QWidget* button);
     void refresh();
     void set_room(Room room);
-    /// In as few lines as it can be said.
-    void set_brief(bool is_brief);
+    /// Lines close together; in as few of them as it can be said.
+    void set_density(bool is_close, bool is_brief);
     /// The job in question; null: none.
     const replay::JobPointer& job() const noexcept { return job_; }
 

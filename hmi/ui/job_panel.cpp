@@ -244,9 +244,13 @@ void JobPanel::arrange(Density density) {
     const bool is_loose = density == Density::loose;
     body().setSpacing(is_loose ? kSmallGap : kCloseGap);
     checks_->set_low(!is_loose);
-    jobs_->set_brief(density == Density::brief);
+    jobs_->set_density(!is_loose, density == Density::brief);
     for (ActionButton* button : {start_, hold_, resume_, stop_})
         set_styled(button, "low", is_loose ? "no" : "yes");
+    // What they need is asked for before their own layouts have told it.
+    for (QWidget* part : {static_cast<QWidget*>(jobs_), static_cast<QWidget*>(checks_),
+                          static_cast<QWidget*>(start_), static_cast<QWidget*>(stop_)})
+        part->updateGeometry();
     layout()->activate();
 }
 

@@ -104,6 +104,28 @@ TEST_F(JobPair, KeepsTheDoneJobApartFromTheOneThatWasSlicedAgain) {
     EXPECT_TRUE(button("start").isEnabled());
 }
 
+TEST_F(JobPair, SaysAllThatThereIsRoomForAndIsBriefWhereThereIsNone) {
+    start_core();
+    open_window();
+    ASSERT_NO_FATAL_FAILURE(publish_job(two_process::lobed_job(7, 30)));
+    const auto settle = [&](int height) {
+        window_->resize(1280, height);
+        for (int look = 0; look < 3; ++look) {
+            window_->refresh();
+            QApplication::processEvents();
+        }
+    };
+    settle(720);
+    EXPECT_TRUE(is_shown("reference"));
+    EXPECT_FALSE(is_shown("job_brief"));
+    settle(690);
+    EXPECT_FALSE(is_shown("reference"));
+    EXPECT_TRUE(text("job_brief").starts_with("7 × 30, ")) << text("job_brief");
+    settle(860);
+    EXPECT_TRUE(is_shown("reference"));
+    EXPECT_EQ(button("start").property("low"), "no") << "as high as it should be";
+}
+
 TEST_F(JobPair, TakesOverTheJobThatAnotherProgramHasPublished) {
     start_core();
     open_window();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hmi/session/core_phrase.hpp"
+#include "hmi/session/core_profile.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -131,6 +132,7 @@ void MachineSession::look() {
     const auto silence = std::chrono::duration_cast<std::chrono::milliseconds>(now - heartbeat_changed_);
     sight_.life = core_life(pid.has_value(), silence);
     find_profile();
+    look_for_profile();
     look_for_checkpoint();
 }
 
@@ -175,6 +177,21 @@ void MachineSession::find_profile() {
     for (const KnownProfile& known : profiles_) {
         if (known.hash == hash) sight_.profile = known.profile;
     }
+}
+
+/// Once for each core that counts by a profile which nobody has given.
+void MachineSession::look_for_profile() {
+    const std::uint64_t hash = sight_.core_profile_hash;
+    const bool is_known = sight_.profile && !sight_.is_profile_of_job;
+    if (is_known || hash == 0 || !sight_.is_heard() || !finder_.is_idle()) return;
+    if (sought_hash_ == hash && sought_pid_ == sight_.core_pid) return;
+    sought_hash_ = hash;
+    sought_pid_ = sight_.core_pid;
+    finder_.post([this, hash, pid = sight_.core_pid]() -> WorkLane::Finish {
+        return [this, found = find_core_profile(pid, hash)] {
+            if (found) offer_profile(*found);
+        };
+    });
 }
 
 void MachineSession::go_on_with_start() {

@@ -103,6 +103,7 @@ private:
     void look();
     void take_status(const CoreStatus& status, bool has_core);
     void find_profile();
+    void look_for_profile();
     void look_for_checkpoint();
     void go_on_with_start();
     void forget_wishes() noexcept;
@@ -114,6 +115,8 @@ private:
     std::optional<RingReader<IncrementEntry, kIncrementRingEntries>> increments_;  // of link_
     std::vector<KnownProfile> profiles_;
     std::uint64_t core_profile_hash_ = 0;
+    std::uint64_t sought_hash_ = 0;  ///< of the profile that was looked for in files
+    std::uint32_t sought_pid_ = 0;
     std::uint64_t heartbeat_ = 0;
     Clock::time_point heartbeat_changed_{};
     Clock::time_point attach_tried_{};

@@ -192,6 +192,10 @@
             <translation>%1 是奇数，半转就不是整数个脉冲；请输入偶数</translation>
         </message>
         <message>
+            <source>%1 layers</source>
+            <translation>%1 层</translation>
+        </message>
+        <message>
             <source>%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis Y</source>
             <translation>%1 层而不是 %2 层：%3 只有 %4 mm 高，每层至少需要 Y 轴一个脉冲</translation>
         </message>
@@ -270,6 +274,10 @@
         <message>
             <source>%1 mm/s</source>
             <translation>%1 mm/s</translation>
+        </message>
+        <message>
+            <source>%1 more</source>
+            <translation>另有 %1 项</translation>
         </message>
         <message>
             <source>%1 numbers, not %2</source>
@@ -490,6 +498,10 @@
         <message>
             <source>%1: %2 values become others</source>
             <translation>%1：%2 个值将改变</translation>
+        </message>
+        <message>
+            <source>%1: core %2, here %3</source>
+            <translation>%1：内核 %2，此处 %3</translation>
         </message>
         <message>
             <source>%1: homed</source>
@@ -788,6 +800,10 @@
             <translation>Ψ 轴</translation>
         </message>
         <message>
+            <source>Axis: least lost</source>
+            <translation>轴心：损失最少</translation>
+        </message>
+        <message>
             <source>BACKING OFF</source>
             <translation>退离中</translation>
         </message>
@@ -1024,6 +1040,10 @@
             <translation>切片之后有更改：请重新切片以采用。</translation>
         </message>
         <message>
+            <source>Changes that, and slices again</source>
+            <translation>改为此值并重新切片</translation>
+        </message>
+        <message>
             <source>Charge pump</source>
             <translation>电荷泵</translation>
         </message>
@@ -1102,6 +1122,10 @@
         <message>
             <source>Core found, process %1</source>
             <translation>找到内核，进程 %1</translation>
+        </message>
+        <message>
+            <source>Core: profile %1, not %2</source>
+            <translation>内核：配置 %1，而非 %2</translation>
         </message>
         <message>
             <source>Cutting end of the tools; jobs keep all of it out of the model. A point has no size.</source>
@@ -1608,6 +1632,10 @@ F12  本列表</translation>
             <translation>高度</translation>
         </message>
         <message>
+            <source>Height %1 mm</source>
+            <translation>高度 %1 mm</translation>
+        </message>
+        <message>
             <source>Height sets it</source>
             <translation>由高度决定</translation>
         </message>
@@ -1854,6 +1882,10 @@ F12  本列表</translation>
         <message>
             <source>Job</source>
             <translation>作业</translation>
+        </message>
+        <message>
+            <source>Job in the machine</source>
+            <translation>机床中的作业</translation>
         </message>
         <message>
             <source>Job in travel</source>
@@ -2272,6 +2304,10 @@ N、Shift+N  下一条、上一条记录
             <translation>超过 %1 mm 的占表面 %2 %</translation>
         </message>
         <message>
+            <source>Motion and slicing go by the core's. %1</source>
+            <translation>运动和切片以内核的配置为准。%1</translation>
+        </message>
+        <message>
             <source>Motor pulses for one millimetre.</source>
             <translation>每毫米的电机脉冲数。</translation>
         </message>
@@ -2400,6 +2436,10 @@ N、Shift+N  下一条、上一条记录
             <translation>未打开，因为机床配置未能打开：%1</translation>
         </message>
         <message>
+            <source>Not published</source>
+            <translation>未发布</translation>
+        </message>
+        <message>
             <source>Not published when a window ended: %1 (page Model)</source>
             <translation>窗口结束时尚未发布：%1（模型页）</translation>
         </message>
@@ -2410,6 +2450,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Not saved: %1 is open here, and would be lost; choose another name</source>
             <translation>未保存：%1 正在此处打开，会丢失；请换一个名称</translation>
+        </message>
+        <message>
+            <source>Not sliced</source>
+            <translation>未切片</translation>
         </message>
         <message>
             <source>Not sliced yet.</source>
@@ -2482,6 +2526,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>On hold the heads stay in the cut, or leave it by retract_mm and come back before it goes on.</source>
             <translation>暂停时刀头留在切口中，或退出 retract_mm，继续之前再返回。</translation>
+        </message>
+        <message>
+            <source>On the desk</source>
+            <translation>在此窗口中</translation>
         </message>
         <message>
             <source>On the virtual clock nothing has to be in time</source>
@@ -2558,10 +2606,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Opened without its model: there is nothing to compare the piece with</source>
             <translation>打开时没有模型：工件无可比较</translation>
-        </message>
-        <message>
-            <source>Opened, not sliced yet: %1</source>
-            <translation>已打开、尚未切片：%1</translation>
         </message>
         <message>
             <source>Opens the model with the form it had</source>
@@ -2826,6 +2870,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Pump</source>
             <translation>电荷泵</translation>
+        </message>
+        <message>
+            <source>Puts this job on the desk</source>
+            <translation>把此作业取到窗口中</translation>
+        </message>
+        <message>
+            <source>Puts this job on the desk in place of %1</source>
+            <translation>把此作业取到窗口中，代替 %1</translation>
         </message>
         <message>
             <source>R1 and R2 out, then Y, then Ψ to its index (Ctrl+Home)</source>
@@ -3236,6 +3288,10 @@ N、Shift+N  下一条、上一条记录
             <translation>比例</translation>
         </message>
         <message>
+            <source>Scale %1</source>
+            <translation>比例 %1</translation>
+        </message>
+        <message>
             <source>Scale sets it</source>
             <translation>由比例决定</translation>
         </message>
@@ -3354,10 +3410,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Slice: this is a job, and already sliced</source>
             <translation>切片：这是作业，已经切片</translation>
-        </message>
-        <message>
-            <source>Sliced, not published yet: %1</source>
-            <translation>已切片、尚未发布：%1</translation>
         </message>
         <message>
             <source>Slicing …</source>
@@ -3664,6 +3716,14 @@ N、Shift+N  下一条、上一条记录
             <translation>表格 (*.csv)</translation>
         </message>
         <message>
+            <source>Take over</source>
+            <translation>取用</translation>
+        </message>
+        <message>
+            <source>Take over: a job is being made</source>
+            <translation>取用：正在生成作业</translation>
+        </message>
+        <message>
             <source>Take up again</source>
             <translation>取回</translation>
         </message>
@@ -3674,6 +3734,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Take up again: %1, %2 layers × %3 points, sliced</source>
             <translation>取回：%1，%2 层 × %3 点，已切片</translation>
+        </message>
+        <message>
+            <source>Taken over from the core: profile %1</source>
+            <translation>已采用内核的配置 %1</translation>
+        </message>
+        <message>
+            <source>Taken over from the machine: %1</source>
+            <translation>已从机床取用：%1</translation>
         </message>
         <message>
             <source>Takes the position that the core counts now</source>
@@ -3802,6 +3870,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>
             <translation>内核使用虚拟时钟：节拍从不迟滞</translation>
+        </message>
+        <message>
+            <source>The core runs with profile %1, not with %2 of --profile</source>
+            <translation>内核使用配置 %1，而非 --profile 的 %2</translation>
+        </message>
+        <message>
+            <source>The core's profile is not known: give the window its file, with --profile</source>
+            <translation>内核的配置未知：请用 --profile 指定其文件</translation>
         </message>
         <message>
             <source>The core's tick</source>
@@ -4080,6 +4156,10 @@ N、Shift+N  下一条、上一条记录
             <translation>本机</translation>
         </message>
         <message>
+            <source>This window goes by it from now on, also without a core; no file is changed</source>
+            <translation>此后本窗口以它为准，无内核时亦然；不修改任何文件</translation>
+        </message>
+        <message>
             <source>Thread</source>
             <translation>线程</translation>
         </message>
@@ -4278,6 +4358,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Up to %1 roughing passes, layers %2 mm apart</source>
             <translation>最多 %1 道粗加工，层距 %2 mm</translation>
+        </message>
+        <message>
+            <source>Use the core's profile</source>
+            <translation>采用内核的配置</translation>
         </message>
         <message>
             <source>Use the switch on the machine to stop it</source>
@@ -4922,6 +5006,18 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>being made</source>
             <translation>正在生成</translation>
+        </message>
+        <message>
+            <source>being published</source>
+            <translation>正在发布</translation>
+        </message>
+        <message>
+            <source>being read</source>
+            <translation>正在读取</translation>
+        </message>
+        <message>
+            <source>being sliced</source>
+            <translation>正在切片</translation>
         </message>
         <message>
             <source>blank</source>
@@ -5672,6 +5768,10 @@ N、Shift+N  下一条、上一条记录
             <translation>没有可雕刻的线条</translation>
         </message>
         <message>
+            <source>no longer in the machine</source>
+            <translation>已不在机床中</translation>
+        </message>
+        <message>
             <source>no pin</source>
             <translation>无引脚</translation>
         </message>
@@ -5706,6 +5806,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>no. %1</source>
             <translation>%1 号</translation>
+        </message>
+        <message>
+            <source>no. %1, %2 % done</source>
+            <translation>%1 号，已完成 %2 %</translation>
+        </message>
+        <message>
+            <source>no. %1, dry run %2 %</source>
+            <translation>%1 号，空运行 %2 %</translation>
         </message>
         <message>
             <source>no: a dry run carves nothing</source>
@@ -5788,6 +5896,10 @@ N、Shift+N  下一条、上一条记录
             <translation>虚拟时钟下不需要</translation>
         </message>
         <message>
+            <source>not published</source>
+            <translation>未发布</translation>
+        </message>
+        <message>
             <source>not recorded</source>
             <translation>未记录</translation>
         </message>
@@ -5798,6 +5910,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>not while %1; %2</source>
             <translation>当前状态（%1）下不可用；%2</translation>
+        </message>
+        <message>
+            <source>nothing</source>
+            <translation>无</translation>
         </message>
         <message>
             <source>nothing is open</source>
@@ -6418,6 +6534,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the profile is %1 bytes long; the most is %2</source>
             <translation>配置长 %1 字节；最多 %2 字节</translation>
+        </message>
+        <message>
+            <source>the same job</source>
+            <translation>同一作业</translation>
         </message>
         <message>
             <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>

@@ -36,9 +36,11 @@ private:
 
     /// An event that `reach_` does not know yet.
     struct Late {
-        TrainEvent event;
-        Range slow;          ///< after it: positions where a motion is no faster than start-stop
-        std::int64_t count;  ///< after it
+        TrainEvent event{};
+        // After it:
+        Range slow = Range::none();  ///< positions where a motion is no faster than start-stop
+        std::int64_t count = 0;
+        bool is_anywhere = false;  ///< `slow` is all the room there is
     };
 
     void step(const TrainEvent& event);
@@ -49,6 +51,9 @@ private:
     MotionWitness slow_witness(std::size_t index) const;
     MotionWitness running_witness(std::size_t index, const TrainEvent& event) const;
     bool go_on(MotionWitness witness, std::size_t index, const TrainEvent& event);
+    Late late(const TrainEvent& event, const MotionWitness& witness) const;
+    void choose_earlier();
+    void choose_anywhere();
     void forget_earlier();
     void catch_up();
 
@@ -63,6 +68,7 @@ private:
     int patience_ = 0;  ///< how many of them make one worth trying
 
     bool has_witness_ = false;
+    bool has_turned_ = false;  ///< since it came from all that was possible
     MotionWitness witness_;
     MotionWitness earlier_;  ///< the witness as it was after the first `earlier_count_` of what is late
     std::size_t earlier_count_ = 0;

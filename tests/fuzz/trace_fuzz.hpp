@@ -66,7 +66,7 @@ inline int in_pieces(std::span<const std::uint8_t> bytes) {
     std::size_t length = bytes.size() / kMostPieces + 1;
     while (!bytes.empty()) {
         const auto piece = bytes.first(std::min(length, bytes.size()));
-        const auto sent = ::send(ends[1], piece.data(), piece.size(), MSG_NOSIGNAL);
+        const auto sent = ::send(ends[1], piece.data(), piece.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
         require(sent == static_cast<ssize_t>(piece.size()), "the pipe takes a piece");
         bytes = bytes.subspan(piece.size());
         // Pieces of all lengths, so that each kind of record is divided somewhere.

@@ -4852,7 +4852,7 @@ N, Shift+N  следующая, предыдущая запись
         </message>
         <message>
             <source>about %1 left</source>
-            <translation>осталось около %1</translation>
+            <translation>ещё около %1</translation>
         </message>
         <message>
             <source>alarm</source>

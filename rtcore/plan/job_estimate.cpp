@@ -31,9 +31,20 @@ double JobEstimate::seconds_at(const Marks& marks, std::uint64_t points_done) no
     return before.seconds + ratio * (after->seconds - before.seconds);
 }
 
+double JobEstimate::forecast_between(std::uint64_t begin, std::uint64_t end) const noexcept {
+    return seconds_at(forecast_, end) - seconds_at(forecast_, begin);
+}
+
 double JobEstimate::seconds_to(std::uint64_t points_done) const noexcept {
-    if (points_done <= points()) return seconds_at(marks_, points_done);
-    return seconds() + seconds_at(forecast_, points_done) - seconds_at(forecast_, points());
+    if (points_done > points()) return seconds() + forecast_between(points(), points_done);
+    const auto after = std::ranges::upper_bound(marks_, points_done, {}, &PlannedSoFar::points);
+    if (after == marks_.begin() || after == marks_.end() || after->points > forecast_.back().points)
+        return seconds_at(marks_, points_done);
+    const PlannedSoFar& before = *std::prev(after);
+    const double way_s = forecast_between(before.points, after->points);
+    if (way_s <= 0.0) return seconds_at(marks_, points_done);
+    const double share = forecast_between(before.points, points_done) / way_s;
+    return before.seconds + share * (after->seconds - before.seconds);
 }
 
 TimeLeft JobEstimate::left(std::uint64_t points_done, std::uint64_t points_total) const noexcept {

@@ -15,8 +15,9 @@ struct TimeLeft {
 };
 
 /// How long a whole table takes as planned, at 100 % feed, and how long the way to each of its points: known
-/// at the places where a layer or a stretch ends, in between each point takes as long as the next. Grows as
-/// the table is planned; what is not planned yet takes as long as a forecast says.
+/// at the places where a layer or a stretch ends. In between layers share the time as a forecast says, and
+/// within one each point takes as long as the next. Grows as the table is planned; what is not planned yet
+/// takes as long as the forecast says.
 class JobEstimate {
 public:
     /// By layer, about when it ends, in a table with so many points in each.
@@ -38,6 +39,7 @@ public:
 private:
     using Marks = std::vector<PlannedSoFar>;
     static double seconds_at(const Marks& marks, std::uint64_t points_done) noexcept;
+    double forecast_between(std::uint64_t begin, std::uint64_t end) const noexcept;
 
     Marks marks_{PlannedSoFar{.points = 1}};     ///< the first point is where it begins
     Marks forecast_{PlannedSoFar{.points = 1}};  ///< of the whole table

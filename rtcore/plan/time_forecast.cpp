@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "rtcore/plan/approach.hpp"
@@ -23,7 +25,7 @@ constexpr std::uint32_t kMostSamples = 16;
 constexpr std::uint32_t kFewSamples = 8;
 constexpr std::uint32_t kLayersASample = 4;
 
-/// In [begin, end), by the golden ratio: spread over it as `i` counts, and in step with no period.
+/// In [begin, end): amid it for 0, from there on by the golden ratio, in step with no period.
 std::uint32_t somewhere(std::uint32_t begin, std::uint32_t end, std::uint32_t i) {
     constexpr std::uint32_t kGolden = 0x9E3779B9;  // of 2^32
     const std::uint32_t place = kGolden * i + (std::uint32_t{1} << 31U);
@@ -56,12 +58,14 @@ TimeForecast::TimeForecast(const MachineLimits& limits, std::shared_ptr<const Jo
     : limits_(limits_of_job(limits, *job)), job_(std::move(job)) {
     const auto passes = static_cast<std::uint32_t>(job_->passes().size());
     for (std::uint32_t pass = 0; pass < passes; ++pass) choose_samples(pass);
+    samples_to_add_ = samples_.size() / 2;
     way_s_.reserve(job_->layer_count());
     cut_s_.reserve(job_->layer_count());
 }
 
 // One somewhere in each of as many equal stretches of the pass: evenly spaced ones would all be alike where
-// layers come back as often, as with ribs or threads. Of a spiral, rows that are planned at once.
+// layers come back as often, as with ribs or threads. At both ends, where a body differs most from its rest,
+// amid the stretch. Of a spiral, rows that are planned at once.
 void TimeForecast::choose_samples(std::uint32_t pass) {
     const JobPass& layers = job_->passes()[pass];
     const std::uint32_t at_once = layers_at_once(*job_, layers.first_layer);
@@ -75,9 +79,14 @@ void TimeForecast::choose_samples(std::uint32_t pass) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto begin = static_cast<std::uint32_t>(std::uint64_t{i} * parts / count);
         const auto end = static_cast<std::uint32_t>((i + 1ULL) * parts / count);
-        const std::uint32_t first = layers.first_layer + somewhere(begin, end, i) * at_once;
-        samples_.push_back({pass, {first, std::min(first + at_once, job_->pass_end(first))}});
+        samples_.push_back(
+            sample_from(layers.first_layer + somewhere(begin, end, i + 1 < count ? i : 0) * at_once));
     }
+}
+
+TimeForecast::Sample TimeForecast::sample_from(std::uint32_t layer) const {
+    const std::uint32_t end = std::min(layer + layers_at_once(*job_, layer), job_->pass_end(layer));
+    return {job_->pass_of(layer), {layer, end}};
 }
 
 bool TimeForecast::next() {
@@ -87,10 +96,44 @@ bool TimeForecast::next() {
         cut_s_.push_back(cut_seconds(layer));
         return true;
     }
-    if (next_sample_ == samples_.size()) return false;
-    Sample& sample = samples_[next_sample_++];
+    if (next_sample_ < samples_.size()) {
+        Sample& sample = samples_[next_sample_++];
+        sample.ratio = planned_ratio(sample.layers);
+        return true;
+    }
+    return add_sample();
+}
+
+// Amid the two between which most is in doubt: somewhere there layers may change at once.
+bool TimeForecast::add_sample() {
+    if (samples_to_add_ == 0) return false;
+    --samples_to_add_;
+    double greatest_s = 0.0;
+    std::size_t place = 0;
+    for (std::size_t i = 1; i < samples_.size(); ++i) {
+        const double doubt_s = doubt_seconds(samples_[i - 1], samples_[i]);
+        if (doubt_s <= greatest_s) continue;
+        greatest_s = doubt_s;
+        place = i;
+    }
+    if (place == 0) return false;
+    const std::uint32_t begin = samples_[place - 1].layers.end;
+    const std::uint32_t at_once = layers_at_once(*job_, begin);
+    const std::uint32_t parts = (samples_[place].layers.first - begin) / at_once;
+    Sample sample = sample_from(begin + parts / 2 * at_once);
     sample.ratio = planned_ratio(sample.layers);
+    samples_.insert(samples_.begin() + static_cast<std::ptrdiff_t>(place), sample);
+    ++next_sample_;
     return true;
+}
+
+double TimeForecast::doubt_seconds(const Sample& before, const Sample& after) const {
+    if (before.pass != after.pass) return 0.0;
+    return std::abs(after.ratio - before.ratio) * least_seconds_of({before.layers.end, after.layers.first});
+}
+
+double TimeForecast::least_seconds_of(const LayerSpan& layers) const {
+    return std::accumulate(cut_s_.begin() + layers.first, cut_s_.begin() + layers.end, 0.0);
 }
 
 double TimeForecast::way_seconds(std::uint32_t layer) const {
@@ -121,8 +164,7 @@ double TimeForecast::planned_ratio(const LayerSpan& layers) const {
     cycle::MotionBlock block{};
     while (program->next(block)) {
     }
-    double least_s = 0.0;
-    for (std::uint32_t layer = layers.first; layer < layers.end; ++layer) least_s += cut_s_[layer];
+    const double least_s = least_seconds_of(layers);
     return least_s > 0.0 ? program->planned().seconds / least_s : 1.0;
 }
 

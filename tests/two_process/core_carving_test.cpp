@@ -54,8 +54,9 @@ TEST_F(CoreCarving, TheTimeIsKnownBeforeTheStart) {
 TEST_F(CoreCarving, OfARunThatAnAlarmEndedNoForecastIsToldAtRest) {
     start_core();
     home();
-    ASSERT_EQ(publish(lobed_job(500, 200)), "");
+    ASSERT_EQ(publish(long_job()), "");
     start_carving();
+    ASSERT_TRUE(eventually([&] { return status().is_left_forecast != 0U; }));
     request_emergency_stop(*segment_);
     ASSERT_TRUE(eventually([&] {
         const CoreStatus now = status();

@@ -97,6 +97,18 @@ TEST(JobEstimate, TellsWhatIsPlannedAndSaysSo) {
     EXPECT_FALSE(sut.left(11, 42).is_planned);
 }
 
+TEST(JobEstimate, BetweenItsMarksPointsTakeTimeAsForecast) {
+    JobEstimate sut;
+    sut.forecast({10.0, 30.0, 60.0, 70.0}, 10);
+    sut.add({.points = 30, .seconds = 120.0});
+    EXPECT_DOUBLE_EQ(sut.seconds_to(1), 0.0);
+    EXPECT_DOUBLE_EQ(sut.seconds_to(10), 20.0);
+    EXPECT_DOUBLE_EQ(sut.seconds_to(20), 60.0);
+    EXPECT_DOUBLE_EQ(sut.seconds_to(25), 90.0);
+    EXPECT_DOUBLE_EQ(sut.seconds_to(30), 120.0);
+    EXPECT_DOUBLE_EQ(sut.left(20, 30).seconds, 60.0) << "as was told before it was planned, only longer";
+}
+
 TEST(JobEstimate, PastWhatIsPlannedItGoesOnAsForecast) {
     JobEstimate sut;
     sut.forecast({10.0, 30.0, 60.0, 70.0}, 10);

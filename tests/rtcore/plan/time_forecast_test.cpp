@@ -147,5 +147,22 @@ TEST(TimeForecast, IsNotDeceivedByRibs) {
     }
 }
 
+// Where a body ends and its neck begins, both may be between the same two samples.
+TEST(TimeForecast, FindsWhereLayersChangeAtOnce) {
+    const MachineLimits limits = limits_by(psicarve::Planner::lookahead);
+    constexpr std::uint32_t kLayers = 200;
+    for (std::uint32_t edge = 165; edge <= 180; ++edge) {
+        const auto height = [&](double at) { return at * (kLayers - 1) < edge - 0.5 ? 400.0 : 5.0; };
+        const auto job = test::job_of(waves(kLayers, height));
+        const std::vector<double> ends_s = forecast_of(limits, job);
+        const std::vector<PlannedSoFar> marks = marks_of(limits, job);
+        const auto at_edge =
+            std::ranges::find(marks, std::uint64_t{edge} * kForecastPoints, &PlannedSoFar::points);
+        ASSERT_NE(at_edge, marks.end());
+        const double planned_s = marks.back().seconds - at_edge->seconds;
+        EXPECT_NEAR(ends_s.back() - ends_s[edge - 1], planned_s, 0.1 * planned_s) << edge;
+    }
+}
+
 }  // namespace
 }  // namespace psicarve::plan

@@ -114,8 +114,10 @@ private:
 
     /// A closed body's edges come twice, once each way.
     bool is_followed(const Vertex& from, const Vertex& to) const noexcept {
-        return is_torn_ | (from[0] < to[0]) |
-               ((from[0] == to[0]) & ((from[1] < to[1]) | ((from[1] == to[1]) & (from[2] < to[2]))));
+        // Without branches, which no processor would guess right.
+        const auto rises = [&](std::size_t k) { return unsigned{from[k] < to[k]}; };
+        const auto stays = [&](std::size_t k) { return unsigned{from[k] == to[k]}; };
+        return (unsigned{is_torn_} | rises(0) | (stays(0) & (rises(1) | (stays(1) & rises(2))))) != 0;
     }
 
     void follow_edges(const model::Triangle& facet) {

@@ -295,7 +295,8 @@ void JobDesk::fetch_from_core(std::uint64_t generation) {
             core_job_ = made;
             core_job_mesh_.reset();
             ++edition_;
-            if (!mesh_ && path_.empty()) take_job(made, generation);
+            // What somebody has taken over stays until they take another.
+            if (!mesh_ && path_.empty() && !is_taken_over()) take_job(made, generation);
         };
     });
 }

@@ -82,7 +82,7 @@ public:
     /// Ends opening, slicing or waiting for the core soon.
     void cancel() noexcept { cancels_.store(true); }
 
-    /// At screen rate. Fetches the core's job, and shows it when nothing is open.
+    /// At screen rate. Fetches the core's job, and shows it when nothing is open and none was taken over.
     void poll(const MachineSight& machine);
     const JobSight& sight() const noexcept { return sight_; }
     const std::string& path() const noexcept { return path_; }

@@ -359,9 +359,10 @@ void ModelPage::show_warnings() {
 bool ModelPage::is_stale() const {
     const session::JobSight& sight = bench_.desk.sight();
     if (sight.state != DeskState::job && sight.state != DeskState::published) return false;
+    const bool is_taken_over = bench_.desk.is_taken_over();
     // A table becomes a job without anybody's asking, too.
-    if (const auto& way = bench_.desk.table_way()) return !way->is_as(table_way());
-    return bench_.desk.mesh() && (changes_ != sliced_changes_ || bench_.desk.is_taken_over());
+    if (const auto& way = bench_.desk.table_way()) return is_taken_over || !way->is_as(table_way());
+    return bench_.desk.mesh() && (is_taken_over || changes_ != sliced_changes_);
 }
 
 }  // namespace psicarve::ui

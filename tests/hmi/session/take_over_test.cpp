@@ -102,5 +102,26 @@ TEST_F(TakeOver, StaysWhateverIsPublishedNext) {
     EXPECT_EQ(desk_->job()->view.layer_count(), 9U);
 }
 
+TEST_F(TakeOver, KeepsTheFileThoughItsBodyWasMadeAnewSince) {
+    start_core();
+    open_session();
+    ASSERT_NO_FATAL_FAILURE(open_model("small.stl"));
+    ASSERT_NO_FATAL_FAILURE(slice_and_publish(12));
+    const auto sliced_from = desk_->mesh();
+    model::MeshTurn turn;
+    turn.mirror = 0;
+    desk_->turn(turn);
+    ASSERT_TRUE(comes_true([&] { return desk_->mesh() != sliced_from && !desk_->sight().is_busy(); }));
+    ASSERT_NO_FATAL_FAILURE(slice_to(14));
+    const auto open = desk_->mesh();
+    desk_->take_over();
+    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::published; }));
+    EXPECT_EQ(desk_->job()->view.layer_count(), 12U);
+    EXPECT_EQ(desk_->path(), example("small.stl"));
+    EXPECT_EQ(desk_->mesh(), open);
+    EXPECT_EQ(desk_->job_mesh(), sliced_from) << "as it was turned then";
+    EXPECT_TRUE(desk_->is_taken_over());
+}
+
 }  // namespace
 }  // namespace psicarve::session

@@ -246,17 +246,28 @@ void JobDesk::publish() {
     });
 }
 
-void JobDesk::take_over() {
+void JobDesk::take_over(const cam::PreparedJob* saved) {
     if (!can_take_over()) return;
     const JobPointer job = core_job();
     // Its body may have been made anew since.
     const bool is_of_open = !core_job_path_.empty() && core_job_path_ == path_;
-    if (!is_of_open) close_file();
+    if (!is_of_open) {
+        tell_unkept(saved);
+        close_file();
+    }
     if (opened_) opened_();
     refusal_.reset();
     taken_job_ = job;
     log_.add(Severity::info, phrase("Taken over from the machine: %1", std::string{job->view.source_name()}));
     take_job(job, core_job_generation_, core_job_mesh_);
+}
+
+/// What took its time to slice is not dropped without a word.
+void JobDesk::tell_unkept(const cam::PreparedJob* saved) {
+    const bool is_sliced = job_mesh_ != nullptr || table_way_;
+    if (!job_ || !is_sliced || generation_ != 0 || job_.get() == saved) return;
+    log_.add(Severity::warning,
+             phrase("Closed: %1, neither published nor saved", std::string{job_->view.source_name()}));
 }
 
 void JobDesk::close_file() {

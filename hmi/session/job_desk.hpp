@@ -76,8 +76,9 @@ public:
     /// Requires a job.
     void publish();
     /// Puts core_job() on the desk in place of what is open; a file stays when that job was made of it here.
-    /// Nothing while the desk is busy, or where there is no other job to take.
-    void take_over();
+    /// Nothing while the desk is busy, or where there is no other job to take. `saved`: the job that was
+    /// saved last; another one that goes and was not published either is told.
+    void take_over(const cam::PreparedJob* saved = nullptr);
     bool can_take_over() const noexcept { return !sight_.is_busy() && core_job() && core_job() != job_; }
     /// Ends opening, slicing or waiting for the core soon.
     void cancel() noexcept { cancels_.store(true); }
@@ -125,6 +126,7 @@ private:
     void note_change();
     void take_job(JobPointer job, std::uint64_t generation, std::shared_ptr<const model::Mesh> mesh = {});
     void drop_job();
+    void tell_unkept(const cam::PreparedJob* saved);
     void close_file();
     void fail(const Error& error);
     void refuse_desk(DeskRefusal::Of of, const Error& error, std::vector<Remedy> remedies);

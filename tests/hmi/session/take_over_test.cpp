@@ -123,5 +123,26 @@ TEST_F(TakeOver, KeepsTheFileThoughItsBodyWasMadeAnewSince) {
     EXPECT_TRUE(desk_->is_taken_over());
 }
 
+TEST_F(TakeOver, TellsWhatGoesWithoutHavingBeenKept) {
+    start_core();
+    open_session();
+    const auto take_over_from_sliced = [&](bool is_saved) {
+        ASSERT_NO_FATAL_FAILURE(open_model("small.stl"));
+        ASSERT_NO_FATAL_FAILURE(slice_to(12));
+        const auto sliced = desk_->job();
+        ASSERT_NO_FATAL_FAILURE(publish_from_elsewhere(two_process::lobed_job(7, 30)));
+        ASSERT_TRUE(comes_true([&] { return desk_->can_take_over(); }));
+        desk_->take_over(is_saved ? sliced.get() : nullptr);
+        ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::published; }));
+    };
+    const auto is_told = [&] {
+        return all_messages().find("Closed: small.stl, neither published nor saved") != std::string::npos;
+    };
+    ASSERT_NO_FATAL_FAILURE(take_over_from_sliced(true));
+    EXPECT_FALSE(is_told()) << all_messages();
+    ASSERT_NO_FATAL_FAILURE(take_over_from_sliced(false));
+    EXPECT_TRUE(is_told()) << all_messages();
+}
+
 }  // namespace
 }  // namespace psicarve::session

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <fstream>
+#include <future>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "shared/process_identity.hpp"
@@ -94,6 +98,33 @@ TEST_F(SessionOnCore, SaysThatTheCoreIsGoneAndFindsTheNext) {
     start_core();
     ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::alive; }));
     home_session();
+}
+
+TEST_F(SessionOnCore, FindsTheNextCoreThoughTheDiskOfAProfileHangs) {
+    Profile own;
+    own.r1.pulses_per_mm *= 2.0;
+    std::ofstream{file("own.toml")} << profile_to_toml(own);
+    start_core({"--profile", file("own.toml")});
+    std::promise<void> disk;
+    const auto is_sought = std::make_shared<std::atomic<bool>>(false);
+    open_session();
+    SessionOptions options{segment_name_, {}, {}};
+    options.find_profile = [is_sought, answers = disk.get_future().share()](std::uint32_t, std::uint64_t) {
+        is_sought->store(true);
+        answers.wait();
+        return std::optional<Profile>{};
+    };
+    session_ = std::make_unique<MachineSession>(options, log_);
+    ASSERT_TRUE(comes_true([&] { return is_sought->load(); }));
+    // Its segment goes with it.
+    core_.reset();
+    segment_.reset();
+    ASSERT_TRUE(Segment::remove(segment_name_));
+    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::none; }));
+    start_core();
+    EXPECT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::alive; }));
+    EXPECT_TRUE(session_->stop()) << "somebody hears it";
+    disk.set_value();
 }
 
 // It may plan the job that was left first, which takes seconds: no frame waits for that.

@@ -180,8 +180,9 @@ void ModelPage::slice() {
 }
 
 void ModelPage::take_remedy(const session::Remedy& remedy) {
-    if (remedy.kind == session::Remedy::Kind::core_profile && bench_.knows_core_profile())
-        bench_.take_core_profile();
+    // Where the window goes by the core's already there is nothing to take.
+    const bool has_another = bench_.knows_core_profile() && !bench_.machine.sight().unused_profile.empty();
+    if (remedy.kind == session::Remedy::Kind::core_profile && has_another) bench_.take_core_profile();
     form_->take(remedy);
     slice();
 }

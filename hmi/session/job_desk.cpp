@@ -225,7 +225,7 @@ void JobDesk::take_job(JobPointer job, std::uint64_t generation, MeshPointer mes
 void JobDesk::publish() {
     if (sight_.is_busy() || !job_) return;
     begin(DeskState::publishing);
-    lane_.post([this, job = job_, mesh = job_mesh_]() -> WorkLane::Finish {
+    lane_.post([this, job = job_, mesh = job_mesh_, path = path_]() -> WorkLane::Finish {
         const auto generation = publish_and_wait(segment_name_, group_, *job, cancels_);
         if (!generation) {
             return [this, error = generation.error()] {
@@ -234,26 +234,40 @@ void JobDesk::publish() {
                             is_sliceable ? publishing_remedies(error) : std::vector<Remedy>{});
             };
         }
-        return [this, job, mesh, number = *generation] {
+        return [this, job, mesh, path, number = *generation] {
             generation_ = number;
             fetched_generation_ = number;
             core_job_generation_ = number;
             core_job_ = job;
             core_job_mesh_ = mesh;
+            core_job_path_ = path;
             resting_state_ = DeskState::job;
         };
     });
 }
 
-void JobDesk::take_over() {
+void JobDesk::take_over(const cam::PreparedJob* saved) {
     if (!can_take_over()) return;
     const JobPointer job = core_job();
-    if (!core_job_mesh_ || core_job_mesh_ != mesh_) close_file();
+    // Its body may have been made anew since.
+    const bool is_of_open = !core_job_path_.empty() && core_job_path_ == path_;
+    if (!is_of_open) {
+        tell_unkept(saved);
+        close_file();
+    }
     if (opened_) opened_();
     refusal_.reset();
     taken_job_ = job;
     log_.add(Severity::info, phrase("Taken over from the machine: %1", std::string{job->view.source_name()}));
-    take_job(job, core_job_generation_, mesh_);
+    take_job(job, core_job_generation_, core_job_mesh_);
+}
+
+/// What took its time to slice is not dropped without a word.
+void JobDesk::tell_unkept(const cam::PreparedJob* saved) {
+    const bool is_sliced = job_mesh_ != nullptr || table_way_;
+    if (!job_ || !is_sliced || generation_ != 0 || job_.get() == saved) return;
+    log_.add(Severity::warning,
+             phrase("Closed: %1, neither published nor saved", std::string{job_->view.source_name()}));
 }
 
 void JobDesk::close_file() {
@@ -294,8 +308,10 @@ void JobDesk::fetch_from_core(std::uint64_t generation) {
             core_job_generation_ = generation;
             core_job_ = made;
             core_job_mesh_.reset();
+            core_job_path_.clear();
             ++edition_;
-            if (!mesh_ && path_.empty()) take_job(made, generation);
+            // What somebody has taken over stays until they take another.
+            if (!mesh_ && path_.empty() && !is_taken_over()) take_job(made, generation);
         };
     });
 }

@@ -75,14 +75,15 @@ public:
     void slice(const cam::JobOptions& options, const Profile& profile);
     /// Requires a job.
     void publish();
-    /// Puts core_job() on the desk in place of what is open; a model stays when that job was sliced from it
-    /// here. Nothing while the desk is busy, or where there is no other job to take.
-    void take_over();
+    /// Puts core_job() on the desk in place of what is open; a file stays when that job was made of it here.
+    /// Nothing while the desk is busy, or where there is no other job to take. `saved`: the job that was
+    /// saved last; another one that goes and was not published either is told.
+    void take_over(const cam::PreparedJob* saved = nullptr);
     bool can_take_over() const noexcept { return !sight_.is_busy() && core_job() && core_job() != job_; }
     /// Ends opening, slicing or waiting for the core soon.
     void cancel() noexcept { cancels_.store(true); }
 
-    /// At screen rate. Fetches the core's job, and shows it when nothing is open.
+    /// At screen rate. Fetches the core's job, and shows it when nothing is open and none was taken over.
     void poll(const MachineSight& machine);
     const JobSight& sight() const noexcept { return sight_; }
     const std::string& path() const noexcept { return path_; }
@@ -96,7 +97,7 @@ public:
     std::shared_ptr<const cam::PreparedJob> job() const noexcept { return job_; }
     /// How the job was made of the table that is open; nothing: none is.
     const std::optional<TableWay>& table_way() const noexcept { return table_way_; }
-    /// The job was taken over: the model that is open was sliced otherwise since.
+    /// The job was taken over: the file that is open was made into another one since.
     bool is_taken_over() const noexcept { return job_ && job_ == taken_job_; }
     /// What the job was sliced from, as it was turned then; null: it was opened as a job.
     std::shared_ptr<const model::Mesh> job_mesh() const noexcept { return job_mesh_; }
@@ -125,6 +126,7 @@ private:
     void note_change();
     void take_job(JobPointer job, std::uint64_t generation, std::shared_ptr<const model::Mesh> mesh = {});
     void drop_job();
+    void tell_unkept(const cam::PreparedJob* saved);
     void close_file();
     void fail(const Error& error);
     void refuse_desk(DeskRefusal::Of of, const Error& error, std::vector<Remedy> remedies);
@@ -164,6 +166,7 @@ private:
     std::uint64_t generation_ = 0;  ///< of job_ in the segment; 0: not published
     JobPointer core_job_;
     std::shared_ptr<const model::Mesh> core_job_mesh_;  ///< that it was sliced from here; else null
+    std::string core_job_path_;                         ///< of the file that it was made of here; else empty
     JobPointer taken_job_;
     std::uint64_t core_job_generation_ = 0;
     std::uint64_t accepted_generation_ = 0;  ///< by the core; 0: none

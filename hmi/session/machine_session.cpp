@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "hmi/session/core_phrase.hpp"
-#include "hmi/session/core_profile.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -55,6 +54,7 @@ void MachineSession::take_accepted(const Profile* of_job) {
 
 void MachineSession::poll() {
     finder_.deliver();
+    profile_finder_.deliver();
     orders_.deliver();
     const MachineSight before = sight_;
     keep_attached();
@@ -183,15 +183,16 @@ void MachineSession::find_profile() {
 void MachineSession::look_for_profile() {
     const std::uint64_t hash = sight_.core_profile_hash;
     const bool is_known = sight_.profile && !sight_.is_profile_of_job;
-    if (is_known || hash == 0 || !sight_.is_heard() || !finder_.is_idle()) return;
+    if (is_known || hash == 0 || !sight_.is_heard() || !profile_finder_.is_idle()) return;
     if (sought_hash_ == hash && sought_pid_ == sight_.core_pid) return;
     sought_hash_ = hash;
     sought_pid_ = sight_.core_pid;
-    finder_.post([this, hash, pid = sight_.core_pid]() -> WorkLane::Finish {
-        return [this, found = find_core_profile(pid, hash)] {
-            if (found) offer_profile(*found);
-        };
-    });
+    profile_finder_.post(
+        [this, hash, pid = sight_.core_pid, find = options_.find_profile]() -> WorkLane::Finish {
+            return [this, found = find(pid, hash)] {
+                if (found) offer_profile(*found);
+            };
+        });
 }
 
 void MachineSession::go_on_with_start() {

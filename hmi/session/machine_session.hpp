@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hmi/machine/machine_link.hpp"
+#include "hmi/session/core_profile.hpp"
 #include "hmi/session/jog_hand.hpp"
 #include "hmi/session/machine_sight.hpp"
 #include "hmi/session/message_log.hpp"
@@ -31,6 +32,9 @@ struct SessionOptions {
     std::optional<Profile> profile;  ///< chosen by the user; else the built-in one and the job's are tried
     /// So long a hand that is not heard of still holds. More only where a busy computer must not matter.
     std::chrono::milliseconds hand_limit = kJogLease;
+    /// Looks for the profile of a core in files; on a thread of its own, as their disk may hang.
+    std::function<std::optional<Profile>(std::uint32_t core_pid, std::uint64_t hash)> find_profile =
+        find_core_profile;
 };
 
 /// The machine as a window has it: attached whenever there is a segment, looked at by poll(), asked by
@@ -127,6 +131,7 @@ private:
     std::optional<std::uint32_t> wanted_override_percent_;
     JogHand jog_;
     WorkLane finder_;
+    WorkLane profile_finder_{WorkLane::Haste::background};  ///< a disk that hangs keeps nobody from attaching
     WorkLane orders_;
 };
 

@@ -1088,6 +1088,10 @@
             <translation>Закрыть окно</translation>
         </message>
         <message>
+            <source>Closed: %1, neither published nor saved</source>
+            <translation>Закрыто: %1 — не опубликовано и не сохранено</translation>
+        </message>
+        <message>
             <source>Command: %1</source>
             <translation>Команда: %1</translation>
         </message>
@@ -3875,6 +3879,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>
             <translation>Ядро идёт по виртуальным часам: такты не запаздывают</translation>
+        </message>
+        <message>
+            <source>The core runs with another profile than %1; its file was not found.</source>
+            <translation>Ядро работает с другим профилем, а не с %1; файл того профиля не найден.</translation>
         </message>
         <message>
             <source>The core runs with profile %1, not with %2 of --profile</source>

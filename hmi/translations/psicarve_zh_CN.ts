@@ -1088,6 +1088,10 @@
             <translation>关闭窗口</translation>
         </message>
         <message>
+            <source>Closed: %1, neither published nor saved</source>
+            <translation>已关闭：%1，既未发布也未保存</translation>
+        </message>
+        <message>
             <source>Command: %1</source>
             <translation>命令：%1</translation>
         </message>
@@ -3870,6 +3874,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>
             <translation>内核使用虚拟时钟：节拍从不迟滞</translation>
+        </message>
+        <message>
+            <source>The core runs with another profile than %1; its file was not found.</source>
+            <translation>内核使用的配置不是 %1，而是另一个；未找到其文件。</translation>
         </message>
         <message>
             <source>The core runs with profile %1, not with %2 of --profile</source>

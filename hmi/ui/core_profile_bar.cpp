@@ -51,7 +51,7 @@ CoreProfileBar::CoreProfileBar(Bench& bench, QWidget* parent)
     take_->setFocusPolicy(Qt::TabFocus);
     take_->setToolTip(tr("This window goes by it from now on, also without a core; no file is changed"));
     connect(take_, &QPushButton::clicked, this, [this] {
-        if (!is_there()) return;
+        if (!is_there() || !bench_.knows_core_profile()) return;
         bench_.take_core_profile();
         refresh();
     });
@@ -77,7 +77,7 @@ void CoreProfileBar::set_room(Room room) {
 
 bool CoreProfileBar::is_there() const {
     const session::MachineSight& sight = bench_.machine.sight();
-    return sight.is_heard() && bench_.knows_core_profile() && !sight.unused_profile.empty() &&
+    return sight.is_heard() && !sight.unused_profile.empty() &&
            bench_.machine.options().profile.has_value() && !bench_.replay.is_open();
 }
 
@@ -85,8 +85,22 @@ void CoreProfileBar::refresh() {
     const bool is_shown = is_there();
     if (isHidden() == is_shown) setVisible(is_shown);
     const session::MachineSight& sight = bench_.machine.sight();
-    if (!is_shown || shown_hash_ == sight.core_profile_hash) return;
+    const bool is_known = bench_.knows_core_profile();
+    if (!is_shown || (shown_hash_ == sight.core_profile_hash && shown_known_ == is_known)) return;
     shown_hash_ = sight.core_profile_hash;
+    shown_known_ = is_known;
+    if (is_known)
+        show_both();
+    else
+        show_given();
+    take_->setVisible(is_known);
+    details_->setHidden(is_small_ || !is_known);
+    setAccessibleName(title_->text());
+    setAccessibleDescription(details_->text());
+}
+
+void CoreProfileBar::show_both() {
+    const session::MachineSight& sight = bench_.machine.sight();
     const Profile& given = *bench_.machine.options().profile;
     const QString of_core = short_file_name(sight.profile->name);
     const QString of_window = short_file_name(sight.unused_profile);
@@ -97,10 +111,16 @@ void CoreProfileBar::refresh() {
         return told_with(session::profile_differences(*sight.profile, given, most), between);
     };
     details_->setText(breakable(tr("Motion and slicing go by the core's. %1").arg(told(kShownKeys, "; "))));
-    details_->setHidden(is_small_);
     for (QLabel* label : {title_, details_}) label->setToolTip(told(kAllKeys, "\n"));
-    setAccessibleName(title_->text());
-    setAccessibleDescription(details_->text());
+}
+
+/// Nobody knows what the core's is like.
+void CoreProfileBar::show_given() {
+    const QString of_window = short_file_name(bench_.machine.sight().unused_profile);
+    title_->setText(
+        breakable(tr("The core runs with another profile than %1; its file was not found.").arg(of_window)));
+    details_->clear();
+    for (QLabel* label : {title_, details_}) label->setToolTip({});
 }
 
 }  // namespace psicarve::ui

@@ -16,7 +16,7 @@ class QPushButton;
 namespace psicarve::ui {
 
 /// The core runs with another profile than the window was given: both, in what they differ, and a button that
-/// takes the core's over.
+/// takes the core's over. Where nobody has found the core's: only that.
 class CoreProfileBar : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CoreProfileBar)
 public:
@@ -29,6 +29,8 @@ public:
 
 private:
     bool is_there() const;
+    void show_both();
+    void show_given();
 
     Bench& bench_;
     QLabel* icon_;
@@ -36,6 +38,7 @@ private:
     QLabel* details_;
     QPushButton* take_;
     std::uint64_t shown_hash_ = 0;
+    bool shown_known_ = false;
     bool is_small_ = false;
 };
 

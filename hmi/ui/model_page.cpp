@@ -180,8 +180,9 @@ void ModelPage::slice() {
 }
 
 void ModelPage::take_remedy(const session::Remedy& remedy) {
-    if (remedy.kind == session::Remedy::Kind::core_profile && bench_.knows_core_profile())
-        bench_.take_core_profile();
+    // Where the window goes by the core's already there is nothing to take.
+    const bool has_another = bench_.knows_core_profile() && !bench_.machine.sight().unused_profile.empty();
+    if (remedy.kind == session::Remedy::Kind::core_profile && has_another) bench_.take_core_profile();
     form_->take(remedy);
     slice();
 }
@@ -359,9 +360,10 @@ void ModelPage::show_warnings() {
 bool ModelPage::is_stale() const {
     const session::JobSight& sight = bench_.desk.sight();
     if (sight.state != DeskState::job && sight.state != DeskState::published) return false;
+    const bool is_taken_over = bench_.desk.is_taken_over();
     // A table becomes a job without anybody's asking, too.
-    if (const auto& way = bench_.desk.table_way()) return !way->is_as(table_way());
-    return bench_.desk.mesh() && (changes_ != sliced_changes_ || bench_.desk.is_taken_over());
+    if (const auto& way = bench_.desk.table_way()) return is_taken_over || !way->is_as(table_way());
+    return bench_.desk.mesh() && (is_taken_over || changes_ != sliced_changes_);
 }
 
 }  // namespace psicarve::ui

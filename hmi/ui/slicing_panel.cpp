@@ -116,7 +116,9 @@ void SlicingPanel::set_theme(const Tokens& tokens) {
 
 void SlicingPanel::show_refusal() {
     const auto& refusal = bench_.desk.refusal();
-    auto lock = session::lock_of(Action::slice, bench_.machine.sight(), bench_.desk.sight());
+    auto lock = bench_.replay.is_open()
+                    ? replay::lock()
+                    : session::lock_of(Action::slice, bench_.machine.sight(), bench_.desk.sight());
     const std::vector<session::Remedy> by_core{{session::Remedy::Kind::core_profile}};
     if (!lock && refusal && refusal->remedies == by_core && !bench_.knows_core_profile())
         lock = session::phrase("The core's profile is not known: give the window its file, with --profile");

@@ -1,80 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <fstream>
+#include <future>
 #include <memory>
+#include <optional>
 #include <string>
-#include <utility>
 
-#include "hmi/session/job_desk.hpp"
-#include "hmi/session/machine_session.hpp"
 #include "shared/process_identity.hpp"
+#include "tests/hmi/session/session_rig.hpp"
 #include "tests/places.hpp"
-#include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::session {
 namespace {
 
-using two_process::CoreRig;
 using S = MachineState;
 
-/// What a window does between its frames.
-class SessionOnCore : public CoreRig {
-protected:
-    void open_session() {
-        session_ = std::make_unique<MachineSession>(SessionOptions{segment_name_, {}, {}}, log_);
-        desk_ = std::make_unique<JobDesk>(segment_name_, std::string{}, log_);
-    }
-    template <typename Condition>
-    bool comes_true(Condition condition) {
-        return eventually([&] {
-            session_->poll();
-            desk_->poll(session_->sight());
-            return condition();
-        });
-    }
-    ::testing::AssertionResult comes_to(S state) {
-        if (comes_true([&] { return session_->sight().state() == state; }))
-            return ::testing::AssertionSuccess();
-        return ::testing::AssertionFailure()
-               << "state is " << name_of(session_->sight().state()) << all_messages();
-    }
-    std::string all_messages() const {
-        std::string text;
-        for (const Message& message : log_.messages()) text += "\n  " + in_english(message.what);
-        return text;
-    }
-    void open_and_publish(const JobTable& table) {
-        Snapshot snapshot;
-        snapshot.job_blob = job_blob_from_table(table);
-        ASSERT_TRUE(save_snapshot(snapshot, file("long.job")));
-        desk_->open(file("long.job"));
-        ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::job; })) << all_messages();
-        desk_->publish();
-        ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::published; }))
-            << all_messages();
-    }
-    void slice_to(std::uint32_t layers) {
-        cam::JobOptions options;
-        options.layer_count = layers;
-        options.point_count = 40;
-        desk_->slice(options, Profile{});
-        ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::job; })) << all_messages();
-    }
-    void slice_and_publish(std::uint32_t layers) {
-        ASSERT_NO_FATAL_FAILURE(slice_to(layers));
-        desk_->publish();
-        ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::published; }))
-            << all_messages();
-    }
-    void home_session() {
-        session_->order(CommandKind::home, phrase("Home"));
-        ASSERT_TRUE(comes_to(S::ready));
-    }
-
-    MessageLog log_;
-    std::unique_ptr<MachineSession> session_;
-    std::unique_ptr<JobDesk> desk_;
-};
+class SessionOnCore : public test::SessionRig {};
 
 TEST_F(SessionOnCore, GoesTheWholeWayFromAModelToADoneJob) {
     start_core();
@@ -155,6 +98,33 @@ TEST_F(SessionOnCore, SaysThatTheCoreIsGoneAndFindsTheNext) {
     start_core();
     ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::alive; }));
     home_session();
+}
+
+TEST_F(SessionOnCore, FindsTheNextCoreThoughTheDiskOfAProfileHangs) {
+    Profile own;
+    own.r1.pulses_per_mm *= 2.0;
+    std::ofstream{file("own.toml")} << profile_to_toml(own);
+    start_core({"--profile", file("own.toml")});
+    std::promise<void> disk;
+    const auto is_sought = std::make_shared<std::atomic<bool>>(false);
+    open_session();
+    SessionOptions options{segment_name_, {}, {}};
+    options.find_profile = [is_sought, answers = disk.get_future().share()](std::uint32_t, std::uint64_t) {
+        is_sought->store(true);
+        answers.wait();
+        return std::optional<Profile>{};
+    };
+    session_ = std::make_unique<MachineSession>(options, log_);
+    ASSERT_TRUE(comes_true([&] { return is_sought->load(); }));
+    // Its segment goes with it.
+    core_.reset();
+    segment_.reset();
+    ASSERT_TRUE(Segment::remove(segment_name_));
+    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::none; }));
+    start_core();
+    EXPECT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::alive; }));
+    EXPECT_TRUE(session_->stop()) << "somebody hears it";
+    disk.set_value();
 }
 
 // It may plan the job that was left first, which takes seconds: no frame waits for that.
@@ -251,61 +221,6 @@ TEST_F(SessionOnCore, KnowsTheCoresJobWhateverIsOpenedMeanwhile) {
     EXPECT_EQ(desk_->core_job()->view.layer_count(), 7U);
     EXPECT_EQ(desk_->job(), nullptr);
     EXPECT_EQ(desk_->sight().state, DeskState::model);
-}
-
-TEST_F(SessionOnCore, TakesOverTheJobThatAnotherProgramHasPublished) {
-    start_core();
-    open_session();
-    desk_->open(example("small.stl"));
-    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::model; })) << all_messages();
-    slice_and_publish(12);
-    EXPECT_FALSE(desk_->can_take_over()) << "it is the machine's";
-    const auto ours = std::exchange(desk_, std::make_unique<JobDesk>(segment_name_, std::string{}, log_));
-    open_and_publish(two_process::lobed_job(7, 30));
-    desk_->open(example("letter.stl"));
-    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::model; }));
-    desk_->take_over();
-    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::published; }));
-    EXPECT_EQ(desk_->mesh(), nullptr) << "that job is not of this model";
-    EXPECT_EQ(desk_->path(), "");
-    EXPECT_FALSE(desk_->sight().can_be_sliced);
-    // The window whose job it was: its own waits, and says that the machine has it no more.
-    desk_ = nullptr;
-    ASSERT_TRUE(eventually([&] {
-        session_->poll();
-        ours->poll(session_->sight());
-        return ours->can_take_over();
-    }));
-    EXPECT_EQ(ours->sight().state, DeskState::job);
-    EXPECT_TRUE(ours->sight().was_published);
-    EXPECT_EQ(ours->job()->view.layer_count(), 12U);
-    ours->take_over();
-    ours->poll(session_->sight());
-    EXPECT_EQ(ours->sight().state, DeskState::published);
-    EXPECT_EQ(ours->job()->view.layer_count(), 7U);
-    EXPECT_EQ(ours->scene(), nullptr);
-    EXPECT_FALSE(ours->can_take_over());
-}
-
-TEST_F(SessionOnCore, TakesItsOwnJobOverAgainWithoutLosingTheModel) {
-    start_core();
-    open_session();
-    desk_->open(example("small.stl"));
-    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::model; })) << all_messages();
-    slice_and_publish(12);
-    slice_to(14);
-    EXPECT_FALSE(desk_->sight().was_published);
-    EXPECT_FALSE(desk_->is_taken_over());
-    const auto model = desk_->mesh();
-    desk_->take_over();
-    desk_->poll(session_->sight());
-    EXPECT_EQ(desk_->sight().state, DeskState::published);
-    EXPECT_EQ(desk_->job()->view.layer_count(), 12U);
-    EXPECT_EQ(desk_->mesh(), model);
-    EXPECT_EQ(desk_->job_mesh(), model);
-    EXPECT_TRUE(desk_->is_taken_over()) << "the form has another number of layers";
-    slice_to(14);
-    EXPECT_FALSE(desk_->is_taken_over());
 }
 
 // The core's own words, with the command's name once.

@@ -54,6 +54,7 @@ protected:
         ASSERT_TRUE(click("start"));
         ASSERT_TRUE(comes_true([&] { return text("machine_job_note") == "no. 1, 100 % done"; }))
             << text("machine_job_note");
+        ASSERT_TRUE(comes_to(S::ready)) << "the heads are on their way out";
     }
 };
 

@@ -83,6 +83,52 @@ TEST_F(OtherProfile, IsFoundInTheFileThatTheCoreWasStartedWith) {
     EXPECT_FALSE(part<QWidget>("core_profile").isVisible()) << "nobody has given another one";
 }
 
+TEST_F(OtherProfile, IsToldThoughNobodyFindsItsFile) {
+    Profile own;
+    own.r1.pulses_per_mm *= 2.0;
+    Profile given;
+    given.name = "mill_with_a_name_that_takes_more_than_a_third_of_the_row_below_the_pages";
+    given.r2.pulses_per_mm *= 2.0;
+    start_core_with(own);
+    forget_its_file();
+    open_window();
+    window_->bench().machine.set_profile(given);
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("core_profile").isVisible(); }));
+    const QString title = part<QLabel>("core_profile_title").text().remove(QChar{0x200B});
+    EXPECT_TRUE(title.startsWith("The core runs with another profile than mill_with")) << title.toStdString();
+    EXPECT_TRUE(title.endsWith("; its file was not found.")) << title.toStdString();
+    EXPECT_FALSE(button("core_profile_take").isVisible());
+    EXPECT_FALSE(part<QWidget>("core_profile_details").isVisible());
+    EXPECT_EQ(label(), "profile unknown") << "the bar says the rest";
+    core_->send_signal(SIGKILL);
+    core_->wait_for_exit();
+    ASSERT_TRUE(comes_true([&] { return !part<QWidget>("core_profile").isVisible(); }));
+    EXPECT_NE(label(), "profile unknown") << "nothing else says it now";
+    EXPECT_TRUE(part<QLabel>("profile_label").toolTip().endsWith("_below_the_pages of --profile"));
+}
+
+TEST_F(OtherProfile, IsNotTakenOverByARemedyThatHasNothingToTake) {
+    Profile own;
+    own.name = "lathe";
+    own.r1.pulses_per_mm *= 2.0;
+    open_window();
+    window_->open(QString::fromStdString(example("small.stl")));
+    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(click("slice"));
+    ASSERT_TRUE(comes_to(session::DeskState::job));
+    start_core_with(own);
+    ASSERT_TRUE(comes_to_be_called("profile lathe")) << label();
+    ASSERT_TRUE(click("publish"));
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("desk_refusal").isVisible(); }));
+    ASSERT_TRUE(click("remedy_profile"));
+    ASSERT_TRUE(comes_true([&] {
+        const auto job = window_->bench().desk.job();
+        return job && job->profile.r1 == own.r1;
+    }));
+    EXPECT_FALSE(window_->bench().machine.options().profile) << "nobody has given one";
+    EXPECT_FALSE(all_messages().contains("Taken over from the core"));
+}
+
 TEST_F(OtherProfile, IsTakenOverAndTheJobSlicedAgainByIt) {
     Profile given;
     given.name = "mill";

@@ -22,7 +22,7 @@ std::vector<std::uint64_t> random_hashes(std::size_t count, std::uint64_t mask) 
 
 // Hashes as they come, many of them equal, all alike in the bits that are looked at first, few.
 TEST(HashSort, SortsAsAnyOtherSort) {
-    for (const std::size_t count : {0, 1, 100, 4096, 50'000}) {
+    for (const std::size_t count : {0U, 1U, 100U, 4096U, 50'000U}) {
         for (const std::uint64_t mask : {~0ULL, 0xFFF0'0000'0000'0001ULL, 0x3FFULL << 40U, 0xFULL}) {
             std::vector<std::uint64_t> sut = random_hashes(count, mask);
             std::vector<std::uint64_t> expected = sut;
@@ -45,7 +45,7 @@ TEST(HashSort, OfEqualHashesTheRestDecides) {
 }
 
 TEST(HashSieve, LetsThroughWhatItHoldsAndLittleElse) {
-    for (const std::size_t count : {1, 70, 10'000}) {
+    for (const std::size_t count : {1U, 70U, 10'000U}) {
         const std::vector<std::uint64_t> held = random_hashes(count, ~0ULL);
         const HashSieve sut(held);
         for (const std::uint64_t hash : held) ASSERT_TRUE(sut.may_hold(hash));

@@ -109,21 +109,15 @@ TEST_F(JobPair, SaysAllThatThereIsRoomForAndIsBriefWhereThereIsNone) {
     start_core();
     open_window();
     ASSERT_NO_FATAL_FAILURE(publish_job(two_process::lobed_job(7, 30)));
-    const auto settle = [&](int height) {
-        window_->resize(1280, height);
-        for (int look = 0; look < 3; ++look) {
-            window_->refresh();
-            QApplication::processEvents();
-        }
-    };
-    settle(720);
-    EXPECT_TRUE(is_shown("reference"));
-    EXPECT_FALSE(is_shown("job_brief"));
-    settle(690);
-    EXPECT_FALSE(is_shown("reference"));
+    ASSERT_TRUE(comes_true([&] { return text("desk_job_note") == "the same job"; }));
+    const auto shows_all = [&] { return is_shown("reference") && !is_shown("job_brief"); };
+    window_->resize(1280, 720);
+    EXPECT_TRUE(comes_true(shows_all));
+    window_->resize(1280, 690);
+    EXPECT_TRUE(comes_true([&] { return is_shown("job_brief") && !is_shown("reference"); }));
     EXPECT_TRUE(text("job_brief").starts_with("7 × 30, ")) << text("job_brief");
-    settle(860);
-    EXPECT_TRUE(is_shown("reference"));
+    window_->resize(1280, 860);
+    EXPECT_TRUE(comes_true(shows_all));
     EXPECT_EQ(button("start").property("low"), "no") << "as high as it should be";
 }
 

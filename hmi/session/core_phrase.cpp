@@ -31,6 +31,8 @@ std::vector<Sentence> refusals() {
         {"no job is published; publish one first", phrase("no job is published; publish one first")},
         {"the machine is not homed; home first", phrase("the machine is not homed; home first")},
         {"still tripped: %1; release it or back off", phrase("still tripped: %1; release it or back off")},
+        {"a switch was tripped until just now; try again",
+         phrase("a switch was tripped until just now; try again")},
         {"the axis' sensor is not tripped; nothing to back off from",
          phrase("the switch of the axis is open; there is nothing to back off from")},
         {"the axis has no sensor", phrase("the axis has no sensor")},

@@ -4823,6 +4823,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>строка</translation>
         </message>
         <message>
+            <source>a switch was tripped until just now; try again</source>
+            <translation>концевик был замкнут до последнего мгновения; повторите</translation>
+        </message>
+        <message>
             <source>a table</source>
             <translation>таблица</translation>
         </message>

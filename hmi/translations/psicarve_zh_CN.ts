@@ -4816,6 +4816,10 @@ N、Shift+N  下一条、上一条记录
             <translation>字符串</translation>
         </message>
         <message>
+            <source>a switch was tripped until just now; try again</source>
+            <translation>开关刚才仍处于触发状态；请再试一次</translation>
+        </message>
+        <message>
             <source>a table</source>
             <translation>表</translation>
         </message>

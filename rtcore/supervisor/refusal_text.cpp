@@ -80,6 +80,9 @@ std::string refusal_text(const cycle::Report& answer, CommandKind command, const
         case R::not_homed:
             return "the machine is not homed; home first";
         case R::still_tripped:
+            // By now it may be free.
+            if (tripped_inputs(sample.signals).empty())
+                return "a switch was tripped until just now; try again";
             return "still tripped: " + tripped_inputs(sample.signals) + "; release it or back off";
         case R::sensor_not_tripped:
             return "the axis' sensor is not tripped; nothing to back off from";

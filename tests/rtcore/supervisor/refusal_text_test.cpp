@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/refusal_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace psicarve::supervisor {
+namespace {
+
+// The answer is put into words a moment after the tick has refused: the switch may be open by then.
+TEST(RefusalText, NamesTheSwitchesThatAreStillTrippedOrSaysThatNoneIs) {
+    cycle::Report answer{};
+    answer.refusal = cycle::Refusal::still_tripped;
+    cycle::Sample sample{};
+    const auto said = [&] { return refusal_text(answer, CommandKind::reset_alarm, sample, Profile{}, 0); };
+    EXPECT_EQ(said(), "a switch was tripped until just now; try again");
+    sample.signals = bit_of(Signal::r2_limit);
+    EXPECT_EQ(said(), "still tripped: r2_limit; release it or back off");
+}
+
+}  // namespace
+}  // namespace psicarve::supervisor

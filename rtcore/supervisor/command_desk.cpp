@@ -42,6 +42,7 @@ void CommandDesk::take_commands(Segment& segment, cycle::RequestRing& requests, 
             if (requests.size() + kPlacesLeft >= cycle::RequestRing::capacity()) return;
             const auto received = take_command(segment, look);
             if (!received) return;
+            ++commands_taken_;
             take_one(segment, *received, requests, sample, job);
         }
         has_more_ = true;

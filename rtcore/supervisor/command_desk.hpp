@@ -48,6 +48,8 @@ public:
     bool awaits_answer() const noexcept { return !waiting_.empty(); }
     /// Some were left for the next round.
     bool has_more() const noexcept { return has_more_; }
+    /// So far.
+    std::uint64_t commands_taken() const noexcept { return commands_taken_; }
     bool shutdown_requested() const noexcept { return shutdown_requested_; }
 
 private:
@@ -73,6 +75,7 @@ private:
     std::uint64_t seen_generation_ = 0;
     bool shutdown_requested_ = false;
     bool has_more_ = false;
+    std::uint64_t commands_taken_ = 0;
 };
 
 }  // namespace psicarve::supervisor

@@ -110,6 +110,7 @@ int run_on_real_clock(CoreParts& parts, Supervisor& supervisor, const Directors&
     }
     std::atomic<bool> planner_must_end{false};
     std::thread planner{[&] { run_planner(*parts.planner, planner_must_end); }};
+    supervisor.listen_for_stops();
     const int exit_code = serve(parts, supervisor, directors, end, treatment, threads);
     threads.must_end.store(true);
     base.join();

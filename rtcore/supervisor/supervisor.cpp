@@ -52,13 +52,12 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
     : parts_(&parts),
       segment_options_(segment_options),
       segment_(std::make_shared<Segment>(std::move(segment))),
+      ear_(std::make_unique<UrgentEar>(segment_, parts.io->urgent, UrgentEar::as_they_stand(*segment_))),
       desk_(parts.profile, facts.is_virtual_clock),
       mirror_(facts),
       is_virtual_clock_(facts.is_virtual_clock),
       promptness_(!facts.is_virtual_clock),
       sample_(read_sample()),
-      stop_seen_(segment_->header().stop_requests.load()),
-      estop_seen_(segment_->header().estop_requests.load()),
       judged_generation_(0),
       loader_(parts.profile, !facts.is_virtual_clock),
       layer_times_(parts.layer_times_path, parts.files),
@@ -82,7 +81,7 @@ bool Supervisor::poll(Hearing hearing) {
     const bool takes_requests = hearing == Hearing::everything;
     sample_ = read_sample();
     // What was asked for first; everything else may take its time.
-    bool handed_on = mirror_urgent_words();
+    bool handed_on = ear_->look();
     if (takes_requests) handed_on = take_requests() || handed_on;
     promptness_.lower();
     check_segment();
@@ -106,7 +105,9 @@ bool Supervisor::take_requests() {
     take_job();
     const LoadedJob* const job = loading_job_ != nullptr ? loading_job_.get() : job_.get();
     desk_.note_seen(seen_generation_);
+    const std::uint64_t taken_before = desk_.commands_taken();
     desk_.take_commands(*segment_, parts_->io->requests, sample_, job);
+    if (desk_.commands_taken() - taken_before > 1) ear_->note_crowd();
     return parts_->io->requests.size() > requests_before;
 }
 
@@ -122,23 +123,6 @@ bool Supervisor::request(cycle::RequestKind kind, std::uint64_t value, std::uint
     request.axis = axis;
     request.value = value;
     return parts_->io->requests.push(request);
-}
-
-bool Supervisor::mirror_urgent_words() {
-    bool changed = false;
-    const std::uint32_t estops = segment_->header().estop_requests.load(std::memory_order_acquire);
-    if (estops != estop_seen_) {
-        estop_seen_ = estops;
-        request_emergency_stop();
-        changed = true;
-    }
-    const std::uint32_t stops = segment_->header().stop_requests.load(std::memory_order_acquire);
-    if (stops != stop_seen_) {
-        stop_seen_ = stops;
-        request_stop();
-        changed = true;
-    }
-    return changed;
 }
 
 // On the virtual clock ticks say nothing about how long somebody has been silent: there the lease runs here.
@@ -356,8 +340,9 @@ void Supervisor::take_new_segment() {
     segment_ = std::make_shared<Segment>(std::move(*fresh));
     introduce();
     // It is new: whatever has been asked for in it was asked of us.
-    stop_seen_ = 0;
-    estop_seen_ = 0;
+    const bool was_listening = ear_->is_listening();
+    ear_ = std::make_unique<UrgentEar>(segment_, parts_->io->urgent, UrgentEar::Seen{});
+    if (was_listening) ear_->listen();
     judged_generation_ = 0;
     seen_generation_ = 0;
     is_look_stale_ = true;

@@ -16,6 +16,7 @@
 #include "rtcore/supervisor/loaded_job.hpp"
 #include "rtcore/supervisor/pin_recording.hpp"
 #include "rtcore/supervisor/status_mirror.hpp"
+#include "rtcore/supervisor/urgent_ear.hpp"
 #include "shared/segment.hpp"
 
 namespace psicarve::supervisor {
@@ -45,6 +46,10 @@ public:
     bool awaits_answer() const noexcept {
         return desk_.awaits_answer() || loading_job_ != nullptr || loader_.is_busy();
     }
+
+    /// On the real clock, once the tick runs: stops are heard between any two rounds, too, by a thread of
+    /// their own.
+    void listen_for_stops() { ear_->listen(); }
 
     /// Before anybody may publish, on the virtual clock: the job that an earlier core has left is loaded
     /// while the machine settles, and no tick passes for it later.
@@ -83,7 +88,6 @@ public:
 
 private:
     cycle::Sample read_sample() const;
-    bool mirror_urgent_words();
     bool take_requests();
     void mirror_jog_lease();
     void take_job();
@@ -108,6 +112,7 @@ private:
     CoreParts* parts_;
     SegmentOptions segment_options_;
     std::shared_ptr<Segment> segment_;  ///< with whoever looks at a job in it
+    std::unique_ptr<UrgentEar> ear_;    ///< at segment_
     CommandDesk desk_;
     StatusMirror mirror_;
     PinRecording recording_;
@@ -116,8 +121,6 @@ private:
     bool is_virtual_clock_;
     rtcore::Promptness promptness_;
     cycle::Sample sample_;
-    std::uint32_t stop_seen_;
-    std::uint32_t estop_seen_;
     std::uint32_t wake_seen_ = 0;
     std::chrono::steady_clock::time_point jog_renewed_{};
     std::uint64_t judged_generation_;               ///< the newest that was published and judged

@@ -15,40 +15,28 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "shared/atomic_file.hpp"
 #include "shared/event.hpp"
-#include "shared/pin_map.hpp"
 #include "shared/realtime_step.hpp"
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
-#include "tests/fake_port/fake_port_file.hpp"
-#include "tests/two_process/core_process.hpp"
+#include "tests/bench/machine/core_on_fake_port.hpp"
 
 namespace {
 
 using namespace psicarve;
+using bench::kPatience;
+using bench::now_ns;
+using bench::percentile;
 using std::chrono::milliseconds;
 
 constexpr int kRuns = 9;
 constexpr int kRounds = 1000;
 constexpr double kMostRatio = 1.0;
 constexpr std::array kShares{0.5, 0.9, 0.99};
-constexpr milliseconds kPatience{5000};
-
-std::int64_t now_ns() {
-    timespec now{};
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
 
 void pause_between(int round) {
     // Never in step with ticks or with the supervisor's own looks: nor by waking with the tick's own timer,
@@ -102,11 +90,6 @@ private:
     pid_t pid_;
 };
 
-double percentile(std::vector<double> values, double share) {
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
 /// What the kernel says of a process's threads: real-time priority (0: none), and how many have it.
 std::map<int, int, std::greater<>> threads_by_priority(pid_t pid) {
     std::map<int, int, std::greater<>> threads;
@@ -125,37 +108,16 @@ std::map<int, int, std::greater<>> threads_by_priority(pid_t pid) {
 /// The core on the fake port, homed.
 class Bench {
 public:
-    Bench(std::string folder, double period_us) : folder_(std::move(folder)), profile_(machine(period_us)) {
-        const std::string text = profile_to_toml(profile_);
-        const std::string path = folder_ + "/machine.toml";
-        (void)write_file_atomically(path, std::as_bytes(std::span{text}));
-        port_ = std::make_unique<fake_port::FakePortFile>(folder_, profile_);
-        const fake_port::FakePortFile::Preload preload{*port_};
-        core_ = std::make_unique<two_process::CoreProcess>(
-            std::vector<std::string>{"--segment", name_, "--profile", path, "--port",
-                                     "ppdev:" + port_->device(), "--capacity", "10x10",
-                                     "--allow-no-realtime"},
-            folder_ + "/core.err");
-    }
-    ~Bench() {
-        core_->send_signal(SIGTERM);
-        core_->wait_for_exit();
-        (void)Segment::remove(name_);
-    }
+    Bench(const std::string& folder, double period_us) : core_(folder, period_us) {}
 
     bool begin() {
-        for (int i = 0; i < 500 && !segment_; ++i) {
-            auto attached = Segment::attach(name_);
-            if (attached && attached->core_pid()) segment_ = std::make_unique<Segment>(std::move(*attached));
-            std::this_thread::sleep_for(milliseconds{10});
-        }
-        if (!segment_ || !send(CommandKind::home, 0.0)) return false;
+        if (!core_.attach() || !core_.send(CommandKind::home)) return false;
         for (int i = 0; i < 6000; ++i) {
-            const auto status = read_record(segment_->header().status);
-            if (status && status->state == MachineState::ready) return true;
-            if (status && status->state == MachineState::alarm) {
+            const MachineState state = core_.status().state;
+            if (state == MachineState::ready) return true;
+            if (state == MachineState::alarm) {
                 std::fprintf(stderr, "command_to_pins: alarm: %s\n",
-                             std::string{name_of(status->alarm_cause)}.c_str());
+                             std::string{name_of(core_.status().alarm_cause)}.c_str());
                 return false;
             }
             std::this_thread::sleep_for(milliseconds{10});
@@ -164,59 +126,23 @@ public:
     }
     /// The spindle on, or off: what the pins show of it, after the call.
     double effect_us(bool on) {
-        const std::uint64_t written = port_->state().write_count.load();
+        const std::uint64_t written = core_.write_count();
         const std::int64_t begin_ns = now_ns();
-        if (!send(CommandKind::spindle, on ? 1.0 : 0.0)) return -1.0;
+        if (!core_.send(CommandKind::spindle, on ? 1.0 : 0.0)) return -1.0;
         answered_us_ = static_cast<double>(now_ns() - begin_ns) * 1e-3;
-        const auto& state = port_->state();
-        for (int i = 0; i < 5000; ++i) {
-            const std::uint64_t count = state.write_count.load();
-            for (std::uint64_t n = written; n < count; ++n) {
-                const fake_port::Write& write = state.writes[n % fake_port::kMostWrites];
-                if (write.reg != spindle_.reg || (write.value >> spindle_.bit & 1U) != (on ? 1U : 0U))
-                    continue;
-                return (static_cast<double>(write.time_ns) - static_cast<double>(begin_ns)) * 1e-3;
-            }
-            std::this_thread::sleep_for(std::chrono::microseconds{200});
-        }
-        return -1.0;
+        const std::int64_t seen_ns = core_.seen_on_wire_ns(spindle_, on, written);
+        return seen_ns < 0 ? -1.0 : static_cast<double>(seen_ns - begin_ns) * 1e-3;
     }
     /// The tick's thread has the highest priority of the core's.
     std::map<int, int, std::greater<>> core_threads() const {
-        return threads_by_priority(static_cast<pid_t>(segment_->core_pid().value_or(0)));
+        return threads_by_priority(static_cast<pid_t>(core_.segment().core_pid().value_or(0)));
     }
-    CoreStatus status() const { return read_record(segment_->header().status).value_or(CoreStatus{}); }
+    CoreStatus status() const { return core_.status(); }
     /// How long the last one's answer took.
     double answered_us() const { return answered_us_; }
 
 private:
-    static Profile machine(double period_us) {
-        Profile profile;
-        profile.tick.period_us = period_us;
-        profile.tick.missed_alarm_per_s = 0;
-        for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) {
-            axis->speed_mm_s = 4.0;
-            axis->home_speed_mm_s = 4.0;
-            axis->start_stop_mm_s = 0.02;
-        }
-        profile.psi.speed_deg_s = 90.0;
-        // A gap of ticks while it homes, as a shared computer has them, does not end the run.
-        profile.psi.start_stop_deg_s = 0.5;
-        return profile;
-    }
-    bool send(CommandKind kind, double value) {
-        Command command{};
-        command.kind = kind;
-        command.value = value;
-        return send_command(*segment_, command, kPatience).has_value();
-    }
-
-    std::string folder_;
-    std::string name_ = "/psicarve-bench-" + std::to_string(getpid());
-    Profile profile_;
-    std::unique_ptr<fake_port::FakePortFile> port_;
-    std::unique_ptr<two_process::CoreProcess> core_;
-    std::unique_ptr<Segment> segment_;
+    bench::CoreOnFakePort core_;
     double answered_us_ = 0.0;
     static constexpr fake_port::Wire spindle_{fake_port::Register::control, 2, 0};  // pin 16
 };

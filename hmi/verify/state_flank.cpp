@@ -24,17 +24,6 @@ StateFlank& StateFlank::operator=(const StateFlank& other) noexcept {
     return *this;
 }
 
-void StateFlank::push(double speed, double reach) noexcept {
-    speed_[size_] = speed;
-    reach_[size_] = reach;
-    ++size_;
-}
-
-double StateFlank::reach_below(std::size_t i, double speed) const noexcept {
-    const double share = (speed - speed_[i - 1]) / (speed_[i] - speed_[i - 1]);
-    return reach_[i - 1] + share * (reach_[i] - reach_[i - 1]);
-}
-
 // What a motor can add within a time T is a lens between two parabolas, from (-aT^2/2, -aT) to (aT^2/2, aT).
 // Its flank is taken as two straight pieces that meet on the parabola half-way, at (aT^2/4, 0): steepness
 // 3T/4 and T/4 on the right, -T/4 and -3T/4 on the left. The sum of two convex sets has the edges of both, by
@@ -71,11 +60,6 @@ void StateFlank::widen(double time_s, double speed_change, double reach_change, 
 
 double StateFlank::furthest() const noexcept {
     return *std::max_element(reach_.begin(), reach_.begin() + static_cast<std::ptrdiff_t>(size_));
-}
-
-double StateFlank::crossing(std::size_t i, double level) const noexcept {
-    const double share = (level - reach_[i - 1]) / (reach_[i] - reach_[i - 1]);
-    return speed_[i - 1] + share * (speed_[i] - speed_[i - 1]);
 }
 
 Range StateFlank::speeds_reaching(double level) const noexcept {

@@ -54,6 +54,7 @@ public:
     void jump(double jump) noexcept { widen(0.0, jump, 0.0, 0.0); }
 
     double furthest() const noexcept;
+    /// Whether `furthest` is above `level`.
     bool reaches_beyond(double level) const noexcept {
         for (std::size_t i = 0; i < size_; ++i) {
             if (reach_[i] > level) return true;
@@ -72,9 +73,9 @@ public:
     /// Takes the reach at its slowest speed further out. False, and nothing is done, when the convex hull
     /// would then reach further than the flank by more than `tolerance` at a speed above `exact_from`.
     bool extend_slowest(double reach, double exact_from, double tolerance) noexcept;
-    /// Becomes the flank of the convex hull of two other sets. Flanks of more corners are thinned first.
+    /// Becomes the flank of the convex hull of two others.
     void join(const StateFlank& a, const StateFlank& b) noexcept;
-    static constexpr std::size_t kMostExactlyJoined = kMostCorners / 2;
+    static constexpr std::size_t kMostExactlyJoined = kMostCorners / 2;  ///< those of more are thinned first
     /// Drops corners that stand out by less than `tolerance`.
     void thin(double tolerance) noexcept;
 
@@ -84,12 +85,22 @@ private:
     void keep_faster(double speed) noexcept;
     void make_room(std::size_t corners) noexcept;
     void replace(std::size_t from, std::size_t end, std::size_t wanted) noexcept;
-    void push(double speed, double reach) noexcept;
+    void push(double speed, double reach) noexcept {
+        speed_[size_] = speed;
+        reach_[size_] = reach;
+        ++size_;
+    }
     void push_outermost(double speed, double reach) noexcept;
     /// Between corners i - 1 and i.
-    double reach_below(std::size_t i, double speed) const noexcept;
+    double reach_below(std::size_t i, double speed) const noexcept {
+        const double share = (speed - speed_[i - 1]) / (speed_[i] - speed_[i - 1]);
+        return reach_[i - 1] + share * (reach_[i] - reach_[i - 1]);
+    }
     /// Where the chain between corners i - 1 and i crosses a level.
-    double crossing(std::size_t i, double level) const noexcept;
+    double crossing(std::size_t i, double level) const noexcept {
+        const double share = (level - reach_[i - 1]) / (reach_[i] - reach_[i - 1]);
+        return speed_[i - 1] + share * (speed_[i] - speed_[i - 1]);
+    }
 
     Side side_ = Side::right;
     std::size_t size_ = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace psicarve::verify {
 
@@ -89,10 +90,26 @@ void MotorReach::step(double time_s, Range room) {
     slow_ = now;
     const bool is_full = before.low <= room.low && before.high >= room.high;
     full_s_ = is_full ? full_s_ + time_s : 0.0;
-    const double top_pps = std::min(
-        limits_.speed_pps,
-        std::sqrt(limits_.jump_pps * limits_.jump_pps + 2.0 * limits_.accel_pps2 * (room.high - room.low)));
-    if (is_full && full_s_ * limits_.accel_pps2 >= top_pps - limits_.jump_pps) settle(room);
+    if (is_full && full_s_ * limits_.accel_pps2 >= most_in_room_pps(room) - limits_.jump_pps) settle(room);
+}
+
+/// What is reached inside a room from start-stop speed.
+double MotorReach::most_in_room_pps(Range room) const noexcept {
+    return std::min(limits_.speed_pps, std::sqrt(limits_.jump_pps * limits_.jump_pps +
+                                                 2.0 * limits_.accel_pps2 * (room.high - room.low)));
+}
+
+// Slow states first fill the room, in steps: the one that fills it does not count yet, and the last may be
+// longer than is asked for. Where a step could lead below the room, its rows are not the room itself.
+double MotorReach::surely_settled_after_s(Range slow, Range room) const noexcept {
+    constexpr double kMargin_pulses = 0.25;  // many times what sets leave out
+    constexpr double kMarginSteps = 3.0;
+    const bool stays_inside = limits_.jump_pps >= 0.5 * limits_.accel_pps2 * step_s_;
+    if (!stays_inside || slow.high - slow.low < 2.0 * kMargin_pulses)
+        return std::numeric_limits<double>::infinity();
+    const double way = std::max(slow.low - room.low, room.high - slow.high) + kMargin_pulses;
+    return way / limits_.jump_pps + (most_in_room_pps(room) - limits_.jump_pps) / limits_.accel_pps2 +
+           kMarginSteps * step_s_;
 }
 
 /// Whether the newest set has all these positions at the slowest speed.

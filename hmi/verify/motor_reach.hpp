@@ -47,6 +47,9 @@ public:
     void cut(Range room);
     /// Every speed may change by up to `jump` at once (a joint).
     void jump();
+    /// After so long in a room, begun with slow states about `slow` and any others, all that was before makes
+    /// no difference any more, not even by rounding. Infinite where that is not known.
+    double surely_settled_after_s(Range slow, Range room) const noexcept;
 
     bool is_empty() const noexcept { return slow_.is_empty() && up_.count == 0 && down_.count == 0; }
     /// Positions where it may be no faster than `jump`.
@@ -78,6 +81,7 @@ private:
     void add(Branch& branch, const StateSet& set);
     void cut_branch(Branch& branch, Range room);
     void drop_empty(Branch& branch) noexcept;
+    double most_in_room_pps(Range room) const noexcept;
     void settle(Range room);
 
     MotorLimits limits_;

@@ -210,9 +210,28 @@ void TrainFollower::forget_earlier() {
     if (has_turned_ && late_count_ >= kMostLate / 2) choose_anywhere();
 }
 
+/// The last of the late events behind which nothing happened for so long that everything became possible that
+/// ever is: what lies before it has no bearing, to the last bit. The number of late events where there is
+/// none.
+std::size_t TrainFollower::last_settled() const {
+    for (std::size_t i = late_count_; i-- > 1;) {
+        const Late& before = late_[i - 1];
+        const double quiet_s = seconds_from_ns(late_[i].event.time_ns - before.event.time_ns);
+        if (quiet_s >= reach_.surely_settled_after_s(before.slow, room_at(before.count))) return i - 1;
+    }
+    return late_count_;
+}
+
 void TrainFollower::catch_up() {
+    std::size_t first = 0;
+    if (const std::size_t settled = last_settled(); settled < late_count_) {
+        reached_ns_ = late_[settled].event.time_ns;
+        count_ = late_[settled].count;
+        reach_.start_anywhere(room_at(count_));
+        first = settled + 1;
+    }
     has_witness_ = false;
-    for (std::size_t i = 0; i < late_count_; ++i) step(late_[i].event);
+    for (std::size_t i = first; i < late_count_; ++i) step(late_[i].event);
     late_count_ = 0;
     earlier_count_ = 0;
     open_window();

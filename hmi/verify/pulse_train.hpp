@@ -55,6 +55,7 @@ private:
     void choose_earlier();
     void choose_anywhere();
     void forget_earlier();
+    std::size_t last_settled() const;
     void catch_up();
 
     MotorReach reach_;  ///< as of `reached_ns_`; what is late is not in it

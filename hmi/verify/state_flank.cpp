@@ -24,25 +24,6 @@ StateFlank& StateFlank::operator=(const StateFlank& other) noexcept {
     return *this;
 }
 
-void StateFlank::push(double speed, double reach) noexcept {
-    speed_[size_] = speed;
-    reach_[size_] = reach;
-    ++size_;
-}
-
-double StateFlank::reach_at(double speed) const noexcept {
-    if (speed <= speed_[0]) return reach_[0];
-    for (std::size_t i = 1; i < size_; ++i) {
-        if (speed <= speed_[i]) return reach_below(i, speed);
-    }
-    return reach_[size_ - 1];
-}
-
-double StateFlank::reach_below(std::size_t i, double speed) const noexcept {
-    const double share = (speed - speed_[i - 1]) / (speed_[i] - speed_[i - 1]);
-    return reach_[i - 1] + share * (reach_[i] - reach_[i - 1]);
-}
-
 // What a motor can add within a time T is a lens between two parabolas, from (-aT^2/2, -aT) to (aT^2/2, aT).
 // Its flank is taken as two straight pieces that meet on the parabola half-way, at (aT^2/4, 0): steepness
 // 3T/4 and T/4 on the right, -T/4 and -3T/4 on the left. The sum of two convex sets has the edges of both, by
@@ -81,11 +62,6 @@ double StateFlank::furthest() const noexcept {
     return *std::max_element(reach_.begin(), reach_.begin() + static_cast<std::ptrdiff_t>(size_));
 }
 
-double StateFlank::crossing(std::size_t i, double level) const noexcept {
-    const double share = (level - reach_[i - 1]) / (reach_[i] - reach_[i - 1]);
-    return speed_[i - 1] + share * (speed_[i] - speed_[i - 1]);
-}
-
 Range StateFlank::speeds_reaching(double level) const noexcept {
     std::size_t first = 0;
     while (first < size_ && reach_[first] < level) ++first;
@@ -96,20 +72,20 @@ Range StateFlank::speeds_reaching(double level) const noexcept {
             last + 1 == size_ ? speed_[last] : crossing(last + 1, level)};
 }
 
-void StateFlank::keep_speeds(Range speeds) noexcept {
-    if (speeds.high < fastest()) {
-        while (size_ > 1 && speed_[size_ - 2] >= speeds.high) --size_;
-        if (size_ > 1) reach_[size_ - 1] = reach_below(size_ - 1, speeds.high);
-        speed_[size_ - 1] = speeds.high;
-    }
-    if (speeds.low > slowest()) {
-        const double reach = reach_at(speeds.low);
-        std::size_t first = 0;
-        while (first + 1 < size_ && speed_[first + 1] <= speeds.low) ++first;
-        replace(0, first + 1, 1);
-        speed_[0] = speeds.low;
-        reach_[0] = reach;
-    }
+void StateFlank::keep_slower(double speed) noexcept {
+    while (size_ > 1 && speed_[size_ - 2] >= speed) --size_;
+    if (size_ > 1) reach_[size_ - 1] = reach_below(size_ - 1, speed);
+    speed_[size_ - 1] = speed;
+}
+
+void StateFlank::keep_faster(double speed) noexcept {
+    std::size_t next = 1;
+    while (next < size_ && speed_[next] < speed) ++next;
+    const double reach = next < size_ ? reach_below(next, speed) : reach_[size_ - 1];
+    while (next < size_ && speed_[next] <= speed) ++next;
+    if (next > 1) replace(0, next, 1);
+    speed_[0] = speed;
+    reach_[0] = reach;
 }
 
 void StateFlank::make_room(std::size_t corners) noexcept {
@@ -155,35 +131,42 @@ bool StateFlank::extend_slowest(double reach, double exact_from, double toleranc
     return true;
 }
 
-void StateFlank::join(const StateFlank& other) noexcept {
-    StateFlank mine = *this;
-    StateFlank theirs = other;
-    mine.make_room(kMostCorners / 2);
-    theirs.make_room(kMostCorners / 2);
+/// A further corner of the hull: those before it that it puts inside are dropped.
+void StateFlank::push_outermost(double speed, double reach) noexcept {
+    if (size_ > 0 && speed_[size_ - 1] == speed) {
+        if (reach_[size_ - 1] >= reach) return;
+        --size_;
+    }
+    while (size_ >= 2) {
+        const double rise = reach_[size_ - 1] - reach_[size_ - 2];
+        const double way = speed_[size_ - 1] - speed_[size_ - 2];
+        if (rise * (speed - speed_[size_ - 2]) > (reach - reach_[size_ - 2]) * way) break;
+        --size_;
+    }
+    push(speed, reach);
+}
+
+void StateFlank::join(const StateFlank& a, const StateFlank& b) noexcept {
+    if (std::max(a.size_, b.size_) > kMostExactlyJoined) {
+        StateFlank thin_a = a;
+        StateFlank thin_b = b;
+        thin_a.make_room(kMostCorners - kMostExactlyJoined);
+        thin_b.make_room(kMostCorners - kMostExactlyJoined);
+        join(thin_a, thin_b);
+        return;
+    }
+    side_ = a.side_;
     size_ = 0;
-    const auto add = [this](double speed, double reach) {
-        if (size_ > 0 && speed_[size_ - 1] == speed) {
-            if (reach_[size_ - 1] >= reach) return;
-            --size_;
-        }
-        while (size_ >= 2) {
-            const double rise = reach_[size_ - 1] - reach_[size_ - 2];
-            const double way = speed_[size_ - 1] - speed_[size_ - 2];
-            if (rise * (speed - speed_[size_ - 2]) > (reach - reach_[size_ - 2]) * way) break;
-            --size_;
-        }
-        push(speed, reach);
-    };
-    std::size_t m = 0;
-    std::size_t t = 0;
-    while (m < mine.size_ || t < theirs.size_) {
-        const bool takes_mine = t == theirs.size_ || (m < mine.size_ && mine.speed_[m] <= theirs.speed_[t]);
-        if (takes_mine) {
-            add(mine.speed_[m], mine.reach_[m]);
-            ++m;
+    std::size_t i = 0;
+    std::size_t j = 0;
+    while (i < a.size_ || j < b.size_) {
+        const bool is_of_a = j == b.size_ || (i < a.size_ && a.speed_[i] <= b.speed_[j]);
+        if (is_of_a) {
+            push_outermost(a.speed_[i], a.reach_[i]);
+            ++i;
         } else {
-            add(theirs.speed_[t], theirs.reach_[t]);
-            ++t;
+            push_outermost(b.speed_[j], b.reach_[j]);
+            ++j;
         }
     }
 }

@@ -46,8 +46,6 @@ public:
     double reach(std::size_t i) const noexcept { return reach_[i]; }
     double slowest() const noexcept { return speed_[0]; }
     double fastest() const noexcept { return speed_[size_ - 1]; }
-    /// Anywhere; beyond its ends the flank goes on level.
-    double reach_at(double speed) const noexcept;
 
     /// Time passes under any acceleration up to `accel`. No speed on the way is above `ceiling`, if none is
     /// now.
@@ -56,28 +54,53 @@ public:
     void jump(double jump) noexcept { widen(0.0, jump, 0.0, 0.0); }
 
     double furthest() const noexcept;
+    /// Whether `furthest` is above `level`.
+    bool reaches_beyond(double level) const noexcept {
+        for (std::size_t i = 0; i < size_; ++i) {
+            if (reach_[i] > level) return true;
+        }
+        return false;
+    }
     /// Speeds at which it reaches `level`; empty when none does.
     Range speeds_reaching(double level) const noexcept;
-    void keep_speeds(Range speeds) noexcept;
+    /// Nothing but these speeds, some of which it has.
+    void keep_speeds(Range speeds) noexcept {
+        if (speeds.high < fastest()) keep_slower(speeds.high);
+        if (speeds.low > slowest()) keep_faster(speeds.low);
+    }
     /// Nothing reaches further than `level`.
     void cap(double level) noexcept;
     /// Takes the reach at its slowest speed further out. False, and nothing is done, when the convex hull
     /// would then reach further than the flank by more than `tolerance` at a speed above `exact_from`.
     bool extend_slowest(double reach, double exact_from, double tolerance) noexcept;
-    /// The flank of the convex hull of both sets.
-    void join(const StateFlank& other) noexcept;
+    /// Becomes the flank of the convex hull of two others.
+    void join(const StateFlank& a, const StateFlank& b) noexcept;
+    static constexpr std::size_t kMostExactlyJoined = kMostCorners / 2;  ///< those of more are thinned first
     /// Drops corners that stand out by less than `tolerance`.
     void thin(double tolerance) noexcept;
 
 private:
     void widen(double time_s, double speed_change, double reach_change, double bulge) noexcept;
+    void keep_slower(double speed) noexcept;
+    void keep_faster(double speed) noexcept;
     void make_room(std::size_t corners) noexcept;
     void replace(std::size_t from, std::size_t end, std::size_t wanted) noexcept;
-    void push(double speed, double reach) noexcept;
+    void push(double speed, double reach) noexcept {
+        speed_[size_] = speed;
+        reach_[size_] = reach;
+        ++size_;
+    }
+    void push_outermost(double speed, double reach) noexcept;
     /// Between corners i - 1 and i.
-    double reach_below(std::size_t i, double speed) const noexcept;
+    double reach_below(std::size_t i, double speed) const noexcept {
+        const double share = (speed - speed_[i - 1]) / (speed_[i] - speed_[i - 1]);
+        return reach_[i - 1] + share * (reach_[i] - reach_[i - 1]);
+    }
     /// Where the chain between corners i - 1 and i crosses a level.
-    double crossing(std::size_t i, double level) const noexcept;
+    double crossing(std::size_t i, double level) const noexcept {
+        const double share = (level - reach_[i - 1]) / (reach_[i] - reach_[i - 1]);
+        return speed_[i - 1] + share * (speed_[i] - speed_[i - 1]);
+    }
 
     Side side_ = Side::right;
     std::size_t size_ = 0;

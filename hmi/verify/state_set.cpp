@@ -53,6 +53,31 @@ bool is_tight(const StateFlank& hull, const StateFlank& a, const StateFlank& b, 
     return true;
 }
 
+/// A cheap look at where hulls mostly stand out: half-way to the second slowest corner. True only if
+/// `is_tight` were to say no: the hull reaches at least as far as the straight line from its slowest corner
+/// to any other.
+bool is_loose_above_slowest(const StateFlank& a, const StateFlank& b, double tolerance) {
+    constexpr double kLookMargin_pulses = 1e-6;
+    if (a.slowest() != b.slowest() || a.size() < 2 || b.size() < 2) return false;
+    if (std::max(a.size(), b.size()) > StateFlank::kMostExactlyJoined) return false;
+    const double slowest = a.slowest();
+    const double reach = std::max(a.reach(0), b.reach(0));
+    const double way = 0.5 * (slowest + std::min(a.speed(1), b.speed(1))) - slowest;
+    const auto rise_of = [&](const StateFlank& flank) {
+        const double rise = (flank.reach(1) - flank.reach(0)) / (flank.speed(1) - slowest);
+        return flank.reach(0) + rise * way - reach;
+    };
+    const double rise =
+        std::max(rise_of(a), rise_of(b)) + tolerance + kThinPulses + kLookMargin_pulses;  // that may be
+    const auto stands_out = [&](const StateFlank& flank) {
+        for (std::size_t i = 1; i < flank.size(); ++i) {
+            if ((flank.reach(i) - reach) * way > rise * (flank.speed(i) - slowest)) return true;
+        }
+        return false;
+    };
+    return stands_out(a) || stands_out(b);
+}
+
 }  // namespace
 
 StateSet StateSet::box(Range positions, Range speeds) {
@@ -73,7 +98,8 @@ StateSet StateSet::rest(Range room, double slowest, double fastest, double accel
     for (int i = 1; i <= kRestCorners; ++i) {
         const double speed = slowest + (top - slowest) * i / kRestCorners;
         const double way = (speed * speed - slowest * slowest) / (2.0 * accel);
-        left.join(StateFlank(Side::left, {speed, speed}, -(room.low + std::min(way, width))));
+        const StateFlank slower = left;
+        left.join(slower, StateFlank(Side::left, {speed, speed}, -(room.low + std::min(way, width))));
     }
     set.left_ = left;
     set.left_.keep_speeds({slowest, top});
@@ -99,7 +125,7 @@ void StateSet::thin() noexcept {
 }
 
 void StateSet::keep(StateFlank& capped, StateFlank& opposite, double level) noexcept {
-    if (is_empty() || capped.furthest() <= level) return;
+    if (is_empty() || !capped.reaches_beyond(level)) return;
     const Range speeds = opposite.speeds_reaching(-level);
     if (speeds.is_empty()) {
         *this = {};
@@ -131,17 +157,26 @@ void StateSet::join(const StateSet& other) noexcept {
         *this = other;
         return;
     }
-    right_.join(other.right_);
-    left_.join(other.left_);
+    const StateSet mine = *this;
+    right_.join(mine.right_, other.right_);
+    left_.join(mine.left_, other.left_);
     thin();
 }
 
 bool StateSet::try_join(const StateSet& other, double tolerance) noexcept {
-    StateSet hull = *this;
-    hull.join(other);
-    if (!is_empty() && !other.is_empty() &&
-        !(is_tight(hull.right_, right_, other.right_, tolerance) &&
-          is_tight(hull.left_, left_, other.left_, tolerance)))
+    if (is_empty() || other.is_empty()) {
+        join(other);
+        return true;
+    }
+    if (is_loose_above_slowest(left_, other.left_, tolerance) ||
+        is_loose_above_slowest(right_, other.right_, tolerance))
+        return false;
+    StateSet hull;
+    hull.right_.join(right_, other.right_);
+    hull.left_.join(left_, other.left_);
+    hull.thin();
+    if (!is_tight(hull.left_, left_, other.left_, tolerance) ||
+        !is_tight(hull.right_, right_, other.right_, tolerance))
         return false;
     *this = hull;
     return true;

@@ -19,6 +19,9 @@ public:
     double slowest() const noexcept { return right_.slowest(); }
     double fastest() const noexcept { return right_.fastest(); }
     std::size_t corners() const noexcept { return right_.size() + left_.size(); }
+    const StateFlank& flank(StateFlank::Side side) const noexcept {
+        return side == StateFlank::Side::right ? right_ : left_;
+    }
     /// Positions at its slowest speed.
     Range slowest_row() const noexcept { return {-left_.reach(0), right_.reach(0)}; }
     /// All positions that it holds.

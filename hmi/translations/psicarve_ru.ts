@@ -4153,6 +4153,18 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Оформление</translation>
         </message>
         <message>
+            <source>The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was held or braked.</source>
+            <translation>Ноль Ψ ожидался на %1 импульсах, а пришёл на %2: стол стоит с отклонением %3. Вероятно, его удержали или притормозили.</translation>
+        </message>
+        <message>
+            <source>The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was held or braked. Layer %4 can be wrong.</source>
+            <translation>Ноль Ψ ожидался на %1 импульсах, а пришёл на %2: стол стоит с отклонением %3. Вероятно, его удержали или притормозили. Слой %4 может быть неверным.</translation>
+        </message>
+        <message>
+            <source>The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was held or braked. Layers %4 to %5 can be wrong.</source>
+            <translation>Ноль Ψ ожидался на %1 импульсах, а пришёл на %2: стол стоит с отклонением %3. Вероятно, его удержали или притормозили. Слои с %4 по %5 могут быть неверными.</translation>
+        </message>
+        <message>
             <source>Then keys move the machine (F9)</source>
             <translation>Тогда станок движется от клавиш (F9)</translation>
         </message>

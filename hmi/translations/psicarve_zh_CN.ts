@@ -4148,6 +4148,18 @@ N、Shift+N  下一条、上一条记录
             <translation>主题</translation>
         </message>
         <message>
+            <source>The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was held or braked.</source>
+            <translation>Ψ 零位预期在 %1 脉冲，实际在 %2：转台偏差 %3。可能被卡住或制动。</translation>
+        </message>
+        <message>
+            <source>The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was held or braked. Layer %4 can be wrong.</source>
+            <translation>Ψ 零位预期在 %1 脉冲，实际在 %2：转台偏差 %3。可能被卡住或制动。第 %4 层可能有误。</translation>
+        </message>
+        <message>
+            <source>The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was held or braked. Layers %4 to %5 can be wrong.</source>
+            <translation>Ψ 零位预期在 %1 脉冲，实际在 %2：转台偏差 %3。可能被卡住或制动。第 %4 至 %5 层可能有误。</translation>
+        </message>
+        <message>
             <source>Then keys move the machine (F9)</source>
             <translation>之后可用键盘移动机床 (F9)</translation>
         </message>

@@ -105,6 +105,7 @@ Refusal Cycle::start_job(LayerRange layers) noexcept {
     if (!is_homed()) return Refusal::not_homed;
     is_dry_ = layers.is_dry;
     first_layer_ = layers.first;
+    index_layer_ = static_cast<std::uint32_t>(first_layer_);
     end_layer_ = layers.count == 0 ? layer_count : first_layer_ + layers.count;
     pulses_.clear_emitted();
     executor_.clear_points(first_layer_ * points_per_layer_);

@@ -245,7 +245,7 @@ void Supervisor::drain_reports() {
         parts_->io->reports.pop();
         const FlightRecord& record = report.record;
         if (record.kind != RecordKind::none) flight_log_.append(segment_->header().recorder, record);
-        if (record.kind == RecordKind::alarm) mirror_.note_alarm(record, report.expected_pulses);
+        if (record.kind == RecordKind::alarm) mirror_.note_alarm(report);
         if (record.kind == RecordKind::alarm || record.kind == RecordKind::state_change) ++changes_;
         if (report.kind != cycle::Report::Kind::answer) continue;
         if (report.sequence == kOwnRequest) continue;

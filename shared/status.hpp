@@ -17,10 +17,12 @@ inline constexpr std::size_t kAlarmHistory = 8;
 struct AlarmRecord {
     std::uint64_t tick;
     AlarmCause cause;
-    std::uint8_t axis;  ///< Axis, or kNoAxis
-    std::uint8_t reserved[6];
-    std::int64_t expected;  ///< cause steps_lost: the count expected at the index; else 0
-    std::int64_t seen;      ///< cause steps_lost: the count seen; else 0
+    std::uint8_t axis;          ///< Axis, or kNoAxis
+    std::uint16_t layer_count;  ///< cause steps_lost while a job was carved: of so many layers, from the one
+                                ///< in which the axis was last right to the one in which it was not; else 0
+    std::uint32_t first_layer;  ///< of these, counted from 0
+    std::int64_t expected;      ///< cause steps_lost: the count expected at the index; else 0
+    std::int64_t seen;          ///< cause steps_lost: the count seen; else 0
 };
 inline constexpr std::uint8_t kNoAxis = 255;
 static_assert(sizeof(AlarmRecord) == 32, "bump kLayoutVersion");

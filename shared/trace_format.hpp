@@ -13,17 +13,22 @@ namespace psicarve {
 //   header    TraceHeader, 64 bytes
 //   records   number N, then what the record's kind asks for. N = 4*d + kind; d = ticks since the last
 //             record (since tick 0 for the first):
-//               kind 0  pins      XOR word: old levels ^ new levels (SignalWord, never 0)
+//               kind 0  pins      XOR word: old levels ^ new levels (SignalWord); 0: a job, see below
 //               kind 1  position  4 zig-zag numbers r1 r2 psi y [pulses]: what the core counts from here on
 //                                 (homing defined it anew); pins unchanged
 //               kind 2  pins      offset inside the tick [ns], then the XOR word
 //               kind 3  end       the trace covers d more ticks and is complete. Nothing follows; a file
 //                                 without this record was cut off
 //
+// A job (from version 2 on) is what the pins do from here on, until the next one: a record of kind 0 whose
+// change is 0; then the number of its bytes, its checksum (job_checksum, 8 bytes, little-endian), and the
+// blob as it stands in a job file (shared/job.hpp), which carries the machine's profile.
+//
 // Time of a record [ns] = tick * period_ns + offset. Records come in the order in which things happened.
 
 inline constexpr std::uint64_t kTraceMagic = 0x3143525441435350ULL;  // "PSCATRC1"
-inline constexpr std::uint32_t kTraceVersion = 1;
+inline constexpr std::uint32_t kTraceVersion = 2;
+inline constexpr std::uint32_t kOldestTraceVersion = 1;  ///< without jobs
 
 /// The two lowest bits of a record's first number.
 enum class TraceRecordKind : std::uint8_t { pins = 0, position = 1, pins_with_offset = 2, end = 3 };
@@ -53,6 +58,9 @@ inline constexpr std::size_t kLeb128MaxBytes = 10;
 /// The longest record: a head and four positions.
 inline constexpr std::size_t kTraceRecordMaxBytes = 5 * kLeb128MaxBytes;
 
+/// A longer job is none: it is garbage.
+inline constexpr std::uint64_t kMostTraceJobBytes = std::uint64_t{1} << 36;
+
 /// Writes `value` seven bits a byte, lowest first, and returns the place after it. Needs kLeb128MaxBytes of
 /// room. RT: yes.
 constexpr std::uint8_t* encode_leb128(std::uint8_t* out, std::uint64_t value) noexcept {
@@ -76,6 +84,25 @@ constexpr const std::uint8_t* decode_leb128(const std::uint8_t* in, const std::u
         if ((*in++ & 0x80) == 0) return in;
     }
     return nullptr;
+}
+
+inline constexpr std::size_t kTraceChecksumBytes = 8;
+
+/// The record of a job, in the tick of the record before it, up to its blob; as encode_leb128. Needs
+/// kTraceRecordMaxBytes of room.
+constexpr std::uint8_t* encode_trace_job_head(std::uint8_t* out, std::uint64_t job_bytes,
+                                              std::uint64_t checksum) noexcept {
+    out = encode_leb128(out, trace_record_head(0, TraceRecordKind::pins));
+    out = encode_leb128(out, 0);
+    out = encode_leb128(out, job_bytes);
+    for (std::size_t i = 0; i < kTraceChecksumBytes; ++i)
+        *out++ = static_cast<std::uint8_t>(checksum >> 8 * i);
+    return out;
+}
+constexpr std::uint64_t decode_trace_checksum(const std::uint8_t* in) noexcept {
+    std::uint64_t checksum = 0;
+    for (std::size_t i = 0; i < kTraceChecksumBytes; ++i) checksum |= std::uint64_t{in[i]} << 8 * i;
+    return checksum;
 }
 
 /// Small numbers of either sign become small numbers: 0, -1, 1, -2 ... -> 0, 1, 2, 3 ...

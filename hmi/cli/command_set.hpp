@@ -59,6 +59,7 @@ public:
     /// A file to read. "-": standard input, read whole before the command's body begins, to which it is a
     /// file's name that can be read; not for --help, nor where anything else is wrong.
     Syntax& input(const char* name, std::string& target, const char* help);
+    Syntax& optional_input(const char* name, std::string& target, const char* help);
     /// One or more of them.
     Syntax& inputs(const char* name, std::vector<std::string>& target, const char* help);
     /// May be left out.

@@ -20,6 +20,7 @@
 #include "hmi/flat/load_model.hpp"
 #include "hmi/model/turned_mesh.hpp"
 #include "hmi/rough/roughing.hpp"
+#include "hmi/verify/carried_job.hpp"
 #include "shared/atomic_file.hpp"
 #include "shared/profile_place.hpp"
 
@@ -300,6 +301,20 @@ Result<std::optional<Profile>> readable_profile(const CommonOptions& common) {
     if (!common.profile.empty()) return profile.error();
     print_warning(profile.error().message + "; going on without a profile");
     return std::optional<Profile>{};
+}
+
+Result<Snapshot> load_job_file(const std::string& path, const std::string& remedy) {
+    return verify::is_binary_trace(path) ? load_carried_job(path, remedy) : load_snapshot(path);
+}
+
+Result<Snapshot> load_carried_job(const std::string& path, const std::string& remedy) {
+    auto blob = verify::require_carried_job(path, remedy);
+    if (!blob) return blob.error();
+    if (const auto job = JobView::check(*blob); !job)
+        return bad_input(path + ": the job that it carries: " + job.error().message);
+    Snapshot snapshot;
+    snapshot.job_blob = std::move(blob).value();
+    return snapshot;
 }
 
 Result<PreparedJob> job_of_snapshot(Snapshot snapshot, const std::string& path, const CommonOptions& common,

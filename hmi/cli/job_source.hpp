@@ -61,6 +61,10 @@ struct PlacedBody {
 };
 Result<PlacedBody> place_body(const std::string& path, const ModelOptions& options,
                               const CommonOptions& common);
+/// The job that a trace carries. `remedy`: what to do where it carries none.
+Result<Snapshot> load_carried_job(const std::string& path, const std::string& remedy);
+/// A job or snapshot file; of a binary trace, the job that it carries.
+Result<Snapshot> load_job_file(const std::string& path, const std::string& remedy);
 /// What another profile than the job's own is for: a job may be judged by the limits of any machine on which
 /// its pulses mean the same.
 enum class ProfileUse : std::uint8_t { carve, judge };

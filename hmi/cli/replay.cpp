@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/simulated_run.hpp"
 #include "hmi/machine/private_segment.hpp"
+#include "hmi/machine/unique_fd.hpp"
+#include "hmi/verify/carried_job.hpp"
 #include "shared/snapshot_file.hpp"
 
 namespace psicarve::cli {
@@ -13,7 +16,7 @@ namespace {
 
 constexpr CommandText kReplayText{
     "replay", "A job or a recorded snapshot again, through a private core on the virtual clock",
-    "Begins homed at the home positions. A job is run whole; of a snapshot, what its "
+    "Begins homed at the home positions. A job, and that of a trace, is run whole; of a snapshot, what its "
     "flight recorder holds\n"
     "from a moment on at which the machine was homed and at rest; without one it is refused, and carve\n"
     "carves its job. The same file gives the same pins to the last bit.",
@@ -30,8 +33,12 @@ Result<int> replay(const CommonOptions& common, const ReplayOptions& options) {
     for (const std::string& path : {options.picture, options.trace}) {
         if (const auto writable = check_output_folder(path); !writable) return writable.error();
     }
-    auto snapshot = load_snapshot(options.path);
+    const bool is_trace = verify::is_binary_trace(options.path);
+    auto snapshot = load_job_file(options.path, "name a job or snapshot file instead");
     if (!snapshot) return snapshot.error();
+    Result<machine::UniqueFd> file = machine::UniqueFd{};
+    if (is_trace) file = machine::open_memory_file("job", snapshot_bytes(*snapshot));
+    if (!file) return file.error();
     const auto job = job_of_snapshot(std::move(snapshot).value(), options.path, common);
     if (!job) return job.error();
     for (const std::string& warning : job->warnings) print_warning(warning);
@@ -41,7 +48,8 @@ Result<int> replay(const CommonOptions& common, const ReplayOptions& options) {
     launch.segment_name = machine::private_segment_name();
     launch.is_private = true;
     launch.on_real_clock = options.real_time;
-    launch.replay_path = options.path;
+    launch.replay_path = is_trace ? "/proc/self/fd/" + std::to_string(file->get()) : options.path;
+    if (is_trace) launch.inherited_fds.push_back(file->get());
     launch.capacity_layers = job->view.layer_count();
     launch.capacity_points = job->view.point_count();
     if (!options.trace.empty()) launch.trace_paths.push_back(options.trace);
@@ -56,7 +64,7 @@ Result<int> replay(const CommonOptions& common, const ReplayOptions& options) {
 void add_replay(CommandSet& commands) {
     const auto options = std::make_shared<ReplayOptions>();
     commands.add(kReplayText, [options](const CommonOptions& common) { return replay(common, *options); })
-        .input("JOB", options->path, "A job or snapshot file")
+        .input("JOB|TRACE", options->path, "A job or snapshot file, or a trace that carries its job")
         .option("--trace", options->trace, "FILE", "Record every pin: .vcd, or compact binary")
         .picture_option(options->picture)
         .flag("--real-time", options->real_time, "By the wall clock, to watch with psicarve status");

@@ -5,6 +5,7 @@
 
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/progress_bar.hpp"
+#include "hmi/report/lost_steps.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -33,6 +34,15 @@ std::string alarms_text(const machine::RunFigures& figures) {
         text += " at tick " + std::to_string(alarm.tick);
     }
     return text.empty() ? "none" : text;
+}
+
+std::string lost_text(const RunReport& report) {
+    std::string text;
+    for (const AlarmRecord& alarm : report.figures.alarms) {
+        const auto lost = report::lost_steps_of(alarm, report.pulses_per_rev);
+        if (lost) text += "lost       " + report::lost_steps_text(*lost) + "\n";
+    }
+    return text;
 }
 
 std::string verification_text(const RunReport& report) {
@@ -93,6 +103,7 @@ std::string run_text(const RunReport& report) {
                       report.wall_seconds, static_cast<unsigned long long>(figures.ticks),
                       ticks_per_second / 1e6, static_cast<unsigned long long>(figures.missed_ticks));
     text += "alarms     " + alarms_text(figures) + "\n";
+    text += lost_text(report);
     text += "verified   " + verification_text(report) + "\n";
     text += machine_text(report);
     text += model_text(report);

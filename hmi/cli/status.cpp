@@ -77,7 +77,7 @@ std::string json_line(const machine::MachineLink& link, const CoreStatus& status
     nlohmann::ordered_json object{{"segment", link.segment_name()},
                                   {"core_pid", link.core_pid().value_or(0)}};
     const auto checkpoint = link.checkpoint();
-    object.update(report::status_json(status));
+    object.update(report::status_json(status, profile ? profile->psi.pulses_per_rev : 0));
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));

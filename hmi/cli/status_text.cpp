@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "hmi/cli/progress_bar.hpp"
+#include "hmi/report/lost_steps.hpp"
 #include "hmi/report/status_json.hpp"
 #include "shared/realtime_step.hpp"
 #include "shared/units.hpp"
@@ -91,6 +92,15 @@ std::string outputs_text(const CoreStatus& status) {
            drives + "; spindle last " + (is_spindle_on ? "on" : "off") + "; the core goes on trying\n";
 }
 
+/// Of the alarm that is latched, when it is of steps.
+std::string latched_lost_text(const CoreStatus& status, const Profile* profile) {
+    const auto alarms = report::alarms_of(status);
+    if (alarms.empty() || status.alarm_cause != AlarmCause::steps_lost) return {};
+    const std::int64_t pulses_per_rev = profile != nullptr ? profile->psi.pulses_per_rev : 0;
+    const auto lost = report::lost_steps_of(alarms.back(), pulses_per_rev);
+    return lost ? "lost       " + report::lost_steps_text(*lost) + "\n" : "";
+}
+
 }  // namespace
 
 std::string state_text(const CoreStatus& status) {
@@ -104,6 +114,7 @@ std::string state_text(const CoreStatus& status) {
 std::string status_text(const CoreStatus& status, const Profile* profile, const std::string& pass) {
     std::string text = "state      " + state_text(status) + "\n";
     if (status.state == MachineState::alarm) text += "remedy     " + std::string{remedy_of(status)} + "\n";
+    text += latched_lost_text(status, profile);
     text += "position   ";
     for (const Axis axis : kAllAxes)
         text += (axis == Axis::r1 ? "" : ", ") + position_text(status, profile, axis);

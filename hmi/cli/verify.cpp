@@ -2,6 +2,7 @@
 #include "hmi/verify/verifier.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/sliced_model.hpp"
+#include "hmi/verify/carried_job.hpp"
 #include "hmi/verify/picture.hpp"
 #include "shared/snapshot_file.hpp"
 
@@ -23,12 +25,12 @@ constexpr CommandText kVerifyText{
     "Replays the pins alone into positions, checks what pulses must obey, carves the "
     "blank in simulation and\n"
     "compares it with the job's surface. Exit code 6 when something differs.",
-    "psicarve verify figurine.job pins.vcd --picture carved.png\n"
+    "psicarve verify pins.trace --picture carved.png\n"
     "psicarve verify figurine.job pins.vcd --model figurine.stl --deviation piece.png"};
 
 struct VerifyOptions {
     std::string job;
-    std::string trace;
+    std::string trace;  ///< empty: `job` is a trace that carries its job
     std::string picture;
     PieceFiles files;
     verify::LayerRange layers;
@@ -51,12 +53,40 @@ std::string text_of(const verify::VerifyReport& report, const std::unique_ptr<Ca
            std::to_string(std::llround(piece->removed_mm3())) + " mm3 taken off";
 }
 
-Result<int> verify_files(const CommonOptions& common, const VerifyOptions& options) {
+/// The file that is named, if the trace may be of it; else the trace's own.
+Result<Snapshot> load_job_of(const VerifyOptions& options) {
+    if (options.job == options.trace && is_snapshot_file(options.job)) {
+        return Error{ErrorCode::bad_usage, options.job + " is a job; name its trace, too: psicarve verify " +
+                                               options.job + " TRACE"};
+    }
+    const std::string remedy = "name it as well: psicarve verify JOB " + options.trace;
+    if (options.job == options.trace) return load_carried_job(options.trace, remedy);
+    auto snapshot = load_job_file(options.job, "name a job or snapshot file instead");
+    if (!snapshot) return snapshot;
+    const auto fits = verify::check_is_of_trace(options.trace, job_checksum(snapshot->job_blob), options.job);
+    return fits ? std::move(snapshot) : fits.error();
+}
+
+Result<PreparedJob> job_of_trace(const CommonOptions& common, const VerifyOptions& options) {
+    auto snapshot = load_job_of(options);
+    if (!snapshot) return snapshot.error();
+    return job_of_snapshot(std::move(snapshot).value(), options.job, common, ProfileUse::judge);
+}
+
+/// A core's own trace may be of several jobs, and then nobody says which is meant.
+Result<void> check_has_one_job(const VerifyOptions& options, const verify::TraceReader& trace) {
+    if (options.job != options.trace || trace.jobs_begun() <= 1) return {};
+    return bad_input(options.trace +
+                     ": carries several jobs; name the one that it is to be judged by: "
+                     "psicarve verify JOB " +
+                     options.trace);
+}
+
+Result<int> verify_files(const CommonOptions& common, VerifyOptions options) {
+    if (options.trace.empty()) options.trace = options.job;
     if (const auto writable = check_output_folder(options.picture); !writable) return writable.error();
     if (const auto writable = check_piece_files(options.files); !writable) return writable.error();
-    auto snapshot = load_snapshot(options.job);
-    if (!snapshot) return snapshot.error();
-    const auto job = job_of_snapshot(std::move(snapshot).value(), options.job, common, ProfileUse::judge);
+    const auto job = job_of_trace(common, options);
     if (!job) return job.error();
     for (const std::string& warning : job->warnings) print_warning(warning);
     const auto trace = verify::open_trace(options.trace);
@@ -76,6 +106,7 @@ Result<int> verify_files(const CommonOptions& common, const VerifyOptions& optio
     if (*piece) verifier->set_follower((*piece)->follower());
     const auto report = verify::verify_trace(*verifier, **trace);
     if (!report) return report.error();
+    if (const auto one = check_has_one_job(options, **trace); !one) return one.error();
     if (*piece) {
         if (const auto written = (*piece)->finish(); !written) return written.error();
     }
@@ -94,8 +125,9 @@ void add_verify(CommandSet& commands) {
     const auto options = std::make_shared<VerifyOptions>();
     Syntax syntax = commands.add(
         kVerifyText, [options](const CommonOptions& common) { return verify_files(common, *options); });
-    syntax.input("JOB", options->job, "The job or snapshot file")
-        .input("TRACE", options->trace, "The pin trace: VCD or compact binary")
+    syntax
+        .input("JOB|TRACE", options->job, "The job or snapshot file; or a trace that carries its job, alone")
+        .optional_input("TRACE", options->trace, "The pin trace: VCD or compact binary")
         .picture_option(options->picture)
         .option("--from-layer", options->layers.first, 0, kMaxJobCount - 1,
                 "Carving was to begin with layer N, as with psicarve start")

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <random>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "shared/jog_lease.hpp"
+#include "shared/trace_format.hpp"
 
 namespace psicarve::machine {
 namespace {
@@ -22,6 +24,8 @@ constexpr std::chrono::milliseconds kPinsPoll{1};
 /// The lease is renewed in between.
 constexpr int kMostAtOnce = 256;
 constexpr int kRenewalPause_ms = 100;
+/// Of a job, between two renewals.
+constexpr std::size_t kJobPieceBytes = std::size_t{1} << 20;
 /// What the core has put into the ring by the end of the recording is there to be read.
 constexpr std::chrono::milliseconds kEndLimit{5000};
 
@@ -64,6 +68,10 @@ Result<std::unique_ptr<RecordedPins>> RecordedPins::start(MachineLink& link, con
     if (!verification) return verification.error();
     made->verification_ = std::move(verification).value();
     made->pipe_ = std::move(pipe->write_end);
+    if (!trace_path.ends_with(".vcd")) {
+        made->job_blob_ = {reinterpret_cast<const std::byte*>(&job.header()), job.header().total_bytes};
+        made->bytes_before_job_ = sizeof(TraceHeader);
+    }
     if (const auto begun = made->begin(trace_path); !begun) return begun.error();
     made->thread_ = std::thread{[self = made.get()] { self->read_pieces(); }};
     return made;
@@ -157,7 +165,29 @@ void RecordedPins::hand_on(const RecordingPiece& piece) {
     }
     const std::size_t count = std::min<std::size_t>(piece.bytes, sizeof piece.data);
     write_all(pipe_.get(), {piece.data, count}, [this] { renew(); });
-    if (file_) file_->write({reinterpret_cast<const char*>(piece.data), count});
+    if (file_) write_file({piece.data, count});
+}
+
+/// The core does not send the job, which we have: it would have to go through the segment, piece by piece.
+void RecordedPins::write_file(std::span<const std::uint8_t> bytes) {
+    const auto write = [this](std::span<const std::uint8_t> some) {
+        file_->write({reinterpret_cast<const char*>(some.data()), some.size()});
+    };
+    if (!job_blob_.empty() && bytes.size() >= bytes_before_job_) {
+        write(bytes.first(bytes_before_job_));
+        bytes = bytes.subspan(bytes_before_job_);
+        std::array<std::uint8_t, kTraceRecordMaxBytes> head{};
+        const std::uint8_t* const end =
+            encode_trace_job_head(head.data(), job_blob_.size(), job_checksum(job_blob_));
+        write({head.data(), end});
+        for (; !job_blob_.empty(); renew()) {
+            const auto piece = job_blob_.first(std::min(job_blob_.size(), kJobPieceBytes));
+            file_->write({reinterpret_cast<const char*>(piece.data()), piece.size()});
+            job_blob_ = job_blob_.subspan(piece.size());
+        }
+    }
+    bytes_before_job_ -= std::min(bytes_before_job_, bytes.size());
+    write(bytes);
 }
 
 }  // namespace psicarve::machine

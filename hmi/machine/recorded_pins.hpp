@@ -2,9 +2,11 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -48,6 +50,7 @@ private:
     int take_pieces();
     void hand_on(const RecordingPiece& piece);
     void renew() noexcept;
+    void write_file(std::span<const std::uint8_t> bytes);
 
     MachineLink* link_;
     std::uint32_t token_;
@@ -55,6 +58,8 @@ private:
     RingReader<RecordingPiece, kRecordingPieces> pieces_;
     UniqueFd pipe_;  ///< to the verifier
     std::optional<TraceOutput> file_;
+    std::span<const std::byte> job_blob_;  ///< that the file carries behind its head; empty: it does not
+    std::size_t bytes_before_job_ = 0;     ///< to come
     std::unique_ptr<PipeVerification> verification_;
     enum class Phase : std::uint8_t { running, ending, given_up };
     std::atomic<Phase> phase_{Phase::running};

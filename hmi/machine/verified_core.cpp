@@ -25,7 +25,7 @@ Result<VerifiedCore> VerifiedCore::start(CoreLaunch launch, const JobView& job, 
     // The child sees both under the same numbers.
     launch.profile_path = "/proc/self/fd/" + std::to_string(profile_file->get());
     launch.trace_paths.push_back("fd:" + std::to_string(pipe->write_end.get()));
-    launch.inherited_fds = {profile_file->get(), pipe->write_end.get()};
+    launch.inherited_fds.insert(launch.inherited_fds.end(), {profile_file->get(), pipe->write_end.get()});
     auto core = CoreProcess::start(launch);
     if (!core) return core.error();
     pipe->write_end.reset();

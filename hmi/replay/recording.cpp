@@ -14,6 +14,8 @@
 #include "hmi/replay/snapshot_recording.hpp"
 #include "hmi/replay/trace_recording.hpp"
 #include "hmi/session/error_phrase.hpp"
+#include "hmi/verify/carried_job.hpp"
+#include "shared/job.hpp"
 #include "shared/snapshot_file.hpp"
 
 namespace psicarve::replay {
@@ -43,11 +45,45 @@ std::vector<std::string> companies_beside(const std::string& path) {
 Result<Company> company_of(const std::string& path) {
     auto snapshot = load_snapshot(path);
     if (!snapshot) return snapshot.error();
-    Company company{path, nullptr, std::move(snapshot->records)};
+    Company company{path, nullptr, std::move(snapshot->records), {}};
     auto job = cam::prepare_snapshot(std::move(*snapshot), path);
     if (!job) return job.error();
     company.job = std::make_shared<const cam::PreparedJob>(std::move(*job));
     return company;
+}
+
+/// Of the same job. What it records is of a trace's run only where it says so, too.
+void add_records_beside(Company& company, std::vector<session::Phrase>& warnings) {
+    const std::uint64_t checksum = job_checksum(company.job->blob);
+    for (const std::string& path : companies_beside(company.path)) {
+        auto snapshot = load_snapshot(path);
+        if (!snapshot) {
+            warnings.push_back(session::error_phrase(snapshot.error().message));
+            continue;
+        }
+        if (snapshot->records.empty() || job_checksum(snapshot->job_blob) != checksum) continue;
+        company.records = std::move(snapshot->records);
+        company.records_path = path;
+        return;
+    }
+}
+
+/// With its own job; null: it carries none, or a damaged one.
+Result<std::unique_ptr<TraceRecording>> open_with_own_job(const OpenOptions& options,
+                                                          std::vector<session::Phrase>& warnings,
+                                                          const Progress& progress) {
+    auto blob = verify::first_carried_job(options.path);
+    if (blob && !*blob) return std::unique_ptr<TraceRecording>{};
+    Snapshot snapshot;
+    if (blob) snapshot.job_blob = std::move(**blob);
+    auto job = blob ? cam::prepare_snapshot(std::move(snapshot), options.path) : blob.error();
+    if (!job) {
+        warnings.push_back(session::error_phrase(job.error().message));
+        return std::unique_ptr<TraceRecording>{};
+    }
+    Company company{options.path, std::make_shared<const cam::PreparedJob>(std::move(*job)), {}, {}, true};
+    add_records_beside(company, warnings);
+    return TraceRecording::open(options.path, company, options.profile, progress);
 }
 
 Result<std::unique_ptr<Recording>> as_recording(Result<std::unique_ptr<TraceRecording>> opened) {
@@ -55,11 +91,17 @@ Result<std::unique_ptr<Recording>> as_recording(Result<std::unique_ptr<TraceReco
     return std::unique_ptr<Recording>{std::move(*opened)};
 }
 
-/// With the first neighbour that is of the same run.
-Result<std::unique_ptr<Recording>> open_with_neighbour(const OpenOptions& options, const Progress& progress) {
+/// With the job that it carries; else with the first neighbour that is of the same run.
+Result<std::unique_ptr<Recording>> open_with_company(const OpenOptions& options, const Progress& progress) {
     std::vector<std::string> refused;
     std::vector<session::Phrase> warnings;  // of those that cannot be read
-    std::unique_ptr<TraceRecording> made;
+    auto own = open_with_own_job(options, warnings, progress);
+    if (!own) return own.error();
+    std::unique_ptr<TraceRecording> made = std::move(*own);
+    if (made) {
+        for (session::Phrase& warning : warnings) made->warn(std::move(warning));
+        return std::unique_ptr<Recording>{std::move(made)};
+    }
     for (const std::string& path : companies_beside(options.path)) {
         const auto company = company_of(path);
         if (!company) {
@@ -85,15 +127,18 @@ Result<std::unique_ptr<Recording>> open_with_neighbour(const OpenOptions& option
 }  // namespace
 
 bool is_recording(const std::string& path) {
-    return is_binary_trace(path) || is_snapshot_of_a_machine(path);
+    return verify::is_binary_trace(path) || is_snapshot_of_a_machine(path);
 }
 
 Result<std::unique_ptr<Recording>> open_recording(const OpenOptions& options, const Progress& progress) {
-    if (!is_binary_trace(options.path)) return SnapshotRecording::open(options.path);
-    if (options.job_path.empty()) return open_with_neighbour(options, progress);
+    if (!verify::is_binary_trace(options.path)) return SnapshotRecording::open(options.path);
+    if (options.job_path.empty()) return open_with_company(options, progress);
     auto company = company_of(options.job_path);
     if (!company) return company.error();
     company->is_asked_for = true;
+    const auto fits =
+        verify::check_is_of_trace(options.path, job_checksum(company->job->blob), options.job_path);
+    if (!fits) return fits.error();
     return as_recording(TraceRecording::open(options.path, *company, options.profile, progress));
 }
 

@@ -62,8 +62,9 @@ bool is_recording(const std::string& path);
 
 struct OpenOptions {
     std::string path;
-    std::string
-        job_path;     ///< of a trace: its job or snapshot; empty: FILE.job, .psi, .snap beside it, if any
+    /// Of a trace: its job or snapshot; refused where the trace carries another. Empty: the job that it
+    /// carries; else FILE.job, .psi, .snap beside it, if any.
+    std::string job_path;
     Profile profile;  ///< for a trace without a job
 };
 /// Reads the whole file. "FILE: what is wrong".

@@ -29,14 +29,6 @@ Error cannot_open(const std::string& path) {
 
 }  // namespace
 
-bool is_binary_trace(const std::string& path) {
-    // Not to wait for a writer that a pipe may never have.
-    const machine::UniqueFd file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-    std::uint64_t magic = 0;
-    if (file.get() < 0 || ::pread(file.get(), &magic, sizeof magic, 0) != sizeof magic) return false;
-    return magic == kTraceMagic;
-}
-
 Result<std::shared_ptr<const TraceIndex>> TraceIndex::build(const std::string& path, const Profile& profile,
                                                             const Progress& progress,
                                                             std::size_t most_keyframes) {
@@ -65,6 +57,7 @@ Result<void> TraceIndex::read_all(BinaryReader& reader, const Profile& profile, 
     std::vector<TraceEvent> events(kEventsAtOnce);
     while (true) {
         const auto count = reader.read(events);
+        jobs_begun_ = reader.jobs_begun();
         if (!count) {
             if (events_ == 0) return count.error();
             damage_ = count.error().message;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -14,9 +15,6 @@
 #include "shared/result.hpp"
 
 namespace psicarve::replay {
-
-/// Whether the file begins like a binary pin trace. One that cannot be read does not.
-bool is_binary_trace(const std::string& path);
 
 /// Gets how much is done, 0 to 1; false: give up.
 using Progress = std::function<bool(double)>;
@@ -51,7 +49,8 @@ public:
     const verify::TraceStart& start() const noexcept { return start_; }
     std::int64_t end_ns() const noexcept { return end_ns_; }
     std::uint64_t events() const noexcept { return events_; }
-    const std::string& damage() const noexcept { return damage_; }  ///< empty: the trace is whole
+    std::size_t jobs_begun() const noexcept { return jobs_begun_; }  ///< that the trace carries
+    const std::string& damage() const noexcept { return damage_; }   ///< empty: the trace is whole
     const std::vector<Keyframe>& keyframes() const noexcept { return keyframes_; }
     /// The last that is not behind the time.
     const Keyframe& keyframe_at(std::int64_t time_ns) const noexcept;
@@ -73,6 +72,7 @@ private:
     std::int64_t end_ns_ = 0;
     std::uint64_t events_ = 0;
     std::uint64_t bytes_ = 0;
+    std::size_t jobs_begun_ = 0;
     std::uint64_t stride_bytes_ = kLeastStride_bytes;
     std::string damage_;
     std::vector<Keyframe> keyframes_;

@@ -47,6 +47,9 @@ Result<std::unique_ptr<TraceRecording>> TraceRecording::open(const std::string& 
     if (!*takes) return std::unique_ptr<TraceRecording>{};
     if (!made->index_->damage().empty())
         facts.warnings.push_back(session::error_phrase(made->index_->damage()));
+    if (made->index_->jobs_begun() > 1 && company.path == path)
+        facts.warnings.push_back(
+            phrase("%1 carries several jobs; it is shown with the first", name_of_file(path)));
     made->measure_activity();
     made->take_records(company);
     made->list_contents(company);
@@ -78,6 +81,11 @@ void TraceRecording::tell_refused(const std::string& company_path) {
     for (Check& row : facts_.contents) {
         if (!facts_.job && row.name == phrase("Job")) row = {row.name, phrase("none: not %1", name), V::fail};
     }
+}
+
+void TraceRecording::warn(Phrase warning) {
+    auto& said = facts_.warnings;
+    if (std::find(said.begin(), said.end(), warning) == said.end()) said.push_back(std::move(warning));
 }
 
 /// Whether the entries tell of this run: the axes must have stood where the entries say. Before homing the
@@ -130,7 +138,7 @@ void TraceRecording::take_records(const Company& company) {
     if (!records_fit(company.records, states)) {
         facts_.warnings.push_back(
             phrase("%1: its flight recorder tells of another run; its entries are not shown",
-                   name_of_file(company.path)));
+                   name_of_file(company.records_path.empty() ? company.path : company.records_path)));
         return;
     }
     states_ = std::move(states);

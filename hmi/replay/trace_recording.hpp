@@ -22,6 +22,7 @@ public:
         std::string path;  ///< empty: nothing was found
         JobPointer job;
         std::vector<FlightRecord> records;
+        std::string records_path;   ///< empty: `path`
         bool is_asked_for = false;  ///< taken whatever the pins say of it, with a warning
     };
     /// Null: the company is of another run, and nobody has asked for it by name.
@@ -29,7 +30,8 @@ public:
                                                         const Profile& profile, const Progress& progress);
     /// One that lay beside the trace and was not taken.
     void tell_refused(const std::string& company_path);
-    void warn(session::Phrase warning) { facts_.warnings.push_back(std::move(warning)); }
+    /// Unless it is said already.
+    void warn(session::Phrase warning);
 
     Result<Shown> at(std::int64_t time_ns, bool with_looks) override;
     std::shared_ptr<const TraceIndex> index() const override { return index_; }

@@ -2,10 +2,12 @@
 #include "hmi/report/run_report.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "hmi/report/exit_code.hpp"
 #include "hmi/report/status_json.hpp"
+#include "shared/units.hpp"
 
 namespace psicarve::report {
 namespace {
@@ -42,15 +44,44 @@ void read_slice_report(const JobView& job, RunReport& report) {
     }
 }
 
-Json alarms_json(const machine::RunFigures& figures) {
+Json alarms_json(const RunReport& report) {
     auto alarms = Json::array();
-    for (const AlarmRecord& alarm : figures.alarms) alarms.push_back(alarm_json(alarm));
+    for (const AlarmRecord& alarm : report.figures.alarms)
+        alarms.push_back(alarm_json(alarm, report.pulses_per_rev));
     return alarms;
 }
 
-/// Pulses that left the pins and did not move the simulated machine: the pins may be right and the piece
-/// ruined.
-std::string lost_steps_text(const CoreStatus& before, const CoreStatus& after) {
+/// ", stands -0.120 mm off": where the simulated machine has an axis, less where the core counts it; nothing
+/// where it stands right.
+std::string off_text(const CoreStatus& status, const Profile& profile, Axis axis) {
+    const std::size_t k = index_of(axis);
+    // What stands in the segment may be anything.
+    auto off_pulses =
+        static_cast<std::int64_t>(static_cast<std::uint64_t>(status.sim_true_position_pulses[k]) -
+                                  static_cast<std::uint64_t>(status.position_pulses[k]));
+    if (axis == Axis::psi) {
+        // Whole turns are none.
+        const std::int64_t turn = profile.psi.pulses_per_rev;
+        off_pulses %= turn;
+        if (off_pulses > turn / 2) off_pulses -= turn;
+        if (off_pulses < -turn / 2) off_pulses += turn;
+    }
+    if (off_pulses == 0) return {};
+    char text[64];
+    if (axis == Axis::psi) {
+        const double off_deg = deg_from_pulses(off_pulses, profile.psi.pulses_per_rev);
+        std::snprintf(text, sizeof text, ", stands %+.3f degrees off", off_deg);
+    } else {
+        const double off_mm = mm_from_pulses(off_pulses, axis_motion(profile, axis).pulses_per_unit);
+        std::snprintf(text, sizeof text, ", stands %+.3f mm off", off_mm);
+    }
+    return text;
+}
+
+/// Pulses that left the pins and did not move the simulated machine, and by how much it is off since: the
+/// pins may be right and the piece ruined.
+std::string lost_steps_text(const CoreStatus& before, const CoreStatus& after,
+                            const Result<Profile>& profile) {
     std::string text;
     const auto add = [&](Axis axis, const char* what, const std::uint64_t* was, const std::uint64_t* is) {
         const std::uint64_t count = since_start(was, is)[index_of(axis)];
@@ -59,9 +90,11 @@ std::string lost_steps_text(const CoreStatus& before, const CoreStatus& after) {
                 std::to_string(count);
     };
     for (const Axis axis : kAllAxes) {
+        const std::size_t told = text.size();
         add(axis, "stalls", before.sim_stalls, after.sim_stalls);
         add(axis, "pulses against the driver's timing", before.sim_timing_lost, after.sim_timing_lost);
         add(axis, "pulses while disabled", before.sim_ignored_pulses, after.sim_ignored_pulses);
+        if (text.size() > told && profile) text += off_text(after, *profile, axis);
     }
     return text;
 }
@@ -90,7 +123,9 @@ RunReport report_of(const JobView& job, const machine::JobRun& run) {
     report.failure = run.failure;
     report.before = run.before;
     report.last = run.after;
-    report.lost_steps = lost_steps_text(run.before, run.after);
+    const auto profile = job_profile(job);
+    report.lost_steps = lost_steps_text(run.before, run.after, profile);
+    if (profile) report.pulses_per_rev = profile->psi.pulses_per_rev;
     read_slice_report(job, report);
     return report;
 }
@@ -125,7 +160,7 @@ std::string run_json(const RunReport& report) {
         {"wall_seconds", report.wall_seconds},
         {"ticks", figures.ticks},
         {"missed_ticks", figures.missed_ticks},
-        {"alarms", alarms_json(figures)},
+        {"alarms", alarms_json(report)},
         {"verified", or_null(is_verified(report))},
         {"max_deviation_pulses",
          report.verification ? Json(report.verification->max_deviation_pulses) : Json(nullptr)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -32,6 +33,7 @@ struct RunReport {
     std::optional<piece::PieceDeviation> deviation;  ///< of the piece from the model, where asked for
     CoreStatus before{};                             ///< as the run found the core
     CoreStatus last{};
+    std::int64_t pulses_per_rev = 0;  ///< of the table; 0: not known
     std::string lost_steps;  ///< what the simulated machine did not do in this run, in words; empty: nothing
 };
 

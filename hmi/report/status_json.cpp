@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "hmi/report/lost_steps.hpp"
 #include "shared/realtime_step.hpp"
 #include "shared/units.hpp"
 
@@ -90,12 +91,19 @@ std::vector<AlarmRecord> alarms_of(const CoreStatus& status, std::uint64_t first
     return alarms;
 }
 
-nlohmann::ordered_json alarm_json(const AlarmRecord& alarm) {
+nlohmann::ordered_json alarm_json(const AlarmRecord& alarm, std::int64_t pulses_per_rev) {
+    const nlohmann::ordered_json none;
+    const auto lost = lost_steps_of(alarm, pulses_per_rev);
+    const bool has_layers = lost && lost->layers;
     return {{"cause", std::string{name_of(alarm.cause)}},
             {"axis", axis_or_null(alarm.axis)},
             {"tick", alarm.tick},
             {"expected", alarm.expected},
-            {"seen", alarm.seen}};
+            {"seen", alarm.seen},
+            {"off_pulses", lost ? nlohmann::ordered_json(lost->off_pulses) : none},
+            {"off_deg", lost && lost->off_deg ? nlohmann::ordered_json(*lost->off_deg) : none},
+            {"first_layer", has_layers ? nlohmann::ordered_json(lost->layers->first) : none},
+            {"last_layer", has_layers ? nlohmann::ordered_json(lost->layers->last) : none}};
 }
 
 TableAngle table_angle(std::int64_t pulses, const Profile& profile) {
@@ -118,9 +126,9 @@ nlohmann::ordered_json position_json(const CoreStatus& status, const Profile& pr
             {"y_mm", mm(Axis::y)}};
 }
 
-nlohmann::ordered_json status_json(const CoreStatus& status) {
+nlohmann::ordered_json status_json(const CoreStatus& status, std::int64_t pulses_per_rev) {
     auto alarms = nlohmann::ordered_json::array();
-    for (const AlarmRecord& alarm : alarms_of(status)) alarms.push_back(alarm_json(alarm));
+    for (const AlarmRecord& alarm : alarms_of(status)) alarms.push_back(alarm_json(alarm, pulses_per_rev));
     const bool has_alarm = status.alarm_cause != AlarmCause::none;
     const bool is_running = runs_job(status.state);
     return {{"state", std::string{name_of(status.state)}},

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "hmi/report/lost_steps.hpp"
 #include "hmi/session/display_text.hpp"
 #include "shared/units.hpp"
 
@@ -96,16 +97,48 @@ AlarmText estop_text(const MachineSight& machine) {
     return text;
 }
 
+/// By how much, and what that has ruined.
+Phrase lost_detail(const MachineSight& machine, const AlarmRecord& alarm) {
+    const auto lost = report::lost_steps_of(alarm, machine.profile ? machine.profile->psi.pulses_per_rev : 0);
+    if (!lost) return phrase("The Ψ index did not come where it was expected.");
+    const std::string expected = count_text(alarm.expected);
+    const std::string seen = count_text(alarm.seen);
+    if (!lost->off_deg) {
+        return phrase(
+            "The Ψ index was expected at %1 pulses and came at %2. Likely the table was held or braked.",
+            expected, seen);
+    }
+    const char* const sign = lost->off_pulses < 0 ? "\u2212" : "+";
+    const std::string amount = sign + number_text(std::abs(*lost->off_deg), 3) + "°";
+    if (!lost->layers) {
+        return phrase(
+            "The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was "
+            "held "
+            "or braked.",
+            expected, seen, amount);
+    }
+    const std::string first = std::to_string(std::uint64_t{lost->layers->first} + 1);
+    const std::string last = std::to_string(std::uint64_t{lost->layers->last} + 1);
+    if (first == last) {
+        return phrase(
+            "The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was "
+            "held "
+            "or braked. Layer %4 can be wrong.",
+            expected, seen, amount, first);
+    }
+    return phrase(
+        "The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was held "
+        "or "
+        "braked. Layers %4 to %5 can be wrong.",
+        expected, seen, amount, first, last);
+}
+
 AlarmText steps_lost_text(const MachineSight& machine) {
     const CoreStatus& status = *machine.status;
     AlarmText text{
         phrase("The table has lost steps"), phrase("The Ψ index did not come where it was expected."), {}};
-    if (status.alarm_count > 0) {
-        const AlarmRecord& alarm = status.alarms[(status.alarm_count - 1) % kAlarmHistory];
-        text.detail = phrase(
-            "The Ψ index was expected at %1 pulses and came at %2. Likely the table was held or braked.",
-            count_text(alarm.expected), count_text(alarm.seen));
-    }
+    if (status.alarm_count > 0)
+        text.detail = lost_detail(machine, status.alarms[(status.alarm_count - 1) % kAlarmHistory]);
     text.steps.push_back(phrase("Look for what holds the table"));
     add_way_back(machine, text);
     return text;

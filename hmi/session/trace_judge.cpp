@@ -7,13 +7,32 @@
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/error_phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
+#include "hmi/verify/carried_job.hpp"
+#include "shared/snapshot_file.hpp"
 
 namespace psicarve::session {
 namespace {
 
-Result<std::shared_ptr<const Judgement>> judged(const std::string& path,
-                                                const std::shared_ptr<const cam::PreparedJob>& job,
+using JobPointer = std::shared_ptr<const cam::PreparedJob>;
+
+/// The trace's own, if it carries one; else that which is open.
+Result<JobPointer> job_of(const std::string& path, const JobPointer& open_job) {
+    auto blob = verify::first_carried_job(path);
+    if (!blob) return blob.error();
+    if (!*blob && open_job) return open_job;
+    if (!*blob) return bad_input(path + ": carries no job; open its job first");
+    Snapshot snapshot;
+    snapshot.job_blob = std::move(**blob);
+    auto job = cam::prepare_snapshot(std::move(snapshot), path);
+    if (!job) return job.error();
+    return JobPointer{std::make_shared<const cam::PreparedJob>(std::move(job).value())};
+}
+
+Result<std::shared_ptr<const Judgement>> judged(const std::string& path, const JobPointer& open_job,
                                                 const std::atomic<bool>& cancels) {
+    const auto own = job_of(path, open_job);
+    if (!own) return own.error();
+    const JobPointer& job = *own;
     const auto trace = verify::open_trace(path);
     if (!trace) return trace.error();
     auto verifier = verify::Verifier::make(job->view, job->profile);
@@ -27,7 +46,7 @@ Result<std::shared_ptr<const Judgement>> judged(const std::string& path,
 }  // namespace
 
 void TraceJudge::judge(const std::string& path, std::shared_ptr<const cam::PreparedJob> job) {
-    if (is_judging_ || !job) return;
+    if (is_judging_) return;
     is_judging_ = true;
     cancels_.store(false);
     log_.add(Severity::info, phrase("Verifying %1", std::filesystem::path{path}.filename().string()));

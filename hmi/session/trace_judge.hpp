@@ -30,6 +30,7 @@ public:
     explicit TraceJudge(MessageLog& log) : log_(log) {}
     ~TraceJudge() { cancel(); }
 
+    /// Against the job that the trace carries; `job`, which may be null, is for one that carries none.
     void judge(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
     void cancel() noexcept { cancels_.store(true); }
     bool is_judging() const noexcept { return is_judging_; }

@@ -60,6 +60,10 @@
             <translation>%1 не может стоять на %2 mm; её ход от %3 до %4 mm</translation>
         </message>
         <message>
+            <source>%1 carries several jobs; it is shown with the first</source>
+            <translation>%1 содержит несколько заданий; показано с первым</translation>
+        </message>
+        <message>
             <source>%1 cells</source>
             <translation>ячеек: %1</translation>
         </message>
@@ -4147,6 +4151,18 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The Ψ index was expected at %1 pulses and came at %2. Likely the table was held or braked.</source>
             <translation>Ноль Ψ ожидался на %1 импульсах, а пришёл на %2. Вероятно, стол удержали или притормозили.</translation>
+        </message>
+        <message>
+            <source>The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was held or braked.</source>
+            <translation>Ноль Ψ ожидался на %1 импульсах, а пришёл на %2: стол стоит с отклонением %3. Вероятно, его удержали или притормозили.</translation>
+        </message>
+        <message>
+            <source>The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was held or braked. Layer %4 can be wrong.</source>
+            <translation>Ноль Ψ ожидался на %1 импульсах, а пришёл на %2: стол стоит с отклонением %3. Вероятно, его удержали или притормозили. Слой %4 может быть неверным.</translation>
+        </message>
+        <message>
+            <source>The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was held or braked. Layers %4 to %5 can be wrong.</source>
+            <translation>Ноль Ψ ожидался на %1 импульсах, а пришёл на %2: стол стоит с отклонением %3. Вероятно, его удержали или притормозили. Слои с %4 по %5 могут быть неверными.</translation>
         </message>
         <message>
             <source>Theme</source>

@@ -60,6 +60,10 @@
             <translation>%1 不可能在 %2 mm；其行程为 %3 至 %4 mm</translation>
         </message>
         <message>
+            <source>%1 carries several jobs; it is shown with the first</source>
+            <translation>%1 内含多个作业；按第一个显示</translation>
+        </message>
+        <message>
             <source>%1 cells</source>
             <translation>%1 个单元</translation>
         </message>
@@ -4142,6 +4146,18 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The Ψ index was expected at %1 pulses and came at %2. Likely the table was held or braked.</source>
             <translation>Ψ 零位预期在 %1 脉冲，实际在 %2。可能转台被卡住或制动。</translation>
+        </message>
+        <message>
+            <source>The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was held or braked.</source>
+            <translation>Ψ 零位预期在 %1 脉冲，实际在 %2：转台偏差 %3。可能被卡住或制动。</translation>
+        </message>
+        <message>
+            <source>The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was held or braked. Layer %4 can be wrong.</source>
+            <translation>Ψ 零位预期在 %1 脉冲，实际在 %2：转台偏差 %3。可能被卡住或制动。第 %4 层可能有误。</translation>
+        </message>
+        <message>
+            <source>The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was held or braked. Layers %4 to %5 can be wrong.</source>
+            <translation>Ψ 零位预期在 %1 脉冲，实际在 %2：转台偏差 %3。可能被卡住或制动。第 %4 至 %5 层可能有误。</translation>
         </message>
         <message>
             <source>Theme</source>

@@ -85,7 +85,7 @@ void MainWindow::make_tools_menu() {
     });
 }
 
-/// Against the job that is open here.
+/// Against the job that it carries, or the one that is open here.
 void MainWindow::choose_trace_to_verify() {
     const QString path =
         ask_for_file(this, tr("Trace to verify"), last_folder(), tr("Traces (*.trace *.vcd);;All files (*)"));
@@ -104,7 +104,6 @@ void MainWindow::refresh_tools() {
     const bool is_judging = bench_.judge.is_judging();
     const QString text = is_judging ? tr("Cancel verification") : tr("Verify a trace…");
     if (verify_->text() != text) verify_->setText(text);
-    verify_->setEnabled(is_judging || bench_.shown_job() != nullptr);
     const auto done = bench_.judge.take();
     if (!done) return;
     auto* verdict = new VerdictDialog{done, bench_.files, this};

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "shared/job.hpp"
 #include "shared/trace_format.hpp"
 
 namespace psicarve::verify {
@@ -76,10 +77,11 @@ Result<void> BinaryReader::read_header() {
     TraceHeader header;
     std::memcpy(&header, bytes.data(), sizeof header);
     if (header.magic != kTraceMagic) return source_.bad_at(0, "not a binary pin trace");
-    if (header.version != kTraceVersion)
+    if (header.version < kOldestTraceVersion || header.version > kTraceVersion)
         return source_.bad_at(offsetof(TraceHeader, version),
                               "trace version " + std::to_string(header.version) +
-                                  "; this program reads version " + std::to_string(kTraceVersion));
+                                  "; this program reads version " + std::to_string(kOldestTraceVersion) +
+                                  " to " + std::to_string(kTraceVersion));
     if (header.period_ns <= 0)
         return source_.bad_at(offsetof(TraceHeader, period_ns), "a tick period of no time");
     if ((header.initial_levels & ~kAllSignals) != 0)
@@ -92,6 +94,7 @@ Result<void> BinaryReader::read_header() {
     std::copy(std::begin(header.position_pulses), std::end(header.position_pulses),
               start_.position_pulses.begin());
     start_.period_ns = header.period_ns;
+    start_.may_carry_jobs = header.version > kOldestTraceVersion;
     levels_ = header.initial_levels;
     source_.consume(sizeof(TraceHeader));
     return {};
@@ -132,8 +135,10 @@ BinaryReader::Decoded BinaryReader::decode(TraceEvent& event) {
     } else if (kind != TraceRecordKind::end) {
         std::uint64_t changed = 0;
         if (!cursor.next(changed)) return incomplete();
-        if (changed == 0 || (changed & ~std::uint64_t{kAllSignals}) != 0)
-            return fail("a change of no signal, or of one that does not exist");
+        if (changed == 0 || (changed & ~std::uint64_t{kAllSignals}) != 0) {
+            const bool is_job = changed == 0 && kind == TraceRecordKind::pins && start_.may_carry_jobs;
+            return is_job ? Decoded::job : fail("a change of no signal, or of one that does not exist");
+        }
         event.kind = TraceEvent::Kind::pins;
         event.position_pulses = {};
         levels ^= static_cast<SignalWord>(changed);
@@ -151,6 +156,82 @@ BinaryReader::Decoded BinaryReader::decode(TraceEvent& event) {
     event.levels = levels;
     source_.consume(cursor.used());
     return kind == TraceRecordKind::end ? Decoded::end : Decoded::event;
+}
+
+/// Of the record at the source's front, to whose blob it goes; its length.
+Result<std::uint64_t> BinaryReader::pass_job_head(Job& job) {
+    for (;;) {
+        const std::string_view bytes = source_.unread();
+        NumberCursor cursor(bytes);
+        std::uint64_t head = 0;
+        std::uint64_t change = 0;
+        std::uint64_t job_bytes = 0;
+        const bool has_numbers = cursor.next(head) && cursor.next(change) && cursor.next(job_bytes);
+        if (has_numbers && (job_bytes == 0 || job_bytes > kMostTraceJobBytes))
+            return source_.bad_at(0, "a job of no bytes, or of more than any job has");
+        if (has_numbers && bytes.size() >= cursor.used() + kTraceChecksumBytes) {
+            // As a position: on a whole tick.
+            tick_ += static_cast<std::int64_t>(trace_record_ticks(head));
+            time_ns_ = std::max(time_ns_, tick_ * start_.period_ns);
+            job.checksum =
+                decode_trace_checksum(reinterpret_cast<const std::uint8_t*>(bytes.data() + cursor.used()));
+            source_.consume(cursor.used() + kTraceChecksumBytes);
+            return job_bytes;
+        }
+        if (bytes.size() >= kTraceRecordMaxBytes) return source_.bad_at(0, "a number that does not end");
+        auto more = source_.refill();
+        if (!more) return more.error();
+        if (!*more)
+            return source_.bad_at(bytes.size(), "the trace is cut off inside the job that it carries");
+    }
+}
+
+Result<void> BinaryReader::pass_job(Job& job, bool keeps_blob) {
+    const auto job_bytes = pass_job_head(job);
+    if (!job_bytes) return job_bytes.error();
+    // Room is made for what is there, whatever the record says of its length.
+    for (std::uint64_t left = *job_bytes; left > 0;) {
+        const std::string_view bytes = source_.unread().substr(0, left);
+        if (keeps_blob) {
+            const auto* const first = reinterpret_cast<const std::byte*>(bytes.data());
+            job.blob.insert(job.blob.end(), first, first + bytes.size());
+        }
+        source_.consume(bytes.size());
+        left -= bytes.size();
+        if (left == 0) break;
+        auto more = source_.refill();
+        if (!more) return more.error();
+        if (!*more) return source_.bad_at(0, "the trace is cut off inside the job that it carries");
+    }
+    if (jobs_begun_ == 0 || job.checksum != job_checksum_) ++jobs_begun_;
+    job_checksum_ = job.checksum;
+    return {};
+}
+
+Result<std::optional<BinaryReader::Job>> BinaryReader::next_job(bool keeps_blob) {
+    while (!ended_) {
+        TraceEvent event;
+        const Decoded decoded = decode(event);
+        if (decoded == Decoded::event) continue;
+        if (decoded == Decoded::end) break;
+        if (decoded == Decoded::garbage) return source_.bad_at(0, garbage_);
+        if (decoded == Decoded::job) {
+            Job job;
+            if (const auto passed = pass_job(job, keeps_blob); !passed) return passed.error();
+            if (keeps_blob && job_checksum(job.blob) != job.checksum)
+                return bad_input(source_.name() + ": the job that it carries is damaged");
+            return std::optional{std::move(job)};
+        }
+        auto more = source_.refill();
+        if (!more) return more.error();
+        if (!*more) return cut_off();
+    }
+    ended_ = true;
+    return std::optional<Job>{};
+}
+
+Error BinaryReader::cut_off() const {
+    return source_.bad_at(source_.unread().size(), "the trace is cut off: it ends without its end record");
 }
 
 Result<std::size_t> BinaryReader::check_nothing_follows() {
@@ -177,14 +258,15 @@ Result<std::size_t> BinaryReader::read(std::span<TraceEvent> events) {
             ++count;
         } else if (count > 0) {
             return count;  // what is wrong is told by the next call
+        } else if (decoded == Decoded::job) {
+            Job job;
+            if (const auto passed = pass_job(job, false); !passed) return passed.error();
         } else if (decoded == Decoded::garbage) {
             return source_.bad_at(0, garbage_);
         } else {
             auto more = source_.refill();
             if (!more) return more.error();
-            if (!*more)
-                return source_.bad_at(source_.unread().size(),
-                                      "the trace is cut off: it ends without its end record");
+            if (!*more) return cut_off();
         }
     }
     if (count > 0 || !ended_) return count;

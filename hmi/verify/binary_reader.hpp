@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "hmi/verify/byte_source.hpp"
 #include "hmi/verify/trace_reader.hpp"
@@ -34,21 +38,36 @@ public:
 
     const TraceStart& start() const noexcept override { return start_; }
     Result<std::size_t> read(std::span<TraceEvent> events) override;
+    std::size_t jobs_begun() const noexcept override { return jobs_begun_; }
+
+    /// A job that the trace carries.
+    struct Job {
+        std::uint64_t checksum = 0;
+        std::vector<std::byte> blob;  ///< as it stands there: only its checksum was compared
+    };
+    /// Passes over events up to the next job; nothing: the trace ends without one. bad_input when the job is
+    /// damaged; else as read(). `keeps_blob` false: without the blob, which is not looked at.
+    Result<std::optional<Job>> next_job(bool keeps_blob);
 
 private:
-    enum class Decoded { event, incomplete, end, garbage };
+    enum class Decoded { event, incomplete, end, garbage, job };
 
     explicit BinaryReader(ByteSource source) : source_(std::move(source)) {}
     Result<void> read_header();
     Decoded decode(TraceEvent& event);
     Decoded fail(const char* text);
+    Result<void> pass_job(Job& job, bool keeps_blob);
+    Result<std::uint64_t> pass_job_head(Job& job);
     Result<std::size_t> check_nothing_follows();
+    Error cut_off() const;
 
     ByteSource source_;
     TraceStart start_;
     std::int64_t tick_ = 0;
     std::int64_t time_ns_ = 0;
     SignalWord levels_ = 0;
+    std::size_t jobs_begun_ = 0;
+    std::uint64_t job_checksum_ = 0;  ///< of the last job
     bool ended_ = false;
     const char* garbage_ = nullptr;  ///< what is wrong with the record at the source's front
 };

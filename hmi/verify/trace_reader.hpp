@@ -38,6 +38,7 @@ struct TraceStart {
     bool has_positions = false;
     std::array<std::int64_t, kAxisCount> position_pulses{};  ///< by axis; 0 when the trace says nothing
     std::int64_t period_ns = 0;                              ///< the core's tick; 0: unknown
+    bool may_carry_jobs = false;                             ///< a form and version that can
 };
 
 /// A pin trace as a stream. Memory does not grow with the trace.
@@ -51,6 +52,10 @@ public:
     /// what is there, at least one, and waits only for that one. Garbage and a trace that was cut off:
     /// bad_input with the byte it was noticed at; events before it were returned by earlier calls.
     virtual Result<std::size_t> read(std::span<TraceEvent> events) = 0;
+
+    /// How often another job began in what was read; a job that is carried twice without another between
+    /// them began once.
+    virtual std::size_t jobs_begun() const noexcept { return 0; }
 };
 
 /// The format is found by content, then by extension (.vcd). "FILE: what is wrong".

@@ -122,6 +122,8 @@ void Cycle::check_index() noexcept {
     if (off < -config_.pulses_per_rev / 2) off += config_.pulses_per_rev;
     if (off > config_.index_tolerance_pulses || off < -config_.index_tolerance_pulses) {
         raise_alarm(AlarmCause::steps_lost, static_cast<std::uint8_t>(kPsi), seen - off, seen);
+    } else if (carve_first_tick_ != 0) {
+        index_layer_ = executor_.layer();
     }
 }
 

@@ -141,7 +141,8 @@ private:
     void end_test(MoveEnd end) noexcept;
     Refusal drives_off() noexcept;
     // cycle_reports.cpp
-    void report(const FlightRecord& record, std::int64_t expected_pulses = 0) noexcept;
+    void report(const FlightRecord& record) noexcept;
+    void note_affected_layers(Report& entry) const noexcept;
     void answer(const Request& request, Refusal refusal) noexcept;
     void push_report(const Report& report) noexcept;
     void report_gap(std::uint64_t ticks) noexcept;
@@ -205,8 +206,10 @@ private:
     std::uint64_t points_total_ = 0;
     std::uint64_t points_per_layer_ = 0;
     std::uint64_t first_layer_ = 0;  ///< of the job at hand
-    std::uint64_t end_layer_ = 0;    ///< one past the last that is to be carved
-    bool is_dry_ = false;            ///< the job at hand
+    std::uint32_t index_layer_ =
+        0;                         ///< in which psi last was where its index says; the first, if in none yet
+    std::uint64_t end_layer_ = 0;  ///< one past the last that is to be carved
+    bool is_dry_ = false;          ///< the job at hand
     std::uint64_t job_generation_ = 0;
     std::uint64_t job_start_tick_ = 0;
     std::uint64_t carve_first_tick_ = 0;

@@ -82,8 +82,9 @@ struct Report {
     std::uint64_t sequence;        ///< answer: the request's
     std::int64_t expected_pulses;  ///< alarm steps_lost: the count expected; record.value is the one seen
     Kind kind;
-    Refusal refusal;  ///< answer: none means done
-    std::uint8_t reserved[6];
+    Refusal refusal;            ///< answer: none means done
+    std::uint16_t layer_count;  ///< alarm steps_lost: of the layers that it affects, as in AlarmRecord
+    std::uint32_t first_layer;
 };
 
 /// The tick's view of itself, copied out as a whole (sequence lock in our own memory). Mirrors CoreStatus.

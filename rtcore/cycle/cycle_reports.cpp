@@ -56,10 +56,9 @@ FlightRecord Cycle::record_of(RecordKind kind, std::uint16_t code, std::uint8_t 
     return record;
 }
 
-void Cycle::report(const FlightRecord& record, std::int64_t expected_pulses) noexcept {
+void Cycle::report(const FlightRecord& record) noexcept {
     Report entry{};
     entry.record = record;
-    entry.expected_pulses = expected_pulses;
     entry.kind = Report::Kind::event;
     push_report(entry);
 }

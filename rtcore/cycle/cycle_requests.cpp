@@ -105,6 +105,7 @@ Refusal Cycle::start_job(LayerRange layers) noexcept {
     if (!is_homed()) return Refusal::not_homed;
     is_dry_ = layers.is_dry;
     first_layer_ = layers.first;
+    index_layer_ = static_cast<std::uint32_t>(first_layer_);
     end_layer_ = layers.count == 0 ? layer_count : first_layer_ + layers.count;
     pulses_.clear_emitted();
     executor_.clear_points(first_layer_ * points_per_layer_);
@@ -112,6 +113,8 @@ Refusal Cycle::start_job(LayerRange layers) noexcept {
     carve_first_tick_ = 0;
     carve_last_tick_ = 0;
     job_end_tick_ = 0;
+    // What the pins do from here on is this job.
+    if (io_->trace != nullptr && io_->traces_always) trace_all(trace::TraceEntry::Kind::job, 0);
     apply(MachineEvent::start);
     request_plan(PlanKind::position);
     return Refusal::none;

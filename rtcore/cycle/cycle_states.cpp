@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
 #include "rtcore/cycle/cycle.hpp"
 
 namespace psicarve::cycle {
@@ -175,8 +179,12 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
     lease_.forget();
     move_end_ = MoveEnd::none;
     drop_plan();
-    report(record_of(RecordKind::alarm, static_cast<std::uint16_t>(cause), axis, seen_pulses),
-           expected_pulses);
+    Report entry{};
+    entry.record = record_of(RecordKind::alarm, static_cast<std::uint16_t>(cause), axis, seen_pulses);
+    entry.expected_pulses = expected_pulses;
+    entry.kind = Report::Kind::event;
+    if (cause == AlarmCause::steps_lost) note_affected_layers(entry);
+    push_report(entry);
     apply(MachineEvent::fail);
     charge_pump_ = 0;
     // Pulses and inputs have a timer of their own in the other schedule, which writes what it finds.
@@ -184,6 +192,15 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
         written_ = pulses_.levels();
         port_->write_outputs(written_, time_ns_);
     }
+}
+
+// Steps that were lost before the first layer are missing in it, too.
+void Cycle::note_affected_layers(Report& entry) const noexcept {
+    const bool has_carved = runs_job(state_) && carve_first_tick_ != 0 && !is_dry_;
+    if (!has_carved) return;
+    constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
+    entry.first_layer = index_layer_;
+    entry.layer_count = static_cast<std::uint16_t>(std::min(executor_.layer() - index_layer_ + 1, kMost));
 }
 
 // Those that have stepped so recently that their rotor may still turn, and those on their way.

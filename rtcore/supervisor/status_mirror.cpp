@@ -5,13 +5,16 @@
 
 namespace psicarve::supervisor {
 
-void StatusMirror::note_alarm(const FlightRecord& record, std::int64_t expected_pulses) noexcept {
+void StatusMirror::note_alarm(const cycle::Report& report) noexcept {
+    const FlightRecord& record = report.record;
     AlarmRecord& alarm = alarms_[alarm_count_ % kAlarmHistory];
     alarm = AlarmRecord{};
     alarm.tick = record.tick;
     alarm.cause = static_cast<AlarmCause>(record.code);
     alarm.axis = static_cast<std::uint8_t>(record.axis);
-    alarm.expected = expected_pulses;
+    alarm.layer_count = report.layer_count;
+    alarm.first_layer = report.first_layer;
+    alarm.expected = report.expected_pulses;
     alarm.seen = record.value;
     ++alarm_count_;
 }

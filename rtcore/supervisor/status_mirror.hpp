@@ -50,7 +50,8 @@ class StatusMirror {
 public:
     explicit StatusMirror(const CoreFacts& facts) noexcept : facts_(facts) {}
 
-    void note_alarm(const FlightRecord& record, std::int64_t expected_pulses) noexcept;
+    /// Of an alarm.
+    void note_alarm(const cycle::Report& report) noexcept;
     void set_lateness(const LatenessFacts& lateness) noexcept { lateness_ = lateness; }
     void set_realtime(const RealtimeFacts& realtime) noexcept { realtime_ = realtime; }
     void set_sim(const SimFacts& sim) noexcept { sim_ = sim; }

@@ -181,8 +181,7 @@ void Supervisor::judge_job(JobLoader::Outcome outcome) {
 void Supervisor::offer_job(std::shared_ptr<const LoadedJob> job) {
     loading_job_ = std::move(job);
     is_offer_stale_ = false;
-    parts_->planner->set_job(std::shared_ptr<const JobView>{loading_job_, &loading_job_->view},
-                             loading_job_->generation);
+    hand_out(loading_job_);
     cycle::Request request{};
     request.sequence = kJobRequest;
     request.kind = cycle::RequestKind::job_loaded;
@@ -190,6 +189,12 @@ void Supervisor::offer_job(std::shared_ptr<const LoadedJob> job) {
     request.points_total = std::uint64_t{loading_job_->view.layer_count()} * loading_job_->view.point_count();
     request.points_per_layer = loading_job_->view.point_count();
     parts_->io->requests.push(request);
+}
+
+/// To all who work with a job that is started.
+void Supervisor::hand_out(const std::shared_ptr<const LoadedJob>& job) {
+    parts_->planner->set_job(std::shared_ptr<const JobView>{job, &job->view}, job->generation);
+    parts_->traces.set_job({job, job->blob, job->checksum});
 }
 
 void Supervisor::finish_job(const cycle::Report& report) {
@@ -202,7 +207,7 @@ void Supervisor::finish_job(const cycle::Report& report) {
         if (parts_->estimator != nullptr)
             parts_->estimator->begin(std::shared_ptr<const JobView>{job_, &job_->view});
     } else if (job_ != nullptr) {
-        parts_->planner->set_job(std::shared_ptr<const JobView>{job_, &job_->view}, job_->generation);
+        hand_out(job_);
     }
     loading_job_.reset();
     // Whoever reads it once the job is acknowledged must not find the times of the job before.
@@ -229,7 +234,7 @@ void Supervisor::drain_reports() {
         parts_->io->reports.pop();
         const FlightRecord& record = report.record;
         if (record.kind != RecordKind::none) flight_log_.append(segment_->header().recorder, record);
-        if (record.kind == RecordKind::alarm) mirror_.note_alarm(record, report.expected_pulses);
+        if (record.kind == RecordKind::alarm) mirror_.note_alarm(report);
         if (record.kind == RecordKind::alarm || record.kind == RecordKind::state_change) ++changes_;
         if (report.kind != cycle::Report::Kind::answer) continue;
         if (report.sequence == kOwnRequest) continue;

@@ -93,6 +93,7 @@ private:
     void take_job();
     void judge_job(JobLoader::Outcome outcome);
     void offer_job(std::shared_ptr<const LoadedJob> job);
+    void hand_out(const std::shared_ptr<const LoadedJob>& job);
     void finish_job(const cycle::Report& report);
     void drain_reports();
     void drain_increments();

@@ -26,8 +26,9 @@ void TraceOutlet::set_recording_taker(RecordingTaker taker) {
 }
 
 bool TraceOutlet::has_room() const noexcept {
-    return when_full_ == WhenFull::loses ||
-           std::ranges::all_of(files_, [](const File& file) { return file.thread->room() > 0; });
+    return when_full_ == WhenFull::loses || std::ranges::all_of(files_, [](const File& file) {
+               return file.thread->room() > 0 && file.thread->takes_job();
+           });
 }
 
 void TraceOutlet::drain(trace::TraceRing& ring) {
@@ -42,10 +43,20 @@ void TraceOutlet::drain(trace::TraceRing& ring) {
     for (const File& file : files_) file.thread->wake();
 }
 
+void TraceOutlet::add_job() {
+    if (!job_ || job_->checksum == carried_checksum_) return;
+    carried_checksum_ = job_->checksum;
+    for (File& file : files_) {
+        if (file.thread->put_job(*job_)) continue;
+        errors_.push_back("trace " + file.path + ": it is read or written too slowly to carry its job, too");
+    }
+}
+
 void TraceOutlet::add(const trace::TraceEntry& entry) {
     using Kind = trace::TraceEntry::Kind;
     if (entry.kind == Kind::begin_binary || entry.kind == Kind::begin_vcd) return begin_recording(entry);
     if (entry.kind == Kind::end) return end_recording(entry.tick);
+    if (entry.kind == Kind::job) return add_job();
     for (File& file : files_) {
         if (!file.thread->put(entry)) lose(file, entry);
     }

@@ -33,6 +33,10 @@ public:
     Result<void> open(const std::vector<std::string>& paths, const trace::TraceStart& start);
     bool is_open() const noexcept { return !files_.empty(); }
 
+    /// The job that goes to the traces when the next one begins. One that they carry is not carried twice in
+    /// a row.
+    void set_job(trace::TracedJob job) { job_ = std::move(job); }
+
     /// Takes the bytes of a recording; without bytes: it has ended.
     using RecordingTaker = std::function<void(std::uint32_t token, std::span<const std::uint8_t> bytes)>;
     /// Whoever carries recordings to the processes that asked for them; nothing: nobody does any more.
@@ -73,6 +77,7 @@ private:
     };
     bool has_room() const noexcept;
     void add(const trace::TraceEntry& entry);
+    void add_job();
     void lose(File& file, const trace::TraceEntry& entry);
     void begin_recording(const trace::TraceEntry& entry);
     void end_recording(std::uint64_t tick);
@@ -80,6 +85,8 @@ private:
     WhenFull when_full_;
     std::vector<File> files_;
     std::vector<std::string> errors_;
+    std::optional<trace::TracedJob> job_;  ///< that would begin
+    std::optional<std::uint64_t> carried_checksum_;
     std::uint64_t lost_ = 0;
     bool has_unflushed_ = true;  ///< at first the traces' heads
     std::int64_t period_ns_ = 0;

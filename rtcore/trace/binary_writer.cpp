@@ -46,6 +46,12 @@ void BinaryWriter::add(const TraceEntry& entry) noexcept {
     out_.commit(encode_leb128(place, changed));
 }
 
+void BinaryWriter::add_job(const TracedJob& job) noexcept {
+    std::uint8_t* const place = out_.room(kTraceRecordMaxBytes);
+    out_.commit(encode_trace_job_head(place, job.blob.size(), job.checksum));
+    out_.write({reinterpret_cast<const char*>(job.blob.data()), job.blob.size()});
+}
+
 void BinaryWriter::finish(std::uint64_t end_tick) noexcept {
     out_.commit(begin_record(std::max(end_tick, last_tick_), TraceRecordKind::end));
     out_.flush();

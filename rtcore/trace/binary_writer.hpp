@@ -16,6 +16,7 @@ public:
     BinaryWriter(TraceOutput out, const TraceStart& start) noexcept;
 
     void add(const TraceEntry& entry) noexcept override;
+    void add_job(const TracedJob& job) noexcept override;
     void flush() noexcept override { out_.flush(); }
     void finish(std::uint64_t end_tick) noexcept override;
     WrittenBytes written_bytes() const noexcept override { return out_.written_bytes(); }

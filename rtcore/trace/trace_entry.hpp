@@ -11,14 +11,14 @@
 namespace psicarve::trace {
 
 /// What the tick tells a trace: the levels of all pins after a change, positions that homing defined anew,
-/// and where a recording for another process begins and ends.
+/// where a job begins, and where a recording for another process begins and ends.
 struct TraceEntry {
-    enum class Kind : std::uint32_t { pins, position, begin_binary, begin_vcd, end };
+    enum class Kind : std::uint32_t { pins, position, begin_binary, begin_vcd, end, job };
     std::uint64_t tick;
     SignalWord levels;
     Kind kind;
-    std::uint32_t offset_ns;                               ///< inside the tick
-    std::uint32_t token;                                   ///< kinds begin and end: whose recording
+    std::uint32_t offset_ns;  ///< inside the tick
+    std::uint32_t token;      ///< kinds begin and end: whose recording; kind job: where it lies
     std::array<std::int64_t, kAxisCount> position_pulses;  ///< kinds position and begin
 };
 

@@ -32,6 +32,18 @@ TraceThread::~TraceThread() {
     }
 }
 
+bool TraceThread::put_job(const TracedJob& job) noexcept {
+    JobPlace& place = shared_->jobs[next_job_place_];
+    if (room() == 0 || !takes_job()) return false;
+    place.job = job;
+    place.is_full.store(true);
+    TraceEntry entry{};
+    entry.kind = TraceEntry::Kind::job;
+    entry.token = next_job_place_;
+    next_job_place_ = (next_job_place_ + 1) % kJobPlaces;
+    return put(entry);
+}
+
 void TraceThread::wake() {
     event_signal(shared_->told);
 }
@@ -67,6 +79,14 @@ void TraceThread::note_error(Shared& shared) {
     shared.has_error.store(true);
 }
 
+void TraceThread::write(Shared& shared, const TraceEntry& entry) {
+    if (entry.kind != TraceEntry::Kind::job) return shared.writer->add(entry);
+    JobPlace& place = shared.jobs[entry.token];
+    shared.writer->add_job(place.job);
+    place.job = {};
+    place.is_full.store(false);
+}
+
 void TraceThread::run(Shared& shared) {
     const rtcore::HandlerStack handler_stack;
     rtcore::lower_own_priority();
@@ -75,13 +95,13 @@ void TraceThread::run(Shared& shared) {
         const std::uint32_t seen = event_count(shared.told);
         if (shared.must_finish.load()) break;
         const bool must_flush = shared.must_flush.exchange(false);
-        while (shared.ring.pop_into(entry)) shared.writer->add(entry);
+        while (shared.ring.pop_into(entry)) write(shared, entry);
         if (must_flush) shared.writer->flush();
         note_error(shared);
         event_wait_past(shared.told, seen, kUntilSomethingHappens);
     }
     const bool must_drop = shared.must_drop.load();
-    while (!must_drop && shared.ring.pop_into(entry)) shared.writer->add(entry);
+    while (!must_drop && shared.ring.pop_into(entry)) write(shared, entry);
     if (shared.is_whole && !must_drop) shared.writer->finish(shared.end_tick);
     shared.writer->flush();
     note_error(shared);

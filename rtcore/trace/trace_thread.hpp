@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -32,6 +34,10 @@ public:
     std::size_t room() const noexcept { return TraceRing::capacity() - shared_->ring.size(); }
     /// False when there is no room. It is not written before wake().
     bool put(const TraceEntry& entry) noexcept { return shared_->ring.push(entry); }
+    /// Not too many jobs wait to be written.
+    bool takes_job() const noexcept { return !shared_->jobs[next_job_place_].is_full.load(); }
+    /// False when there is no room, or not takes_job(). As put().
+    bool put_job(const TracedJob& job) noexcept;
     void wake();
     /// Also hand what has gathered to the operating system, once all is written.
     void flush();
@@ -48,7 +54,14 @@ public:
     std::optional<Error> take_error();
 
 private:
+    /// The jobs among the ring's entries. Each place is the writer's while it is full.
+    struct JobPlace {
+        TracedJob job{};  ///< written before is_full
+        std::atomic<bool> is_full{false};
+    };
+    static constexpr std::size_t kJobPlaces = 4;
     struct Shared {
+        std::array<JobPlace, kJobPlaces> jobs;
         TraceRing ring;
         std::unique_ptr<TraceWriter> writer;  ///< the thread's
         EventWord told;                       ///< of each of the following four
@@ -63,10 +76,12 @@ private:
         EventWord finished;
     };
     static void run(Shared& shared);
+    static void write(Shared& shared, const TraceEntry& entry);
     static void note_error(Shared& shared);
 
     std::shared_ptr<Shared> shared_;
     TraceWriter::WrittenBytes written_bytes_;
+    std::uint32_t next_job_place_ = 0;
     bool is_error_taken_ = false;
     std::thread thread_;
 };

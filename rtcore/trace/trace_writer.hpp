@@ -3,9 +3,11 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "rtcore/trace/trace_entry.hpp"
@@ -21,6 +23,13 @@ struct TraceStart {
     std::array<std::int64_t, kAxisCount> position_pulses{};
 };
 
+/// A job in memory that nobody changes.
+struct TracedJob {
+    std::shared_ptr<const void> owner;  ///< of the blob
+    std::span<const std::byte> blob;
+    std::uint64_t checksum;  ///< job_checksum() of it
+};
+
 /// Writes what the pins do to a file or pipe. One thread's; not for the tick (it may block on the disk).
 /// After the first failed write it writes nothing more and says so once.
 class TraceWriter {
@@ -32,6 +41,8 @@ public:
 
     /// In the order in which things happened: ticks never go back, nor offsets within a tick.
     virtual void add(const TraceEntry& entry) noexcept = 0;
+    /// What the pins do from here on is this job. A form that has no place for it leaves it out.
+    virtual void add_job(const TracedJob& job) noexcept = 0;
     /// Hands what has gathered to the operating system, so that a reader of a live trace sees it.
     virtual void flush() noexcept = 0;
     /// Completes the trace, which covers all ticks before `end_tick`. Without it a trace reads as cut off.

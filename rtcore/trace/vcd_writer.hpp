@@ -21,6 +21,8 @@ public:
     VcdWriter(TraceOutput out, const TraceStart& start) noexcept;
 
     void add(const TraceEntry& entry) noexcept override;
+    /// A dump carries no job: viewers would have to read through it, and sigrok stops at it.
+    void add_job(const TracedJob&) noexcept override {}
     void flush() noexcept override { out_.flush(); }
     void finish(std::uint64_t end_tick) noexcept override;
     WrittenBytes written_bytes() const noexcept override { return out_.written_bytes(); }

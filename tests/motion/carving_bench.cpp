@@ -33,6 +33,7 @@ public:
         TraceEntry entry;
         std::vector<verify::TraceEvent> events;
         while (ring_->pop_into(entry)) {
+            if (entry.kind == TraceEntry::Kind::job) continue;
             verify::TraceEvent event;
             event.time_ns = static_cast<std::int64_t>(entry.tick) * period_ns_;
             event.levels = entry.levels;

@@ -63,6 +63,7 @@ class CountingWriter final : public trace::TraceWriter {
 public:
     explicit CountingWriter(std::shared_ptr<std::atomic<int>> added) : added_(std::move(added)) {}
     void add(const trace::TraceEntry& /*entry*/) noexcept override { ++*added_; }
+    void add_job(const trace::TracedJob&) noexcept override {}
     void flush() noexcept override {}
     void finish(std::uint64_t /*end_tick*/) noexcept override {}
     WrittenBytes written_bytes() const noexcept override { return bytes_; }

@@ -9,6 +9,7 @@
 #include "shared/process_identity.hpp"
 #include "shared/profile.hpp"
 #include "tests/hmi/cli/program_run.hpp"
+#include "tests/older_trace.hpp"
 #include "tests/places.hpp"
 #include "tests/thoroughness.hpp"
 
@@ -189,14 +190,54 @@ TEST_F(Carve, ScrewsWithBacklashCarveExactlyAndTheTraceShowsIt) {
 
 TEST_F(Carve, ATraceOfAnotherJobIsADifference) {
     const std::string job = slice_box();
+    ASSERT_EQ(psicarve({"carve", job, "--segment", segment_, "--trace", file("pins.vcd")}).exit_code, 0);
     ASSERT_EQ(psicarve({"carve", job, "--segment", segment_, "--trace", file("pins.trace")}).exit_code, 0);
     const std::string other = file("other.job");
     ASSERT_EQ(psicarve({"slice", box_stl("box.stl"), "-o", other, "--layers", std::to_string(kLayers),
                         "--points", "17", "--scale", "1.1"})
                   .exit_code,
               0);
-    const Outcome verified = psicarve({"verify", other, file("pins.trace"), "--picture", file("other.png")});
+    const Outcome verified = psicarve({"verify", other, file("pins.vcd"), "--picture", file("other.png")});
     EXPECT_EQ(verified.exit_code, 6) << verified.out;
+    const Outcome refused = psicarve({"verify", other, file("pins.trace")});
+    EXPECT_EQ(refused.exit_code, 3) << refused.out;
+    EXPECT_EQ(refused.error, "psicarve: " + other + ": is not the job that " + file("pins.trace") +
+                                 " carries; leave it out, or name the right one\n");
+}
+
+TEST_F(Carve, ATraceIsJudgedDrawnAndReplayedAlone) {
+    const std::string job = slice_box();
+    const std::string trace = file("pins.trace");
+    ASSERT_EQ(psicarve({"carve", job, "--segment", segment_, "--trace", trace}).exit_code, 0);
+    const Outcome alone = psicarve({"verify", trace, "--json", "--picture", file("alone.png")});
+    EXPECT_EQ(alone.exit_code, 0) << alone.error;
+    EXPECT_EQ(alone.out, psicarve({"verify", job, trace, "--json", "--picture", file("both.png")}).out);
+    EXPECT_EQ(text_of(file("alone.png")), text_of(file("both.png")));
+    ASSERT_EQ(psicarve({"replay", trace, "--trace", file("again.trace")}).exit_code, 0);
+    ASSERT_EQ(psicarve({"replay", job, "--trace", file("of_job.trace")}).exit_code, 0);
+    EXPECT_EQ(text_of(file("again.trace")), text_of(file("of_job.trace")));
+    EXPECT_EQ(psicarve({"verify", file("again.trace")}).exit_code, 0);
+}
+
+TEST_F(Carve, ATraceWithoutItsJobSaysWhatToName) {
+    const std::string job = slice_box();
+    ASSERT_EQ(psicarve({"replay", job, "--trace", file("pins.trace")}).exit_code, 0);
+    ASSERT_EQ(psicarve({"replay", job, "--trace", file("pins.vcd")}).exit_code, 0);
+    write("old.trace", test::older_trace(text_of(file("pins.trace"))));
+    for (const char* name : {"old.trace", "pins.vcd"}) {
+        const Outcome alone = psicarve({"verify", file(name)});
+        EXPECT_EQ(alone.exit_code, 3);
+        EXPECT_EQ(alone.error, "psicarve: " + file(name) +
+                                   ": carries no job; name it as well: psicarve verify JOB " + file(name) +
+                                   "\n");
+        EXPECT_EQ(psicarve({"verify", job, file(name)}).exit_code, 0) << name;
+    }
+    EXPECT_EQ(psicarve({"replay", file("old.trace")}).error,
+              "psicarve: " + file("old.trace") + ": carries no job; name a job or snapshot file instead\n");
+    const Outcome job_alone = psicarve({"verify", job});
+    EXPECT_EQ(job_alone.exit_code, 2);
+    EXPECT_EQ(job_alone.error,
+              "psicarve: " + job + " is a job; name its trace, too: psicarve verify " + job + " TRACE\n");
 }
 
 TEST_F(Carve, TheSegmentKeepsTheJobForASnapshot) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <limits>
 
 #include "tests/two_process/core_rig.hpp"
@@ -274,6 +275,26 @@ TEST_F(CoreCarving, AProfileThatAsksTooMuchOfTheMotorsLosesStepsThatTheStatusSho
     EXPECT_GT(end.sim_stalls[index_of(Axis::r1)], 0U);
     EXPECT_NE(end.sim_true_position_pulses[index_of(Axis::r1)], end.position_pulses[index_of(Axis::r1)]);
     EXPECT_EQ(end.sim_stalls[index_of(Axis::psi)], 0U);
+}
+
+TEST_F(CoreCarving, ATableThatIsNotWhereItShouldBeIsToldWithHowFarItIsOffAndTheLayers) {
+    Profile real;
+    real.psi.pulses_per_rev += 10;  // as if ten steps were lost in each turn
+    const std::string text = profile_to_toml(real);
+    ASSERT_TRUE(write_file_atomically(file("real.toml"), std::as_bytes(std::span{text})));
+    start_core({"--machine", file("real.toml")});
+    home();
+    ASSERT_EQ(publish(lobed_job(9, 33)), "");
+    start_carving();
+    ASSERT_TRUE(
+        eventually([&] { return status().state == MachineState::alarm || status().job_end_tick != 0; }));
+    const CoreStatus end = status();
+    ASSERT_EQ(end.alarm_cause, AlarmCause::steps_lost);
+    const AlarmRecord& alarm = end.alarms[(end.alarm_count - 1) % kAlarmHistory];
+    EXPECT_EQ(alarm.seen - alarm.expected, 10);
+    EXPECT_EQ(alarm.first_layer, 0U);
+    EXPECT_EQ(alarm.layer_count, end.layer + 1);
+    EXPECT_GE(end.layer, 1U);
 }
 
 TEST_F(CoreCarving, ShutdownEndsACoreAtRest) {

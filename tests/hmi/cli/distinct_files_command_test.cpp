@@ -60,7 +60,7 @@ TEST_F(DistinctFilesOfACommand, AreHeldToBySlice) {
 }
 
 TEST_F(DistinctFilesOfACommand, AreHeldToByAllThatWriteOfAJob) {
-    expect_refused({"replay", file("j.job"), "--trace", file("j.job")}, "--trace", "JOB");
+    expect_refused({"replay", file("j.job"), "--trace", file("j.job")}, "--trace", "JOB|TRACE");
     expect_refused({"carve", file("m.stl"), "--trace", file("m.stl")}, "--trace", "MODEL|JOB");
     expect_refused({"carve", file("m.stl"), "--piece", file("hard")}, "--piece", "MODEL|JOB");
     expect_refused({"carve", file("j.job"), "--model", file("m.stl"), "--piece", file("m.stl")}, "--piece",
@@ -136,7 +136,7 @@ TEST_F(DistinctFilesOfACommand, AreRefusedBeforeSlicingWhereAJobCannotStand) {
 TEST_F(DistinctFilesOfACommand, AreOfNoOptionThatIsNotKnown) {
     const std::set<std::string> known{"--profile", "--output",    "--trace", "--picture", "--preview",
                                       "--piece",   "--deviation", "--csv",   "--model",   "MODEL",
-                                      "MODEL|JOB", "JOB",         "JOB_A",   "JOB_B",     "FILE",
+                                      "MODEL|JOB", "JOB|TRACE",   "JOB_A",   "JOB_B",     "FILE",
                                       "A",         "B",           "TRACE"};
     const std::set<std::string> no_files{"SIGNAL", "SHELL"};
     const std::regex positional{"^  ([A-Z][A-Z_|]*)(?: REQUIRED)?(?: .*)?$"};

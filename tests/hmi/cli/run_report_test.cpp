@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "hmi/cli/carved_piece.hpp"
 #include "hmi/cli/exit_code.hpp"
@@ -43,6 +46,43 @@ TEST(RunReport, OfRightPinsThatTheMachineDidNotFollowIsNot) {
     EXPECT_NE(run_text(sut).find("STEPS LOST: r1 stalls 3"), std::string::npos);
     ASSERT_TRUE(verdict_of(sut));
     EXPECT_EQ(run_exit_code(sut, *verdict_of(sut)), kExitDifference);
+}
+
+TEST(RunReport, SaysByHowMuchTheSimulatedMachineIsOffWhereItLostSteps) {
+    const std::vector<std::byte> blob = job_blob_from_table(small_job());  // 400 pulses/mm, 6400 a turn
+    machine::JobRun run;
+    run.before.sim_stalls[0] = 7;
+    run.after = run.before;
+    run.after.position_pulses[0] = run.after.position_pulses[2] = run.after.position_pulses[3] = 5000;
+    run.after.sim_true_position_pulses[0] = 4952;
+    run.after.sim_true_position_pulses[2] = 5000 + 3 * 6400 + 40;
+    run.after.sim_true_position_pulses[3] = 4000;  // of old: it lost nothing in this run
+    const auto lost_by = [&] { return report::report_of(JobView::check(blob).value(), run).lost_steps; };
+    EXPECT_EQ(lost_by(), "");
+    run.after.sim_stalls[0] += 3;
+    run.after.sim_timing_lost[2] = 40;
+    EXPECT_EQ(lost_by(),
+              "r1 stalls 3, stands -0.120 mm off, psi pulses against the driver's timing 40, stands +2.250 "
+              "degrees off");
+    run.after.sim_true_position_pulses[0] = 5000;
+    run.after.sim_true_position_pulses[2] = 5000 - 6400;
+    EXPECT_EQ(lost_by(), "r1 stalls 3, psi pulses against the driver's timing 40")
+        << "it came back by itself";
+}
+
+TEST(RunReport, SaysByHowMuchTheTableIsOffAndWhichLayersThatAffects) {
+    RunReport sut = verified_run();
+    sut.pulses_per_rev = 6400;
+    sut.figures.alarms.push_back({100, AlarmCause::steps_lost, 2, 4, 3, 19'200, 19'240});
+    EXPECT_NE(
+        run_text(sut).find("alarms     steps lost of psi at tick 100\n"
+                           "lost       the table stands -2.250 degrees (-40 pulses) off; layers 3 to 6 can "
+                           "be wrong\n"),
+        std::string::npos)
+        << run_text(sut);
+    const auto alarm = nlohmann::json::parse(run_json(sut))["alarms"][0];
+    EXPECT_EQ(alarm["off_deg"], -2.25);
+    EXPECT_EQ(alarm["last_layer"], 6);
 }
 
 TEST(RunReport, ThatWasNotVerifiedIsNeither) {

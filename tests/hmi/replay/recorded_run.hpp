@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "hmi/machine/snapshot_taker.hpp"
 #include "hmi/verify/trace_reader.hpp"
+#include "tests/older_trace.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::replay::test {
@@ -18,13 +20,14 @@ protected:
     static constexpr std::uint32_t kLayers = 6;
     static constexpr std::uint32_t kPoints = 41;
 
-    /// Leaves run.trace, and apart from it other.job and other.snap.
+    /// Leaves run.trace, which is of the older form and carries no job, and apart from it other.job and
+    /// other.snap; and whole.trace, which carries its job.
     void record() {
         const JobTable table = two_process::lobed_job(kLayers, kPoints);
         Snapshot job_file;
         job_file.job_blob = job_blob_from_table(table);
         ASSERT_TRUE(save_snapshot(job_file, job()));
-        this->start_core({"--trace", trace()});
+        this->start_core({"--trace", whole_trace()});
         ASSERT_EQ(this->publish(table), "");
         this->home();
         ASSERT_EQ(this->refusal_of(CommandKind::override, 80.0), "");
@@ -38,7 +41,10 @@ protected:
         ASSERT_TRUE(save_snapshot(*taken, snapshot()));
         ASSERT_EQ(this->refusal_of(CommandKind::shutdown), "");
         ASSERT_EQ(this->core_->wait_for_exit(), 0);
+        std::ofstream(trace(), std::ios::binary)
+            << psicarve::test::older_trace(two_process::text_of(whole_trace()));
     }
+    std::string whole_trace() const { return this->file("whole.trace"); }
     std::string trace() const { return this->file("run.trace"); }
     std::string job() const { return this->file("other.job"); }
     std::string snapshot() const { return this->file("other.snap"); }

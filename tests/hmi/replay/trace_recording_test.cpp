@@ -124,6 +124,64 @@ TEST_F(TraceReplay, TakesTheJobThatLiesBesideIt) {
     EXPECT_TRUE(open(trace())->facts().knows_states);
 }
 
+TEST_F(TraceReplay, NeedsNoFileBesideATraceThatCarriesItsJob) {
+    record();
+    const auto sut = open(whole_trace());
+    ASSERT_TRUE(sut->facts().job);
+    EXPECT_EQ(sut->facts().job->view.layer_count(), kLayers);
+    EXPECT_TRUE(sut->facts().warnings.empty());
+    EXPECT_FALSE(sut->facts().knows_states);
+    const auto shown = sut->at(
+        static_cast<std::int64_t>(end_.carve_last_tick - 1) * static_cast<std::int64_t>(end_.period_ns),
+        false);
+    ASSERT_TRUE(shown && shown->place);
+    EXPECT_EQ(shown->place->layer, kLayers - 1);
+    // The same pins as without it.
+    const auto older = open(trace());
+    EXPECT_EQ(sut->facts().end_ns, older->facts().end_ns);
+    EXPECT_EQ(sut->index()->events(), older->index()->events());
+}
+
+TEST_F(TraceReplay, TakesTheEntriesOfASnapshotBesideATraceThatCarriesItsJob) {
+    record();
+    std::filesystem::copy_file(snapshot(), file("whole.snap"));
+    const auto sut = open(whole_trace());
+    EXPECT_TRUE(sut->facts().knows_states);
+    EXPECT_TRUE(sut->facts().warnings.empty());
+}
+
+TEST_F(TraceReplay, RefusesAnotherJobThanTheOneItCarries) {
+    record();
+    EXPECT_TRUE(open(whole_trace(), job())->facts().job) << "the same";
+    JobTable other = two_process::lobed_job(kLayers, kPoints);
+    ++other.r_left_pulses[3];
+    Snapshot other_job;
+    other_job.job_blob = job_blob_from_table(other);
+    ASSERT_TRUE(save_snapshot(other_job, file("third.job")));
+    const auto opened = open_recording({whole_trace(), file("third.job"), Profile{}}, {});
+    ASSERT_FALSE(opened);
+    EXPECT_THAT(opened.error().message, HasSubstr("third.job"));
+    EXPECT_THAT(opened.error().message, HasSubstr("is not the job that"));
+    // One that happens to lie beside it is not asked for.
+    std::filesystem::copy_file(file("third.job"), file("whole.job"));
+    EXPECT_EQ(open(whole_trace())->facts().job->view.r_left_pulses(0)[3], other.r_left_pulses[3] - 1);
+}
+
+TEST_F(TraceReplay, ShowsThePinsOfATraceWhoseJobIsDamaged) {
+    record();
+    std::string bytes = text_of(whole_trace());
+    const std::size_t at = bytes.find("PSCAJOB1");
+    ASSERT_NE(at, std::string::npos);
+    bytes[at + 400] ^= 1;
+    std::ofstream(file("damaged.trace"), std::ios::binary) << bytes;
+    const auto sut = open(file("damaged.trace"));
+    EXPECT_FALSE(sut->facts().job);
+    ASSERT_EQ(sut->facts().warnings.size(), 1U);
+    EXPECT_THAT(in_english(sut->facts().warnings[0]),
+                HasSubstr("damaged.trace: the job that it carries is damaged"));
+    EXPECT_EQ(sut->facts().end_ns, open(trace())->facts().end_ns);
+}
+
 TEST_F(TraceReplay, DoesNotTakeAnotherRunsEntriesForItsOwn) {
     record();
     auto other = load_snapshot(snapshot());

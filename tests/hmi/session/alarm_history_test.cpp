@@ -33,12 +33,13 @@ MachineSight with_alarms(const std::vector<AlarmRecord>& alarms, S state = S::re
 }
 
 AlarmRecord alarm_of(Axis axis, std::uint64_t second) {
-    return {second * kTicksPerSecond, AlarmCause::limit, static_cast<std::uint8_t>(index_of(axis)), {}, 0, 0};
+    return {
+        second * kTicksPerSecond, AlarmCause::limit, static_cast<std::uint8_t>(index_of(axis)), 0, 0, 0, 0};
 }
 
 TEST(AlarmHistory, IsToldOfACoreThatIsHeardForTheFirstTime) {
     const MachineSight machine =
-        with_alarms({alarm_of(Axis::r2, 5), {20 * kTicksPerSecond, AlarmCause::steps_lost, 2, {}, 7, 9}});
+        with_alarms({alarm_of(Axis::r2, 5), {20 * kTicksPerSecond, AlarmCause::steps_lost, 2, 0, 0, 7, 9}});
     const auto told = changes_between(MachineSight{}, machine);
     ASSERT_EQ(told.size(), 3U);
     EXPECT_EQ(in_english(told[0].what),
@@ -107,7 +108,7 @@ TEST(AlarmHistory, OfAVirtualClockHasNoTime) {
     EXPECT_TRUE(told[0].is_from_before);
     EXPECT_EQ(told[0].time, Clock::time_point{});
     EXPECT_TRUE(log_line(told[0]).starts_with("(time not known)")) << log_line(told[0]);
-    machine = with_alarms({{~std::uint64_t{0}, AlarmCause::limit, 250, {}, 0, 0}});
+    machine = with_alarms({{~std::uint64_t{0}, AlarmCause::limit, 250, 0, 0, 0, 0}});
     machine.is_core_of_first_look = true;
     EXPECT_EQ(fresh_alarms(MachineSight{}, machine).at(0).time, Clock::time_point{})
         << "nonsense of a segment";

@@ -89,6 +89,23 @@ TEST(AlarmText, CountsTheTicksThatWereMissedUpToTheAlarm) {
     EXPECT_EQ(machine.missed_ticks_at_alarm, 5U);
 }
 
+TEST(AlarmText, SaysByHowMuchTheTableIsOffAndWhichLayersThatAffects) {
+    MachineSight machine = limit_alarm(Axis::psi);
+    machine.status->alarm_cause = AlarmCause::steps_lost;
+    machine.status->alarm_count = 1;
+    AlarmRecord& alarm = machine.status->alarms[0];
+    alarm = {100, AlarmCause::steps_lost, 2, 4, 3, 19'200, 19'240};
+    const std::string before = "The Ψ index was expected at 19\u2009200 pulses and came at 19\u2009240";
+    const std::string off = before + ": the table stands \u22122.250° off. Likely it was held or braked.";
+    EXPECT_EQ(in_english(alarm_text(machine).detail), off + " Layers 4 to 7 can be wrong.");
+    alarm.layer_count = 1;
+    EXPECT_EQ(in_english(alarm_text(machine).detail), off + " Layer 4 can be wrong.");
+    alarm.layer_count = 0;
+    EXPECT_EQ(in_english(alarm_text(machine).detail), off);
+    machine.profile.reset();
+    EXPECT_EQ(in_english(alarm_text(machine).detail), before + ". Likely the table was held or braked.");
+}
+
 TEST(AlarmText, NamesTheAxisThatMovedInAPauseOfTheComputer) {
     MachineSight machine = limit_alarm(Axis::r2);
     machine.status->alarm_cause = AlarmCause::tick_gap;

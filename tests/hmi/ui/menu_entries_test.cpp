@@ -136,7 +136,11 @@ TEST_F(MenuEntries, OfViewChooseThemeLanguageAndPanels) {
 TEST_F(MenuEntries, OfToolsVerifyCompareCalibrateAndCheck) {
     record();
     open_in_front();
-    EXPECT_FALSE(entry("verify_action").isEnabled()) << "against what?";
+    EXPECT_TRUE(named_file([&] { EXPECT_TRUE(choose_entry("verify_action")); }, whole_trace()));
+    ASSERT_TRUE(comes_true([&] { return window_->findChild<QDialog*>("verdict") != nullptr; }))
+        << all_messages().toStdString();
+    ASSERT_TRUE(click("verdict_close"));
+    EXPECT_TRUE(comes_true([&] { return window_->findChild<QDialog*>("verdict") == nullptr; }));
     window_->open(QString::fromStdString(job()));
     ASSERT_TRUE(comes_to(DeskState::job));
     EXPECT_TRUE(named_file([&] { EXPECT_TRUE(choose_entry("verify_action")); }, trace()));

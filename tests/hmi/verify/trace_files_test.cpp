@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -12,7 +13,7 @@
 #include <thread>
 
 #include "hmi/verify/trace_reader.hpp"
-#include "tests/hmi/verify/verify_fixture.hpp"
+#include "tests/hmi/verify/trace_file_fixture.hpp"
 
 namespace psicarve::verify {
 namespace {
@@ -25,62 +26,6 @@ const std::string kDeclarations =
     "$var wire 1 $ y_step $end\n$var wire 1 % r1_dir $end\n$var wire 1 & r2_dir $end\n"
     "$var wire 1 ' psi_dir $end\n$var wire 1 ( y_dir $end\n";
 const std::string kBody = "$upscope $end\n$enddefinitions $end\n";
-
-struct ReadTrace {
-    TraceStart start;
-    std::vector<TraceEvent> events;
-    std::string error;
-};
-
-ReadTrace read_all(Result<std::unique_ptr<TraceReader>> reader, std::size_t at_once = 64) {
-    ReadTrace read;
-    if (!reader) {
-        read.error = reader.error().message;
-        return read;
-    }
-    read.start = (*reader)->start();
-    std::vector<TraceEvent> some(at_once);
-    for (;;) {
-        auto count = (*reader)->read(some);
-        if (!count) read.error = count.error().message;
-        if (!count || *count == 0) return read;
-        read.events.insert(read.events.end(), some.begin(),
-                           some.begin() + static_cast<std::ptrdiff_t>(*count));
-    }
-}
-
-class TraceFile : public testing::Test {
-protected:
-    ~TraceFile() override { ::unlink(path_.c_str()); }
-
-    ReadTrace read(const std::string& bytes, std::size_t at_once = 64) {
-        std::ofstream(path_, std::ios::binary) << bytes;
-        return read_all(open_trace(path_), at_once);
-    }
-
-    std::string path_ = testing::TempDir() + "psicarve_trace_" + std::to_string(::getpid());
-};
-
-void expect_equal(const ReadTrace& read, const PerfectMachine& machine) {
-    EXPECT_EQ(read.error, "");
-    EXPECT_EQ(read.start.initial_levels, machine.start.initial_levels);
-    EXPECT_EQ(read.start.position_pulses, machine.start.position_pulses);
-    ASSERT_GE(read.events.size(), machine.events.size());
-    for (std::size_t n = 0; n < machine.events.size(); ++n) {
-        ASSERT_EQ(read.events[n].time_ns, machine.events[n].time_ns) << n;
-        ASSERT_EQ(read.events[n].levels, machine.events[n].levels) << n;
-        ASSERT_EQ(read.events[n].kind, machine.events[n].kind) << n;
-        ASSERT_EQ(read.events[n].position_pulses, machine.events[n].position_pulses) << n;
-    }
-}
-
-class WholeTrace : public TraceFile {
-protected:
-    WholeTrace() { machine_.define_positions({24000, 24000, -5, 0}).carve_job(); }
-
-    SampleJob job_ = wavy_job();
-    PerfectMachine machine_{job_};
-};
 
 TEST_F(WholeTrace, ReadsBackFromAValueChangeDump) {
     expect_equal(read(as_vcd(machine_.start, machine_.events)), machine_);

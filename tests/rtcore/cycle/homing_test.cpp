@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <random>
 
+#include "rtcore/cycle/layer_range.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 
 namespace psicarve::cycle {
@@ -186,10 +187,60 @@ bool index_notices(std::int64_t slip_pulses, bool zigzag) {
     return rig.cycle->sample().alarm_cause == AlarmCause::steps_lost;
 }
 
+/// Carves eight layers of half a turn each, of which every second one ends at the index; psi slips in the
+/// middle of layer 4. The alarm.
+Report alarm_of_slip(std::int64_t slip_pulses, LayerRange layers) {
+    MachineRig rig(quick_profile());
+    EXPECT_TRUE(rig.home());
+    rig.load(random_job(8, 30, 5, Joining::continuous));
+    EXPECT_EQ(rig.ask(RequestKind::start, 0, packed(layers)), Refusal::none);
+    EXPECT_TRUE(rig.run_until(MachineState::waiting));
+    rig.ask(RequestKind::start_interpolation);
+    rig.run_while([&] { return rig.cycle->sample().layer < 4 || rig.cycle->sample().point < 10; });
+    rig.machine->slip(Axis::psi, slip_pulses);
+    rig.run_while([&] { return rig.cycle->state() == MachineState::carving; });
+    Report found{};
+    for (const Report& report : rig.reports) {
+        if (report.record.kind == RecordKind::alarm) found = report;
+    }
+    return found;
+}
+
 TEST(Index, NoticesLostStepsBeyondItsToleranceInBothDirections) {
     for (const std::int64_t slip : {-40, -3, 3, 40}) EXPECT_TRUE(index_notices(slip, false)) << slip;
     for (const std::int64_t slip : {-2, 0, 2}) EXPECT_FALSE(index_notices(slip, false)) << slip;
     EXPECT_FALSE(index_notices(0, true));
+}
+
+TEST(Index, TellsByHowMuchAndWhichLayersThatAffects) {
+    // Turned on by 40 pulses it comes so much too early: at the end of layer 5. It was right at that of
+    // layer 3.
+    const Report ahead = alarm_of_slip(40, {});
+    EXPECT_EQ(ahead.record.code, static_cast<std::uint16_t>(AlarmCause::steps_lost));
+    EXPECT_EQ(ahead.expected_pulses, 6 * 3200);
+    EXPECT_EQ(ahead.record.value, 6 * 3200 - 40);
+    EXPECT_EQ(ahead.first_layer, 3U);
+    EXPECT_EQ(ahead.layer_count, 3U);
+    // Held back it comes too late: in layer 6.
+    const Report behind = alarm_of_slip(-40, {});
+    EXPECT_EQ(behind.expected_pulses, 6 * 3200);
+    EXPECT_EQ(behind.record.value, 6 * 3200 + 40);
+    EXPECT_EQ(behind.first_layer, 3U);
+    EXPECT_EQ(behind.layer_count, 4U);
+}
+
+TEST(Index, NothingIsKnownToBeRightBeforeTheFirstLayerThatIsCarved) {
+    // Layer 4 begins at the index, before the slip.
+    const Report late = alarm_of_slip(-40, {.first = 4});
+    EXPECT_EQ(late.first_layer, 4U);
+    EXPECT_EQ(late.layer_count, 3U);
+}
+
+TEST(Index, NoLayerIsAffectedWhereNoneIsCarved) {
+    const Report dry = alarm_of_slip(-40, {.is_dry = true});
+    EXPECT_EQ(dry.record.code, static_cast<std::uint16_t>(AlarmCause::steps_lost));
+    EXPECT_EQ(dry.record.value, 6 * 3200 + 40);
+    EXPECT_EQ(dry.layer_count, 0U);
 }
 
 }  // namespace

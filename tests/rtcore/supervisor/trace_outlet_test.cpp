@@ -111,6 +111,27 @@ TEST_F(Recording, ThatIsDroppedSaysNothingMore) {
     EXPECT_TRUE(tokens_.empty());
 }
 
+TEST_F(Recording, FilesCarryAJobWhereItBeginsAndNotTwice) {
+    const std::vector<std::byte> blob(5000, std::byte{3});
+    const auto job = [&](std::uint64_t checksum) { return trace::TracedJob{nullptr, blob, checksum}; };
+    open({path("a.trace"), path("a.vcd")});
+    sut_.set_job(job(5));  // never begun
+    ring_->push(trace::pins(3, 1));
+    ring_->push(entry(TraceEntry::Kind::job, 3, 0));
+    sut_.set_job(job(6));
+    sut_.drain(*ring_);
+    pass(trace::pins(4, 0));
+    sut_.set_job(job(6));  // published once more
+    pass(entry(TraceEntry::Kind::job, 4, 0));
+    sut_.finish(5);
+    EXPECT_TRUE(sut_.wait_until_finished(kLong));
+    EXPECT_TRUE(sut_.take_errors().empty());
+    const std::string expected = std::string("\x0C\x01\0\0\x88\x27\x06\0\0\0\0\0\0\0", 14) +
+                                 std::string(blob.size(), '\3') + "\x04\x01\x07";
+    EXPECT_EQ(content(path("a.trace")).substr(64), expected);
+    EXPECT_EQ(content(path("a.vcd")).find('\3'), std::string::npos);
+}
+
 /// A trace into a pipe that nobody reads, and one into a file beside it.
 class StandingReader : public trace::TraceFolder {
 protected:

@@ -66,6 +66,27 @@ void expect_same(const TraceEntry& read, const TraceEntry& written) {
     EXPECT_EQ(read.position_pulses, written.position_pulses);
 }
 
+TEST_F(BinaryWriterTest, PutsAJobBehindWhatHasHappened) {
+    const std::string file = path("t.pct");
+    std::vector<std::byte> blob(70'000, std::byte{7});  // more than one piece
+    blob.back() = std::byte{9};
+    {
+        auto sut = open_trace(file, {.period_ns = 50'000, .levels = 0, .position_pulses = {}}).value();
+        sut->add(pins(3, 0x1));
+        sut->add_job({nullptr, blob, 0x0807060504030201});
+        sut->add(pins(5, 0));
+        sut->finish(6);
+        EXPECT_FALSE(sut->take_error());
+    }
+    const std::string head = std::string("\x0C\x01", 2) + std::string("\0\0", 2) + "\xF0\xA2\x04" +  // 70 000
+                             "\x01\x02\x03\x04\x05\x06\x07\x08";
+    const std::string bytes = content(file).substr(64);
+    ASSERT_EQ(bytes.size(), head.size() + blob.size() + 3);
+    EXPECT_EQ(bytes.substr(0, head.size()), head);
+    EXPECT_EQ(bytes.substr(head.size(), blob.size()), std::string(69'999, '\7') + '\x09');
+    EXPECT_EQ(bytes.substr(head.size() + blob.size()), "\x08\x01\x07");
+}
+
 TEST_F(BinaryWriterTest, WritesTheBytesThatTheFormatSays) {
     const std::string file = path("t.pct");
     {
@@ -80,7 +101,7 @@ TEST_F(BinaryWriterTest, WritesTheBytesThatTheFormatSays) {
     const std::string bytes = content(file);
     ASSERT_EQ(bytes.size(), 64U + 2 + 4 + 6 + 2);
     EXPECT_EQ(bytes.substr(0, 8), "PSCATRC1");
-    EXPECT_EQ(bytes.substr(8, 8), std::string("\x01\0\0\0\0\x20\0\0", 8));
+    EXPECT_EQ(bytes.substr(8, 8), std::string("\x02\0\0\0\0\x20\0\0", 8));
     EXPECT_EQ(bytes.substr(16, 8), std::string("\x50\xC3\0\0\0\0\0\0", 8));
     EXPECT_EQ(bytes.substr(24, 8), std::string("\x01\0\0\0\0\0\0\0", 8));
     EXPECT_EQ(bytes.substr(32, 8), std::string(8, '\xFF'));

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/report/lost_steps.hpp"
+
+#include <cstdio>
+
+#include "shared/units.hpp"
+
+namespace psicarve::report {
+
+std::optional<LostSteps> lost_steps_of(const AlarmRecord& alarm, std::int64_t pulses_per_rev) {
+    if (alarm.cause != AlarmCause::steps_lost) return std::nullopt;
+    LostSteps lost;
+    // The index stands still: that the count is further by so much means that the table is not.
+    lost.off_pulses = static_cast<std::int64_t>(static_cast<std::uint64_t>(alarm.expected) -
+                                                static_cast<std::uint64_t>(alarm.seen));
+    if (pulses_per_rev > 0) lost.off_deg = deg_from_pulses(lost.off_pulses, pulses_per_rev);
+    if (alarm.layer_count > 0)
+        lost.layers = LostSteps::Layers{alarm.first_layer, alarm.first_layer + alarm.layer_count - 1U};
+    return lost;
+}
+
+std::string lost_steps_text(const LostSteps& lost) {
+    char amount[64];
+    const auto pulses = static_cast<long long>(lost.off_pulses);
+    if (lost.off_deg) {
+        std::snprintf(amount, sizeof amount, "%+.3f degrees (%+lld pulses)", *lost.off_deg, pulses);
+    } else {
+        std::snprintf(amount, sizeof amount, "%+lld pulses", pulses);
+    }
+    const std::string text = "the table stands " + std::string{amount} + " off";
+    if (!lost.layers) return text;
+    const std::string first = std::to_string(lost.layers->first);
+    if (lost.layers->first == lost.layers->last) return text + "; layer " + first + " can be wrong";
+    return text + "; layers " + first + " to " + std::to_string(lost.layers->last) + " can be wrong";
+}
+
+}  // namespace psicarve::report

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/verify/carried_job.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "hmi/verify/binary_reader.hpp"
+#include "hmi/verify/byte_source.hpp"
+#include "shared/trace_format.hpp"
+
+namespace psicarve::verify {
+namespace {
+
+using Reader = std::unique_ptr<BinaryReader>;
+
+/// Null: of a form or version that carries no job, or no file at all but a pipe, which is read once only.
+Result<Reader> open_for_jobs(const std::string& path) {
+    if (!is_binary_trace(path)) return Reader{};
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return bad_input(path + ": cannot open: " + std::generic_category().message(errno));
+    auto reader = BinaryReader::open_binary(ByteSource(descriptor, path));
+    if (reader && !(*reader)->start().may_carry_jobs) return Reader{};
+    return reader;
+}
+
+}  // namespace
+
+bool is_binary_trace(const std::string& path) {
+    // Not to wait for a writer that a pipe may never have.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0) return false;
+    std::uint64_t magic = 0;
+    const bool has_magic = ::pread(descriptor, &magic, sizeof magic, 0) == sizeof magic;
+    ::close(descriptor);
+    return has_magic && magic == kTraceMagic;
+}
+
+Result<std::optional<std::vector<std::byte>>> first_carried_job(const std::string& path) {
+    const auto reader = open_for_jobs(path);
+    if (!reader) return reader.error();
+    if (*reader == nullptr) return std::optional<std::vector<std::byte>>{};
+    auto job = (*reader)->next_job(true);
+    if (!job) return job.error();
+    if (!*job) return std::optional<std::vector<std::byte>>{};
+    return std::optional{std::move((*job)->blob)};
+}
+
+Result<std::vector<std::byte>> require_carried_job(const std::string& path, const std::string& remedy) {
+    auto job = first_carried_job(path);
+    if (!job) return job.error();
+    if (!*job) return bad_input(path + ": carries no job; " + remedy);
+    return std::move(**job);
+}
+
+Result<void> check_is_of_trace(const std::string& trace_path, std::uint64_t checksum,
+                               const std::string& job_path) {
+    const auto reader = open_for_jobs(trace_path);
+    if (!reader || *reader == nullptr) return {};
+    bool carries_another = false;
+    for (;;) {
+        const auto job = (*reader)->next_job(false);
+        if (!job || !*job) break;
+        if ((*job)->checksum == checksum) return {};
+        carries_another = true;
+    }
+    if (!carries_another) return {};
+    return bad_input(job_path + ": is not the job that " + trace_path +
+                     " carries; leave it out, or name the right one");
+}
+
+}  // namespace psicarve::verify

@@ -21,8 +21,9 @@ MachineSession::MachineSession(SessionOptions options, MessageLog& log)
       log_(log),
       jog_(
           options_.segment_name, options_.group,
-          [this](const Error& error) {
-              log_.add(Severity::warning, refusal_phrase(phrase("By hand"), error.message));
+          [this](const Error& error, bool is_of_test) {
+              tell_refusal(is_of_test ? OrderPlace::outputs : OrderPlace::jog, phrase("By hand"),
+                           error.message);
           },
           options_.hand_limit) {
     sight_.watched_since = std::chrono::system_clock::now();
@@ -59,6 +60,9 @@ void MachineSession::poll() {
     const MachineSight before = sight_;
     keep_attached();
     look();
+    refused_.look(sight_);
+    if (jogs_asked_ != jog_.asked()) refused_.forget();
+    jogs_asked_ = jog_.asked();
     jog_.poll();
     for (Message& message : changes_between(before, sight_)) log_.add(std::move(message));
     go_on_with_start();
@@ -207,6 +211,13 @@ void MachineSession::forget_wishes() noexcept {
     orders_.drop_waiting();
     wanted_override_percent_.reset();
     jog_.release();
+    refused_.forget();
+}
+
+void MachineSession::tell_refusal(OrderPlace place, const Phrase& name, const std::string& reason) {
+    const Phrase what = refusal_phrase(name, reason);
+    log_.add(Severity::warning, what);
+    refused_.note({place, what, help_for(reason)}, sight_);
 }
 
 void MachineSession::read_increments(const std::function<void(const IncrementEntry&)>& take) {
@@ -285,13 +296,14 @@ void MachineSession::send(const Command& command, const Phrase& name, Then then,
     if (watches_only_ && command.kind != CommandKind::hold) {
         return log_.add(Severity::warning, joined(name, phrase("a recording is shown; leave replay first")));
     }
+    refused_.forget();
     orders_.post([this, command, name, then = std::move(then), otherwise = std::move(otherwise),
                   segment = options_.segment_name, group = options_.group]() -> WorkLane::Finish {
         auto link = MachineLink::attach(segment, group);
         const auto sent = link ? link->send(command) : Result<void>{link.error()};
         if (sent) return then;
-        return [this, name, otherwise, why = sent.error().message] {
-            log_.add(Severity::warning, refusal_phrase(name, why));
+        return [this, place = place_of(command.kind), name, otherwise, why = sent.error().message] {
+            tell_refusal(place, name, why);
             if (otherwise) otherwise();
         };
     });

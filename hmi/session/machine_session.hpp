@@ -13,6 +13,7 @@
 #include "hmi/session/jog_hand.hpp"
 #include "hmi/session/machine_sight.hpp"
 #include "hmi/session/message_log.hpp"
+#include "hmi/session/refused_order.hpp"
 #include "hmi/session/start_intent.hpp"
 #include "hmi/session/work_lane.hpp"
 #include "shared/command.hpp"
@@ -82,6 +83,10 @@ public:
     }
     /// The core may still show the percentage before.
     bool is_override_under_way() const { return wanted_override_percent_ || !orders_.is_idle(); }
+    /// The last one that was refused, while that holds; a jog and an output's test, too.
+    const std::optional<OrderRefusal>& refused_order() const noexcept { return refused_.told(); }
+    /// The fields that such an order would go by are others.
+    void forget_refused_order(OrderPlace place) noexcept { refused_.forget(place); }
     /// One is on its way to the core, or waits for the one before.
     bool has_orders() const { return !orders_.is_idle(); }
     /// What the core has reported of its motion since the last call, oldest first. Those that came faster
@@ -111,6 +116,7 @@ private:
     void look_for_checkpoint();
     void go_on_with_start();
     void forget_wishes() noexcept;
+    void tell_refusal(OrderPlace place, const Phrase& name, const std::string& reason);
 
     SessionOptions options_;
     MessageLog& log_;
@@ -129,6 +135,8 @@ private:
     bool has_looked_ = false;  ///< for a core, and knows whether one was there
     bool watches_only_ = false;
     std::optional<std::uint32_t> wanted_override_percent_;
+    RefusedOrder refused_;
+    std::uint64_t jogs_asked_ = 0;
     JogHand jog_;
     WorkLane finder_;
     WorkLane profile_finder_{WorkLane::Haste::background};  ///< a disk that hangs keeps nobody from attaching

@@ -14,6 +14,7 @@
 #include "hmi/ui/job_pair_view.hpp"
 #include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/motion_buttons.hpp"
+#include "hmi/ui/order_card.hpp"
 #include "hmi/ui/preflight_list.hpp"
 #include "hmi/ui/report_dialog.hpp"
 #include "hmi/ui/tick_box.hpp"
@@ -107,6 +108,12 @@ void JobPanel::make_buttons() {
     body().addSpacing(kSmallGap);
     body().addLayout(from);
     body().addWidget(reason_);
+    refused_ = new OrderCard{bench_, session::OrderPlace::job, "job"};
+    body().addWidget(refused_);
+    // What was refused was another start.
+    const auto forget = [this] { bench_.machine.forget_refused_order(session::OrderPlace::job); };
+    connect(layer_, &QSpinBox::valueChanged, this, forget);
+    connect(dry_run_, &QCheckBox::toggled, this, forget);
 }
 
 void JobPanel::make_override() {
@@ -183,6 +190,7 @@ void JobPanel::show_report() {
 void JobPanel::set_theme(const Tokens& tokens) {
     tokens_ = &tokens;
     checks_->set_theme(tokens);
+    refused_->set_theme(tokens);
     start_->set_glyph(Glyph::play, tokens, true);
     hold_->set_glyph(Glyph::pause, tokens);
     stop_->set_glyph(Glyph::stop, tokens);
@@ -269,6 +277,10 @@ void JobPanel::refresh_buttons() {
         resumable ? tr("Leaves out the layers before it; %1 was the last that was finished").arg(*resumable)
                   : tr("Leaves out the layers before it"));
     reason_->setText(said_beside({start_, hold_, resume_, stop_}, checks_->to_look_at()));
+    // In a small window Start and what it was refused stand below the pages.
+    const bool is_refused = refused_->refresh();
+    if (room_ == Room::small) refused_->hide();
+    reason_->setHidden(is_refused && room_ != Room::small);
     refresh_layer();
 }
 

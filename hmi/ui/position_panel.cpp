@@ -11,6 +11,7 @@
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/last_known.hpp"
+#include "hmi/ui/order_card.hpp"
 #include "hmi/ui/settings.hpp"
 #include "hmi/ui/words.hpp"
 
@@ -79,6 +80,7 @@ PositionPanel::PositionPanel(Bench& bench, QWidget* parent) : Dock(tr("Position"
     buttons->addWidget(home_one_, 1);
     buttons->addWidget(home_, 1);
     body().addLayout(buttons);
+    refused_ = new OrderCard{bench_, session::OrderPlace::position, "position", OrderCard::Shape::high, this};
     select(Axis::r1);
 }
 
@@ -136,6 +138,7 @@ void PositionPanel::set_theme(const Tokens& tokens) {
             QString{"background: %1; border: 0; border-radius: 0;"}.arg(colours[index_of(axis)].name());
         rows_[index_of(axis)].bar->setStyleSheet(style);
     }
+    refused_->set_theme(tokens);
     refresh();
 }
 
@@ -157,6 +160,7 @@ void PositionPanel::refresh() {
 }
 
 void PositionPanel::select(Axis axis) {
+    if (axis != selected_) bench_.machine.forget_refused_order(session::OrderPlace::position);
     selected_ = axis;
     for (const Axis each : kAllAxes)
         set_styled(rows_[index_of(each)].whole, "selected", each == axis ? "yes" : "no");
@@ -176,6 +180,7 @@ void PositionPanel::refresh_buttons() {
     zero_one_->set_hint(clears ? tr("Forgets the zero of %1").arg(letter)
                                : tr("Shows how far %1 is from here; no motion changes").arg(letter));
     for (ActionButton* button : {home_, home_one_, zero_one_}) button->refresh(bench_);
+    refused_->refresh_beside(*this, *home_);
 }
 
 void PositionPanel::change_zero() {

@@ -37,7 +37,7 @@ PreflightList::PreflightList(QWidget* parent)
     sum_->setObjectName("preflight_sum");
     grid_->setColumnStretch(1, 1);
     for (std::size_t i = 0; i < session::kMostChecks; ++i) {
-        const Row row{new QLabel, new QLabel, role_label("label")};
+        const Row row{new QLabel, plain_label(), role_label("label")};
         row.icon->setFixedSize(kCheckIconSide + 4, kCheckIconSide + 3);
         const int line = static_cast<int>(i);
         grid_->addWidget(row.icon, line, 0);

@@ -108,8 +108,7 @@ void JobPanel::make_buttons() {
     body().addSpacing(kSmallGap);
     body().addLayout(from);
     body().addWidget(reason_);
-    refused_ = new OrderCard{bench_, session::OrderPlace::job, "job"};
-    body().addWidget(refused_);
+    refused_ = new OrderCard{bench_, session::OrderPlace::job, "job", OrderCard::Shape::high, this};
     // What was refused was another start.
     const auto forget = [this] { bench_.machine.forget_refused_order(session::OrderPlace::job); };
     connect(layer_, &QSpinBox::valueChanged, this, forget);
@@ -277,10 +276,11 @@ void JobPanel::refresh_buttons() {
         resumable ? tr("Leaves out the layers before it; %1 was the last that was finished").arg(*resumable)
                   : tr("Leaves out the layers before it"));
     reason_->setText(said_beside({start_, hold_, resume_, stop_}, checks_->to_look_at()));
-    // In a small window Start and what it was refused stand below the pages.
-    const bool is_refused = refused_->refresh();
-    if (room_ == Room::small) refused_->hide();
-    reason_->setHidden(is_refused && room_ != Room::small);
+    // In a small window Start stands below the panels, and has one of its own.
+    if (room_ == Room::small)
+        refused_->hide();
+    else
+        refused_->refresh_beside(*this, *start_);
     refresh_layer();
 }
 

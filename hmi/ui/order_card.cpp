@@ -122,11 +122,14 @@ void OrderCard::refresh_beside(QWidget& panel, const QWidget& button) {
     if (parentWidget() != ground) setParent(ground);
     const int width = std::min(kWidthBeside, ground->width() - 2 * kGap);
     const int height = heightForWidth(width);
-    const QPoint beside =
-        window != nullptr ? panel.mapTo(ground, QPoint{panel.width() + kGap, 0}) : QPoint{kGap, 0};
     const int lowest = ground->height() - height - kGap;
-    const int top = window != nullptr ? std::min(button.mapTo(ground, QPoint{}).y(), lowest) : lowest;
-    setGeometry(std::max(0, std::min(beside.x(), ground->width() - width)), std::max(0, top), width, height);
+    QPoint at{kGap, lowest};
+    if (window != nullptr) {
+        const int right = panel.mapTo(ground, QPoint{panel.width() + kGap, 0}).x();
+        const int left = panel.mapTo(ground, QPoint{-kGap - width, 0}).x();
+        at = {right + width <= ground->width() ? right : left, button.mapTo(ground, QPoint{}).y()};
+    }
+    setGeometry(std::max(0, at.x()), std::clamp(at.y(), 0, std::max(0, lowest)), width, height);
     if (isHidden()) show();
     raise();
 }

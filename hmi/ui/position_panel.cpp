@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -115,6 +116,7 @@ QWidget* PositionPanel::make_row(Axis axis) {
     row.pulses->hide();
     row.unit = role_label("label");
     row.unit->setFixedWidth(kUnitWidth);
+    row.unit->setObjectName(QString{"unit_%1"}.arg(QString::fromStdString(std::string{name_of(axis)})));
     row.homed = lamp();
     row.sensor = lamp();
     row.homed->setObjectName(QString{"homed_%1"}.arg(QString::fromStdString(std::string{name_of(axis)})));
@@ -206,7 +208,10 @@ void PositionPanel::refresh_row(Axis axis) {
     Row& row = rows_[index_of(axis)];
     const session::AxisReadout readout = session::axis_readout(sight, axis);
     row.value->setText(QString::fromStdString(readout.value));
-    row.unit->setText(readout.unit == "pulses" ? tr("pul.") : QString::fromStdString(readout.unit));
+    const bool is_in_pulses = readout.unit == "pulses";
+    row.unit->setText(is_in_pulses ? tr("pul.") : QString::fromStdString(readout.unit));
+    row.unit->setFixedWidth(std::max(kUnitWidth, row.unit->sizeHint().width()));
+    set_styled(row.value, "long", is_in_pulses ? "yes" : "no");
     row.value->setToolTip(words(session::commanded_and_actual(sight, axis)));
     if (is_wide_) row.pulses->setText(words(session::pulses_phrase(sight, axis)));
     const bool is_known = sight.is_heard() || !sight.status;

@@ -56,7 +56,7 @@ MotionBlock::MotionBlock(Bench& bench)
     : bench_(bench),
       buttons_(make_motion_buttons(bench)),
       reason_(role_label("label")),
-      refused_(new OrderCard{bench, session::OrderPlace::job, "motion"}) {
+      refused_(new OrderCard{bench, session::OrderPlace::job, "motion", OrderCard::Shape::high, this}) {
     setObjectName("motion");
     auto* grid = new QGridLayout{this};
     grid->setContentsMargins(0, 0, 0, 0);
@@ -76,7 +76,6 @@ MotionBlock::MotionBlock(Bench& bench)
     reason_->setObjectName("motion_reason");
     reason_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     grid->addWidget(reason_, 2, 0, 1, place);
-    grid->addWidget(refused_, 3, 0, 1, place);
 }
 
 void MotionBlock::set_theme(const Tokens& tokens) {
@@ -95,7 +94,7 @@ void MotionBlock::refresh() {
             ? to_look_at_in(session::preflight_checks(bench_.machine.sight(), bench_.desk.sight()))
             : QString{};
     const QString reason = said_beside(buttons_, to_look_at);
-    reason_->setHidden(refused_->refresh());
+    refused_->refresh_beside(*this, *buttons_.start);
     set_plain_tip(*reason_, reason);
     const QString shown = reason_->fontMetrics().elidedText(reason, Qt::ElideRight, reason_->width());
     if (reason_->text() != shown) reason_->setText(shown);

@@ -28,6 +28,7 @@ QLabel[role="r1"] { color: @r1; font-weight: 700; font-size: 12px; }
 QLabel[role="r2"] { color: @r2; font-weight: 700; font-size: 12px; }
 QLabel[role="axis"] { font-size: 16px; font-weight: 700; }
 QLabel[role="digits"] { font-size: 28px; }
+QLabel[role="digits"][long="yes"] { font-size: 17px; }
 QLabel[role="title"] { font-size: 15px; font-weight: 700; }
 QLabel[role="percent"] { font-size: 18px; font-weight: 700; }
 QLabel[role="badge"] { color: @sim; border: 2px solid @sim; border-radius: 4px; font-weight: 700; padding: 0 10px; }
@@ -129,6 +130,7 @@ QLabel[trouble="yes"] { color: @warn; font-weight: 700; }
 // For a hand that stands further off.
 constexpr const char* kWideSheet = R"(
 QLabel[role="digits"] { font-size: 36px; }
+QLabel[role="digits"][long="yes"] { font-size: 24px; }
 QPushButton { min-height: 34px; }
 QPushButton[key="true"] { min-height: 50px; }
 QPushButton[main="true"], QPushButton[strong="true"] { min-height: 46px; }

@@ -13,7 +13,10 @@
 #include <QTabWidget>
 #include <QVariantMap>
 
+#include <algorithm>
+#include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <tuple>
 #include <vector>
@@ -236,6 +239,54 @@ TEST_P(Fit, WithAnotherProfileThanTheCores) {
     window_->bench().machine.set_profile(given);
     ASSERT_TRUE(comes_true([&] { return part<QWidget>("core_profile").isVisible(); }));
     expect_fit("other_profile");
+}
+
+TEST_P(Fit, WithPositionsInPulses) {
+    Profile own;
+    own.r1.pulses_per_mm *= 2.0;
+    std::ofstream{file("own.toml")} << profile_to_toml(own);
+    start_core({"--profile", file("own.toml")});
+    std::filesystem::remove(file("own.toml"));
+    open_window();
+    window_->resize(size());
+    ASSERT_TRUE(comes_to(MachineState::off));
+    core_->send_signal(SIGSTOP);  // its words are ours
+    auto& record = segment_->header().status;
+    CoreStatus status = load_words<CoreStatus>(record.words);
+    const std::int64_t pulses[kAxisCount] = {-48'000, 48'000, 1'006'160, 60'000};
+    std::copy_n(std::begin(pulses), kAxisCount, std::begin(status.position_pulses));
+    ASSERT_TRUE(comes_true([&] {
+        ++status.heartbeat;
+        write_record(record, status);
+        return part<QLabel>("position_psi").text().startsWith("1");
+    }));
+    for (const char* name : {"unit_r1", "unit_psi"}) {
+        const auto& unit = part<QLabel>(name);
+        EXPECT_LE(unit.fontMetrics().horizontalAdvance(unit.text()), unit.width()) << name;
+    }
+    expect_fit("pulses");
+}
+
+TEST_P(Fit, WithOrdersThatWereRefused) {
+    open_small();
+    window_->emergency_stop();
+    ASSERT_TRUE(comes_to(MachineState::alarm));
+    session::MachineSession& machine = window_->bench().machine;
+    const auto refused = [&](CommandKind kind, session::OrderPlace place) {
+        machine.order(kind, session::phrase("Home"));
+        return comes_true([&] { return machine.refused_order() && machine.refused_order()->place == place; });
+    };
+    ASSERT_TRUE(refused(CommandKind::home, session::OrderPlace::position));
+    expect_fit("refused_home");
+    ASSERT_TRUE(refused(CommandKind::spindle, session::OrderPlace::jog));
+    expect_panels_fit("refused_jog");
+    ASSERT_TRUE(refused(CommandKind::resume, session::OrderPlace::job));
+    expect_fit("refused_job");
+    ASSERT_TRUE(refused(CommandKind::drives_off, session::OrderPlace::outputs));
+    part<QTabWidget>("tabs").setCurrentIndex(3);
+    expect_fit("refused_outputs");
+    ASSERT_TRUE(refused(CommandKind::back_off, session::OrderPlace::alarm));
+    expect_fit("refused_alarm");
 }
 
 TEST_P(Fit, WithASlicedModel) {

@@ -119,6 +119,7 @@ void MachineSession::look() {
     }
     const auto pid = core_now();
     if (pid && *pid != sight_.core_pid) {
+        missed_.forget();
         sight_.core_pid = *pid;
         sight_.is_core_of_first_look = !has_looked_;
         sight_.port_name.clear();
@@ -144,6 +145,7 @@ void MachineSession::take_status(const CoreStatus& status, bool has_core) {
     // A guard's last words come when their core is gone, and move nothing: it was heard when it was heard.
     const bool is_of_heard_core = sight_.status && sight_.status->tick <= status.tick;
     sight_.missed_ticks_at_alarm = missed_ticks_at_alarm(sight_, status);
+    sight_.missed_per_s = missed_.note(status.missed_ticks, Clock::now());
     // Another core may have the number of the one before.
     if (sight_.status && !is_of_heard_core) sight_.is_core_of_first_look = false;
     sight_.status = status;

@@ -15,6 +15,7 @@
 #include "hmi/session/message_log.hpp"
 #include "hmi/session/refused_order.hpp"
 #include "hmi/session/start_intent.hpp"
+#include "hmi/session/tick_health.hpp"
 #include "hmi/session/work_lane.hpp"
 #include "shared/command.hpp"
 #include "shared/shared_record.hpp"
@@ -127,6 +128,7 @@ private:
     std::uint64_t core_profile_hash_ = 0;
     std::uint64_t sought_hash_ = 0;  ///< of the profile that was looked for in files
     std::uint32_t sought_pid_ = 0;
+    MissedMeter missed_;
     std::uint64_t heartbeat_ = 0;
     Clock::time_point heartbeat_changed_{};
     Clock::time_point attach_tried_{};

@@ -276,6 +276,7 @@ TEST_P(Fit, WithOrdersThatWereRefused) {
         machine.order(kind, session::phrase("Home"));
         return comes_true([&] { return machine.refused_order() && machine.refused_order()->place == place; });
     };
+    part<QTabWidget>("tabs").setCurrentIndex(5);
     ASSERT_TRUE(refused(CommandKind::home, session::OrderPlace::position));
     expect_fit("refused_home");
     ASSERT_TRUE(refused(CommandKind::spindle, session::OrderPlace::jog));

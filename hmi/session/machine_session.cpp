@@ -218,7 +218,7 @@ void MachineSession::forget_wishes() noexcept {
 
 void MachineSession::tell_refusal(OrderPlace place, const Phrase& name, const std::string& reason) {
     const Phrase what = refusal_phrase(name, reason);
-    log_.add(Severity::warning, what);
+    log_.add_command(Severity::warning, what);
     refused_.note({place, what, help_for(reason)}, sight_);
 }
 
@@ -303,7 +303,14 @@ void MachineSession::send(const Command& command, const Phrase& name, Then then,
                   segment = options_.segment_name, group = options_.group]() -> WorkLane::Finish {
         auto link = MachineLink::attach(segment, group);
         const auto sent = link ? link->send(command) : Result<void>{link.error()};
-        if (sent) return then;
+        if (sent && command.kind == CommandKind::override) return then;
+        if (sent)
+            return [this, name, then] {
+                Phrase asked = phrase("Asked for: %1");
+                asked.inner.push_back(name);
+                log_.add_command(Severity::info, std::move(asked));
+                if (then) then();
+            };
         return [this, place = place_of(command.kind), name, otherwise, why = sent.error().message] {
             tell_refusal(place, name, why);
             if (otherwise) otherwise();

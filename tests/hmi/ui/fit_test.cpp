@@ -13,7 +13,6 @@
 #include <QTabWidget>
 #include <QVariantMap>
 
-#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -253,17 +252,13 @@ TEST_P(Fit, WithPositionsInPulses) {
     core_->send_signal(SIGSTOP);  // its words are ours
     auto& record = segment_->header().status;
     CoreStatus status = load_words<CoreStatus>(record.words);
-    const std::int64_t pulses[kAxisCount] = {-48'000, 48'000, 1'006'160, 60'000};
-    std::copy_n(std::begin(pulses), kAxisCount, std::begin(status.position_pulses));
+    status.position_pulses[index_of(Axis::r1)] = -48'000;
+    status.position_pulses[index_of(Axis::psi)] = 1'006'160;
     ASSERT_TRUE(comes_true([&] {
         ++status.heartbeat;
         write_record(record, status);
         return part<QLabel>("position_psi").text().startsWith("1");
     }));
-    for (const char* name : {"unit_r1", "unit_psi"}) {
-        const auto& unit = part<QLabel>(name);
-        EXPECT_LE(unit.fontMetrics().horizontalAdvance(unit.text()), unit.width()) << name;
-    }
     expect_fit("pulses");
 }
 
@@ -286,8 +281,6 @@ TEST_P(Fit, WithOrdersThatWereRefused) {
     ASSERT_TRUE(refused(CommandKind::drives_off, session::OrderPlace::outputs));
     part<QTabWidget>("tabs").setCurrentIndex(3);
     expect_fit("refused_outputs");
-    ASSERT_TRUE(refused(CommandKind::back_off, session::OrderPlace::alarm));
-    expect_fit("refused_alarm");
 }
 
 TEST_P(Fit, WithASlicedModel) {

@@ -229,6 +229,7 @@ constexpr PressLine kLines[] = {
     {"refused_outputs_remedy", "OrderRefused.AnOutputsTestInAnAlarmSaysSoBelowTheTest"},
     {"refused_position_read", "OrderRefused.IsTakenAwayOnceItWasReadWhereverItStands"},
     {"refused_position_remedy", "OrderRefused.HomingInAnAlarmOffersToResetIt"},
+    {"message_recorder", "MessagesPageOf.LeadFromAnAlarmToItsMomentInTheFlightRecorder"},
     {"remedy_axis", "DeskRefusal.OfAnAxisBesideTheModelHasTheOneThatLosesLeast"},
     {"remedy_height", "DeskRefusal.OfAModelTooTallHasTheHeightThatFits"},
     {"remedy_layers", "DeskRefusal.OfTooManyLayersHasHowManyThereCanBe"},

@@ -115,11 +115,11 @@ bool OrderCard::refresh() {
 }
 
 void OrderCard::refresh_beside(QWidget& panel, const QWidget& button) {
-    if (!is_wanted() || !panel.isVisible()) return hide();
-    show_refusal(*bench_.machine.refused_order());
     auto* const window = qobject_cast<QMainWindow*>(panel.window());
     QWidget* const ground = window != nullptr ? window : &panel;  // a frame goes before its panel does
     if (parentWidget() != ground) setParent(ground);
+    if (!is_wanted() || !panel.isVisible()) return hide();
+    show_refusal(*bench_.machine.refused_order());
     const int width = std::min(kWidthBeside, ground->width() - 2 * kGap);
     const int height = heightForWidth(width);
     const int lowest = ground->height() - height - kGap;

@@ -36,8 +36,11 @@ public:
         Kind kind = Kind::trace;
         std::string path;
         std::int64_t end_ns = 0;  ///< it begins at 0
-        JobPointer job;           ///< may be missing
-        Profile profile;          ///< the job's; else one that was taken for the machine's
+        // Of a snapshot: the core's tick then, and how long each takes.
+        std::uint64_t first_tick = 0;
+        std::int64_t period_ns = 0;
+        JobPointer job;   ///< may be missing
+        Profile profile;  ///< the job's; else one that was taken for the machine's
         bool knows_states = false;
         bool knows_every_pulse = false;
         std::vector<Entry> entries;            ///< by time

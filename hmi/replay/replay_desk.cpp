@@ -33,6 +33,18 @@ void ReplayDesk::open(const std::string& path, const Profile& profile) {
     post_open({path, {}, profile}, 0);
 }
 
+void ReplayDesk::open_at(const std::string& path, const Profile& profile, std::uint64_t tick) {
+    post_open({path, {}, profile}, 0, tick);
+}
+
+void ReplayDesk::go_to_tick(std::uint64_t tick) {
+    const bool is_there = tick >= facts_.first_tick;
+    clock_.seek(is_there ? time_of_ticks(tick - facts_.first_tick, facts_.period_ns) : 0);
+    if (!is_there)
+        log_.add(Severity::warning,
+                 phrase("The flight recorder does not reach back to that moment any more"));
+}
+
 void ReplayDesk::add_job(const std::string& path) {
     if (!recording_) return;
     OpenOptions options = options_;
@@ -40,13 +52,14 @@ void ReplayDesk::add_job(const std::string& path) {
     post_open(options, clock_.now_ns());
 }
 
-void ReplayDesk::post_open(const OpenOptions& options, std::int64_t from_ns) {
+void ReplayDesk::post_open(const OpenOptions& options, std::int64_t from_ns,
+                           std::optional<std::uint64_t> at_tick) {
     if (is_opening_) return;
     is_opening_ = true;
     refused_file_.reset();
     cancels_.store(false);
     progress_ratio_.store(0.0);
-    opener_.post([this, options, from_ns]() -> WorkLane::Finish {
+    opener_.post([this, options, from_ns, at_tick]() -> WorkLane::Finish {
         const auto show = [this](double done) {
             progress_ratio_.store(done);
             return !cancels_.load();
@@ -54,7 +67,10 @@ void ReplayDesk::post_open(const OpenOptions& options, std::int64_t from_ns) {
         auto opened = open_recording(options, show);
         if (!opened) return [this, options, error = opened.error()] { fail(options, error); };
         const std::shared_ptr<Recording> recording{std::move(opened).value()};
-        return [this, recording, options, from_ns] { take_opened(recording, options, from_ns); };
+        return [this, recording, options, from_ns, at_tick] {
+            take_opened(recording, options, from_ns);
+            if (at_tick) go_to_tick(*at_tick);
+        };
     });
 }
 

@@ -32,6 +32,9 @@ public:
     /// A trace or a snapshot; `profile` for a trace without a job. What is open stays open until the other is
     /// ready, and when it cannot be read.
     void open(const std::string& path, const Profile& profile);
+    /// A snapshot, at this tick of its core; at its begin where the flight recorder does not reach back to
+    /// it.
+    void open_at(const std::string& path, const Profile& profile, std::uint64_t tick);
     /// The open trace again, with this job or snapshot.
     void add_job(const std::string& path);
     /// Ends opening soon.
@@ -81,8 +84,10 @@ private:
         std::unique_ptr<ReplayPiece> tool;
     };
 
-    void post_open(const OpenOptions& options, std::int64_t from_ns);
+    void post_open(const OpenOptions& options, std::int64_t from_ns,
+                   std::optional<std::uint64_t> at_tick = std::nullopt);
     void take_opened(std::shared_ptr<Recording> recording, const OpenOptions& options, std::int64_t from_ns);
+    void go_to_tick(std::uint64_t tick);
     void fail(const OpenOptions& options, const Error& error);
     void prepare_carving();
     void take_piece(Piece& piece);

@@ -48,6 +48,8 @@ Result<std::unique_ptr<Recording>> SnapshotRecording::open(const std::string& pa
     made->first_tick_ = own.records.empty() ? last_tick : own.records.front().tick;
     for (const FlightRecord& record : own.records) last_tick = std::max(last_tick, record.tick);
     made->first_tick_ = std::min(made->first_tick_, last_tick);
+    facts.first_tick = made->first_tick_;
+    facts.period_ns = made->period_ns_;
     facts.end_ns = time_of_ticks(last_tick - made->first_tick_, made->period_ns_);
     for (const FlightRecord& record : own.records) {
         const std::uint64_t tick = std::max(record.tick, made->first_tick_);

@@ -58,7 +58,10 @@ Message alarm_message(const MachineSight& machine, std::uint64_t number, bool is
     AlarmText text = alarm_text(then);
     const auto time = time_of(machine, machine.status->alarms[number % kAlarmHistory]);
     Message message{time.value_or(std::chrono::system_clock::now()), Severity::alarm, std::move(text.title),
-                    text.steps.empty() ? Phrase{} : std::move(text.steps.front())};
+                    text.steps.empty() ? Phrase{} : text.steps.front()};
+    message.cause = std::move(text.detail);
+    message.steps = std::move(text.steps);
+    message.place = AlarmPlace{machine.core_pid, machine.status->alarms[number % kAlarmHistory].tick};
     if (then.status->alarm_axis < kAxisCount)
         message.axes = axis_letter(static_cast<Axis>(then.status->alarm_axis));
     message.is_standing = is_latched(machine, number);

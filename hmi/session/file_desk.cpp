@@ -71,6 +71,15 @@ void FileDesk::save_snapshot(const std::string& path) {
     });
 }
 
+void FileDesk::take_recorder(const std::string& path, std::function<void()> then) {
+    post(path,
+         [this, path, then = std::move(then), segment = segment_name_, group = group_]() -> WorkLane::Finish {
+             const auto taken = snapshot_of_segment(path, segment, group);
+             if (!taken) return told(taken, path);
+             return then;
+         });
+}
+
 void FileDesk::save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job) {
     post(path, [this, path, job = std::move(job)]() -> WorkLane::Finish {
         Snapshot file;  // a job file is a snapshot without a status

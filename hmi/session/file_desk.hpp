@@ -38,6 +38,8 @@ public:
 
     /// Job, status and flight recorder of the segment, with a core or without.
     void save_snapshot(const std::string& path);
+    /// The same for the window itself, which `then` opens: nobody is told but of trouble.
+    void take_recorder(const std::string& path, std::function<void()> then);
     void save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
     /// The job that was saved last; null: none was, or nobody has it any more.
     std::shared_ptr<const cam::PreparedJob> saved_job() const noexcept { return saved_job_.lock(); }

@@ -58,6 +58,8 @@ public:
     void forget_refused_file() noexcept { refused_file_.reset(); }
     /// The slicing or publishing that was asked for last and refused, until anything else is asked for.
     const std::optional<DeskRefusal>& refusal() const noexcept { return refusal_; }
+    /// It was about fields that are others now.
+    void forget_refusal() noexcept { refusal_.reset(); }
     /// The file that is open was written since.
     bool has_changed() const noexcept { return watch_.has_changed(); }
     /// In what state the file that is open was read; nothing where that is not known.

@@ -19,7 +19,7 @@ std::int64_t now_ns() noexcept {
 
 }  // namespace
 
-JogHand::JogHand(std::string segment_name, std::string group, std::function<void(const Error&)> refused,
+JogHand::JogHand(std::string segment_name, std::string group, Refused refused,
                  std::chrono::milliseconds limit)
     : segment_name_(std::move(segment_name)),
       group_(std::move(group)),
@@ -51,7 +51,9 @@ void JogHand::begin(Wish wish) {
     lane_.post([this, wish]() -> WorkLane::Finish {
         const auto went = jog(wish);
         if (went) return {};
-        return [this, error = went.error()] { refused_(error); };
+        return [this, error = went.error(), is_of_test = wish.output.has_value()] {
+            refused_(error, is_of_test);
+        };
     });
 }
 

@@ -20,8 +20,9 @@ namespace psicarve::session {
 /// keeps calling poll(): a window that hangs lets go.
 class JogHand {
 public:
+    using Refused = std::function<void(const Error&, bool is_of_test)>;
     /// `refused` is called by poll(). An owner, or a whole process, that is silent for `limit` hangs.
-    JogHand(std::string segment_name, std::string group, std::function<void(const Error&)> refused,
+    JogHand(std::string segment_name, std::string group, Refused refused,
             std::chrono::milliseconds limit = kJogLease);
     ~JogHand() { release(); }
 
@@ -34,6 +35,8 @@ public:
     /// At once, whatever is under way.
     void release() noexcept { wanted_.store(0); }
     void poll();
+    /// How often something was asked for: grows with each.
+    std::uint64_t asked() const noexcept { return last_ticket_; }
     /// Nothing moves while it is locked.
     void set_locked(bool locked) noexcept {
         if (locked) release();
@@ -58,7 +61,7 @@ private:
 
     std::string segment_name_;
     std::string group_;
-    std::function<void(const Error&)> refused_;
+    Refused refused_;
     std::chrono::milliseconds limit_;
     std::atomic<std::uint64_t> wanted_{0};  ///< the ticket of the jog that goes on; 0: none
     std::atomic<std::int64_t> beat_ns_{0};  ///< when the owner was last heard

@@ -21,8 +21,9 @@ MachineSession::MachineSession(SessionOptions options, MessageLog& log)
       log_(log),
       jog_(
           options_.segment_name, options_.group,
-          [this](const Error& error) {
-              log_.add(Severity::warning, refusal_phrase(phrase("By hand"), error.message));
+          [this](const Error& error, bool is_of_test) {
+              tell_refusal(is_of_test ? OrderPlace::outputs : OrderPlace::jog, phrase("By hand"),
+                           error.message);
           },
           options_.hand_limit) {
     sight_.watched_since = std::chrono::system_clock::now();
@@ -59,6 +60,9 @@ void MachineSession::poll() {
     const MachineSight before = sight_;
     keep_attached();
     look();
+    refused_.look(sight_);
+    if (jogs_asked_ != jog_.asked()) refused_.forget();
+    jogs_asked_ = jog_.asked();
     jog_.poll();
     for (Message& message : changes_between(before, sight_)) log_.add(std::move(message));
     go_on_with_start();
@@ -115,6 +119,7 @@ void MachineSession::look() {
     }
     const auto pid = core_now();
     if (pid && *pid != sight_.core_pid) {
+        missed_.forget();
         sight_.core_pid = *pid;
         sight_.is_core_of_first_look = !has_looked_;
         sight_.port_name.clear();
@@ -140,6 +145,7 @@ void MachineSession::take_status(const CoreStatus& status, bool has_core) {
     // A guard's last words come when their core is gone, and move nothing: it was heard when it was heard.
     const bool is_of_heard_core = sight_.status && sight_.status->tick <= status.tick;
     sight_.missed_ticks_at_alarm = missed_ticks_at_alarm(sight_, status);
+    sight_.missed_per_s = missed_.note(status.missed_ticks, Clock::now());
     // Another core may have the number of the one before.
     if (sight_.status && !is_of_heard_core) sight_.is_core_of_first_look = false;
     sight_.status = status;
@@ -207,6 +213,13 @@ void MachineSession::forget_wishes() noexcept {
     orders_.drop_waiting();
     wanted_override_percent_.reset();
     jog_.release();
+    refused_.forget();
+}
+
+void MachineSession::tell_refusal(OrderPlace place, const Phrase& name, const std::string& reason) {
+    const Phrase what = refusal_phrase(name, reason);
+    log_.add_command(Severity::warning, what);
+    refused_.note({place, what, help_for(reason)}, sight_);
 }
 
 void MachineSession::read_increments(const std::function<void(const IncrementEntry&)>& take) {
@@ -285,13 +298,21 @@ void MachineSession::send(const Command& command, const Phrase& name, Then then,
     if (watches_only_ && command.kind != CommandKind::hold) {
         return log_.add(Severity::warning, joined(name, phrase("a recording is shown; leave replay first")));
     }
+    refused_.forget();
     orders_.post([this, command, name, then = std::move(then), otherwise = std::move(otherwise),
                   segment = options_.segment_name, group = options_.group]() -> WorkLane::Finish {
         auto link = MachineLink::attach(segment, group);
         const auto sent = link ? link->send(command) : Result<void>{link.error()};
-        if (sent) return then;
-        return [this, name, otherwise, why = sent.error().message] {
-            log_.add(Severity::warning, refusal_phrase(name, why));
+        if (sent && command.kind == CommandKind::override) return then;
+        if (sent)
+            return [this, name, then] {
+                Phrase asked = phrase("Asked for: %1");
+                asked.inner.push_back(name);
+                log_.add_command(Severity::info, std::move(asked));
+                if (then) then();
+            };
+        return [this, place = place_of(command.kind), name, otherwise, why = sent.error().message] {
+            tell_refusal(place, name, why);
             if (otherwise) otherwise();
         };
     });

@@ -13,7 +13,9 @@
 #include "hmi/session/jog_hand.hpp"
 #include "hmi/session/machine_sight.hpp"
 #include "hmi/session/message_log.hpp"
+#include "hmi/session/refused_order.hpp"
 #include "hmi/session/start_intent.hpp"
+#include "hmi/session/tick_health.hpp"
 #include "hmi/session/work_lane.hpp"
 #include "shared/command.hpp"
 #include "shared/shared_record.hpp"
@@ -82,6 +84,10 @@ public:
     }
     /// The core may still show the percentage before.
     bool is_override_under_way() const { return wanted_override_percent_ || !orders_.is_idle(); }
+    /// The last one that was refused, while that holds; a jog and an output's test, too.
+    const std::optional<OrderRefusal>& refused_order() const noexcept { return refused_.told(); }
+    /// The fields that such an order would go by are others.
+    void forget_refused_order(OrderPlace place) noexcept { refused_.forget(place); }
     /// One is on its way to the core, or waits for the one before.
     bool has_orders() const { return !orders_.is_idle(); }
     /// What the core has reported of its motion since the last call, oldest first. Those that came faster
@@ -111,6 +117,7 @@ private:
     void look_for_checkpoint();
     void go_on_with_start();
     void forget_wishes() noexcept;
+    void tell_refusal(OrderPlace place, const Phrase& name, const std::string& reason);
 
     SessionOptions options_;
     MessageLog& log_;
@@ -121,6 +128,7 @@ private:
     std::uint64_t core_profile_hash_ = 0;
     std::uint64_t sought_hash_ = 0;  ///< of the profile that was looked for in files
     std::uint32_t sought_pid_ = 0;
+    MissedMeter missed_;
     std::uint64_t heartbeat_ = 0;
     Clock::time_point heartbeat_changed_{};
     Clock::time_point attach_tried_{};
@@ -129,6 +137,8 @@ private:
     bool has_looked_ = false;  ///< for a core, and knows whether one was there
     bool watches_only_ = false;
     std::optional<std::uint32_t> wanted_override_percent_;
+    RefusedOrder refused_;
+    std::uint64_t jogs_asked_ = 0;
     JogHand jog_;
     WorkLane finder_;
     WorkLane profile_finder_{WorkLane::Haste::background};  ///< a disk that hangs keeps nobody from attaching

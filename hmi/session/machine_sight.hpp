@@ -44,6 +44,8 @@ struct MachineSight {
     std::string unused_profile{};
     /// When the alarm that is latched was first seen: the computer's troubles go on, the alarm's do not.
     std::uint64_t missed_ticks_at_alarm = 0;
+    /// The most in any of the last five seconds, at rest, too; on the real clock.
+    std::uint64_t missed_per_s = 0;
     /// By the computer's clock, when `status` was written; what is shown of a core that is silent is of then.
     std::chrono::system_clock::time_point status_time{};
     /// What the core drives, as its --port says it: "sim", "ppdev:/dev/parport0"; empty: not known.

@@ -130,6 +130,12 @@ void MessageLog::add(Message message) {
     ++count_;
 }
 
+void MessageLog::add_command(Severity severity, Phrase what) {
+    Message told = message(severity, std::move(what));
+    told.is_command = true;
+    add(std::move(told));
+}
+
 void MessageLog::add(Severity severity, Phrase what, Phrase remedy) {
     add(message(severity, std::move(what), std::move(remedy)));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/session/preflight.hpp"
 
+#include <optional>
 #include <string>
 
 #include "hmi/session/display_text.hpp"
@@ -120,11 +121,34 @@ Check profile_check(const MachineSight& machine, const JobSight& job) {
 
 constexpr std::uint64_t kTicksPerMissed = 100'000;  // one in five seconds of a tick of 50 us
 
+/// As the command line says it of the alarm.
+Phrase missed_remedy(const MachineSight& machine) {
+    if (machine.is_simulator())
+        return phrase("start the core with --clock virtual, or raise tick.missed_alarm_per_s");
+    return phrase("give the core real-time rights, lengthen tick.period_us or raise tick.missed_alarm_per_s");
+}
+
+/// By what the core's alarm goes as soon as something moves; nothing while none is missed.
+std::optional<Check> missed_check(const MachineSight& machine) {
+    if (machine.missed_per_s == 0 || !machine.profile || machine.is_profile_of_job) return std::nullopt;
+    const std::int64_t allowed_per_s = machine.profile->tick.missed_alarm_per_s;
+    if (allowed_per_s <= 0) return std::nullopt;
+    const bool is_over = machine.missed_per_s > static_cast<std::uint64_t>(allowed_per_s);
+    Check check{phrase("Ticks in time"),
+                phrase("missed %1 of %2 a second", counted(machine.missed_per_s),
+                       counted(static_cast<std::uint64_t>(allowed_per_s))),
+                is_over ? V::warning : V::pass};
+    if (is_over) check.remedy = missed_remedy(machine);
+    return check;
+}
+
 /// What a computer too busy does to a simulated machine hurts nobody.
 Check ticks_check(const MachineSight& machine) {
     const CoreStatus& status = *machine.status;
     const Phrase name = phrase("Real-time rights");
     const bool has_rights = status.has_realtime_rights != 0;
+    const auto missed = missed_check(machine);
+    if (missed && (missed->verdict == V::warning || machine.is_simulator())) return *missed;
     if (!has_rights) {
         if (machine.is_simulator()) return {name, phrase("not needed"), V::info};
         return {name, phrase("missing"), V::warning};

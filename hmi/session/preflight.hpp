@@ -20,6 +20,7 @@ struct Check {
     Phrase name;
     Phrase detail;
     Verdict verdict = Verdict::fail;
+    Phrase remedy{};  ///< where the check itself does not say what to do; else empty
 };
 
 inline constexpr std::size_t kMostChecks = 10;

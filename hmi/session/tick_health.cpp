@@ -74,6 +74,30 @@ std::int64_t late_p99_ns(const CoreStatus& status) {
     return percentile_ns(status, ticks, 0.99);
 }
 
+std::uint64_t MissedMeter::note(std::uint64_t missed_ticks, Clock::time_point now) {
+    if (!samples_.empty() && missed_ticks < samples_.back().missed) samples_.clear();
+    samples_.push_back({now, missed_ticks});
+    while (samples_.size() > 2 && now - samples_[1].time >= kLength) samples_.pop_front();
+    std::uint64_t most = 0;
+    for (std::size_t last = 1; last < samples_.size(); ++last)
+        most = std::max(most, missed_in_second_before(last));
+    return most;
+}
+
+std::uint64_t MissedMeter::missed_in_second_before(std::size_t last) const {
+    constexpr std::chrono::seconds kSecond{1};
+    const Sample& end = samples_[last];
+    const auto step = end.time - samples_[last - 1].time;
+    // Nobody has looked for longer: as many in each second as in any other.
+    if (step > kSecond) {
+        const auto missed = static_cast<double>(end.missed - samples_[last - 1].missed);
+        return static_cast<std::uint64_t>(missed / std::chrono::duration<double>(step).count());
+    }
+    std::size_t first = last - 1;
+    while (first > 0 && end.time - samples_[first - 1].time <= kSecond) --first;
+    return end.missed - samples_[first].missed;
+}
+
 void RateMeter::note(const CoreStatus& status, Clock::time_point now) {
     Sample sample{now, status.tick, status.missed_ticks, status.period_ns, {}};
     bool goes_on = !samples_.empty() && status.tick >= samples_.back().tick &&

@@ -39,6 +39,28 @@ std::int64_t late_p99_ns(const CoreStatus& status);
 /// "850 ns", "61 µs", "1.2 ms".
 std::string duration_text(std::int64_t duration_ns);
 
+/// How many ticks are missed in a second, over the last five: what the alarm of missed ticks goes by, at
+/// rest, too.
+class MissedMeter {
+public:
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::seconds kLength{5};
+
+    /// At screen rate. The most that were missed in any second of the last five. A count that has gone down
+    /// is another core's.
+    std::uint64_t note(std::uint64_t missed_ticks, Clock::time_point now);
+    void forget() noexcept { samples_.clear(); }
+
+private:
+    struct Sample {
+        Clock::time_point time;
+        std::uint64_t missed;
+    };
+    std::uint64_t missed_in_second_before(std::size_t last) const;
+
+    std::deque<Sample> samples_;  ///< by time
+};
+
 class RateMeter;
 /// Of the faster head's tool over the surface: sqrt((r ψ')² + r'²), by the last second's mean speeds.
 /// [mm/s]

@@ -636,6 +636,10 @@
             <translation>Новую заготовку надо начинать со слоя 1.</translation>
         </message>
         <message>
+            <source>A recording is being opened</source>
+            <translation>Открывается запись</translation>
+        </message>
+        <message>
             <source>A sensor counts once it has stood this long; the emergency stop is never filtered.</source>
             <translation>Датчик считается сработавшим, если сигнал держится столько; аварийный останов не фильтруется никогда.</translation>
         </message>
@@ -758,6 +762,10 @@
         <message>
             <source>As the desktop</source>
             <translation>Как в системе</translation>
+        </message>
+        <message>
+            <source>Asked for: %1</source>
+            <translation>Запрошено: %1</translation>
         </message>
         <message>
             <source>At the first point</source>
@@ -1096,8 +1104,16 @@
             <translation>Закрыто: %1 — не опубликовано и не сохранено</translation>
         </message>
         <message>
+            <source>Command</source>
+            <translation>Команда</translation>
+        </message>
+        <message>
             <source>Command: %1</source>
             <translation>Команда: %1</translation>
+        </message>
+        <message>
+            <source>Commands</source>
+            <translation>Команды</translation>
         </message>
         <message>
             <source>Compare</source>
@@ -1841,6 +1857,10 @@ F12  этот список</translation>
             <translation>Сведения</translation>
         </message>
         <message>
+            <source>Information</source>
+            <translation>Сведения</translation>
+        </message>
+        <message>
             <source>Input pin 10..13 or 15; 0: not wired; minus: active low.</source>
             <translation>Вход: вывод 10..13 или 15; 0: не подключён; минус: активный низкий.</translation>
         </message>
@@ -1871,6 +1891,10 @@ F12  этот список</translation>
         <message>
             <source>It is not offered again; the file stays</source>
             <translation>Больше не предлагается; файл остаётся</translation>
+        </message>
+        <message>
+            <source>Its core is gone, and its flight recorder with it</source>
+            <translation>Её ядра больше нет, а с ним и самописца</translation>
         </message>
         <message>
             <source>Its guard could not switch drives and spindle off: the port does not answer.</source>
@@ -2561,6 +2585,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Один таймер на всё или два, как у прежней машины.</translation>
         </message>
         <message>
+            <source>Only an alarm has a place in the flight recorder</source>
+            <translation>Место в самописце есть только у аварии</translation>
+        </message>
+        <message>
             <source>Open a machine profile</source>
             <translation>Открыть профиль станка</translation>
         </message>
@@ -2619,6 +2647,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Opens the model with the form it had</source>
             <translation>Открывает модель с прежними настройками</translation>
+        </message>
+        <message>
+            <source>Opens what the core has recorded, at the moment of this alarm; it moves nothing</source>
+            <translation>Открывает запись ядра на моменте этой аварии; ничего не движется</translation>
         </message>
         <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
@@ -3373,6 +3405,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Показать</translation>
         </message>
         <message>
+            <source>Show in the flight recorder</source>
+            <translation>Показать в самописце</translation>
+        </message>
+        <message>
             <source>Shows how far %1 is from here; no motion changes</source>
             <translation>Показывает, как далеко %1 отсюда; движения не меняются</translation>
         </message>
@@ -3941,6 +3977,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Только чистовой проход</translation>
         </message>
         <message>
+            <source>The flight recorder does not reach back to that moment any more</source>
+            <translation>Самописец уже не доходит до того момента</translation>
+        </message>
+        <message>
             <source>The gap between two step pulses lasts at least this long.</source>
             <translation>Промежуток между шаговыми импульсами длится не меньше.</translation>
         </message>
@@ -4183,6 +4223,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>This computer</source>
             <translation>Этот компьютер</translation>
+        </message>
+        <message>
+            <source>This user has no folder to keep it in</source>
+            <translation>У этого пользователя нет папки для неё</translation>
         </message>
         <message>
             <source>This window goes by it from now on, also without a core; no file is changed</source>
@@ -4467,10 +4511,6 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Warnings</source>
             <translation>Предупреждения</translation>
-        </message>
-        <message>
-            <source>Warnings and alarms</source>
-            <translation>Предупреждения и аварии</translation>
         </message>
         <message>
             <source>Wear of the tool of %1</source>
@@ -5007,6 +5047,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>авто</translation>
         </message>
         <message>
+            <source>axis %1</source>
+            <translation>ось %1</translation>
+        </message>
+        <message>
             <source>axis %1 would need %2 pulses/s, but the tick and the pulse times allow %3 pulses/s; lower it to %4, or shorten tick.period_us, port.step_high_ns or port.step_low_ns</source>
             <translation>оси %1 нужно %2 импульсов/с, но такт и времена импульса допускают %3 импульсов/с; уменьшите до %4 или сократите tick.period_us, port.step_high_ns или port.step_low_ns</translation>
         </message>
@@ -5321,6 +5365,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>give --cpu the number of a processor that this process may use, or any</source>
             <translation>задайте --cpu номер доступного процессора или any</translation>
+        </message>
+        <message>
+            <source>give the core real-time rights, lengthen tick.period_us or raise tick.missed_alarm_per_s</source>
+            <translation>дайте ядру права реального времени, увеличьте tick.period_us или tick.missed_alarm_per_s</translation>
         </message>
         <message>
             <source>granted</source>
@@ -5697,6 +5745,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>missed %1</source>
             <translation>пропущено %1</translation>
+        </message>
+        <message>
+            <source>missed %1 of %2 a second</source>
+            <translation>пропущено %1 из %2 в секунду</translation>
         </message>
         <message>
             <source>missed ticks</source>
@@ -6311,6 +6363,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>сначала запустите</translation>
         </message>
         <message>
+            <source>start the core with --clock virtual, or raise tick.missed_alarm_per_s</source>
+            <translation>запустите ядро с --clock virtual или увеличьте tick.missed_alarm_per_s</translation>
+        </message>
+        <message>
             <source>start the kernel with isolcpus=N nohz_full=N rcu_nocbs=N, N the last processor</source>
             <translation>запустите ядро ОС с isolcpus=N nohz_full=N rcu_nocbs=N, N — последний процессор</translation>
         </message>
@@ -6685,6 +6741,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>tick gap</source>
             <translation>разрыв тактов</translation>
+        </message>
+        <message>
+            <source>time not known</source>
+            <translation>время неизвестно</translation>
         </message>
         <message>
             <source>to look at</source>

@@ -636,6 +636,10 @@
             <translation>新毛坯必须从第 1 层开始。</translation>
         </message>
         <message>
+            <source>A recording is being opened</source>
+            <translation>正在打开记录</translation>
+        </message>
+        <message>
             <source>A sensor counts once it has stood this long; the emergency stop is never filtered.</source>
             <translation>传感器信号保持这么久才算数；急停从不滤波。</translation>
         </message>
@@ -758,6 +762,10 @@
         <message>
             <source>As the desktop</source>
             <translation>跟随桌面</translation>
+        </message>
+        <message>
+            <source>Asked for: %1</source>
+            <translation>已请求：%1</translation>
         </message>
         <message>
             <source>At the first point</source>
@@ -1096,8 +1104,16 @@
             <translation>已关闭：%1，既未发布也未保存</translation>
         </message>
         <message>
+            <source>Command</source>
+            <translation>命令</translation>
+        </message>
+        <message>
             <source>Command: %1</source>
             <translation>命令：%1</translation>
+        </message>
+        <message>
+            <source>Commands</source>
+            <translation>命令</translation>
         </message>
         <message>
             <source>Compare</source>
@@ -1840,6 +1856,10 @@ F12  本列表</translation>
             <translation>信息</translation>
         </message>
         <message>
+            <source>Information</source>
+            <translation>信息</translation>
+        </message>
+        <message>
             <source>Input pin 10..13 or 15; 0: not wired; minus: active low.</source>
             <translation>输入引脚 10..13 或 15；0：未接；负号：低电平有效。</translation>
         </message>
@@ -1870,6 +1890,10 @@ F12  本列表</translation>
         <message>
             <source>It is not offered again; the file stays</source>
             <translation>不再提示；文件保留</translation>
+        </message>
+        <message>
+            <source>Its core is gone, and its flight recorder with it</source>
+            <translation>其内核已不在，飞行记录也随之消失</translation>
         </message>
         <message>
             <source>Its guard could not switch drives and spindle off: the port does not answer.</source>
@@ -2560,6 +2584,10 @@ N、Shift+N  下一条、上一条记录
             <translation>一个定时器负责全部，或采用原机的两个。</translation>
         </message>
         <message>
+            <source>Only an alarm has a place in the flight recorder</source>
+            <translation>只有报警在飞行记录中有位置</translation>
+        </message>
+        <message>
             <source>Open a machine profile</source>
             <translation>打开机床配置</translation>
         </message>
@@ -2618,6 +2646,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Opens the model with the form it had</source>
             <translation>按原来的设置打开模型</translation>
+        </message>
+        <message>
+            <source>Opens what the core has recorded, at the moment of this alarm; it moves nothing</source>
+            <translation>打开内核在该报警时刻的记录；不会移动任何东西</translation>
         </message>
         <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
@@ -3368,6 +3400,10 @@ N、Shift+N  下一条、上一条记录
             <translation>显示</translation>
         </message>
         <message>
+            <source>Show in the flight recorder</source>
+            <translation>在飞行记录中显示</translation>
+        </message>
+        <message>
             <source>Shows how far %1 is from here; no motion changes</source>
             <translation>显示 %1 离此处的距离；不影响任何运动</translation>
         </message>
@@ -3936,6 +3972,10 @@ N、Shift+N  下一条、上一条记录
             <translation>只做精加工</translation>
         </message>
         <message>
+            <source>The flight recorder does not reach back to that moment any more</source>
+            <translation>飞行记录已不再包含那个时刻</translation>
+        </message>
+        <message>
             <source>The gap between two step pulses lasts at least this long.</source>
             <translation>两个步进脉冲之间的间隔至少这么久。</translation>
         </message>
@@ -4178,6 +4218,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>This computer</source>
             <translation>本机</translation>
+        </message>
+        <message>
+            <source>This user has no folder to keep it in</source>
+            <translation>该用户没有可存放它的文件夹</translation>
         </message>
         <message>
             <source>This window goes by it from now on, also without a core; no file is changed</source>
@@ -4462,10 +4506,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Warnings</source>
             <translation>警告</translation>
-        </message>
-        <message>
-            <source>Warnings and alarms</source>
-            <translation>警告和报警</translation>
         </message>
         <message>
             <source>Wear of the tool of %1</source>
@@ -5000,6 +5040,10 @@ N、Shift+N  下一条、上一条记录
             <translation>自动</translation>
         </message>
         <message>
+            <source>axis %1</source>
+            <translation>轴 %1</translation>
+        </message>
+        <message>
             <source>axis %1 would need %2 pulses/s, but the tick and the pulse times allow %3 pulses/s; lower it to %4, or shorten tick.period_us, port.step_high_ns or port.step_low_ns</source>
             <translation>轴 %1 需要 %2 脉冲/s，但节拍和脉冲时间只允许 %3 脉冲/s；请降到 %4，或缩短 tick.period_us、port.step_high_ns 或 port.step_low_ns</translation>
         </message>
@@ -5314,6 +5358,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>give --cpu the number of a processor that this process may use, or any</source>
             <translation>给 --cpu 指定本进程可用的处理器编号，或 any</translation>
+        </message>
+        <message>
+            <source>give the core real-time rights, lengthen tick.period_us or raise tick.missed_alarm_per_s</source>
+            <translation>给内核实时权限，加长 tick.period_us 或提高 tick.missed_alarm_per_s</translation>
         </message>
         <message>
             <source>granted</source>
@@ -5690,6 +5738,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>missed %1</source>
             <translation>丢失 %1</translation>
+        </message>
+        <message>
+            <source>missed %1 of %2 a second</source>
+            <translation>每秒错过 %1，允许 %2</translation>
         </message>
         <message>
             <source>missed ticks</source>
@@ -6304,6 +6356,10 @@ N、Shift+N  下一条、上一条记录
             <translation>请先启动</translation>
         </message>
         <message>
+            <source>start the core with --clock virtual, or raise tick.missed_alarm_per_s</source>
+            <translation>用 --clock virtual 启动内核，或提高 tick.missed_alarm_per_s</translation>
+        </message>
+        <message>
             <source>start the kernel with isolcpus=N nohz_full=N rcu_nocbs=N, N the last processor</source>
             <translation>用 isolcpus=N nohz_full=N rcu_nocbs=N 启动内核，N 为最后一个处理器</translation>
         </message>
@@ -6678,6 +6734,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>tick gap</source>
             <translation>节拍中断</translation>
+        </message>
+        <message>
+            <source>time not known</source>
+            <translation>时间未知</translation>
         </message>
         <message>
             <source>to look at</source>

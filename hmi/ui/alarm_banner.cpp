@@ -39,7 +39,7 @@ AlarmBanner::AlarmBanner(Bench& bench, QWidget* parent)
       bench_(bench),
       icon_(new QLabel),
       title_(role_label("title")),
-      detail_(new QLabel),
+      detail_(plain_label()),
       steps_(new QLabel),
       back_off_(new ActionButton{session::Action::back_off, tr("Back off"), [this] { back_off(); }}),
       reset_(new ActionButton{
@@ -181,7 +181,10 @@ void AlarmBanner::refresh_buttons() {
         const QString& reason = button->refresh(bench_);
         if (!reason.isEmpty() && !reasons.contains(reason)) reasons << reason;
     }
-    reason_->setText(reasons.join('\n'));
+    const auto& refused = bench_.machine.refused_order();
+    const bool is_refused = refused && refused->place == session::OrderPlace::alarm;
+    reason_->setText(is_refused ? words(refused->what) : reasons.join('\n'));
+    set_styled(reason_, "trouble", is_refused ? "yes" : "no");
     const bool has_core = sight.is_heard();
     for (QWidget* widget :
          {static_cast<QWidget*>(back_off_), static_cast<QWidget*>(reset_), static_cast<QWidget*>(reason_)}) {

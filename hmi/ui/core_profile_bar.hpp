@@ -2,13 +2,12 @@
 #pragma once
 
 #include <QCoreApplication>
-#include <QFrame>
 
 #include <cstdint>
 
 #include "hmi/ui/bench.hpp"
+#include "hmi/ui/notice_bar.hpp"
 #include "hmi/ui/side_panels.hpp"
-#include "hmi/ui/tokens.hpp"
 
 class QLabel;
 class QPushButton;
@@ -17,15 +16,14 @@ namespace psicarve::ui {
 
 /// The core runs with another profile than the window was given: both, in what they differ, and a button that
 /// takes the core's over. Where nobody has found the core's: only that.
-class CoreProfileBar : public QFrame {
+class CoreProfileBar : public NoticeBar {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CoreProfileBar)
 public:
     explicit CoreProfileBar(Bench& bench, QWidget* parent = nullptr);
 
-    void set_theme(const Tokens& tokens);
     /// Where it is short the keys are in the tooltip only.
     void set_room(Room room);
-    void refresh();
+    void refresh() override;
 
 private:
     bool is_there() const;
@@ -33,8 +31,6 @@ private:
     void show_given();
 
     Bench& bench_;
-    QLabel* icon_;
-    QLabel* title_;
     QLabel* details_;
     QPushButton* take_;
     std::uint64_t shown_hash_ = 0;

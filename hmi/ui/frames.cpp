@@ -3,6 +3,7 @@
 
 #include <QEvent>
 #include <QStyle>
+#include <QTextDocument>
 
 namespace psicarve::ui {
 namespace {
@@ -24,10 +25,24 @@ private:
 
 }  // namespace
 
+QLabel* plain_label(const QString& text) {
+    auto* label = new QLabel;
+    label->setTextFormat(Qt::PlainText);
+    label->setText(text);
+    return label;
+}
+
 QLabel* role_label(const char* role, const QString& text) {
-    auto* label = new QLabel{text};
+    QLabel* label = plain_label(text);
     label->setProperty("role", role);
     return label;
+}
+
+void set_plain_tip(QWidget& widget, const QString& text) {
+    // A tool tip has no format to be set: what would be taken for HTML becomes such as says the same.
+    const QString tip =
+        Qt::mightBeRichText(text) ? "<p>" + text.toHtmlEscaped().replace('\n', "<br>") + "</p>" : text;
+    if (widget.toolTip() != tip) widget.setToolTip(tip);
 }
 
 void set_styled(QWidget* widget, const char* property, const QVariant& value) {

@@ -11,8 +11,12 @@ namespace psicarve::ui {
 inline constexpr int kGap = 8;
 inline constexpr int kSmallGap = 4;
 
-/// A label that the style sheet knows by its role.
+/// A label that shows its text as it stands: names of files and profiles may look like HTML.
+QLabel* plain_label(const QString& text = {});
+/// The same, which the style sheet knows by its role.
 QLabel* role_label(const char* role, const QString& text = {});
+/// A tool tip that shows the text as it stands, too.
+void set_plain_tip(QWidget& widget, const QString& text);
 /// Sets a property that the style sheet looks at; does nothing when it is set already.
 void set_styled(QWidget* widget, const char* property, const QVariant& value);
 QFrame* rule();

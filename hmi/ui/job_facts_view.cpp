@@ -39,7 +39,7 @@ JobFactsView::JobFactsView(Bench& bench, QWidget* parent)
     grid_->setVerticalSpacing(1);
     counts_ = add_row(tr("Layers × points"), "job_counts");
     size_ = add_row(tr("Height, radius"), "job_size");
-    brief_ = new QLabel;
+    brief_ = plain_label();
     brief_->setObjectName("job_brief");
     grid_->addWidget(brief_, grid_->rowCount(), 0, 1, 2);
     brief_->hide();
@@ -52,7 +52,7 @@ JobFactsView::JobFactsView(Bench& bench, QWidget* parent)
 }
 
 JobFactsView::Row JobFactsView::add_row(const QString& name, const char* id) {
-    const Row row{role_label("label", name), new QLabel};
+    const Row row{role_label("label", name), plain_label()};
     row.value->setAlignment(Qt::AlignRight);
     row.value->setObjectName(id);
     const int line = grid_->rowCount();

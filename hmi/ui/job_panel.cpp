@@ -14,6 +14,7 @@
 #include "hmi/ui/job_pair_view.hpp"
 #include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/motion_buttons.hpp"
+#include "hmi/ui/order_card.hpp"
 #include "hmi/ui/preflight_list.hpp"
 #include "hmi/ui/report_dialog.hpp"
 #include "hmi/ui/tick_box.hpp"
@@ -107,6 +108,11 @@ void JobPanel::make_buttons() {
     body().addSpacing(kSmallGap);
     body().addLayout(from);
     body().addWidget(reason_);
+    refused_ = new OrderCard{bench_, session::OrderPlace::job, "job", OrderCard::Shape::high, this};
+    // What was refused was another start.
+    const auto forget = [this] { bench_.machine.forget_refused_order(session::OrderPlace::job); };
+    connect(layer_, &QSpinBox::valueChanged, this, forget);
+    connect(dry_run_, &QCheckBox::toggled, this, forget);
 }
 
 void JobPanel::make_override() {
@@ -183,6 +189,7 @@ void JobPanel::show_report() {
 void JobPanel::set_theme(const Tokens& tokens) {
     tokens_ = &tokens;
     checks_->set_theme(tokens);
+    refused_->set_theme(tokens);
     start_->set_glyph(Glyph::play, tokens, true);
     hold_->set_glyph(Glyph::pause, tokens);
     stop_->set_glyph(Glyph::stop, tokens);
@@ -269,6 +276,11 @@ void JobPanel::refresh_buttons() {
         resumable ? tr("Leaves out the layers before it; %1 was the last that was finished").arg(*resumable)
                   : tr("Leaves out the layers before it"));
     reason_->setText(said_beside({start_, hold_, resume_, stop_}, checks_->to_look_at()));
+    // In a small window Start stands below the panels, and has one of its own.
+    if (room_ == Room::small)
+        refused_->hide();
+    else
+        refused_->refresh_beside(*this, *start_);
     refresh_layer();
 }
 

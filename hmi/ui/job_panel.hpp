@@ -14,6 +14,7 @@ class QSpinBox;
 
 namespace psicarve::ui {
 
+class OrderCard;
 class JobPairView;
 class PreflightList;
 
@@ -69,6 +70,7 @@ private:
     ActionButton* from_layer_;
     QSpinBox* layer_;
     QLabel* reason_;
+    OrderCard* refused_;
     QSlider* override_;
     QLabel* percent_;
     ActionButton* full_;

@@ -11,6 +11,7 @@
 #include <chrono>
 
 #include "hmi/ui/move_dialog.hpp"
+#include "hmi/ui/order_card.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -65,6 +66,8 @@ JogPanel::JogPanel(Bench& bench, QWidget* parent)
     hint_->setWordWrap(true);
     hint_->setObjectName("jog_hint");
     body().addWidget(hint_);
+    refused_ = new OrderCard{bench_, session::OrderPlace::jog, "jog", OrderCard::Shape::high, this};
+    follow_fields();
     body().addStretch();
     hold_timer_.setSingleShot(true);
     hold_timer_.setInterval(kClickLimit);
@@ -75,6 +78,15 @@ JogPanel::JogPanel(Bench& bench, QWidget* parent)
 }
 
 JogPanel::~JogPanel() = default;
+
+/// What was refused was another step, or at another speed.
+void JogPanel::follow_fields() {
+    const auto forget = [this] { bench_.machine.forget_refused_order(session::OrderPlace::jog); };
+    for (QButtonGroup* steps : {linear_steps_, angular_steps_})
+        connect(steps, &QButtonGroup::idToggled, this, forget);
+    for (QSlider* speed : {linear_speed_, angular_speed_})
+        connect(speed, &QSlider::valueChanged, this, forget);
+}
 
 void JogPanel::make_heads_keys(QGridLayout& pad) {
     add_key(QStringLiteral("←→"), machine::JogAxis::heads(), true, std::nullopt, "jog_heads_out");
@@ -187,6 +199,8 @@ void JogPanel::set_theme(const Tokens& tokens) {
         const QColor& colour = is_r1 ? tokens.r1 : is_r2 ? tokens.r2 : tokens.text;
         key.button->setIcon(glyph_icon(*key.glyph, colour, tokens.dis));
     }
+    refused_->set_theme(tokens);
+    move_->set_theme(tokens);
     refresh();
 }
 
@@ -213,6 +227,7 @@ void JogPanel::refresh() {
     hint_->setText(!reason.isEmpty()      ? reason
                    : keyboard_.is_armed() ? tr("Keys move the machine; F9 ends it.")
                                           : tr("Hold = move, click = one step."));
+    refused_->refresh_beside(*this, *keys_.front().button);
     note().setText(reason.isEmpty() ? QString{} : tr("locked"));
     linear_label_->setText(tr("%1 mm/s").arg(speed_of(Axis::y), 0, 'f', 1));
     angular_label_->setText(tr("%1 °/s").arg(angular_speed_->value()));

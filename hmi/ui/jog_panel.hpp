@@ -21,6 +21,7 @@ class QStackedWidget;
 namespace psicarve::ui {
 
 class MoveDialog;
+class OrderCard;
 
 /// Moves one axis by hand: a click is a step, holding the button goes on until it is let go. Likewise with
 /// the keyboard, while that is armed.
@@ -58,6 +59,7 @@ private:
     void add_key(const QString& text, machine::JogAxis axis, bool up, std::optional<Glyph> glyph,
                  const char* name);
     void make_heads_keys(QGridLayout& pad);
+    void follow_fields();
     void press(const Key& key);
     void release();
     // jog_panel_keys.cpp
@@ -84,6 +86,7 @@ private:
     ActionButton* go_to_ = nullptr;
     ActionButton* spindle_ = nullptr;
     MoveDialog* move_ = nullptr;
+    OrderCard* refused_ = nullptr;
     session::KeyboardJog keyboard_;
     std::function<void(bool)> on_armed_;
     QTimer hold_timer_;  ///< runs while a press may still become a click

@@ -145,7 +145,7 @@ void LatencyPanel::show_result() {
         auto* const name = role_label("label", words(row.name));
         name->setWordWrap(true);
         rows_->addWidget(name, place / kColumns, column);
-        rows_->addWidget(new QLabel{words(row.value)}, place / kColumns, column + 1);
+        rows_->addWidget(plain_label(words(row.value)), place / kColumns, column + 1);
         ++place;
     }
     histogram_->show_health(session::latency_health(*desk_.last()));

@@ -3,12 +3,14 @@
 
 #include <QWidget>
 
+#include "hmi/ui/frames.hpp"
+
 namespace psicarve::ui {
 
 void lock_with(QWidget& control, const QString& reason, const QString& hint) {
     control.setEnabled(reason.isEmpty());
     const QString& tip = reason.isEmpty() ? hint : reason;
-    if (control.toolTip() != tip) control.setToolTip(tip);
+    set_plain_tip(control, tip);
     if (control.accessibleDescription() != tip) control.setAccessibleDescription(tip);
 }
 

@@ -218,7 +218,7 @@ bool MainWindow::may_stop() const {
 void MainWindow::stop() {
     let_go();
     bench_.machine.stop();
-    bench_.log.add(session::Severity::info, session::phrase("Stop asked for"));
+    bench_.log.add_command(session::Severity::info, session::phrase("Stop asked for"));
 }
 
 std::function<void()> MainWindow::escape_act() {
@@ -232,8 +232,8 @@ std::function<void()> MainWindow::escape_act() {
     }
     return [this] {
         bench_.machine.order(CommandKind::hold, session::phrase("Hold"));
-        bench_.log.add(session::Severity::info,
-                       session::phrase("Hold asked for by Esc: Resume or the Pause key goes on"));
+        bench_.log.add_command(session::Severity::info,
+                               session::phrase("Hold asked for by Esc: Resume or the Pause key goes on"));
     };
 }
 

@@ -163,6 +163,7 @@ private:
     std::uint64_t shown_replay_ = 0;
     QWidget* status_row_ = nullptr;
     QLabel* last_message_ = nullptr;
+    QString message_text_;  ///< in full
     QLabel* profile_label_ = nullptr;
     QLabel* language_label_ = nullptr;
     session::StatusLine status_line_;

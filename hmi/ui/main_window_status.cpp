@@ -37,15 +37,16 @@ void MainWindow::refresh_status_bar() {
     if (!status_line_.look(bench_.log, session::StatusLine::Clock::now())) return elide_message();
     const session::Message& last = *status_line_.shown();
     const QString text = QStringLiteral("%1 %2").arg(local_time(last.time, "HH:mm:ss"), words(last.what));
-    last_message_->setToolTip(text);
+    message_text_ = text;
+    set_plain_tip(*last_message_, text);
     set_styled(last_message_, "trouble", last.severity == session::Severity::info ? "no" : "yes");
     elide_message();
 }
 
 /// As much as there is room for; all of it in the tooltip.
 void MainWindow::elide_message() {
-    const QString shown = last_message_->fontMetrics().elidedText(last_message_->toolTip(), Qt::ElideRight,
-                                                                  last_message_->width());
+    const QString shown =
+        last_message_->fontMetrics().elidedText(message_text_, Qt::ElideRight, last_message_->width());
     if (last_message_->text() != shown) last_message_->setText(shown);
 }
 
@@ -64,7 +65,7 @@ void MainWindow::refresh_profile_label() {
     const QString text = unused.isEmpty() || (!has_room && is_told_above) ? name
                          : has_room                                       ? both
                                     : letters.elidedText(both, Qt::ElideMiddle, width() / 3);
-    profile_label_->setToolTip(text == both || unused.isEmpty() ? QString{} : both);
+    set_plain_tip(*profile_label_, text == both || unused.isEmpty() ? QString{} : both);
     if (profile_label_->text() == text) return;
     profile_label_->setText(text);
     set_styled(profile_label_, "role", unused.isEmpty() ? "label" : "problem");

@@ -21,6 +21,7 @@
 #include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
+#include "hmi/ui/message_pane.hpp"
 #include "hmi/ui/tick_box.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/atomic_file.hpp"
@@ -42,6 +43,15 @@ Glyph glyph_of(Severity severity) {
     return severity == Severity::warning ? Glyph::triangle : Glyph::info;
 }
 
+/// In the order of the box. A refused command is a warning, and a command, too.
+enum class Wanted : std::uint8_t { all, alarms, warnings, commands, information };
+
+Wanted kind_of(const session::Message& message) {
+    if (message.severity == Severity::alarm) return Wanted::alarms;
+    if (message.severity == Severity::warning) return Wanted::warnings;
+    return message.is_command ? Wanted::commands : Wanted::information;
+}
+
 bool is_known(const session::Message& message) {
     return message.time != decltype(message.time){};
 }
@@ -59,14 +69,15 @@ QString short_time(const session::Message& message) {
 MessagesPage::MessagesPage(Bench& bench, QWidget* parent)
     : QWidget(parent),
       bench_(bench),
-      least_(new ChoiceBox),
+      kinds_(new ChoiceBox),
       find_(new QLineEdit),
-      table_(new QTableWidget{0, kColumns}) {
+      table_(new QTableWidget{0, kColumns}),
+      pane_(new MessagePane{bench}) {
     setObjectName("messages_page");
-    least_->addItems({tr("All"), tr("Warnings and alarms"), tr("Alarms")});
-    least_->setObjectName("messages_least");
-    least_->setAccessibleName(tr("Which messages are shown"));
-    connect(least_, &QComboBox::currentIndexChanged, this, [this] { filter(); });
+    kinds_->addItems({tr("All"), tr("Alarms"), tr("Warnings"), tr("Commands"), tr("Information")});
+    kinds_->setObjectName("messages_kind");
+    kinds_->setAccessibleName(tr("Which messages are shown"));
+    connect(kinds_, &QComboBox::currentIndexChanged, this, [this] { filter(); });
     find_->setObjectName("messages_find");
     find_->setPlaceholderText(tr("Search"));
     find_->setAccessibleName(tr("Search the messages"));
@@ -87,10 +98,13 @@ MessagesPage::MessagesPage(Bench& bench, QWidget* parent)
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setShowGrid(false);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setTabKeyNavigation(false);
+    connect(table_, &QTableWidget::itemSelectionChanged, this, [this] { show_selected(); });
     auto* head = new FlowLayout;
     head->setSpacing(kGap);
     head->addWidget(role_label("label", tr("Show")));
-    head->addWidget(least_);
+    head->addWidget(kinds_);
     head->addWidget(find_);
     head->addWidget(make_sound());
     head->add_end();
@@ -109,6 +123,7 @@ MessagesPage::MessagesPage(Bench& bench, QWidget* parent)
     all->setContentsMargins(kGap, kGap, kGap, kGap);
     all->addLayout(head);
     all->addWidget(table_, 1);
+    all->addWidget(pane_);
 }
 
 QWidget* MessagesPage::make_sound() {
@@ -123,9 +138,22 @@ QWidget* MessagesPage::make_sound() {
     return sound;
 }
 
-QString MessagesPage::name_of_severity(Severity severity) {
-    if (severity == Severity::alarm) return tr("Alarm");
-    return severity == Severity::warning ? tr("Warning") : tr("Info");
+QString MessagesPage::name_of(const session::Message& message) {
+    if (message.severity == Severity::alarm) return tr("Alarm");
+    if (message.severity == Severity::warning) return tr("Warning");
+    return message.is_command ? tr("Command") : tr("Info");
+}
+
+/// Rows are the messages, newest first.
+void MessagesPage::show_selected() {
+    const QList<QTableWidgetItem*> selected = table_->selectedItems();
+    const auto& messages = bench_.log.messages();
+    const auto fresh = static_cast<std::size_t>(bench_.log.count() - shown_count_);  // without a row yet
+    const int row = selected.isEmpty() ? -1 : selected.front()->row();
+    const std::size_t from_newest = fresh + static_cast<std::size_t>(std::max(row, 0));
+    const bool is_one = row >= 0 && from_newest < messages.size() && !table_->isRowHidden(row);
+    const session::Message* const message = is_one ? &messages[messages.size() - 1 - from_newest] : nullptr;
+    pane_->show_message(message, message != nullptr ? name_of(*message) : QString{});
 }
 
 void MessagesPage::set_theme(const Tokens& tokens) {
@@ -186,6 +214,7 @@ session::WorkLane::Finish MessagesPage::told(const Result<void>& done, const ses
 
 void MessagesPage::refresh() {
     lane_.deliver();
+    pane_->refresh();
     const auto& messages = bench_.log.messages();
     if (tokens_ == nullptr || shown_count_ == bench_.log.count()) return;
     const auto fresh = static_cast<std::size_t>(bench_.log.count() - shown_count_);
@@ -202,7 +231,7 @@ void MessagesPage::add(const session::Message& message) {
                           : message.severity == Severity::warning ? tokens_->warn
                                                                   : tokens_->text2;
     table_->insertRow(0);
-    const QString texts[kColumns] = {short_time(message), name_of_severity(message.severity),
+    const QString texts[kColumns] = {short_time(message), name_of(message),
                                      message.axes.empty() ? tr("–") : QString::fromStdString(message.axes),
                                      words(message.what), words(message.remedy)};
     for (int column = 0; column < kColumns; ++column) {
@@ -214,7 +243,8 @@ void MessagesPage::add(const session::Message& message) {
         if (column == kKind) {
             item->setForeground(colour);
             item->setIcon(glyph_icon(glyph_of(message.severity), colour, colour));
-            item->setData(Qt::UserRole, static_cast<int>(message.severity));
+            item->setData(Qt::UserRole, static_cast<int>(kind_of(message)));
+            item->setData(Qt::UserRole + 1, message.is_command);
         }
         table_->setItem(0, column, item);
     }
@@ -229,13 +259,18 @@ void MessagesPage::resizeEvent(QResizeEvent* event) {
 
 void MessagesPage::filter() {
     for (int row = 0; row < table_->rowCount(); ++row) {
-        const int severity = table_->item(row, kKind)->data(Qt::UserRole).toInt();
+        const QTableWidgetItem& kind = *table_->item(row, kKind);
+        const auto wanted = static_cast<Wanted>(kinds_->currentIndex());
+        const bool is_wanted = wanted == Wanted::all ||
+                               kind.data(Qt::UserRole).toInt() == kinds_->currentIndex() ||
+                               (wanted == Wanted::commands && kind.data(Qt::UserRole + 1).toBool());
         const auto holds = [&](Column column) {
             return table_->item(row, column)->text().contains(find_->text(), Qt::CaseInsensitive);
         };
         const bool is_found = holds(kAxes) || holds(kWhat) || holds(kRemedy);
-        table_->setRowHidden(row, severity < least_->currentIndex() || !is_found);
+        table_->setRowHidden(row, !is_wanted || !is_found);
     }
+    show_selected();
 }
 
 }  // namespace psicarve::ui

@@ -15,6 +15,8 @@ class QTableWidget;
 
 namespace psicarve::ui {
 
+class MessagePane;
+
 /// What happened since the window was opened, newest first, and the alarms before that.
 class MessagesPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MessagesPage)
@@ -39,14 +41,16 @@ private:
 
     void add(const session::Message& message);
     void filter();
-    static QString name_of_severity(session::Severity severity);
+    void show_selected();
+    static QString name_of(const session::Message& message);
 
     Bench& bench_;
     const Tokens* tokens_ = nullptr;
     std::uint64_t shown_count_ = 0;
-    QComboBox* least_;
+    QComboBox* kinds_;
     QLineEdit* find_;
     QTableWidget* table_;
+    MessagePane* pane_;
     session::WorkLane lane_;  // last: its tasks use the others
 };
 

@@ -79,6 +79,12 @@ void ModelPage::place_refusal() {
 }
 
 void ModelPage::show_new_refusal() {
+    const auto& refusal = bench_.desk.refusal();
+    const bool is_of_slicing = refusal && refusal->of == session::DeskRefusal::Of::slicing;
+    if (is_of_slicing && bench_.desk.mesh() && changes_ != sliced_changes_) {
+        bench_.desk.forget_refusal();
+        slicing_->refresh(is_stale());
+    }
     const bool is_there = bench_.desk.refusal().has_value();
     if (is_there && !is_refusal_seen_) room_->verticalScrollBar()->setValue(0);
     is_refusal_seen_ = is_there;

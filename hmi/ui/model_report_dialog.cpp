@@ -39,7 +39,7 @@ ModelReportDialog::ModelReportDialog(QWidget* parent)
 void ModelReportDialog::show_rows(const QString& title, const std::vector<session::ReportRow>& rows) {
     title_->setText(title);
     while (lines_.size() < rows.size()) {
-        const Line line{role_label("label"), new QLabel};
+        const Line line{role_label("label"), plain_label()};
         line.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
         line.value->setWordWrap(true);
         const auto at = static_cast<int>(lines_.size());

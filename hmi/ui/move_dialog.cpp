@@ -11,6 +11,7 @@
 #include "hmi/session/axis_actions.hpp"
 #include "hmi/ui/choice_box.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/order_card.hpp"
 #include "hmi/ui/tick_box.hpp"
 #include "hmi/ui/words.hpp"
 
@@ -35,7 +36,11 @@ QDoubleSpinBox* field(Axis axis, const QString& id) {
 }  // namespace
 
 MoveDialog::MoveDialog(Bench& bench, QWidget* parent)
-    : QDialog(parent), bench_(bench), shape_(new ChoiceBox), reason_(role_label("label")) {
+    : QDialog(parent),
+      bench_(bench),
+      shape_(new ChoiceBox),
+      reason_(role_label("label")),
+      refused_(new OrderCard{bench, session::OrderPlace::move, "move", OrderCard::Shape::wide}) {
     setObjectName("move_dialog");
     setWindowTitle(tr("Go to"));
     shape_->setObjectName("move_shape");
@@ -83,7 +88,24 @@ MoveDialog::MoveDialog(Bench& bench, QWidget* parent)
     all->addLayout(grid);
     all->addWidget(shape_);
     all->addWidget(reason_);
+    all->addWidget(refused_);
     all->addLayout(buttons);
+    follow_fields();
+}
+
+/// What was refused was another move.
+void MoveDialog::follow_fields() {
+    const auto forget = [this] { bench_.machine.forget_refused_order(session::OrderPlace::move); };
+    connect(shape_, &QComboBox::currentIndexChanged, this, forget);
+    for (const Row& row : rows_) {
+        connect(row.is_wanted, &QCheckBox::toggled, this, forget);
+        connect(row.target, &QDoubleSpinBox::valueChanged, this, forget);
+        if (row.centre != nullptr) connect(row.centre, &QDoubleSpinBox::valueChanged, this, forget);
+    }
+}
+
+void MoveDialog::set_theme(const Tokens& tokens) {
+    refused_->set_theme(tokens);
 }
 
 MoveDialog::Row MoveDialog::make_row(Axis axis) {
@@ -124,7 +146,10 @@ void MoveDialog::take_positions() {
 }
 
 void MoveDialog::open_here() {
-    if (!isVisible()) take_positions();
+    if (!isVisible()) {
+        take_positions();
+        bench_.machine.forget_refused_order(session::OrderPlace::move);
+    }
     show();
     raise();
     activateWindow();
@@ -133,6 +158,7 @@ void MoveDialog::open_here() {
 void MoveDialog::refresh() {
     if (!isVisible()) return;
     reason_->setText(go_->refresh(bench_));
+    reason_->setHidden(refused_->refresh());
     centre_head_->setEnabled(is_arc());
     for (const Row& row : rows_) {
         if (row.centre != nullptr) row.centre->setEnabled(is_arc() && row.is_wanted->isChecked());

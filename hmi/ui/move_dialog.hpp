@@ -17,6 +17,8 @@ class QLabel;
 
 namespace psicarve::ui {
 
+class OrderCard;
+
 /// Sends axes to a place: straight, step by step, or round a centre. Stays open beside the window.
 class MoveDialog : public QDialog {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MoveDialog)
@@ -26,6 +28,7 @@ public:
     /// Opens it with the axes' present positions.
     void open_here();
     void refresh();
+    void set_theme(const Tokens& tokens);
 
 private:
     struct Row {
@@ -34,6 +37,7 @@ private:
         QDoubleSpinBox* centre;
     };
     Row make_row(Axis axis);
+    void follow_fields();
     session::MoveWish wish() const;
     bool is_arc() const;
     void take_positions();
@@ -44,6 +48,7 @@ private:
     QLabel* centre_head_;
     ActionButton* go_;
     QLabel* reason_;
+    OrderCard* refused_;
 };
 
 }  // namespace psicarve::ui

@@ -43,7 +43,7 @@ constexpr const char* kKeptFields[] = {
     "allowance",
     "stepover",
     "colouring",
-    "messages_least",
+    "messages_kind",
     "alarm_sound",
     "latency_seconds",
     "latency_period",

@@ -104,6 +104,7 @@ void PortsPage::set_theme(const Tokens& tokens) {
     tokens_ = &tokens;
     connector_->set_theme(tokens);
     timing_->set_theme(tokens);
+    wiring_->set_theme(tokens);
     shown_levels_.reset();
     refresh();
 }

@@ -5,12 +5,14 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/last_known.hpp"
+#include "hmi/ui/order_card.hpp"
 #include "hmi/ui/settings.hpp"
 #include "hmi/ui/words.hpp"
 
@@ -79,6 +81,7 @@ PositionPanel::PositionPanel(Bench& bench, QWidget* parent) : Dock(tr("Position"
     buttons->addWidget(home_one_, 1);
     buttons->addWidget(home_, 1);
     body().addLayout(buttons);
+    refused_ = new OrderCard{bench_, session::OrderPlace::position, "position", OrderCard::Shape::high, this};
     select(Axis::r1);
 }
 
@@ -113,6 +116,7 @@ QWidget* PositionPanel::make_row(Axis axis) {
     row.pulses->hide();
     row.unit = role_label("label");
     row.unit->setFixedWidth(kUnitWidth);
+    row.unit->setObjectName(QString{"unit_%1"}.arg(QString::fromStdString(std::string{name_of(axis)})));
     row.homed = lamp();
     row.sensor = lamp();
     row.homed->setObjectName(QString{"homed_%1"}.arg(QString::fromStdString(std::string{name_of(axis)})));
@@ -136,6 +140,7 @@ void PositionPanel::set_theme(const Tokens& tokens) {
             QString{"background: %1; border: 0; border-radius: 0;"}.arg(colours[index_of(axis)].name());
         rows_[index_of(axis)].bar->setStyleSheet(style);
     }
+    refused_->set_theme(tokens);
     refresh();
 }
 
@@ -157,6 +162,7 @@ void PositionPanel::refresh() {
 }
 
 void PositionPanel::select(Axis axis) {
+    if (axis != selected_) bench_.machine.forget_refused_order(session::OrderPlace::position);
     selected_ = axis;
     for (const Axis each : kAllAxes)
         set_styled(rows_[index_of(each)].whole, "selected", each == axis ? "yes" : "no");
@@ -176,6 +182,7 @@ void PositionPanel::refresh_buttons() {
     zero_one_->set_hint(clears ? tr("Forgets the zero of %1").arg(letter)
                                : tr("Shows how far %1 is from here; no motion changes").arg(letter));
     for (ActionButton* button : {home_, home_one_, zero_one_}) button->refresh(bench_);
+    refused_->refresh_beside(*this, *home_);
 }
 
 void PositionPanel::change_zero() {
@@ -201,7 +208,10 @@ void PositionPanel::refresh_row(Axis axis) {
     Row& row = rows_[index_of(axis)];
     const session::AxisReadout readout = session::axis_readout(sight, axis);
     row.value->setText(QString::fromStdString(readout.value));
-    row.unit->setText(readout.unit == "pulses" ? tr("pul.") : QString::fromStdString(readout.unit));
+    const bool is_in_pulses = readout.unit == "pulses";
+    row.unit->setText(is_in_pulses ? tr("pul.") : QString::fromStdString(readout.unit));
+    row.unit->setFixedWidth(std::max(kUnitWidth, row.unit->sizeHint().width()));
+    set_styled(row.value, "long", is_in_pulses ? "yes" : "no");
     row.value->setToolTip(words(session::commanded_and_actual(sight, axis)));
     if (is_wide_) row.pulses->setText(words(session::pulses_phrase(sight, axis)));
     const bool is_known = sight.is_heard() || !sight.status;

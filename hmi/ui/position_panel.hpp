@@ -14,6 +14,7 @@
 namespace psicarve::ui {
 
 class ActionButton;
+class OrderCard;
 
 /// Where the axes are, whether they know it, and their sensors. One axis is selected: Home and Zero are of
 /// it.
@@ -57,6 +58,7 @@ private:
     bool is_wide_ = false;
     session::WorkZero zero_;
     ActionButton* home_;
+    OrderCard* refused_ = nullptr;
     ActionButton* home_one_;
     ActionButton* zero_one_;
 };

@@ -17,13 +17,18 @@ using session::Check;
 
 constexpr int kCheckIconSide = 14;
 
+QString with_remedy(const Check& check) {
+    const QString remedy = words(check.remedy);
+    return remedy.isEmpty() ? words(check.detail) : QStringLiteral("%1; %2").arg(words(check.detail), remedy);
+}
+
 }  // namespace
 
 QString to_look_at_in(const std::vector<Check>& checks) {
     QStringList named;
     for (const Check& check : checks) {
         if (check.verdict == Check::Verdict::warning)
-            named << QStringLiteral("%1: %2").arg(words(check.name), words(check.detail));
+            named << QStringLiteral("%1: %2").arg(words(check.name), with_remedy(check));
     }
     return named.join(", ");
 }
@@ -37,7 +42,7 @@ PreflightList::PreflightList(QWidget* parent)
     sum_->setObjectName("preflight_sum");
     grid_->setColumnStretch(1, 1);
     for (std::size_t i = 0; i < session::kMostChecks; ++i) {
-        const Row row{new QLabel, new QLabel, role_label("label")};
+        const Row row{new QLabel, plain_label(), role_label("label")};
         row.icon->setFixedSize(kCheckIconSide + 4, kCheckIconSide + 3);
         const int line = static_cast<int>(i);
         grid_->addWidget(row.icon, line, 0);
@@ -82,6 +87,9 @@ void PreflightList::show_rows(const std::vector<Check>& checks) {
         show_icon(row, checks[i].verdict);
         row.name->setText(words(checks[i].name));
         show_detail(row, words(checks[i].detail));
+        const QString remedy = words(checks[i].remedy);
+        set_plain_tip(*row.name, remedy);
+        if (!remedy.isEmpty()) set_plain_tip(*row.detail, with_remedy(checks[i]));
     }
 }
 

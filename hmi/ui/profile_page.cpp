@@ -46,6 +46,7 @@ ProfilePage::ProfilePage(Bench& bench, QWidget* parent)
     area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area_->setObjectName("profile_rows");
     explanation_ = role_label("label");
+    explanation_->setTextFormat(Qt::RichText);
     explanation_->setWordWrap(true);
     middle_ = new QBoxLayout{QBoxLayout::LeftToRight};
     middle_->setSpacing(kGap);

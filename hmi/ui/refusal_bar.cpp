@@ -1,49 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/refusal_bar.hpp"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include "hmi/ui/frames.hpp"
-#include "hmi/ui/icon.hpp"
 #include "hmi/ui/long_names.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
-namespace {
-
-constexpr int kRefusalIconSide = 24;
-constexpr int kRefusalIconWidth = 40;
-
-void show_text(QLabel& label, const QString& text) {
-    if (label.text() != text) label.setText(text);
-    if (label.isHidden() != text.isEmpty()) label.setVisible(!text.isEmpty());
-}
-
-}  // namespace
-
 RefusalBar::RefusalBar(Bench& bench, QWidget* parent)
-    : QFrame(parent),
+    : NoticeBar("refusal", Glyph::triangle, parent),
       bench_(bench),
-      icon_(new QLabel),
-      title_(role_label("title")),
-      why_(new QLabel),
-      stays_(new QLabel) {
-    setObjectName("refusal");
-    title_->setObjectName("refusal_title");
-    why_->setObjectName("refusal_why");
-    stays_->setObjectName("refusal_stays");
-    icon_->setFixedWidth(kRefusalIconWidth);
-    icon_->setAlignment(Qt::AlignCenter);
-    auto* text = new QVBoxLayout;
-    text->setContentsMargins(0, kGap, kGap, kGap);
-    text->setSpacing(3);
-    for (QLabel* label : {title_, why_, stays_}) {
-        label->setWordWrap(true);
-        text->addWidget(label);
-    }
+      why_(add_text("why")),
+      stays_(add_text("stays")) {
     auto* read = new QPushButton{tr("Acknowledge")};
     read->setObjectName("refusal_read");
     read->setFocusPolicy(Qt::TabFocus);
@@ -52,18 +22,7 @@ RefusalBar::RefusalBar(Bench& bench, QWidget* parent)
         bench_.forget_refused_file();
         refresh();
     });
-    auto* all = new QHBoxLayout{this};
-    all->setContentsMargins(0, 0, kGap, 0);
-    all->setSpacing(0);
-    all->addWidget(icon_);
-    all->addLayout(text, 1);
-    all->addWidget(read, 0, Qt::AlignVCenter);
-    setVisible(false);
-}
-
-void RefusalBar::set_theme(const Tokens& tokens) {
-    icon_->setPixmap(glyph_pixmap(Glyph::triangle, kRefusalIconSide, tokens.warn));
-    refresh();
+    add_button(read);
 }
 
 QString RefusalBar::title_of(const session::RefusedFile& refused) {
@@ -88,13 +47,13 @@ QString RefusalBar::what_stays() const {
 
 void RefusalBar::refresh() {
     const session::RefusedFile* const refused = bench_.refused_file();
-    if (isHidden() == (refused != nullptr)) setVisible(refused != nullptr);
+    set_shown(refused != nullptr);
     if (refused == nullptr) return;
-    show_text(*title_, title_of(*refused));
+    show_text(title(), title_of(*refused));
     show_text(*why_, why_of(*refused));
-    for (QLabel* label : {title_, why_}) label->setToolTip(words(refused->why));  // with its folder
+    for (QLabel* label : {&title(), why_}) set_plain_tip(*label, words(refused->why));  // with its folder
     show_text(*stays_, what_stays());
-    setAccessibleName(title_->text());
+    setAccessibleName(title().text());
 }
 
 }  // namespace psicarve::ui

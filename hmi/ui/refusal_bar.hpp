@@ -2,10 +2,9 @@
 #pragma once
 
 #include <QCoreApplication>
-#include <QFrame>
 
 #include "hmi/ui/bench.hpp"
-#include "hmi/ui/tokens.hpp"
+#include "hmi/ui/notice_bar.hpp"
 
 class QLabel;
 
@@ -13,13 +12,12 @@ namespace psicarve::ui {
 
 /// Which file was not opened, why, and what Start carves instead. Above all pages, until the next file is
 /// asked for or somebody has read it.
-class RefusalBar : public QFrame {
+class RefusalBar : public NoticeBar {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::RefusalBar)
 public:
     explicit RefusalBar(Bench& bench, QWidget* parent = nullptr);
 
-    void set_theme(const Tokens& tokens);
-    void refresh();
+    void refresh() override;
     static QString title_of(const session::RefusedFile& refused);
     /// Without the file's name.
     static QString why_of(const session::RefusedFile& refused);
@@ -28,8 +26,6 @@ private:
     QString what_stays() const;
 
     Bench& bench_;
-    QLabel* icon_;
-    QLabel* title_;
     QLabel* why_;
     QLabel* stays_;
 };

@@ -29,7 +29,7 @@ RefusalCard::RefusalCard(Act act, QWidget* parent)
       act_(std::move(act)),
       icon_(new QLabel),
       title_(role_label("title")),
-      why_(new QLabel),
+      why_(plain_label()),
       offered_(new QWidget) {
     setObjectName("desk_refusal");
     title_->setObjectName("desk_refusal_title");

@@ -32,7 +32,7 @@ ReportDialog::ReportDialog(const session::RunWatch& runs, std::shared_ptr<const 
     for (const session::ReportRow& row : session::run_rows(run_, runs.is_over(), job_->view.layer_count(),
                                                            is_verified, runs.seen_from_layer())) {
         grid->addWidget(role_label("label", words(row.name)), line, 0);
-        auto* value = new QLabel{words(row.value)};
+        auto* value = plain_label(words(row.value));
         value->setTextInteractionFlags(Qt::TextSelectableByMouse);
         grid->addWidget(value, line++, 1, Qt::AlignRight);
     }

@@ -14,6 +14,7 @@
 #include "hmi/session/preflight.hpp"
 #include "hmi/ui/floating_panel.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/order_card.hpp"
 #include "hmi/ui/preflight_list.hpp"
 
 namespace psicarve::ui {
@@ -52,7 +53,10 @@ FirstPlace first_place(QSize screen) {
 }
 
 MotionBlock::MotionBlock(Bench& bench)
-    : bench_(bench), buttons_(make_motion_buttons(bench)), reason_(role_label("label")) {
+    : bench_(bench),
+      buttons_(make_motion_buttons(bench)),
+      reason_(role_label("label")),
+      refused_(new OrderCard{bench, session::OrderPlace::job, "motion", OrderCard::Shape::high, this}) {
     setObjectName("motion");
     auto* grid = new QGridLayout{this};
     grid->setContentsMargins(0, 0, 0, 0);
@@ -78,6 +82,7 @@ void MotionBlock::set_theme(const Tokens& tokens) {
     buttons_.start->set_glyph(Glyph::play, tokens);
     buttons_.hold->set_glyph(Glyph::pause, tokens);
     buttons_.stop->set_glyph(Glyph::stop, tokens);
+    refused_->set_theme(tokens);
 }
 
 void MotionBlock::refresh() {
@@ -89,7 +94,8 @@ void MotionBlock::refresh() {
             ? to_look_at_in(session::preflight_checks(bench_.machine.sight(), bench_.desk.sight()))
             : QString{};
     const QString reason = said_beside(buttons_, to_look_at);
-    if (reason_->toolTip() != reason) reason_->setToolTip(reason);
+    refused_->refresh_beside(*this, *buttons_.start);
+    set_plain_tip(*reason_, reason);
     const QString shown = reason_->fontMetrics().elidedText(reason, Qt::ElideRight, reason_->width());
     if (reason_->text() != shown) reason_->setText(shown);
 }

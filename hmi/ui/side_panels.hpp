@@ -20,6 +20,7 @@ class QVBoxLayout;
 
 namespace psicarve::ui {
 
+class OrderCard;
 class FloatingPanel;
 
 /// How much room a window has for what stands beside its pages.
@@ -52,6 +53,7 @@ private:
     Bench& bench_;
     MotionButtons buttons_;
     QLabel* reason_;
+    OrderCard* refused_;
 };
 
 /// Arranges the three panels beside the window's pages.

@@ -161,7 +161,7 @@ void Strip::set_room(Room room) {
 
 void Strip::emergency_stop() {
     if (bench_.machine.emergency_stop())
-        return bench_.log.add(session::Severity::info, session::phrase("Emergency stop asked for"));
+        return bench_.log.add_command(session::Severity::info, session::phrase("Emergency stop asked for"));
     bench_.log.add(session::Severity::alarm,
                    session::phrase("Nobody heard the emergency stop: it has stopped nothing"),
                    session::phrase("Use the wired emergency stop, or the machine's own switch"));

@@ -28,6 +28,7 @@ QLabel[role="r1"] { color: @r1; font-weight: 700; font-size: 12px; }
 QLabel[role="r2"] { color: @r2; font-weight: 700; font-size: 12px; }
 QLabel[role="axis"] { font-size: 16px; font-weight: 700; }
 QLabel[role="digits"] { font-size: 28px; }
+QLabel[role="digits"][long="yes"] { font-size: 17px; }
 QLabel[role="title"] { font-size: 15px; font-weight: 700; }
 QLabel[role="percent"] { font-size: 18px; font-weight: 700; }
 QLabel[role="badge"] { color: @sim; border: 2px solid @sim; border-radius: 4px; font-weight: 700; padding: 0 10px; }
@@ -120,7 +121,7 @@ QScrollBar:horizontal { background: @panel; height: 10px; }
 QScrollBar::handle:horizontal { background: @edge; border-radius: 4px; min-width: 24px; }
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
 QToolTip { background: @field; color: @text; border: 1px solid @edge; padding: 3px; }
-#refusal, #unfinished, #desk_refusal, #core_profile { background: @warn_ground; border: 2px solid @warn; border-radius: 4px; }
+QFrame[notice="true"], #desk_refusal { background: @warn_ground; border: 2px solid @warn; border-radius: 4px; }
 QLabel[trouble="yes"] { color: @warn; font-weight: 700; }
 #alarm_room, #alarm_room > QWidget, #alarm_room > QWidget > QWidget { background: transparent; border: 0; }
 #banner { background: @alarm_ground; border: 2px solid @alarm; border-radius: 4px; }
@@ -129,6 +130,7 @@ QLabel[trouble="yes"] { color: @warn; font-weight: 700; }
 // For a hand that stands further off.
 constexpr const char* kWideSheet = R"(
 QLabel[role="digits"] { font-size: 36px; }
+QLabel[role="digits"][long="yes"] { font-size: 24px; }
 QPushButton { min-height: 34px; }
 QPushButton[key="true"] { min-height: 50px; }
 QPushButton[main="true"], QPushButton[strong="true"] { min-height: 46px; }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/unfinished_bar.hpp"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include <vector>
 
@@ -12,19 +10,11 @@
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/anew_dialog.hpp"
 #include "hmi/ui/frames.hpp"
-#include "hmi/ui/icon.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/machine_state.hpp"
 
 namespace psicarve::ui {
 namespace {
-
-constexpr int kUnfinishedIconSide = 24;
-constexpr int kUnfinishedIconWidth = 40;
-
-void show_words(QLabel& label, const QString& text) {
-    if (label.text() != text) label.setText(text);
-}
 
 QString in_one_line(const std::vector<session::Phrase>& sentences) {
     QStringList said;
@@ -35,25 +25,11 @@ QString in_one_line(const std::vector<session::Phrase>& sentences) {
 }  // namespace
 
 UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
-    : QFrame(parent),
+    : NoticeBar("unfinished", Glyph::info, parent),
       bench_(bench),
-      icon_(new QLabel),
-      title_(role_label("title")),
-      details_(new QLabel),
+      details_(add_text("details")),
       anew_(new ActionButton{session::Action::from_layer, tr("Start anew…"), [this] { begin_anew(); }}),
       dismiss_(new QPushButton{tr("Dismiss")}) {
-    setObjectName("unfinished");
-    title_->setObjectName("unfinished_title");
-    details_->setObjectName("unfinished_details");
-    icon_->setFixedWidth(kUnfinishedIconWidth);
-    icon_->setAlignment(Qt::AlignCenter);
-    auto* text = new QVBoxLayout;
-    text->setContentsMargins(0, kGap, kGap, kGap);
-    text->setSpacing(3);
-    for (QLabel* label : {title_, details_}) {
-        label->setWordWrap(true);
-        text->addWidget(label);
-    }
     anew_->setObjectName("start_anew");
     anew_->set_hint(tr("Begins with layer 1 again; it asks first"));
     dismiss_->setObjectName("unfinished_dismiss");
@@ -64,24 +40,8 @@ UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
         dismissed_job_ = job_generation();
         refresh();
     });
-    auto* buttons = new QVBoxLayout;
-    buttons->setContentsMargins(0, kSmallGap, 0, kSmallGap);
-    buttons->setSpacing(kSmallGap);
-    buttons->addWidget(anew_);
-    buttons->addWidget(dismiss_);
-    buttons->addStretch();
-    auto* all = new QHBoxLayout{this};
-    all->setContentsMargins(0, 0, kGap, 0);
-    all->setSpacing(0);
-    all->addWidget(icon_);
-    all->addLayout(text, 1);
-    all->addLayout(buttons);
-    setVisible(false);
-}
-
-void UnfinishedBar::set_theme(const Tokens& tokens) {
-    icon_->setPixmap(glyph_pixmap(Glyph::info, kUnfinishedIconSide, tokens.warn));
-    refresh();
+    add_button(anew_);
+    add_button(dismiss_);
 }
 
 void UnfinishedBar::set_room(Room room) {
@@ -118,18 +78,15 @@ void UnfinishedBar::refresh() {
     const auto shown = piece();
     if (shown && dismissed_ != shown) dismissed_.reset();
     const bool is_there = shown && !dismissed_;
-    if (isHidden() == is_there) setVisible(is_there);
+    set_shown(is_there);
     if (!is_there) return;
     const session::MachineSight& sight = bench_.machine.sight();
     const auto job = bench_.desk.core_job() ? bench_.desk.core_job() : bench_.desk.job();
     const QString all = in_one_line(session::unfinished_details(*shown, sight, job.get()));
-    show_words(*title_, words(session::unfinished_title(*shown)));
-    show_words(*details_, is_small_ ? in_one_line(session::unfinished_needs(*shown, sight)) : all);
-    if (details_->isHidden() != details_->text().isEmpty()) details_->setHidden(details_->text().isEmpty());
-    for (QLabel* label : {title_, details_}) {
-        if (label->toolTip() != all) label->setToolTip(all);
-    }
-    setAccessibleName(title_->text());
+    show_text(title(), words(session::unfinished_title(*shown)));
+    show_text(*details_, is_small_ ? in_one_line(session::unfinished_needs(*shown, sight)) : all);
+    for (QLabel* label : {&title(), details_}) set_plain_tip(*label, all);
+    setAccessibleName(title().text());
     setAccessibleDescription(all);
     anew_->refresh(bench_);
 }

@@ -2,15 +2,14 @@
 #pragma once
 
 #include <QCoreApplication>
-#include <QFrame>
 
 #include <cstdint>
 #include <optional>
 
 #include "hmi/session/going_on.hpp"
 #include "hmi/ui/bench.hpp"
+#include "hmi/ui/notice_bar.hpp"
 #include "hmi/ui/side_panels.hpp"
-#include "hmi/ui/tokens.hpp"
 
 class QLabel;
 class QPushButton;
@@ -22,15 +21,14 @@ class ActionButton;
 /// Which piece is unfinished, where it goes on, on which way the heads come there and what has to be done
 /// first. Above all pages whenever there is one and nothing louder, until it goes on or somebody has
 /// dismissed it. Begins it anew, once asked.
-class UnfinishedBar : public QFrame {
+class UnfinishedBar : public NoticeBar {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::UnfinishedBar)
 public:
     explicit UnfinishedBar(Bench& bench, QWidget* parent = nullptr);
 
-    void set_theme(const Tokens& tokens);
     /// In a small window all but what has to be done or known first is in the tool tip.
     void set_room(Room room);
-    void refresh();
+    void refresh() override;
 
 private:
     std::optional<session::UnfinishedPiece> piece() const;
@@ -39,8 +37,6 @@ private:
     void begin_anew();
 
     Bench& bench_;
-    QLabel* icon_;
-    QLabel* title_;
     QLabel* details_;
     ActionButton* anew_;
     QPushButton* dismiss_;

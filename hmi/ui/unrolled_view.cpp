@@ -3,14 +3,16 @@
 
 #include <QPainter>
 
+#include <algorithm>
 #include <utility>
 
 #include "hmi/session/display_text.hpp"
+#include "hmi/session/round_marks.hpp"
 
 namespace psicarve::ui {
 namespace {
 
-constexpr double kLeftRoom = 44.0;
+constexpr double kLeftRoom = 58.0;
 constexpr double kTopRoom = 26.0;
 constexpr double kHalfLine = 3.0;  // px
 constexpr double kPointMark = 5.0;
@@ -18,7 +20,8 @@ constexpr double kLeastNamed = 24.0;  // px: narrower a half has no room for its
 constexpr double kRightRoom = 14.0;
 constexpr double kBottomRoom = 62.0;
 constexpr double kBarHeight = 12.0;
-constexpr int kHeightLabels = 6;
+constexpr double kLeastBetweenMarks = 36.0;  // px
+constexpr double kMarkLength = 4.0;
 constexpr int kQuarter_deg = 90;
 constexpr int kUnrolledViewTurn_deg = 360;
 
@@ -132,16 +135,20 @@ void UnrolledView::draw_layer(QPainter& painter, const QRectF& area) const {
 
 void UnrolledView::draw_axes(QPainter& painter, const QRectF& area) const {
     painter.setPen(tokens_->text2);
-    const bool is_low = high_mm_ - low_mm_ < kHeightLabels;
-    for (int i = 0; i < kHeightLabels; ++i) {
-        const double part = static_cast<double>(i) / (kHeightLabels - 1);
+    const double extent_mm = high_mm_ - low_mm_;
+    const session::RoundMarks marks = session::round_marks(
+        low_mm_, high_mm_, std::max(2, static_cast<int>(area.height() / kLeastBetweenMarks)));
+    for (const double height_mm : marks.values) {
+        const double part = extent_mm > 0.0 ? (height_mm - low_mm_) / extent_mm : 0.0;
         const double y = area.bottom() - part * area.height();
+        painter.drawLine(QPointF{area.left() - kMarkLength, y}, QPointF{area.left(), y});
         painter.drawText(QRectF{0, y - 8, kLeftRoom - 6, 16}, Qt::AlignRight | Qt::AlignVCenter,
-                         number(low_mm_ + part * (high_mm_ - low_mm_), is_low ? 1 : 0));
+                         tr("%1 mm").arg(number(height_mm, marks.decimals)));
     }
     for (int angle_deg = 0; angle_deg <= kUnrolledViewTurn_deg; angle_deg += kQuarter_deg) {
         const double x = area.left() + area.width() * angle_deg / kUnrolledViewTurn_deg;
-        painter.drawText(QRectF{x - 20, area.bottom() + 2, 40, 16}, Qt::AlignCenter,
+        painter.drawLine(QPointF{x, area.bottom()}, QPointF{x, area.bottom() + kMarkLength});
+        painter.drawText(QRectF{x - 20, area.bottom() + kMarkLength, 40, 16}, Qt::AlignCenter,
                          QString{"%1°"}.arg(angle_deg));
     }
 }

@@ -32,7 +32,7 @@ VerdictDialog::VerdictDialog(const std::shared_ptr<const session::Judgement>& ju
     int line = 0;
     for (const session::VerdictRow& row : session::verdict_rows(judgement->report)) {
         grid->addWidget(role_label("label", words(row.name)), line, 0, Qt::AlignTop);
-        auto* value = new QLabel{words(row.value)};
+        auto* value = plain_label(words(row.value));
         value->setTextInteractionFlags(Qt::TextSelectableByMouse);
         value->setWordWrap(true);
         value->setMaximumWidth(kMostWidth);

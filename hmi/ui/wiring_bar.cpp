@@ -10,6 +10,7 @@
 #include "hmi/session/axis_actions.hpp"
 #include "hmi/ui/choice_box.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/order_card.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
@@ -64,6 +65,12 @@ WiringBar::WiringBar(Bench& bench, QWidget* parent)
     all->addLayout(head);
     make_armed_row();
     all->addWidget(armed_row_);
+    refused_ = new OrderCard{bench_, session::OrderPlace::outputs, "outputs", OrderCard::Shape::wide};
+    all->addWidget(refused_);
+}
+
+void WiringBar::set_theme(const Tokens& tokens) {
+    refused_->set_theme(tokens);
 }
 
 void WiringBar::make_armed_row() {
@@ -89,6 +96,10 @@ void WiringBar::make_armed_row() {
     row->addWidget(pulses_, 1);
     row->addWidget(send_, 1);
     row->addWidget(hold_, 1);
+    // What was refused was another test.
+    const auto forget = [this] { bench_.machine.forget_refused_order(session::OrderPlace::outputs); };
+    connect(outputs_, &QComboBox::currentIndexChanged, this, forget);
+    for (QSpinBox* number : {rate_, pulses_}) connect(number, &QSpinBox::valueChanged, this, forget);
 }
 
 void WiringBar::show_rows(const std::vector<session::PinRow>& rows) {
@@ -148,6 +159,7 @@ void WiringBar::refresh() {
                                       : locked);
     set_styled(this, "armed", is_armed ? "yes" : "no");
     for (ActionButton* button : {send_, hold_}) button->refresh(bench_);
+    refused_->refresh();
 }
 
 }  // namespace psicarve::ui

@@ -17,6 +17,8 @@ class QSpinBox;
 
 namespace psicarve::ui {
 
+class OrderCard;
+
 /// The wiring test of single outputs: armed, then one output is held active or sends pulses.
 class WiringBar : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::WiringBar)
@@ -25,6 +27,7 @@ public:
 
     void show_rows(const std::vector<session::PinRow>& rows);
     void refresh();
+    void set_theme(const Tokens& tokens);
     bool is_armed() const noexcept { return test_.is_armed(); }
     /// Ends the test, whatever is held.
     void let_go();
@@ -48,6 +51,7 @@ private:
     QSpinBox* pulses_;
     ActionButton* send_;
     ActionButton* hold_;
+    OrderCard* refused_;
 };
 
 }  // namespace psicarve::ui

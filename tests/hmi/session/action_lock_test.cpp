@@ -302,6 +302,31 @@ std::string to_look_at(const MachineSight& machine) {
     return named;
 }
 
+TEST(Preflight, WarnsOfMoreMissedTicksThanTheAlarmAllowsWithItsRemedy) {
+    MachineSight machine = machine_in(S::ready);
+    const auto ticks = [&] {
+        for (const Check& check : preflight_checks(machine, JobSight{DeskState::published, false, 10})) {
+            if (in_english(check.name) == "Ticks in time") return check;
+        }
+        return Check{};
+    };
+    machine.profile->tick.missed_alarm_per_s = 50;
+    machine.missed_per_s = 50;
+    EXPECT_EQ(to_look_at(machine), "") << "so many are allowed";
+    EXPECT_EQ(ticks().verdict, Check::Verdict::pass);
+    EXPECT_EQ(in_english(ticks().detail), "missed 50 of 50 a second");
+    machine.missed_per_s = 51;
+    EXPECT_EQ(to_look_at(machine), "Ticks in time: missed 51 of 50 a second; ");
+    EXPECT_TRUE(in_english(ticks().remedy).find("--clock virtual") != std::string::npos);
+    machine.status->is_simulator = 0;
+    machine.status->has_realtime_rights = 1;
+    EXPECT_EQ(to_look_at(machine), "Ticks in time: missed 51 of 50 a second; ");
+    EXPECT_TRUE(remedy_of(AlarmCause::missed_ticks).find(in_english(ticks().remedy)) != std::string::npos)
+        << "the command line says it so";
+    machine.profile->tick.missed_alarm_per_s = 0;
+    EXPECT_EQ(to_look_at(machine), "") << "there is no such alarm";
+}
+
 TEST(Preflight, WarnsOfWhatTheCoreAllows) {
     MachineSight machine = machine_in(S::ready);
     EXPECT_EQ(to_look_at(machine), "");

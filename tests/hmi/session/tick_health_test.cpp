@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "shared/units.hpp"
@@ -47,6 +48,30 @@ TEST(TickHealth, ShowsDurationsShort) {
     EXPECT_EQ(duration_text(1'500), "1.5 \u00B5s");
     EXPECT_EQ(duration_text(61'200), "61 \u00B5s");
     EXPECT_EQ(duration_text(2'500'000), "2.5 ms");
+}
+
+TEST(MissedMeter, TellsTheWorstSecondOfTheLastFive) {
+    MissedMeter sut;
+    const MissedMeter::Clock::time_point begin{};
+    std::uint64_t most = 0;
+    for (int look = 0; look <= 250; ++look) {  // of 20 ms: 60 missed from 1.0 s on, within 0.4 s
+        const int missed = std::clamp(look - 50, 0, 20) * 3;
+        most = sut.note(static_cast<std::uint64_t>(missed), begin + look * 20ms);
+        EXPECT_EQ(most, static_cast<std::uint64_t>(missed)) << look;
+    }
+    EXPECT_EQ(sut.note(60, begin + 5900ms), 60U);
+    EXPECT_EQ(sut.note(60, begin + 6600ms), 0U) << "it is over five seconds ago";
+}
+
+TEST(MissedMeter, CountsNoSecondTwiceAndBeginsAnewWithAnotherCore) {
+    MissedMeter sut;
+    const MissedMeter::Clock::time_point begin{};
+    std::uint64_t most = 0;
+    for (int look = 0; look <= 200; ++look)  // 40 a second
+        most = sut.note(static_cast<std::uint64_t>(look), begin + look * 25ms);
+    EXPECT_EQ(most, 40U);
+    EXPECT_EQ(sut.note(5, begin + 5030ms), 0U);
+    EXPECT_EQ(sut.note(65, begin + 8030ms), 20U) << "three seconds without a look";
 }
 
 TEST(RateMeter, MeasuresOverTheLastSecond) {

@@ -96,6 +96,18 @@ TEST_F(DeskRefusal, OfAnAxisBesideTheModelHasTheOneThatLosesLeast) {
     EXPECT_EQ(axis.currentIndex(), 2);
 }
 
+TEST_F(DeskRefusal, GoesWithTheFieldThatItWasAbout) {
+    open_window();
+    open(example("figurine.stl"));
+    part<QDoubleSpinBox>("scale").setValue(10.0);
+    ASSERT_NO_FATAL_FAILURE(slice_in_vain());
+    window_->refresh();
+    ASSERT_TRUE(is_told());
+    part<QDoubleSpinBox>("scale").setValue(1.0);
+    window_->refresh();
+    EXPECT_FALSE(is_told()) << "its height would be of another scale";
+}
+
 TEST_F(DeskRefusal, GoesWithWhateverIsAskedForNextAndIsNoneOfACancelledOne) {
     open_window();
     open(example("figurine.stl"));

@@ -13,7 +13,9 @@
 #include <QTabWidget>
 #include <QVariantMap>
 
+#include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <tuple>
 #include <vector>
@@ -236,6 +238,45 @@ TEST_P(Fit, WithAnotherProfileThanTheCores) {
     window_->bench().machine.set_profile(given);
     ASSERT_TRUE(comes_true([&] { return part<QWidget>("core_profile").isVisible(); }));
     expect_fit("other_profile");
+}
+
+TEST_P(Fit, WithPositionsInPulses) {
+    Profile own;
+    own.r1.pulses_per_mm *= 2.0;
+    std::ofstream{file("own.toml")} << profile_to_toml(own);
+    start_core({"--profile", file("own.toml")});
+    std::filesystem::remove(file("own.toml"));
+    open_window();
+    window_->resize(size());
+    core_->send_signal(SIGSTOP);  // its words are ours
+    auto& record = segment_->header().status;
+    auto status = load_words<CoreStatus>(record.words);
+    status.position_pulses[index_of(Axis::r1)] = -48'000;
+    status.position_pulses[index_of(Axis::psi)] = 1'006'160;
+    ASSERT_TRUE(comes_true([&] {
+        ++status.heartbeat;
+        write_record(record, status);
+        return part<QLabel>("position_psi").text().startsWith("1");
+    }));
+    expect_fit("pulses");
+}
+
+TEST_P(Fit, WithOrdersThatWereRefused) {
+    open_small();
+    window_->emergency_stop();
+    ASSERT_TRUE(comes_to(MachineState::alarm));
+    const auto refused = [&, &machine = window_->bench().machine](CommandKind kind) {
+        machine.order(kind, session::phrase("Home"));
+        return comes_true([&] { return machine.refused_order().has_value(); });
+    };
+    part<QTabWidget>("tabs").setCurrentIndex(5);
+    ASSERT_TRUE(refused(CommandKind::spindle));
+    expect_panels_fit("refused_jog");
+    ASSERT_TRUE(refused(CommandKind::resume));
+    expect_fit("refused_job");
+    part<QTabWidget>("tabs").setCurrentIndex(3);
+    ASSERT_TRUE(refused(CommandKind::drives_off));
+    expect_fit("refused_outputs");
 }
 
 TEST_P(Fit, WithASlicedModel) {

@@ -129,6 +129,22 @@ TEST_F(OtherProfile, IsNotTakenOverByARemedyThatHasNothingToTake) {
     EXPECT_FALSE(all_messages().contains("Taken over from the core"));
 }
 
+TEST_F(OtherProfile, HasANameThatIsShownAsItIsWrittenWhateverItLooksLike) {
+    Profile given;
+    given.name = "<b>mill<u>";
+    given.tool.diameter_mm += 1.0;
+    start_core();
+    open_window();
+    window_->bench().machine.set_profile(given);
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("core_profile").isVisible(); }));
+    for (const char* name : {"core_profile_title", "core_profile_details", "profile_label"}) {
+        const auto& label = part<QLabel>(name);
+        EXPECT_EQ(label.textFormat(), Qt::PlainText) << name;
+        EXPECT_FALSE(Qt::mightBeRichText(label.toolTip()) && label.toolTip().contains("<b>")) << name;
+    }
+    EXPECT_TRUE(part<QLabel>("core_profile_title").text().remove(QChar{0x200B}).contains("<b>mill<u>"));
+}
+
 TEST_F(OtherProfile, IsTakenOverAndTheJobSlicedAgainByIt) {
     Profile given;
     given.name = "mill";

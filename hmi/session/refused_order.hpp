@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/phrase.hpp"
+#include "shared/command.hpp"
+
+namespace psicarve::session {
+
+/// Which buttons ask for it.
+enum class OrderPlace : std::uint8_t { position, jog, move, job, alarm, outputs };
+OrderPlace place_of(CommandKind kind) noexcept;
+
+/// What the core was asked for and did not do.
+struct OrderRefusal {
+    enum class Help : std::uint8_t { none, home_all, reset_alarm };
+    OrderPlace place = OrderPlace::job;
+    Phrase what;  ///< "Start: the machine is not homed; home first"
+    Help help = Help::none;
+};
+
+/// What would help, by the core's words.
+OrderRefusal::Help help_for(const std::string& reason);
+
+/// The order that was refused last, for as long as that holds: until something else is asked for, the fields
+/// that it went by are others, or the machine is no longer as it was.
+class RefusedOrder {
+public:
+    void note(OrderRefusal refusal, const MachineSight& machine);
+    /// At every look at the machine.
+    void look(const MachineSight& machine);
+    void forget() noexcept { told_.reset(); }
+    void forget(OrderPlace place) noexcept {
+        if (told_ && told_->place == place) forget();
+    }
+    /// Nothing: none was, or it holds no longer.
+    const std::optional<OrderRefusal>& told() const noexcept { return told_; }
+
+private:
+    /// What of the machine a refusal goes by.
+    struct Ground {
+        bool is_heard = false;
+        std::uint32_t core_pid = 0;
+        MachineState state = MachineState::off;
+        std::uint32_t homed_mask = 0;
+        std::uint64_t alarm_count = 0;
+        std::uint64_t job_generation = 0;
+        SignalWord switches = 0;
+        std::array<std::int64_t, kAxisCount> position_pulses{};  ///< at rest
+        bool operator==(const Ground&) const = default;
+    };
+    static Ground ground_of(const MachineSight& machine) noexcept;
+    bool still_helps(const MachineSight& machine) const noexcept;
+
+    std::optional<OrderRefusal> told_;
+    Ground ground_;
+    std::uint64_t settled_heartbeat_ = 0;
+};
+
+}  // namespace psicarve::session

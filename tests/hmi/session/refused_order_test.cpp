@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/refused_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+#include "tests/hmi/session/sights.hpp"
+
+namespace psicarve::session {
+namespace {
+
+using S = MachineState;
+using OrderHelp = OrderRefusal::Help;
+
+constexpr std::uint8_t kR1Homed = 1;
+
+RefusedOrder refused(OrderHelp help, const MachineSight& machine) {
+    RefusedOrder sut;
+    sut.note({OrderPlace::job, phrase("Start"), help}, machine);
+    return sut;
+}
+
+/// The core has written its status since it answered.
+MachineSight settled(MachineSight machine) {
+    machine.status->heartbeat += 100;
+    return machine;
+}
+
+TEST(RefusedOrder, StaysWhileTheMachineIsAsItWas) {
+    const MachineSight machine = machine_in(S::ready);
+    RefusedOrder sut = refused(OrderHelp::none, machine);
+    for (int look = 0; look < 3; ++look) sut.look(settled(machine));
+    ASSERT_TRUE(sut.told());
+    EXPECT_EQ(sut.told()->place, OrderPlace::job);
+    sut.forget(OrderPlace::jog);
+    EXPECT_TRUE(sut.told()) << "another field";
+    sut.forget(OrderPlace::job);
+    EXPECT_FALSE(sut.told());
+}
+
+TEST(RefusedOrder, IsOfTheStatusThatTheCoreWritesRightAfterItsAnswer) {
+    MachineSight machine = machine_in(S::ready);
+    RefusedOrder sut = refused(OrderHelp::reset_alarm, machine);
+    machine.status->state = S::alarm;
+    ++machine.status->heartbeat;
+    sut.look(machine);
+    sut.look(settled(machine));
+    EXPECT_TRUE(sut.told());
+    machine.status->state = S::off;
+    sut.look(settled(machine));
+    EXPECT_FALSE(sut.told());
+}
+
+struct Change {
+    std::string name;
+    std::function<void(MachineSight&)> change;
+};
+class RefusedOrderOf : public ::testing::TestWithParam<Change> {};
+
+TEST_P(RefusedOrderOf, GoesWithAMachineThatIsAnother) {
+    MachineSight machine = machine_in(S::ready);
+    RefusedOrder sut = refused(OrderHelp::none, machine);
+    machine = settled(machine);
+    sut.look(machine);
+    ASSERT_TRUE(sut.told());
+    GetParam().change(machine);
+    sut.look(machine);
+    EXPECT_FALSE(sut.told());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RefusedOrderOf,
+    ::testing::Values(Change{"State", [](MachineSight& m) { m.status->state = S::homing; }},
+                      Change{"Homing", [](MachineSight& m) { m.status->homed_mask = kR1Homed; }},
+                      Change{"Job", [](MachineSight& m) { ++m.status->job_generation; }},
+                      Change{"Alarm", [](MachineSight& m) { ++m.status->alarm_count; }},
+                      Change{"Switch", [](MachineSight& m) { m.status->signals |= bit_of(Signal::y_limit); }},
+                      Change{"Position", [](MachineSight& m) { ++m.status->position_pulses[0]; }},
+                      Change{"Core", [](MachineSight& m) { ++m.core_pid; }},
+                      Change{"Silence", [](MachineSight& m) { m.life = CoreLife::silent; }}),
+    [](const auto& change) { return change.param.name; });
+
+TEST(RefusedOrder, OffersNoHomingThatIsDoneAndNoAlarmThatIsGone) {
+    RefusedOrder homing = refused(OrderHelp::home_all, machine_in(S::off, 0));
+    homing.look(settled(machine_in(S::off, 0)));
+    EXPECT_TRUE(homing.told());
+    RefusedOrder done = refused(OrderHelp::home_all, machine_in(S::ready));
+    done.look(settled(machine_in(S::ready)));
+    EXPECT_FALSE(done.told());
+    RefusedOrder alarm = refused(OrderHelp::reset_alarm, machine_in(S::ready));
+    alarm.look(settled(machine_in(S::ready)));
+    EXPECT_FALSE(alarm.told());
+}
+
+TEST(RefusedOrder, KnowsWhatHelpsByTheCoresWords) {
+    EXPECT_EQ(help_for("start: the machine is not homed; home first"), OrderHelp::home_all);
+    EXPECT_EQ(help_for("jog: not while off; home first"), OrderHelp::home_all);
+    EXPECT_EQ(help_for("home: psi and y after r1 and r2, or with them; home r1 and r2 first"),
+              OrderHelp::home_all);
+    EXPECT_EQ(help_for("home: not while alarm; reset the alarm first"), OrderHelp::reset_alarm);
+    EXPECT_EQ(help_for("alarm: limit of r1; Back the axis off its sensor"), OrderHelp::reset_alarm);
+    EXPECT_EQ(help_for("jog: r1 would leave its travel, 0 to 60"), OrderHelp::none);
+}
+
+}  // namespace
+}  // namespace psicarve::session

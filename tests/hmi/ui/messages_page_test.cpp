@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Page Messages: kinds, the selected one in full, an alarm's moment in the flight recorder.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableWidget>
+
+#include "hmi/replay/entry.hpp"
+#include "tests/hmi/ui/pages_rig.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+using S = MachineState;
+
+class MessagesPageOf : public test::PagesRig {
+protected:
+    QTableWidget& table() { return part<QTableWidget>("messages"); }
+    QStringList shown() {
+        window_->refresh();
+        QStringList texts;
+        for (int row = 0; row < table().rowCount(); ++row) {
+            if (!table().isRowHidden(row)) texts += table().item(row, 3)->text();
+        }
+        return texts;
+    }
+    bool select(const QString& what) {
+        for (int row = 0; row < table().rowCount(); ++row) {
+            if (table().item(row, 3)->text() != what) continue;
+            table().selectRow(row);
+            return true;
+        }
+        return false;
+    }
+    void show_kind(int kind) { part<QComboBox>("messages_kind").setCurrentIndex(kind); }
+    bool is_pane_there() { return part<QWidget>("message_pane").isVisible(); }
+    /// Stopped in an emergency, reset and homed since.
+    void have_an_alarm_behind() {
+        start_core();
+        open_window();
+        ASSERT_TRUE(click("home"));
+        ASSERT_TRUE(comes_to(S::ready));
+        window_->emergency_stop();
+        ASSERT_TRUE(comes_to(S::alarm));
+        ASSERT_TRUE(click("reset_alarm"));
+        ASSERT_TRUE(comes_to(S::off));
+        ASSERT_TRUE(click("home"));
+        ASSERT_TRUE(comes_to(S::ready));
+        show_page("messages_page");
+    }
+};
+
+TEST_F(MessagesPageOf, AreChosenByTheirKind) {
+    open_window();
+    session::MessageLog& log = window_->bench().log;
+    log.add(session::Severity::info, session::phrase("Opened %1", "vase.stl"));
+    log.add(session::Severity::warning, session::phrase("Not saved: %1", "disk full"));
+    log.add(session::Severity::alarm, session::phrase("Emergency stop"));
+    log.add_command(session::Severity::info, session::phrase("Stop asked for"));
+    log.add_command(session::Severity::warning, session::phrase("Start: %1", "home first"));
+    show_page("messages_page");
+    show_kind(1);
+    EXPECT_EQ(shown(), QStringList{"Emergency stop"});
+    show_kind(2);
+    EXPECT_EQ(shown(), (QStringList{"Start: home first", "Not saved: disk full"}));
+    show_kind(3);
+    EXPECT_EQ(shown(), (QStringList{"Start: home first", "Stop asked for"}));
+    show_kind(4);
+    EXPECT_TRUE(shown().contains("Opened vase.stl"));
+    EXPECT_FALSE(shown().contains("Stop asked for"));
+    show_kind(0);
+    EXPECT_GE(shown().size(), 5);
+}
+
+TEST_F(MessagesPageOf, TellTheSelectedOneInFullUntilItIsFilteredAway) {
+    ASSERT_NO_FATAL_FAILURE(have_an_alarm_behind());
+    EXPECT_FALSE(is_pane_there());
+    EXPECT_TRUE(shown().contains("Asked for: Home"));
+    ASSERT_TRUE(select("Emergency stop"));
+    ASSERT_TRUE(is_pane_there());
+    EXPECT_EQ(text_of("message_title"), "Emergency stop");
+    EXPECT_TRUE(text_of("message_cause").contains("spindle")) << text_of("message_cause").toStdString();
+    EXPECT_TRUE(text_of("message_steps").startsWith("1. Reset alarm"))
+        << text_of("message_steps").toStdString();
+    window_->bench().log.add(session::Severity::info, session::phrase("Opened %1", "vase.stl"));
+    window_->refresh();
+    EXPECT_EQ(text_of("message_title"), "Emergency stop") << "a newer one stands above it";
+    take_picture("message_pane_light");
+    window_->set_theme(ThemeChoice::dark);
+    ASSERT_TRUE(select("Emergency stop"));
+    take_picture("message_pane_dark");
+    ASSERT_TRUE(select("Opened vase.stl"));
+    EXPECT_EQ(text_of("message_title"), "Opened vase.stl");
+    EXPECT_FALSE(button("message_recorder").isVisible());
+    part<QLineEdit>("messages_find").setText("emergency");
+    EXPECT_FALSE(is_pane_there());
+}
+
+TEST_F(MessagesPageOf, LeadFromAnAlarmToItsMomentInTheFlightRecorder) {
+    ASSERT_NO_FATAL_FAILURE(have_an_alarm_behind());
+    ASSERT_TRUE(select("Emergency stop"));
+    ASSERT_TRUE(click("message_recorder"));
+    replay::ReplayDesk& desk = window_->bench().replay;
+    ASSERT_TRUE(comes_true([&] { return desk.is_open(); })) << all_messages().toStdString();
+    const auto& entries = desk.facts().entries;
+    const int at = replay::entry_at(entries, desk.clock().now_ns());
+    ASSERT_GE(at, 0);
+    const auto is_alarm = [&](int entry) {
+        return entries[static_cast<std::size_t>(entry)].severity == session::Severity::alarm;
+    };
+    bool is_there = false;
+    for (int entry = at; entry >= 0; --entry)
+        is_there |=
+            is_alarm(entry) && entries[static_cast<std::size_t>(entry)].time_ns == desk.clock().now_ns();
+    EXPECT_TRUE(is_there) << desk.clock().now_ns();
+    EXPECT_LT(desk.clock().now_ns(), desk.facts().end_ns) << "much was homed since";
+}
+
+TEST_F(MessagesPageOf, SayThatTheFlightRecorderOfAnotherCoreIsGone) {
+    ASSERT_NO_FATAL_FAILURE(have_an_alarm_behind());
+    ASSERT_TRUE(select("Emergency stop"));
+    core_->send_signal(SIGKILL);
+    core_->wait_for_exit();
+    const auto before = sight().core_pid;
+    start_core();
+    ASSERT_TRUE(comes_true([&] { return sight().is_heard() && sight().core_pid != before; }));
+    EXPECT_FALSE(button("message_recorder").isEnabled());
+    EXPECT_TRUE(button("message_recorder").toolTip().contains("core is gone"));
+}
+
+}  // namespace
+}  // namespace psicarve::ui

@@ -90,6 +90,9 @@ MeshView::MeshView(Drawing drawing, QWidget* parent) : QWidget(parent), drawing_
     for (QLabel*& label : file_axis_labels_) label = floating_label(this);
     for (QLabel*& label : head_labels_) label = floating_label(this);
     for (QLabel*& label : alarm_labels_) label = floating_label(this);
+    for (const auto* labels : {&head_labels_, &alarm_labels_}) {
+        for (QLabel* label : *labels) label->setTextFormat(Qt::RichText);  // bold, in the head's colour
+    }
     alarm_labels_[0]->setObjectName("alarm_at_r1");
     alarm_labels_[1]->setObjectName("alarm_at_r2");
     rest_.setSingleShot(true);

@@ -304,7 +304,9 @@ Result<std::optional<Profile>> readable_profile(const CommonOptions& common) {
 }
 
 Result<Snapshot> load_job_file(const std::string& path, const std::string& remedy) {
-    return verify::is_binary_trace(path) ? load_carried_job(path, remedy) : load_snapshot(path);
+    if (!verify::is_binary_trace(path)) return load_snapshot(path);
+    if (const auto only = verify::only_carried_job(path, remedy); !only) return only.error();
+    return load_carried_job(path, remedy);
 }
 
 Result<Snapshot> load_carried_job(const std::string& path, const std::string& remedy) {

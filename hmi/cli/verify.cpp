@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <utility>
 
 #include "hmi/cli/carved_piece.hpp"
@@ -83,7 +85,9 @@ Result<void> check_has_one_job(const VerifyOptions& options, const verify::Trace
 }
 
 Result<int> verify_files(const CommonOptions& common, VerifyOptions options) {
-    if (options.trace.empty()) options.trace = options.job;
+    std::error_code none;
+    if (options.trace.empty() || std::filesystem::equivalent(options.job, options.trace, none))
+        options.trace = options.job;
     if (const auto writable = check_output_folder(options.picture); !writable) return writable.error();
     if (const auto writable = check_piece_files(options.files); !writable) return writable.error();
     const auto job = job_of_trace(common, options);

@@ -60,7 +60,8 @@ RecordedPins::RecordedPins(MachineLink& link) noexcept
 Result<std::unique_ptr<RecordedPins>> RecordedPins::start(MachineLink& link, const JobView& job,
                                                           const Profile& profile,
                                                           const std::string& trace_path,
-                                                          verify::Verifier::Follower follower) {
+                                                          verify::Verifier::Follower follower,
+                                                          FileJob file_job) {
     std::unique_ptr<RecordedPins> made{new RecordedPins{link}};
     auto pipe = open_pipe();
     if (!pipe) return pipe.error();
@@ -68,7 +69,7 @@ Result<std::unique_ptr<RecordedPins>> RecordedPins::start(MachineLink& link, con
     if (!verification) return verification.error();
     made->verification_ = std::move(verification).value();
     made->pipe_ = std::move(pipe->write_end);
-    if (!trace_path.ends_with(".vcd")) {
+    if (file_job == FileJob::carried && !trace_path.ends_with(".vcd")) {
         made->job_blob_ = {reinterpret_cast<const std::byte*>(&job.header()), job.header().total_bytes};
         made->bytes_before_job_ = sizeof(TraceHeader);
     }

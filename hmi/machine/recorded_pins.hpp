@@ -26,11 +26,14 @@ namespace psicarve::machine {
 /// what comes to the verifier and, if asked for, to a trace file.
 class RecordedPins {
 public:
+    /// Whether a binary file carries the job; to be left out where another may be run.
+    enum class FileJob : std::uint8_t { carried, left_out };
     /// Has the core record from here on; it must be at rest. `trace_path` empty: no file. The link and the
     /// job's blob outlive this.
     static Result<std::unique_ptr<RecordedPins>> start(MachineLink& link, const JobView& job,
                                                        const Profile& profile, const std::string& trace_path,
-                                                       verify::Verifier::Follower follower = {});
+                                                       verify::Verifier::Follower follower = {},
+                                                       FileJob file_job = FileJob::carried);
     ~RecordedPins();
     RecordedPins(const RecordedPins&) = delete;
     RecordedPins& operator=(const RecordedPins&) = delete;

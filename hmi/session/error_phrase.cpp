@@ -84,6 +84,10 @@ std::vector<Sentence> of_a_file() {
         {"was written by a psicarve of another build (its structures have other sizes)",
          phrase("was written by another build of psicarve")},
         {"holds no job", phrase("holds no job")},
+        {"carries no job; open its job first", phrase("carries no job; open its job first")},
+        {"carries several jobs; open the one that is meant",
+         phrase("carries several jobs; open the one that is meant")},
+        {"the job that it carries is damaged", phrase("the job that it carries is damaged")},
         {"opening was cancelled", phrase("opening was cancelled")},
         {"more layers than pulses: %1 layers, but the model is only %2 mm, %3 pulses of axis y, high: at "
          "most "

@@ -50,7 +50,8 @@ void PinRecorder::begin(const std::string& path, const JobPointer& job) {
             };
         }
         auto taken = std::make_shared<Taken>(std::move(*link), job);
-        auto pins = machine::RecordedPins::start(taken->link, job->view, job->profile, path);
+        auto pins = machine::RecordedPins::start(taken->link, job->view, job->profile, path, {},
+                                                 machine::RecordedPins::FileJob::left_out);
         if (!pins) {
             return [this, why = pins.error()] {
                 state_ = State::idle;

@@ -8,6 +8,7 @@
 #include "hmi/session/error_phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
 #include "hmi/verify/carried_job.hpp"
+#include "shared/job.hpp"
 #include "shared/snapshot_file.hpp"
 
 namespace psicarve::session {
@@ -15,11 +16,11 @@ namespace {
 
 using JobPointer = std::shared_ptr<const cam::PreparedJob>;
 
-/// The trace's own, if it carries one; else that which is open.
+/// That which is open, if the trace carries it or no whole one; else the trace's only one.
 Result<JobPointer> job_of(const std::string& path, const JobPointer& open_job) {
-    auto blob = verify::first_carried_job(path);
+    if (open_job && verify::check_is_of_trace(path, job_checksum(open_job->blob), {})) return open_job;
+    auto blob = verify::only_carried_job(path, "open the one that is meant");
     if (!blob) return blob.error();
-    if (!*blob && open_job) return open_job;
     if (!*blob) return bad_input(path + ": carries no job; open its job first");
     Snapshot snapshot;
     snapshot.job_blob = std::move(**blob);
@@ -59,9 +60,12 @@ void TraceJudge::judge(const std::string& path, std::shared_ptr<const cam::Prepa
                 log_.add(is_wish ? Severity::info : Severity::warning, error_phrase(why.message));
             };
         }
-        return [this, done = *judgement] {
+        return [this, open_job = job, done = *judgement] {
             is_judging_ = false;
             done_ = done;
+            log_.add(Severity::info, done->job == open_job
+                                         ? phrase("Judged by the job that is open")
+                                         : phrase("Judged by the job that the trace carries"));
             const bool is_good = done->report.ok;
             log_.add(is_good ? Severity::info : Severity::warning,
                      is_good ? phrase("Verified: the pins carve the job, largest deviation %1 pulses",

@@ -1985,6 +1985,14 @@ F12  этот список</translation>
             <translation>Связь слоёв</translation>
         </message>
         <message>
+            <source>Judged by the job that is open</source>
+            <translation>Проверено по открытому заданию</translation>
+        </message>
+        <message>
+            <source>Judged by the job that the trace carries</source>
+            <translation>Проверено по заданию, записанному в трассе</translation>
+        </message>
+        <message>
             <source>K  play, pause
 J, L  slower, faster
 N, Shift+N  next entry, entry before
@@ -5147,6 +5155,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>не удаётся записать</translation>
         </message>
         <message>
+            <source>carries no job; open its job first</source>
+            <translation>не содержит задания; сначала откройте его</translation>
+        </message>
+        <message>
+            <source>carries several jobs; open the one that is meant</source>
+            <translation>содержит несколько заданий; откройте нужное</translation>
+        </message>
+        <message>
             <source>carved</source>
             <translation>вырезано</translation>
         </message>
@@ -6569,6 +6585,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the job is carved to its end</source>
             <translation>задание вырезано до конца</translation>
+        </message>
+        <message>
+            <source>the job that it carries is damaged</source>
+            <translation>записанное в нём задание повреждено</translation>
         </message>
         <message>
             <source>the job was made for another machine (%1 differ); slice it again with the machine's profile</source>

@@ -1984,6 +1984,14 @@ F12  本列表</translation>
             <translation>层间连接</translation>
         </message>
         <message>
+            <source>Judged by the job that is open</source>
+            <translation>按已打开的作业判定</translation>
+        </message>
+        <message>
+            <source>Judged by the job that the trace carries</source>
+            <translation>按轨迹中所带的作业判定</translation>
+        </message>
+        <message>
             <source>K  play, pause
 J, L  slower, faster
 N, Shift+N  next entry, entry before
@@ -5140,6 +5148,14 @@ N、Shift+N  下一条、上一条记录
             <translation>无法写入</translation>
         </message>
         <message>
+            <source>carries no job; open its job first</source>
+            <translation>不带作业；请先打开它的作业</translation>
+        </message>
+        <message>
+            <source>carries several jobs; open the one that is meant</source>
+            <translation>带有多个作业；请打开所指的那一个</translation>
+        </message>
+        <message>
             <source>carved</source>
             <translation>已雕刻</translation>
         </message>
@@ -6562,6 +6578,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the job is carved to its end</source>
             <translation>作业已雕刻到最后</translation>
+        </message>
+        <message>
+            <source>the job that it carries is damaged</source>
+            <translation>其中所带的作业已损坏</translation>
         </message>
         <message>
             <source>the job was made for another machine (%1 differ); slice it again with the machine's profile</source>

@@ -208,7 +208,7 @@ Result<void> BinaryReader::pass_job(Job& job, bool keeps_blob) {
     return {};
 }
 
-Result<std::optional<BinaryReader::Job>> BinaryReader::next_job(bool keeps_blob) {
+Result<std::optional<BinaryReader::Job>> BinaryReader::next_job(bool keeps_blob, WhenDamaged when_damaged) {
     while (!ended_) {
         TraceEvent event;
         const Decoded decoded = decode(event);
@@ -218,7 +218,7 @@ Result<std::optional<BinaryReader::Job>> BinaryReader::next_job(bool keeps_blob)
         if (decoded == Decoded::job) {
             Job job;
             if (const auto passed = pass_job(job, keeps_blob); !passed) return passed.error();
-            if (keeps_blob && job_checksum(job.blob) != job.checksum)
+            if (keeps_blob && when_damaged == WhenDamaged::refuses && job_checksum(job.blob) != job.checksum)
                 return bad_input(source_.name() + ": the job that it carries is damaged");
             return std::optional{std::move(job)};
         }

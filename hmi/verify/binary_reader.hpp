@@ -47,7 +47,8 @@ public:
     };
     /// Passes over events up to the next job; nothing: the trace ends without one. bad_input when the job is
     /// damaged; else as read(). `keeps_blob` false: without the blob, which is not looked at.
-    Result<std::optional<Job>> next_job(bool keeps_blob);
+    enum class WhenDamaged : std::uint8_t { refuses, returns };
+    Result<std::optional<Job>> next_job(bool keeps_blob, WhenDamaged when_damaged = WhenDamaged::refuses);
 
 private:
     enum class Decoded { event, incomplete, end, garbage, job };

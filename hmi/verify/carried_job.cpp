@@ -2,6 +2,7 @@
 #include "hmi/verify/carried_job.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,6 +12,8 @@
 
 #include "hmi/verify/binary_reader.hpp"
 #include "hmi/verify/byte_source.hpp"
+#include "hmi/verify/trace_reader.hpp"
+#include "shared/job.hpp"
 #include "shared/trace_format.hpp"
 
 namespace psicarve::verify {
@@ -26,6 +29,18 @@ Result<Reader> open_for_jobs(const std::string& path) {
     auto reader = BinaryReader::open_binary(ByteSource(descriptor, path));
     if (reader && !(*reader)->start().may_carry_jobs) return Reader{};
     return reader;
+}
+
+/// Of what carries no job: why it is no trace at all, or cannot give one.
+Result<void> check_is_trace(const std::string& path, const std::string& remedy) {
+    struct stat facts {};
+    if (::stat(path.c_str(), &facts) != 0)
+        return bad_input(path + ": cannot open: " + std::generic_category().message(errno));
+    if (S_ISDIR(facts.st_mode)) return bad_input(path + ": is a folder, not a trace");
+    if (!S_ISREG(facts.st_mode))
+        return bad_input(path + ": a pipe is read once only, and the job is needed first; " + remedy);
+    const auto trace = open_trace(path);
+    return trace ? Result<void>{} : trace.error();
 }
 
 }  // namespace
@@ -50,11 +65,29 @@ Result<std::optional<std::vector<std::byte>>> first_carried_job(const std::strin
     return std::optional{std::move((*job)->blob)};
 }
 
+Result<std::optional<std::vector<std::byte>>> only_carried_job(const std::string& path,
+                                                               const std::string& remedy) {
+    const auto reader = open_for_jobs(path);
+    if (!reader) return reader.error();
+    if (*reader == nullptr) return std::optional<std::vector<std::byte>>{};
+    auto first = (*reader)->next_job(true);
+    if (!first) return first.error();
+    if (!*first) return std::optional<std::vector<std::byte>>{};
+    for (;;) {
+        const auto job = (*reader)->next_job(false);
+        if (!job || !*job) break;  // what is damaged behind it is left for the trace's reader to tell
+        if ((*job)->checksum != (*first)->checksum)
+            return bad_input(path + ": carries several jobs; " + remedy);
+    }
+    return std::optional{std::move((*first)->blob)};
+}
+
 Result<std::vector<std::byte>> require_carried_job(const std::string& path, const std::string& remedy) {
     auto job = first_carried_job(path);
     if (!job) return job.error();
-    if (!*job) return bad_input(path + ": carries no job; " + remedy);
-    return std::move(**job);
+    if (*job) return std::move(**job);
+    if (const auto trace = check_is_trace(path, remedy); !trace) return trace.error();
+    return bad_input(path + ": carries no job; " + remedy);
 }
 
 Result<void> check_is_of_trace(const std::string& trace_path, std::uint64_t checksum,
@@ -63,10 +96,10 @@ Result<void> check_is_of_trace(const std::string& trace_path, std::uint64_t chec
     if (!reader || *reader == nullptr) return {};
     bool carries_another = false;
     for (;;) {
-        const auto job = (*reader)->next_job(false);
+        const auto job = (*reader)->next_job(true, BinaryReader::WhenDamaged::returns);
         if (!job || !*job) break;
         if ((*job)->checksum == checksum) return {};
-        carries_another = true;
+        if (job_checksum((*job)->blob) == (*job)->checksum) carries_another = true;
     }
     if (!carries_another) return {};
     return bad_input(job_path + ": is not the job that " + trace_path +

@@ -156,7 +156,8 @@ Refusal Cycle::start_job(LayerRange layers) noexcept {
     carve_last_tick_ = 0;
     job_end_tick_ = 0;
     // What the pins do from here on is this job.
-    if (io_->trace != nullptr && io_->traces_always) trace_all(trace::TraceEntry::Kind::job, 0);
+    if (io_->trace != nullptr && io_->traces_always)
+        trace_all(trace::TraceEntry::Kind::job, static_cast<std::uint32_t>(job_generation_));
     apply(MachineEvent::start);
     request_plan(PlanKind::position);
     return Refusal::none;

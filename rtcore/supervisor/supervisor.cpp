@@ -192,7 +192,7 @@ void Supervisor::offer_job(std::shared_ptr<const LoadedJob> job) {
 /// To all who work with a job that is started.
 void Supervisor::hand_out(const std::shared_ptr<const LoadedJob>& job) {
     parts_->planner->set_job(std::shared_ptr<const JobView>{job, &job->view}, job->generation);
-    parts_->traces.set_job({job, job->blob, job->checksum});
+    parts_->traces.set_job({job, job->blob, job->checksum, job->generation});
 }
 
 void Supervisor::finish_job(const cycle::Report& report) {

@@ -43,11 +43,15 @@ void TraceOutlet::drain(trace::TraceRing& ring) {
     for (const File& file : files_) file.thread->wake();
 }
 
-void TraceOutlet::add_job() {
-    if (!job_ || job_->checksum == carried_checksum_) return;
-    carried_checksum_ = job_->checksum;
+void TraceOutlet::add_job(std::uint32_t generation) {
+    // Another than was begun is not what the pins do.
+    if (!job_ || static_cast<std::uint32_t>(job_->generation) != generation) return;
     for (File& file : files_) {
-        if (file.thread->put_job(*job_)) continue;
+        if (file.carried_checksum == job_->checksum) continue;
+        if (file.thread->put_job(*job_)) {
+            file.carried_checksum = job_->checksum;
+            continue;
+        }
         errors_.push_back("trace " + file.path + ": it is read or written too slowly to carry its job, too");
     }
 }
@@ -56,7 +60,7 @@ void TraceOutlet::add(const trace::TraceEntry& entry) {
     using Kind = trace::TraceEntry::Kind;
     if (entry.kind == Kind::begin_binary || entry.kind == Kind::begin_vcd) return begin_recording(entry);
     if (entry.kind == Kind::end) return end_recording(entry.tick);
-    if (entry.kind == Kind::job) return add_job();
+    if (entry.kind == Kind::job) return add_job(entry.token);
     for (File& file : files_) {
         if (!file.thread->put(entry)) lose(file, entry);
     }

@@ -68,6 +68,7 @@ private:
         std::string path;
         std::unique_ptr<trace::TraceThread> thread;
         std::uint64_t lost = 0;
+        std::optional<std::uint64_t> carried_checksum{};  ///< of the last job in it
     };
     /// The trace that another process asked for; its tick 0 is the one in which it was asked for.
     struct Recording {
@@ -77,7 +78,7 @@ private:
     };
     bool has_room() const noexcept;
     void add(const trace::TraceEntry& entry);
-    void add_job();
+    void add_job(std::uint32_t generation);
     void lose(File& file, const trace::TraceEntry& entry);
     void begin_recording(const trace::TraceEntry& entry);
     void end_recording(std::uint64_t tick);
@@ -86,7 +87,6 @@ private:
     std::vector<File> files_;
     std::vector<std::string> errors_;
     std::optional<trace::TracedJob> job_;  ///< that would begin
-    std::optional<std::uint64_t> carried_checksum_;
     std::uint64_t lost_ = 0;
     bool has_unflushed_ = true;  ///< at first the traces' heads
     std::int64_t period_ns_ = 0;

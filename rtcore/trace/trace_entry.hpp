@@ -18,7 +18,8 @@ struct TraceEntry {
     SignalWord levels;
     Kind kind;
     std::uint32_t offset_ns;  ///< inside the tick
-    std::uint32_t token;      ///< kinds begin and end: whose recording; kind job: where it lies
+    std::uint32_t token;  ///< kinds begin and end: whose recording; kind job: its generation's lower half,
+                          ///< then where it lies
     std::array<std::int64_t, kAxisCount> position_pulses;  ///< kinds position and begin
 };
 

@@ -28,6 +28,7 @@ struct TracedJob {
     std::shared_ptr<const void> owner;  ///< of the blob
     std::span<const std::byte> blob;
     std::uint64_t checksum;  ///< job_checksum() of it
+    std::uint64_t generation = 0;
 };
 
 /// Writes what the pins do to a file or pipe. One thread's; not for the tick (it may block on the disk).

@@ -5,12 +5,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
+#include <cstdint>
+#include <fstream>
 #include <memory>
+#include <span>
 #include <string>
 #include <thread>
 
 #include "hmi/cam/prepared_job.hpp"
+#include "shared/job.hpp"
+#include "shared/trace_format.hpp"
 #include "tests/hmi/replay/recorded_run.hpp"
 
 namespace psicarve::replay {
@@ -55,6 +61,40 @@ TEST_F(JudgedTrace, NeedsNoOtherFileAndIsNotHeldAgainstWhatHappensToBeOpen) {
     const auto older = judge(trace(), prepared(other));
     ASSERT_TRUE(older);
     EXPECT_FALSE(older->report.ok) << "it carries none: the open one counts";
+}
+
+TEST_F(JudgedTrace, WithADamagedJobTakesTheOneThatIsOpen) {
+    record();
+    std::string bytes = two_process::text_of(whole_trace());
+    const auto blob = job_blob_from_table(two_process::lobed_job(kLayers, kPoints));
+    const std::size_t at = bytes.find(std::string(reinterpret_cast<const char*>(blob.data()), blob.size()));
+    ASSERT_NE(at, std::string::npos);
+    bytes[at + blob.size() / 2] ^= 0x10;
+    std::ofstream(trace(), std::ios::binary) << bytes;
+    EXPECT_FALSE(judge(trace()));
+    EXPECT_THAT(in_english(log_.messages().back().what), HasSubstr("the job that it carries is damaged"));
+    const auto judged = judge(trace(), prepared(two_process::lobed_job(kLayers, kPoints)));
+    ASSERT_TRUE(judged);
+    EXPECT_TRUE(judged->report.ok);
+}
+
+TEST_F(JudgedTrace, OfSeveralJobsIsJudgedByTheOpenOneOrNone) {
+    record();
+    const std::string bytes = two_process::text_of(whole_trace());
+    const std::string before = "abc";
+    std::array<std::uint8_t, kTraceRecordMaxBytes> room{};
+    const auto* const end =
+        encode_trace_job_head(room.data(), before.size(), job_checksum(std::as_bytes(std::span{before})));
+    const std::string head(reinterpret_cast<const char*>(room.data()),
+                           static_cast<std::size_t>(end - room.data()));
+    std::ofstream(trace(), std::ios::binary)
+        << bytes.substr(0, sizeof(TraceHeader)) + head + before + bytes.substr(sizeof(TraceHeader));
+    EXPECT_FALSE(judge(trace()));
+    EXPECT_THAT(in_english(log_.messages().back().what),
+                HasSubstr("run.trace: carries several jobs; open the one that is meant"));
+    const auto judged = judge(trace(), prepared(two_process::lobed_job(kLayers, kPoints)));
+    ASSERT_TRUE(judged);
+    EXPECT_TRUE(judged->report.ok);
 }
 
 TEST_F(JudgedTrace, WithoutAJobIsRefusedInOneLine) {

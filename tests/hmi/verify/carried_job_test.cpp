@@ -137,14 +137,15 @@ TEST_F(CarriedJob, IsNoneInTheOlderForm) {
 }
 
 TEST_F(CarriedJob, TellsWhichJobsMayBeItsOwn) {
+    constexpr std::uint64_t kSecond = 77;
     std::array<std::uint8_t, kTraceRecordMaxBytes> room{};
-    const auto* const end = encode_trace_job_head(room.data(), 3, 77);
+    const auto* const end = encode_trace_job_head(room.data(), 3, kSecond);
     const std::string second =
         std::string(reinterpret_cast<const char*>(room.data()), static_cast<std::size_t>(end - room.data())) +
         "abc";
     std::ofstream(path_, std::ios::binary) << before_ + head_ + blob_ + head_ + blob_ + second + after_;
     EXPECT_TRUE(check_is_of_trace(path_, job_checksum(job_.blob), "a.job"));
-    EXPECT_TRUE(check_is_of_trace(path_, 77, "b.job"));
+    EXPECT_TRUE(check_is_of_trace(path_, kSecond, "b.job"));
     const auto other = check_is_of_trace(path_, 78, "c.job");
     ASSERT_FALSE(other);
     EXPECT_EQ(other.error().message,
@@ -155,6 +156,11 @@ TEST_F(CarriedJob, TellsWhichJobsMayBeItsOwn) {
     while ((*reader)->read(some).value() > 0) {
     }
     EXPECT_EQ((*reader)->jobs_begun(), 2U) << "the first twice, and the second";
+    // One that is not what its own checksum says is no other job.
+    std::string damaged = trace();
+    damaged[before_.size() + head_.size() - 1] ^= 1;
+    std::ofstream(path_, std::ios::binary) << damaged;
+    EXPECT_TRUE(check_is_of_trace(path_, job_checksum(job_.blob), "a.job"));
     // Any may be the job of one that carries none.
     std::ofstream(path_, std::ios::binary) << as_binary(machine_.start, machine_.events);
     EXPECT_TRUE(check_is_of_trace(path_, 78, "c.job"));

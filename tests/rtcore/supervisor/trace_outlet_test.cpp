@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <memory>
@@ -113,16 +114,17 @@ TEST_F(Recording, ThatIsDroppedSaysNothingMore) {
 
 TEST_F(Recording, FilesCarryAJobWhereItBeginsAndNotTwice) {
     const std::vector<std::byte> blob(5000, std::byte{3});
-    const auto job = [&](std::uint64_t checksum) { return trace::TracedJob{nullptr, blob, checksum}; };
+    const auto job = [&](std::uint64_t checksum) { return trace::TracedJob{nullptr, blob, checksum, 2}; };
     open({path("a.trace"), path("a.vcd")});
     sut_.set_job(job(5));  // never begun
     ring_->push(trace::pins(3, 1));
-    ring_->push(entry(TraceEntry::Kind::job, 3, 0));
+    ring_->push(entry(TraceEntry::Kind::job, 3, 1));  // another generation's: it is not there any more
+    ring_->push(entry(TraceEntry::Kind::job, 3, 2));
     sut_.set_job(job(6));
     sut_.drain(*ring_);
     pass(trace::pins(4, 0));
     sut_.set_job(job(6));  // published once more
-    pass(entry(TraceEntry::Kind::job, 4, 0));
+    pass(entry(TraceEntry::Kind::job, 4, 2));
     sut_.finish(5);
     EXPECT_TRUE(sut_.wait_until_finished(kLong));
     EXPECT_TRUE(sut_.take_errors().empty());
@@ -175,9 +177,11 @@ TEST_F(StandingReader, KeepsNobodyWaitingAndWhatIsLostIsCountedAndSaid) {
     sut.give_up();
     const auto said = sut.take_errors();
     ASSERT_GE(said.size(), 3U);
-    EXPECT_NE(said[0].find("from tick"), std::string::npos) << said[0];
-    EXPECT_NE(said[said.size() - 2].find("are missing in it"), std::string::npos);
-    EXPECT_NE(said.back().find("nobody takes what is written"), std::string::npos);
+    for (const char* wanted : {"from tick", "are missing in it", "nobody takes what is written"}) {
+        EXPECT_TRUE(std::ranges::any_of(said, [&](const std::string& line) {
+            return line.find(wanted) != std::string::npos;
+        })) << wanted;
+    }
 }
 
 TEST_F(StandingReader, LetsNothingBeLostWhereTimeCanWait) {

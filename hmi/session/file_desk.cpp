@@ -42,14 +42,16 @@ FileDesk::~FileDesk() {
     lane_.deliver();
 }
 
-void FileDesk::post(const std::string& path, WorkLane::Task save) {
-    const auto unless_open = [this, path, in_use = files_in_use_(),
-                              save = std::move(save)]() -> WorkLane::Finish {
+void FileDesk::post(const std::string& path, WorkLane::Task save, Told otherwise) {
+    const auto unless_open = [this, path, in_use = files_in_use_(), save = std::move(save),
+                              otherwise = std::move(otherwise)]() -> WorkLane::Finish {
         const auto is_this = [&path](const std::string& other) { return is_same_file(path, other); };
         if (std::none_of(in_use.begin(), in_use.end(), is_this)) return save();
-        return [this, path] {
-            log_.add(Severity::warning,
-                     phrase("Not saved: %1 is open here, and would be lost; choose another name", path));
+        return [this, path, otherwise] {
+            const Phrase why =
+                phrase("Not saved: %1 is open here, and would be lost; choose another name", path);
+            log_.add(Severity::warning, why);
+            if (otherwise) otherwise(why);
         };
     };
     lane_.post(saves_.noted(path, unless_open));
@@ -71,13 +73,17 @@ void FileDesk::save_snapshot(const std::string& path) {
     });
 }
 
-void FileDesk::take_recorder(const std::string& path, std::function<void()> then) {
-    post(path,
-         [this, path, then = std::move(then), segment = segment_name_, group = group_]() -> WorkLane::Finish {
-             const auto taken = snapshot_of_segment(path, segment, group);
-             if (!taken) return told(taken, path);
-             return then;
-         });
+void FileDesk::take_recorder(const std::string& path, std::function<void()> then, Told otherwise) {
+    const auto take = [this, path, then = std::move(then), otherwise, segment = segment_name_,
+                       group = group_]() -> WorkLane::Finish {
+        const auto taken = snapshot_of_segment(path, segment, group);
+        if (taken) return then;
+        return [tell = told(taken, path), otherwise, why = phrase("Not saved: %1", taken.error().message)] {
+            tell();
+            otherwise(why);
+        };
+    };
+    post(path, take, otherwise);
 }
 
 void FileDesk::save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job) {

@@ -38,8 +38,9 @@ public:
 
     /// Job, status and flight recorder of the segment, with a core or without.
     void save_snapshot(const std::string& path);
-    /// The same for the window itself, which `then` opens: nobody is told but of trouble.
-    void take_recorder(const std::string& path, std::function<void()> then);
+    using Told = std::function<void(const Phrase& why)>;
+    /// The same for the window itself, which `then` opens: nobody is told but of trouble, `otherwise`, too.
+    void take_recorder(const std::string& path, std::function<void()> then, Told otherwise);
     void save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
     /// The job that was saved last; null: none was, or nobody has it any more.
     std::shared_ptr<const cam::PreparedJob> saved_job() const noexcept { return saved_job_.lock(); }
@@ -54,7 +55,7 @@ public:
 
 private:
     /// Unless what is open here has that name, too: links are followed on the lane, not by the window.
-    void post(const std::string& path, WorkLane::Task save);
+    void post(const std::string& path, WorkLane::Task save, Told otherwise = {});
     WorkLane::Finish told(const Result<void>& done, const std::string& path);
 
     std::string segment_name_;

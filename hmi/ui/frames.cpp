@@ -38,10 +38,13 @@ QLabel* role_label(const char* role, const QString& text) {
     return label;
 }
 
-void set_plain_tip(QWidget& widget, const QString& text) {
+QString plain_tip(const QString& text) {
     // A tool tip has no format to be set: what would be taken for HTML becomes such as says the same.
-    const QString tip =
-        Qt::mightBeRichText(text) ? "<p>" + text.toHtmlEscaped().replace('\n', "<br>") + "</p>" : text;
+    return Qt::mightBeRichText(text) ? "<p>" + text.toHtmlEscaped().replace('\n', "<br>") + "</p>" : text;
+}
+
+void set_plain_tip(QWidget& widget, const QString& text) {
+    const QString tip = plain_tip(text);
     if (widget.toolTip() != tip) widget.setToolTip(tip);
 }
 

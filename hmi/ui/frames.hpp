@@ -16,6 +16,7 @@ QLabel* plain_label(const QString& text = {});
 /// The same, which the style sheet knows by its role.
 QLabel* role_label(const char* role, const QString& text = {});
 /// A tool tip that shows the text as it stands, too.
+QString plain_tip(const QString& text);
 void set_plain_tip(QWidget& widget, const QString& text);
 /// Sets a property that the style sheet looks at; does nothing when it is set already.
 void set_styled(QWidget* widget, const char* property, const QVariant& value);

@@ -4,12 +4,12 @@
 #include <QCoreApplication>
 #include <QFrame>
 
-#include <functional>
+#include <cstdint>
 #include <optional>
+#include <string>
 
 #include "hmi/session/message_log.hpp"
 #include "hmi/ui/bench.hpp"
-#include "hmi/ui/tokens.hpp"
 
 class QLabel;
 
@@ -18,7 +18,8 @@ namespace psicarve::ui {
 class ActionButton;
 
 /// The selected message in full: when, what, why and all that is to be done; an alarm's second in the flight
-/// recorder is a click away.
+/// recorder is a click away, while the machine is at rest. Always there and as high as it was made: nothing
+/// comes up below a pointer. What is longer is scrolled.
 class MessagePane : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MessagePane)
 public:
@@ -29,10 +30,15 @@ public:
     void refresh();
 
 private:
+    void make_parts();
     void show_recorder();
+    void open_recorder(const std::string& path, std::uint64_t tick);
+    std::optional<session::Phrase> lock() const;
 
     Bench& bench_;
+    bool is_saving_ = false;
     std::optional<session::AlarmPlace> place_;
+    QLabel* note_;  ///< what became of the flight recorder that was asked for
     QLabel* title_;
     QLabel* when_;
     QLabel* cause_;

@@ -36,6 +36,9 @@ constexpr int kMessagesPageTimeWidth = 100;
 constexpr int kMessagesPageKindWidth = 100;
 constexpr int kMessagesPageAxesWidth = 60;
 constexpr int kSearchWidth = 150;
+constexpr int kLeastPaneHeight = 72;
+constexpr int kMostPaneHeight = 160;
+constexpr int kLeastTableHeight = 72;
 constexpr int kLeastSearchWidth = 90;
 
 Glyph glyph_of(Severity severity) {
@@ -100,6 +103,8 @@ MessagesPage::MessagesPage(Bench& bench, QWidget* parent)
     table_->setShowGrid(false);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setTabKeyNavigation(false);
+    table_->setMinimumHeight(kLeastTableHeight);
+    pane_->setFixedHeight(kMostPaneHeight);
     connect(table_, &QTableWidget::itemSelectionChanged, this, [this] { show_selected(); });
     auto* head = new FlowLayout;
     head->setSpacing(kGap);
@@ -154,6 +159,11 @@ void MessagesPage::show_selected() {
     const bool is_one = row >= 0 && from_newest < messages.size() && !table_->isRowHidden(row);
     const session::Message* const message = is_one ? &messages[messages.size() - 1 - from_newest] : nullptr;
     pane_->show_message(message, message != nullptr ? name_of(*message) : QString{});
+}
+
+void MessagesPage::show_selected_row() {
+    const QList<QTableWidgetItem*> selected = table_->selectedItems();
+    if (!selected.isEmpty()) table_->scrollToItem(selected.front());
 }
 
 void MessagesPage::set_theme(const Tokens& tokens) {
@@ -238,7 +248,7 @@ void MessagesPage::add(const session::Message& message) {
         auto* item = new QTableWidgetItem{texts[column]};
         item->setToolTip(column == kTime && is_known(message)
                              ? local_time(message.time, "yyyy-MM-dd HH:mm:ss.zzz")
-                             : texts[column]);
+                             : plain_tip(texts[column]));
         if (is_alarm) item->setBackground(tokens_->alarm_ground);
         if (column == kKind) {
             item->setForeground(colour);
@@ -255,6 +265,8 @@ void MessagesPage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     table_->setColumnWidth(kRemedy, table_->width() / 4);
     table_->resizeRowsToContents();  // words are wrapped
+    pane_->setFixedHeight(std::clamp(height() / 3, kLeastPaneHeight, kMostPaneHeight));
+    show_selected_row();
 }
 
 void MessagesPage::filter() {

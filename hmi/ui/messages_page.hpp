@@ -42,6 +42,7 @@ private:
     void add(const session::Message& message);
     void filter();
     void show_selected();
+    void show_selected_row();
     static QString name_of(const session::Message& message);
 
     Bench& bench_;

@@ -83,13 +83,15 @@ MoveDialog::MoveDialog(Bench& bench, QWidget* parent)
     buttons->addWidget(go_);
     buttons->addWidget(shut);
     reason_->setWordWrap(true);
+    reason_->setMinimumHeight(2 * reason_->fontMetrics().lineSpacing());
     reason_->setObjectName("move_reason");
     auto* all = new QVBoxLayout{this};
     all->addLayout(grid);
     all->addWidget(shape_);
     all->addWidget(reason_);
-    all->addWidget(refused_);
     all->addLayout(buttons);
+    all->addWidget(refused_);
+    all->addStretch();  // what comes below the buttons moves none of them
     follow_fields();
 }
 
@@ -158,7 +160,7 @@ void MoveDialog::open_here() {
 void MoveDialog::refresh() {
     if (!isVisible()) return;
     reason_->setText(go_->refresh(bench_));
-    reason_->setHidden(refused_->refresh());
+    refused_->refresh();
     centre_head_->setEnabled(is_arc());
     for (const Row& row : rows_) {
         if (row.centre != nullptr) row.centre->setEnabled(is_arc() && row.is_wanted->isChecked());

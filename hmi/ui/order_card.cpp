@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QPushButton>
+#include <QTabBar>
+#include <QTabWidget>
 
 #include <algorithm>
 
@@ -22,6 +24,22 @@ using Help = session::OrderRefusal::Help;
 constexpr int kOrderIconSide = 16;
 constexpr int kReadWidth = 24;
 constexpr int kWidthBeside = 300;
+
+/// The one with the pages, of a panel in a frame of its own, too.
+QWidget* window_of(const QWidget& user) {
+    QWidget* const window = user.window();
+    if (qobject_cast<QMainWindow*>(window) != nullptr) return window;
+    QWidget* const owner = window->parentWidget();
+    return owner != nullptr ? qobject_cast<QMainWindow*>(owner->window()) : nullptr;
+}
+
+/// Below their names, in the window.
+QRect pages_of(const QWidget& window) {
+    const auto* const tabs = window.findChild<QTabWidget*>("tabs");
+    if (tabs == nullptr) return window.rect();
+    const QRect all{tabs->mapTo(&window, QPoint{}), tabs->size()};
+    return all.adjusted(kSmallGap, tabs->tabBar()->height() + kSmallGap, -kSmallGap, -kSmallGap);
+}
 
 Help help_now(const Bench& bench) {
     const auto& told = bench.machine.refused_order();
@@ -45,12 +63,14 @@ OrderCard::OrderCard(Bench& bench, session::OrderPlace place, const QString& nam
       why_(plain_label()),
       remedy_(new ActionButton{help_lock, QString{}, [this] { help(); }}),
       read_(new QPushButton{QStringLiteral("\u2715")}) {
+    read_->setAutoDefault(false);  // Enter in a dialog is not for it
     setObjectName("refused_" + name);
     setProperty("notice", true);
     why_->setObjectName(objectName() + "_why");
     why_->setWordWrap(true);
     remedy_->setObjectName(objectName() + "_remedy");
     remedy_->setProperty("small", true);
+    remedy_->setAutoDefault(false);
     read_->setObjectName(objectName() + "_read");
     read_->setProperty("small", true);
     read_->setFocusPolicy(Qt::TabFocus);
@@ -114,24 +134,50 @@ bool OrderCard::refresh() {
     return is_there;
 }
 
-void OrderCard::refresh_beside(QWidget& panel, const QWidget& button) {
-    auto* const window = qobject_cast<QMainWindow*>(panel.window());
-    QWidget* const ground = window != nullptr ? window : &panel;  // a frame goes before its panel does
-    if (parentWidget() != ground) setParent(ground);
-    if (!is_wanted() || !panel.isVisible()) return hide();
+/// False: there is nothing to be told, or no window with pages.
+bool OrderCard::comes_before_pages(const QWidget& user) {
+    QWidget* const window = window_of(user);
+    if (window == nullptr) return false;
+    if (parentWidget() != window) setParent(window);
+    if (!is_wanted()) return false;
     show_refusal(*bench_.machine.refused_order());
-    const int width = std::min(kWidthBeside, ground->width() - 2 * kGap);
-    const int height = heightForWidth(width);
-    const int lowest = ground->height() - height - kGap;
-    QPoint at{kGap, lowest};
-    if (window != nullptr) {
-        const int right = panel.mapTo(ground, QPoint{panel.width() + kGap, 0}).x();
-        const int left = panel.mapTo(ground, QPoint{-kGap - width, 0}).x();
-        at = {right + width <= ground->width() ? right : left, button.mapTo(ground, QPoint{}).y()};
-    }
-    setGeometry(std::max(0, at.x()), std::clamp(at.y(), 0, std::max(0, lowest)), width, height);
+    return true;
+}
+
+void OrderCard::show_at(QPoint at, QSize size) {
+    const QRect pages = pages_of(*parentWidget());
+    const int right = pages.right() + 1 - size.width();
+    const int lowest = pages.bottom() + 1 - size.height();
+    setGeometry(QRect{QPoint{std::clamp(at.x(), pages.left(), std::max(pages.left(), right)),
+                             std::clamp(at.y(), pages.top(), std::max(pages.top(), lowest))},
+                      size});
     if (isHidden()) show();
     raise();
+}
+
+void OrderCard::refresh_beside(const QWidget& panel, const QWidget& button) {
+    if (!comes_before_pages(panel)) return hide();
+    QWidget* const ground = parentWidget();
+    const QRect pages = pages_of(*ground);
+    const int width = std::min(kWidthBeside, pages.width());
+    const QSize size{width, heightForWidth(width)};
+    if (panel.isVisible() && panel.window() == ground) {
+        const int middle = panel.mapTo(ground, panel.rect().center()).x();
+        const int x = middle < pages.center().x() ? pages.left() : pages.right() + 1 - width;
+        return show_at({x, button.mapTo(ground, QPoint{}).y()}, size);
+    }
+    QPoint at{pages.left(), pages.center().y() - size.height() / 2};
+    // Its own frame may stand there.
+    const QRect there{ground->mapToGlobal(at), size};
+    if (panel.window() != ground && panel.window()->geometry().intersects(there))
+        at.setX(pages.right() + 1 - width);
+    show_at(at, size);
+}
+
+void OrderCard::refresh_above(const QWidget& user) {
+    if (!user.isVisible() || !comes_before_pages(user)) return hide();
+    const QRect pages = pages_of(*parentWidget());
+    show_at(pages.topLeft(), {pages.width(), heightForWidth(pages.width())});
 }
 
 }  // namespace psicarve::ui

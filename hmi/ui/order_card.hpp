@@ -10,8 +10,8 @@
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
 
-class QAbstractButton;
 class QLabel;
+class QPushButton;
 
 namespace psicarve::ui {
 
@@ -33,14 +33,19 @@ public:
     void set_theme(const Tokens& tokens);
     /// True when it is there.
     bool refresh();
-    /// The same, in front of what stands beside the panel: nothing in that one gives way below a hand. A
-    /// panel in a frame of its own has it over its lower end. As high in the window as `button`.
-    void refresh_beside(QWidget& panel, const QWidget& button);
+    /// The same, in front of the window's pages, beside the panel and as high as `button`: nothing in the
+    /// panel gives way below a hand, and nothing of it is covered. Of a panel that is another tab or in a
+    /// frame of its own, half-way down the pages.
+    void refresh_beside(const QWidget& panel, const QWidget& button);
+    /// The same, at the upper edge of the window's pages, while `user` is to be seen.
+    void refresh_above(const QWidget& user);
 
 private:
     void lay_out(Shape shape);
     void help();
     bool is_wanted() const;
+    bool comes_before_pages(const QWidget& user);
+    void show_at(QPoint at, QSize size);
     void show_refusal(const session::OrderRefusal& refusal);
 
     Bench& bench_;
@@ -48,7 +53,7 @@ private:
     QLabel* icon_;
     QLabel* why_;
     ActionButton* remedy_;
-    QAbstractButton* read_;
+    QPushButton* read_;
 };
 
 }  // namespace psicarve::ui

@@ -28,7 +28,7 @@ QString to_look_at_in(const std::vector<Check>& checks) {
     QStringList named;
     for (const Check& check : checks) {
         if (check.verdict == Check::Verdict::warning)
-            named << QStringLiteral("%1: %2").arg(words(check.name), with_remedy(check));
+            named << QStringLiteral("%1: %2").arg(words(check.name), words(check.detail));
     }
     return named.join(", ");
 }
@@ -123,7 +123,7 @@ void PreflightList::show_detail(const Row& row, const QString& text) const {
     const QString shown =
         row.detail->fontMetrics().elidedText(text, Qt::ElideMiddle, std::max(room, 4 * kGap));
     row.detail->setText(shown);
-    row.detail->setToolTip(shown == text ? QString{} : text);
+    set_plain_tip(*row.detail, shown == text ? QString{} : text);
 }
 
 /// What says nothing here counts neither way.

@@ -4,15 +4,18 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "hmi/session/display_text.hpp"
-#include "hmi/session/round_marks.hpp"
 
 namespace psicarve::ui {
 namespace {
 
-constexpr double kLeftRoom = 58.0;
+constexpr double kLeastLeftRoom = 58.0;
+constexpr double kBesideMark = 6.0;  // px
+constexpr int kMostDecimals = 3;
+constexpr int kSmallFont_px = 11;
 constexpr double kTopRoom = 26.0;
 constexpr double kHalfLine = 3.0;  // px
 constexpr double kPointMark = 5.0;
@@ -67,8 +70,34 @@ void UnrolledView::mark_point(double r1_direction_deg, double r2_direction_deg) 
     update();
 }
 
+QFont UnrolledView::small_font() const {
+    QFont small = font();
+    small.setPixelSize(kSmallFont_px);
+    return small;
+}
+
+session::RoundMarks UnrolledView::height_marks() const {
+    const double room = height() - kTopRoom - kBottomRoom;
+    session::RoundMarks marks =
+        session::round_marks(low_mm_, high_mm_, std::max(2, static_cast<int>(room / kLeastBetweenMarks)));
+    marks.decimals = std::min(marks.decimals, kMostDecimals);
+    return marks;
+}
+
+double UnrolledView::left_room() const {
+    const QFontMetricsF metrics{small_font()};
+    const session::RoundMarks marks = height_marks();
+    double room = kLeastLeftRoom;
+    for (const double height_mm : marks.values) {
+        const QString name = tr("%1 mm").arg(number(height_mm, marks.decimals));
+        room = std::max(room, std::ceil(metrics.horizontalAdvance(name)) + 2.0 * kBesideMark);
+    }
+    return room;
+}
+
 QRectF UnrolledView::map_area() const {
-    return {kLeftRoom, kTopRoom, width() - kLeftRoom - kRightRoom, height() - kTopRoom - kBottomRoom};
+    const double left = left_room();
+    return {left, kTopRoom, width() - left - kRightRoom, height() - kTopRoom - kBottomRoom};
 }
 
 void UnrolledView::paintEvent(QPaintEvent* /*event*/) {
@@ -78,9 +107,7 @@ void UnrolledView::paintEvent(QPaintEvent* /*event*/) {
     if (image_.isNull()) return;
     const QRectF area = map_area();
     draw_map(painter, area);
-    QFont small = font();
-    small.setPixelSize(11);
-    painter.setFont(small);
+    painter.setFont(small_font());
     draw_axes(painter, area);
     draw_bar(painter, area);
     draw_halves(painter, area);
@@ -136,13 +163,12 @@ void UnrolledView::draw_layer(QPainter& painter, const QRectF& area) const {
 void UnrolledView::draw_axes(QPainter& painter, const QRectF& area) const {
     painter.setPen(tokens_->text2);
     const double extent_mm = high_mm_ - low_mm_;
-    const session::RoundMarks marks = session::round_marks(
-        low_mm_, high_mm_, std::max(2, static_cast<int>(area.height() / kLeastBetweenMarks)));
+    const session::RoundMarks marks = height_marks();
     for (const double height_mm : marks.values) {
         const double part = extent_mm > 0.0 ? (height_mm - low_mm_) / extent_mm : 0.0;
         const double y = area.bottom() - part * area.height();
         painter.drawLine(QPointF{area.left() - kMarkLength, y}, QPointF{area.left(), y});
-        painter.drawText(QRectF{0, y - 8, kLeftRoom - 6, 16}, Qt::AlignRight | Qt::AlignVCenter,
+        painter.drawText(QRectF{0, y - 8, area.left() - kBesideMark, 16}, Qt::AlignRight | Qt::AlignVCenter,
                          tr("%1 mm").arg(number(height_mm, marks.decimals)));
     }
     for (int angle_deg = 0; angle_deg <= kUnrolledViewTurn_deg; angle_deg += kQuarter_deg) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hmi/session/radius_map.hpp"
+#include "hmi/session/round_marks.hpp"
 #include "hmi/ui/tokens.hpp"
 
 namespace psicarve::ui {
@@ -28,11 +29,17 @@ public:
     /// Where R1 and R2 are on it.
     void mark_point(double r1_direction_deg, double r2_direction_deg);
 
+    /// Where the map is in it: beside the widest of the heights' names.
+    QRectF map_area() const;
+    /// The heights that are named.
+    session::RoundMarks height_marks() const;
+
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    QRectF map_area() const;
+    QFont small_font() const;
+    double left_room() const;
     void draw_map(QPainter& painter, const QRectF& area);
     void draw_halves(QPainter& painter, const QRectF& area) const;
     void draw_layer(QPainter& painter, const QRectF& area) const;

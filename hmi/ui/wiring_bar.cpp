@@ -65,8 +65,7 @@ WiringBar::WiringBar(Bench& bench, QWidget* parent)
     all->addLayout(head);
     make_armed_row();
     all->addWidget(armed_row_);
-    refused_ = new OrderCard{bench_, session::OrderPlace::outputs, "outputs", OrderCard::Shape::wide};
-    all->addWidget(refused_);
+    refused_ = new OrderCard{bench_, session::OrderPlace::outputs, "outputs", OrderCard::Shape::wide, this};
 }
 
 void WiringBar::set_theme(const Tokens& tokens) {
@@ -159,7 +158,7 @@ void WiringBar::refresh() {
                                       : locked);
     set_styled(this, "armed", is_armed ? "yes" : "no");
     for (ActionButton* button : {send_, hold_}) button->refresh(bench_);
-    refused_->refresh();
+    refused_->refresh_above(*this);
 }
 
 }  // namespace psicarve::ui

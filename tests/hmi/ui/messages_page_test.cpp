@@ -35,7 +35,7 @@ protected:
         return false;
     }
     void show_kind(int kind) { part<QComboBox>("messages_kind").setCurrentIndex(kind); }
-    bool is_pane_there() { return part<QWidget>("message_pane").isVisible(); }
+    bool is_pane_there() { return !part<QLabel>("message_title").isHidden(); }
     /// Stopped in an emergency, reset and homed since.
     void have_an_alarm_behind() {
         start_core();
@@ -93,7 +93,7 @@ TEST_F(MessagesPageOf, TellTheSelectedOneInFullUntilItIsFilteredAway) {
     take_picture("message_pane_dark");
     ASSERT_TRUE(select("Opened vase.stl"));
     EXPECT_EQ(text_of("message_title"), "Opened vase.stl");
-    EXPECT_FALSE(button("message_recorder").isVisible());
+    EXPECT_FALSE(button("message_recorder").isEnabled());
     part<QLineEdit>("messages_find").setText("emergency");
     EXPECT_FALSE(is_pane_there());
 }
@@ -116,6 +116,37 @@ TEST_F(MessagesPageOf, LeadFromAnAlarmToItsMomentInTheFlightRecorder) {
             is_alarm(entry) && entries[static_cast<std::size_t>(entry)].time_ns == desk.clock().now_ns();
     EXPECT_TRUE(is_there) << desk.clock().now_ns();
     EXPECT_LT(desk.clock().now_ns(), desk.facts().end_ns) << "much was homed since";
+}
+
+TEST_F(MessagesPageOf, HaveThePaneWhereItIsWhateverIsSelected) {
+    ASSERT_NO_FATAL_FAILURE(have_an_alarm_behind());
+    const auto place_of = [&](const char* name) {
+        QApplication::processEvents();
+        QWidget& widget = part<QWidget>(name);
+        return QRect{widget.mapTo(window_.get(), QPoint{}), widget.size()};
+    };
+    const QRect pane = place_of("message_pane");
+    const QRect recorder = place_of("message_recorder");
+    EXPECT_TRUE(part<QWidget>("message_pane").isVisible());
+    ASSERT_TRUE(select("Emergency stop"));
+    EXPECT_EQ(place_of("message_pane"), pane) << "a second press would be on what came up";
+    EXPECT_EQ(place_of("message_recorder"), recorder);
+    EXPECT_FALSE(recorder.intersects(place_of("messages")));
+}
+
+TEST_F(MessagesPageOf, OpenNoRecorderWhileTheMachineIsUnderWay) {
+    ASSERT_NO_FATAL_FAILURE(have_an_alarm_behind());
+    ASSERT_TRUE(select("Emergency stop"));
+    window_->bench().machine.order(CommandKind::home, session::phrase("Home"));
+    ASSERT_TRUE(comes_to(S::homing));
+    core_->send_signal(SIGSTOP);  // on its way for as long as this looks
+    window_->refresh();
+    EXPECT_FALSE(button("message_recorder").isEnabled());
+    EXPECT_TRUE(button("message_recorder").toolTip().contains("under way"))
+        << button("message_recorder").toolTip().toStdString();
+    core_->send_signal(SIGCONT);
+    ASSERT_TRUE(comes_to(S::ready));
+    EXPECT_TRUE(comes_true([&] { return button("message_recorder").isEnabled(); }));
 }
 
 TEST_F(MessagesPageOf, SayThatTheFlightRecorderOfAnotherCoreIsGone) {

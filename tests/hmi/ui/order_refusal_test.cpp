@@ -42,6 +42,12 @@ protected:
     bool goes(const char* card) {
         return comes_true([&] { return !is_there(card); });
     }
+    /// All of it, and on nothing but them.
+    bool is_before_pages(const QWidget& card) {
+        const QWidget& tabs = part<QWidget>("tabs");
+        return card.parentWidget() == window_.get() &&
+               QRect{tabs.mapTo(window_.get(), QPoint{}), tabs.size()}.contains(card.geometry());
+    }
     void take_pictures(const char* name) {
         window_->refresh();
         take_picture(QString{name} + "_light");
@@ -191,13 +197,57 @@ TEST_F(OrderRefused, IsTakenAwayOnceItWasReadWhereverItStands) {
     EXPECT_EQ(sight().state(), S::alarm) << "it moves and resets nothing";
 }
 
-TEST_F(OrderRefused, InAFrameOfItsOwnStandsThereAndOutlivesIt) {
+TEST_F(OrderRefused, OfAPanelThatIsAnotherTabStandsBeforeThePages) {
+    open_on_core();
+    for (const QSize& size : {QSize{1000, 640}, QSize{960, 515}}) {
+        window_->resize(size);
+        QApplication::processEvents();
+        machine().jog().step(Axis::y, 1.0, 5.0);
+        ASSERT_TRUE(comes("refused_jog")) << all_messages().toStdString();
+        EXPECT_FALSE(button("jog_y_up").isVisible());
+        EXPECT_TRUE(is_before_pages(part<QWidget>("refused_jog")));
+        ASSERT_TRUE(click("refused_jog_read"));
+    }
+}
+
+TEST_F(OrderRefused, AnOutputsTestMovesNoButtonOfIt) {
+    open_on_core();
+    for (const QSize& size : {QSize{1280, 720}, QSize{960, 515}}) {
+        window_->resize(size);
+        show_page("ports_page");
+        const auto place = [&] { return part<QWidget>("arm_wiring").mapTo(window_.get(), QPoint{}); };
+        const QPoint before = place();
+        machine().order(CommandKind::resume, session::phrase("Resume"));
+        machine().jog().test(Signal::spindle, 50'000'000, 1.0);
+        ASSERT_TRUE(comes("refused_outputs")) << all_messages().toStdString();
+        QApplication::processEvents();
+        EXPECT_EQ(place(), before);
+        EXPECT_TRUE(is_before_pages(part<QWidget>("refused_outputs")));
+        take_pictures(size.width() == 960 ? "output_refused_960" : "output_refused_1280");
+        ASSERT_TRUE(click("refused_outputs_read"));
+    }
+}
+
+TEST_F(OrderRefused, AMoveMovesNoButtonOfItsDialog) {
+    open_on_core();
+    ASSERT_TRUE(click("go_to"));
+    QApplication::processEvents();
+    const QPoint before = part<QWidget>("move_go").pos();
+    machine().order(CommandKind::move, session::phrase("Go to"));
+    ASSERT_TRUE(comes("refused_move")) << all_messages().toStdString();
+    QApplication::processEvents();
+    EXPECT_EQ(part<QWidget>("move_go").pos(), before);
+    part<QDialog>("move_dialog").close();
+}
+
+TEST_F(OrderRefused, InAFrameOfItsOwnStandsBeforeThePagesAndOutlivesIt) {
     open_on_core();
     window_->findChild<QAction*>("float_jog")->trigger();
     machine().jog().step(Axis::y, 1.0, 5.0);
     ASSERT_TRUE(comes("refused_jog")) << all_messages().toStdString();
     QWidget& card = part<QWidget>("refused_jog");
-    EXPECT_NE(card.window(), window_.get());
+    EXPECT_EQ(card.window(), window_.get()) << "its frame has no room that no button has";
+    EXPECT_TRUE(is_before_pages(card));
     window_->findChild<QAction*>("float_jog")->trigger();
     ASSERT_TRUE(comes_true([&] { return card.isVisible() && card.window() == window_.get(); }));
     ASSERT_TRUE(click("refused_jog_remedy"));

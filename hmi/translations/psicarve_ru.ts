@@ -632,6 +632,10 @@
             <translation>Создаётся задание; сначала отмените его</translation>
         </message>
         <message>
+            <source>A message that is selected above stands here in full.</source>
+            <translation>Здесь полностью показано сообщение, выбранное выше.</translation>
+        </message>
+        <message>
             <source>A new blank has to begin with layer 1.</source>
             <translation>Новую заготовку надо начинать со слоя 1.</translation>
         </message>
@@ -3333,8 +3337,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Сохранить: станок движется</translation>
         </message>
         <message>
+            <source>Saved as %1; open it once the machine is at rest</source>
+            <translation>Сохранено как %1; откройте, когда станок остановится</translation>
+        </message>
+        <message>
             <source>Saved: %1</source>
             <translation>Сохранено: %1</translation>
+        </message>
+        <message>
+            <source>Saving…</source>
+            <translation>Сохраняется…</translation>
         </message>
         <message>
             <source>Scale</source>
@@ -3989,6 +4001,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Самописец уже не доходит до того момента</translation>
         </message>
         <message>
+            <source>The flight recorder is being saved</source>
+            <translation>Самописец сохраняется</translation>
+        </message>
+        <message>
             <source>The gap between two step pulses lasts at least this long.</source>
             <translation>Промежуток между шаговыми импульсами длится не меньше.</translation>
         </message>
@@ -4043,6 +4059,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The machine is at work. It does not need this window: what is to become of it?</source>
             <translation>Станок работает. Это окно ему не нужно: что с ним делать?</translation>
+        </message>
+        <message>
+            <source>The machine is under way; at rest, without a job that waits or is held</source>
+            <translation>Станок работает; нужен покой без ожидающего или удержанного задания</translation>
         </message>
         <message>
             <source>The machine still has its job of before: Start carves %1.</source>

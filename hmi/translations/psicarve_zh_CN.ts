@@ -632,6 +632,10 @@
             <translation>正在生成作业；请先取消</translation>
         </message>
         <message>
+            <source>A message that is selected above stands here in full.</source>
+            <translation>上方选中的消息在此完整显示。</translation>
+        </message>
+        <message>
             <source>A new blank has to begin with layer 1.</source>
             <translation>新毛坯必须从第 1 层开始。</translation>
         </message>
@@ -3328,8 +3332,16 @@ N、Shift+N  下一条、上一条记录
             <translation>保存：机床在运动</translation>
         </message>
         <message>
+            <source>Saved as %1; open it once the machine is at rest</source>
+            <translation>已保存为 %1；待机床静止后再打开</translation>
+        </message>
+        <message>
             <source>Saved: %1</source>
             <translation>已保存：%1</translation>
+        </message>
+        <message>
+            <source>Saving…</source>
+            <translation>正在保存…</translation>
         </message>
         <message>
             <source>Scale</source>
@@ -3984,6 +3996,10 @@ N、Shift+N  下一条、上一条记录
             <translation>飞行记录已不再包含那个时刻</translation>
         </message>
         <message>
+            <source>The flight recorder is being saved</source>
+            <translation>正在保存飞行记录</translation>
+        </message>
+        <message>
             <source>The gap between two step pulses lasts at least this long.</source>
             <translation>两个步进脉冲之间的间隔至少这么久。</translation>
         </message>
@@ -4038,6 +4054,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The machine is at work. It does not need this window: what is to become of it?</source>
             <translation>机床正在工作。它不需要此窗口：要如何处理？</translation>
+        </message>
+        <message>
+            <source>The machine is under way; at rest, without a job that waits or is held</source>
+            <translation>机床正在工作；须静止且没有等待或保持中的作业</translation>
         </message>
         <message>
             <source>The machine still has its job of before: Start carves %1.</source>

@@ -230,7 +230,10 @@ TEST_F(OrderRefused, AnOutputsTestMovesNoButtonOfIt) {
 
 TEST_F(OrderRefused, AMoveMovesNoButtonOfItsDialog) {
     open_on_core();
+    home();
+    ASSERT_FALSE(HasFatalFailure());
     ASSERT_TRUE(click("go_to"));
+    stop_in_an_emergency();
     QApplication::processEvents();
     const QPoint before = part<QWidget>("move_go").pos();
     machine().order(CommandKind::move, session::phrase("Go to"));

@@ -92,6 +92,7 @@ QScrollArea, #profile_sheet { background: @field; border: 1px solid @line; }
 #pages, #side_pages QScrollArea, #model_fields, #keys_room { background: @panel; border: 0; }
 #pages > QWidget, #pages QStackedWidget, #side_pages QScrollArea > QWidget { background: @panel; }
 #keys_room > QWidget, #keys_room > QWidget > QWidget, #model_fields > QWidget, #model_fields > QWidget > QWidget { background: @panel; }
+#message_room, #message_room > QWidget, #message_room > QWidget > QWidget { background: transparent; border: 0; }
 QListWidget { background: @field; border: 1px solid @line; }
 QListWidget::item { padding: 6px 8px; }
 QListWidget::item:selected { background: @sel; color: @text; font-weight: 700; }

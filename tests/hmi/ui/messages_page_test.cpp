@@ -137,14 +137,11 @@ TEST_F(MessagesPageOf, HaveThePaneWhereItIsWhateverIsSelected) {
 TEST_F(MessagesPageOf, OpenNoRecorderWhileTheMachineIsUnderWay) {
     ASSERT_NO_FATAL_FAILURE(have_an_alarm_behind());
     ASSERT_TRUE(select("Emergency stop"));
-    window_->bench().machine.order(CommandKind::home, session::phrase("Home"));
-    ASSERT_TRUE(comes_to(S::homing));
-    core_->send_signal(SIGSTOP);  // on its way for as long as this looks
-    window_->refresh();
+    ASSERT_NO_FATAL_FAILURE(carve_job(two_process::long_job()));
     EXPECT_FALSE(button("message_recorder").isEnabled());
     EXPECT_TRUE(button("message_recorder").toolTip().contains("under way"))
         << button("message_recorder").toolTip().toStdString();
-    core_->send_signal(SIGCONT);
+    request_stop(*segment_);
     ASSERT_TRUE(comes_to(S::ready));
     EXPECT_TRUE(comes_true([&] { return button("message_recorder").isEnabled(); }));
 }

@@ -73,7 +73,7 @@ void FileDesk::save_snapshot(const std::string& path) {
     });
 }
 
-void FileDesk::take_recorder(const std::string& path, std::function<void()> then, Told otherwise) {
+void FileDesk::take_recorder(const std::string& path, std::function<void()> then, const Told& otherwise) {
     const auto take = [this, path, then = std::move(then), otherwise, segment = segment_name_,
                        group = group_]() -> WorkLane::Finish {
         const auto taken = snapshot_of_segment(path, segment, group);

@@ -40,7 +40,7 @@ public:
     void save_snapshot(const std::string& path);
     using Told = std::function<void(const Phrase& why)>;
     /// The same for the window itself, which `then` opens: nobody is told but of trouble, `otherwise`, too.
-    void take_recorder(const std::string& path, std::function<void()> then, Told otherwise);
+    void take_recorder(const std::string& path, std::function<void()> then, const Told& otherwise);
     void save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
     /// The job that was saved last; null: none was, or nobody has it any more.
     std::shared_ptr<const cam::PreparedJob> saved_job() const noexcept { return saved_job_.lock(); }

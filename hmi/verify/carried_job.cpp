@@ -77,7 +77,7 @@ Result<std::optional<std::vector<std::byte>>> only_carried_job(const std::string
         const auto job = (*reader)->next_job(false);
         if (!job || !*job) break;  // what is damaged behind it is left for the trace's reader to tell
         if ((*job)->checksum != (*first)->checksum)
-            return bad_input(path + ": carries several jobs; " + remedy);
+            return bad_input(std::string{path}.append(": carries several jobs; ").append(remedy));
     }
     return std::optional{std::move((*first)->blob)};
 }

@@ -57,7 +57,7 @@ protected:
 };
 
 TEST_F(CarriedJob, IsReadAndChangesNoEvent) {
-    for (const std::size_t at_once : {1, 64, 100'000}) expect_equal(read(trace(), at_once), machine_);
+    for (const std::size_t at_once : {1U, 64U, 100'000U}) expect_equal(read(trace(), at_once), machine_);
     const auto job = job_in(trace());
     ASSERT_TRUE(job && *job);
     EXPECT_EQ(**job, job_.blob);

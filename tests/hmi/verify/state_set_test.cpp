@@ -65,7 +65,7 @@ StateSet some_states(StateDice& dice, const MotorLimits& limits) {
     const double half = 0.5 * dice.part();
     StateSet set = StateSet::box({middle - half, middle + half}, {limits.jump_pps, limits.jump_pps});
     const double wall = dice.between(middle + half, 3.0);
-    for (int i = static_cast<int>(dice.between(1.0, 5.0)); i > 0; --i) {
+    for (int i = static_cast<int>(dice.between(1.0, 5.0)); i > 0 && !set.is_empty(); --i) {
         set.run(limits.step_s() * dice.part(), limits.accel_pps2, limits.speed_pps);
         set.keep_below(wall);
         set.keep_speeds({limits.jump_pps, limits.speed_pps});

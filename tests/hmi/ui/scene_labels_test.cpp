@@ -80,6 +80,21 @@ INSTANTIATE_TEST_SUITE_P(All, SceneLabels,
                              return std::string{kLanguages[static_cast<std::size_t>(named.param)].code};
                          });
 
+TEST(UnrolledLabels, HaveTheRoomThatTheWidestNeeds) {
+    UnrolledView view;
+    view.resize(600, 400);
+    session::RadiusMap map;
+    map.rows = map.columns = 2;
+    map.radius_mm.assign(4, 0.0F);
+    map.most_mm = 1.0;
+    view.show_map(map, 10'120.101, 10'120.109);
+    QFont small = view.font();
+    small.setPixelSize(11);
+    EXPECT_GE(view.map_area().left(), QFontMetricsF{small}.horizontalAdvance("10120.105 mm"));
+    view.show_map(map, 26.0, 26.0);
+    EXPECT_LE(view.height_marks().decimals, 3);
+}
+
 TEST(LookedAtBeforeStart, IsNamedWithoutItsRemedy) {
     session::Check check{session::phrase("Ticks in time"), session::phrase("missed 51"),
                          session::Check::Verdict::warning};

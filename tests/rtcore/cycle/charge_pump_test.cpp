@@ -68,6 +68,7 @@ TEST(ChargePump, IsLowInAnAlarmFromWhicheverPhase) {
         sut.emergency_stop();
         sut.tick();
         EXPECT_FALSE(is_pumped(sut.port->writes.back()));
+        EXPECT_EQ(sut.port->writes.back().levels, 0U) << "nor is any other line of a machine that rests";
     }
 }
 

@@ -46,6 +46,7 @@ public:
     void wait(std::int64_t width_ns) noexcept override { waited_ns = width_ns; }
     bool is_healthy() const noexcept override { return healthy; }
     void try_safe_state() noexcept override { ++safe_tries; }
+    bool is_silent() const noexcept override { return silent; }
     bool take_up_again() noexcept override {
         if (when_taken_up) when_taken_up();
         healthy = healthy || answers;
@@ -56,6 +57,7 @@ public:
     bool records = true;
     bool healthy = true;
     bool answers = false;  ///< once it is not healthy
+    bool silent = false;
     int safe_tries = 0;
     std::function<void()> when_taken_up;
     std::int64_t waited_ns = 0;  ///< the last wait asked for

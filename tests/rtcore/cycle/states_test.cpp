@@ -148,6 +148,33 @@ TEST(States, ASupervisorThatStandsStillForASecondIsAControlledStop) {
     EXPECT_EQ(sut.records_of(RecordKind::failure).size(), 1U);
 }
 
+TEST(States, ASupervisorThatStandsStillForASecondIsOneOfTwoTimersToo) {
+    Profile profile = quick_profile();
+    profile.tick.schedule = Schedule::two_timer;
+    profile.tick.period_us = 100.0;
+    MachineRig sut(profile);
+    ASSERT_TRUE(sut.home());
+    ASSERT_EQ(sut.ask(RequestKind::spindle, 0, 1), Refusal::none);
+    sut.io->urgent.rounds.store(1);
+    const std::uint64_t begin = sut.cycle->next_tick();
+    ASSERT_TRUE(sut.run_while([&] { return sut.cycle->state() != MachineState::alarm; }, 30'000));
+    EXPECT_EQ(sut.cycle->sample().alarm_cause, AlarmCause::supervisor_stalled);
+    const std::uint64_t second_ticks = 1'000'000'000 / static_cast<std::uint64_t>(tick_period_ns(profile));
+    EXPECT_NEAR(static_cast<double>(sut.cycle->next_tick() - begin), static_cast<double>(second_ticks), 20.0);
+}
+
+TEST(States, AfterAGapThatWasFoundOutsideTheAxesThatItNamesAreNotHomed) {
+    for (const unsigned lost : {0b0000U, 0b0001U, 0b0010U, 0b1100U, 0b1111U}) {
+        MachineRig sut(always_on_profile());
+        ASSERT_TRUE(sut.home());
+        sut.run(20'000);
+        sut.io->urgent.failures.fetch_or(failure_bits(AlarmCause::tick_gap, static_cast<std::uint8_t>(lost)));
+        sut.run(1);
+        EXPECT_EQ(sut.cycle->sample().alarm_cause, AlarmCause::tick_gap);
+        EXPECT_EQ(sut.cycle->sample().homed_mask, 0xFU & ~lost);
+    }
+}
+
 TEST(States, TwoFaultsAtOnceAreBothRecordedAndAGapStopsAtOnce) {
     MachineRig sut(quick_profile());
     ASSERT_TRUE(sut.prepare(random_job(1, 60, 5)));

@@ -47,6 +47,7 @@ public:
     bool is_healthy() const noexcept override { return healthy; }
     void try_safe_state() noexcept override { ++safe_tries; }
     bool is_silent() const noexcept override { return silent; }
+    void forget_written() noexcept override { ++forgotten; }
     bool take_up_again() noexcept override {
         if (when_taken_up) when_taken_up();
         healthy = healthy || answers;
@@ -58,6 +59,7 @@ public:
     bool healthy = true;
     bool answers = false;  ///< once it is not healthy
     bool silent = false;
+    int forgotten = 0;  ///< how often it was told that its pins are not what was written
     int safe_tries = 0;
     std::function<void()> when_taken_up;
     std::int64_t waited_ns = 0;  ///< the last wait asked for

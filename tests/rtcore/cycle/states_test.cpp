@@ -163,6 +163,21 @@ TEST(States, ASupervisorThatStandsStillForASecondIsOneOfTwoTimersToo) {
     EXPECT_NEAR(static_cast<double>(sut.cycle->next_tick() - begin), static_cast<double>(second_ticks), 20.0);
 }
 
+TEST(States, AnAxisThatIsHomedAnewIsNotHomedUntilItHasBeen) {
+    for (const unsigned axes : {0b0001U, 0b0010U, 0b0100U, 0b1000U, 0b1011U}) {
+        MachineRig sut(always_on_profile());
+        ASSERT_TRUE(sut.home());
+        ASSERT_EQ(sut.ask(RequestKind::home, 0, axes), Refusal::none);
+        EXPECT_EQ(sut.cycle->sample().homed_mask, 0xFU & ~axes);
+        sut.stop();
+        ASSERT_TRUE(sut.run_while([&] {
+            return sut.cycle->state() == MachineState::homing || sut.cycle->state() == MachineState::stopping;
+        }));
+        EXPECT_EQ(sut.cycle->sample().homed_mask, 0xFU & ~axes) << "nor after a stop";
+        EXPECT_EQ(sut.cycle->state(), MachineState::off);
+    }
+}
+
 TEST(States, AfterAGapThatWasFoundOutsideTheAxesThatItNamesAreNotHomed) {
     for (const unsigned lost : {0b0000U, 0b0001U, 0b0010U, 0b1100U, 0b1111U}) {
         MachineRig sut(always_on_profile());
@@ -172,6 +187,7 @@ TEST(States, AfterAGapThatWasFoundOutsideTheAxesThatItNamesAreNotHomed) {
         sut.run(1);
         EXPECT_EQ(sut.cycle->sample().alarm_cause, AlarmCause::tick_gap);
         EXPECT_EQ(sut.cycle->sample().homed_mask, 0xFU & ~lost);
+        EXPECT_EQ(sut.port->forgotten, 1) << "whoever had the port meanwhile may have written to it";
     }
 }
 

@@ -137,6 +137,21 @@ TEST(Telling, TimeGoesOnWithMissedTicks) {
     EXPECT_EQ(sut.port->writes.back().time_ns, static_cast<std::int64_t>(before + 3) * period_ns);
 }
 
+TEST(Telling, ARefusalNamesItsOwnAxisAndNotThatOfTheOneBefore) {
+    MachineRig sut(quick_profile());
+    ASSERT_TRUE(sut.home());
+    Request too_far{};
+    too_far.kind = RequestKind::move;
+    too_far.order.axes = 1U << index_of(Axis::y);
+    too_far.order.target_pulses[index_of(Axis::y)] = 1'000'000;
+    ASSERT_EQ(sut.ask(too_far), Refusal::outside_travel);
+    ASSERT_EQ(sut.ask(RequestKind::start), Refusal::no_job);
+    const auto commands = sut.records_of(RecordKind::command);
+    ASSERT_GE(commands.size(), 2U);
+    EXPECT_EQ((commands.end() - 2)->axis, index_of(Axis::y));
+    EXPECT_EQ(commands.back().axis, kNoAxis);
+}
+
 /// How many pin entries each offset within the tick has, of homing and an emergency stop.
 std::map<std::uint32_t, std::size_t> traced_offsets(PulseForm form) {
     Profile profile = quick_profile();

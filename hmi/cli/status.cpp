@@ -3,31 +3,38 @@
 
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hmi/cli/checkpoint_text.hpp"
 #include "hmi/cli/commands.hpp"
+#include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/status_text.hpp"
+#include "hmi/cli/unfinished_text.hpp"
 #include "hmi/cli/watch_loop.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/report/status_json.hpp"
 #include "shared/job.hpp"
 #include "shared/machine_state.hpp"
+#include "shared/saved_checkpoint.hpp"
 #include "shared/segment.hpp"
 
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kStatusText{
-    "status", "What the machine is doing",
-    "--watch shows it again and again until Ctrl-C: in place on a terminal, else a line for each change.",
-    "psicarve status --watch"};
+constexpr CommandText kStatusText{"status", "What the machine is doing",
+                                  "Without a core, or with one that has no job, it also tells of a piece "
+                                  "that is not finished and how it goes "
+                                  "on.\n--watch shows it again and again until Ctrl-C: in place on a "
+                                  "terminal, else a line for each change.",
+                                  "psicarve status --watch"};
 
 struct StatusOptions {
     bool watch = false;
@@ -72,7 +79,53 @@ std::string head_line(const machine::MachineLink& link) {
            "\n";
 }
 
-std::string json_line(const machine::MachineLink& link, const CoreStatus& status, const std::string& pass,
+/// A piece that was begun before this core was there, while it has no other to do.
+struct Unfinished {
+    std::optional<FoundCheckpoint> found;
+    WayBack way;
+};
+
+Unfinished unfinished_beside(machine::MachineLink& link, const CoreStatus& status) {
+    Unfinished unfinished;
+    unfinished.way.segment = link.segment_name();
+    unfinished.way.has_core = true;
+    if (status.job_generation != 0) return unfinished;
+    unfinished.found = find_unfinished(link.segment_name(), status.is_simulator != 0);
+    if (unfinished.found)
+        unfinished.way.is_other_core =
+            link.segment().header().core_profile_hash.load() != unfinished.found->saved.profile_hash;
+    return unfinished;
+}
+
+/// Null: there is no segment either.
+Unfinished unfinished_without_core(const machine::MachineLink* link, const std::string& segment) {
+    Unfinished unfinished;
+    unfinished.way.segment = segment;
+    unfinished.found = find_unfinished(segment);
+    unfinished.way.is_published =
+        link != nullptr && unfinished.found && link->is_of_published_job(unfinished.found->saved.checkpoint);
+    return unfinished;
+}
+
+/// There is no core: that, and what it left unfinished.
+Result<int> tell_without_core(const CommonOptions& common, const machine::MachineLink* link, Error error) {
+    const Unfinished unfinished = unfinished_without_core(link, common.segment);
+    // One that is silent is there all the same.
+    const bool is_gone = error.code == ErrorCode::no_core && (link == nullptr || !link->core_pid());
+    if (!is_gone || !unfinished.found) return error;
+    print_error(error);
+    if (common.json) {
+        nlohmann::ordered_json object;
+        object["error"] = nlohmann::ordered_json::parse(error_json(error));
+        object["unfinished"] = unfinished_json(unfinished.found, unfinished.way);
+        std::fputs((object.dump() + "\n").c_str(), stdout);
+    } else {
+        std::fputs(unfinished_text(*unfinished.found, unfinished.way).c_str(), stdout);
+    }
+    return exit_code_of(error.code);
+}
+
+std::string json_line(machine::MachineLink& link, const CoreStatus& status, const std::string& pass,
                       const std::optional<Profile>& profile) {
     nlohmann::ordered_json object{{"segment", link.segment_name()},
                                   {"core_pid", link.core_pid().value_or(0)}};
@@ -81,6 +134,8 @@ std::string json_line(const machine::MachineLink& link, const CoreStatus& status
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
+    const Unfinished unfinished = unfinished_beside(link, status);
+    object["unfinished"] = unfinished_json(unfinished.found, unfinished.way);
     return object.dump() + "\n";
 }
 
@@ -100,7 +155,7 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
     const auto chosen = readable_profile(common);
     if (!chosen) return chosen.error();
     auto link = machine::MachineLink::attach(common.segment, common.group);
-    if (!link) return link.error();
+    if (!link) return tell_without_core(common, nullptr, link.error());
     RunningPass running;
     const auto show = [&](bool as_line) -> Result<std::string> {
         const auto status = link->status();
@@ -110,10 +165,13 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         if (common.json) return json_line(*link, *status, pass, profile);
         if (as_line) return status_line(*status, pass);
         const auto checkpoint = link->checkpoint();
+        const Unfinished unfinished = unfinished_beside(*link, *status);
         return head_line(*link) + status_text(*status, profile ? &*profile : nullptr, pass) +
-               checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));
+               checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint)) +
+               (unfinished.found ? unfinished_text(*unfinished.found, unfinished.way) : std::string{});
     };
-    return show_or_watch(show, options.watch, common.json);
+    auto shown = show_or_watch(show, options.watch, common.json);
+    return shown ? shown : tell_without_core(common, &*link, shown.error());
 }
 
 }  // namespace

@@ -2,17 +2,38 @@
 #include "rtcore/supervisor/checkpoint_keeper.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "shared/machine_state.hpp"
 #include "shared/shared_record.hpp"
 
 namespace psicarve::supervisor {
+namespace {
 
-void CheckpointKeeper::note(SegmentHeader& header, const cycle::Sample& sample,
-                            const LoadedJob* job) noexcept {
-    if (job == nullptr || !is_carving_of(sample, *job)) return;
+/// What the segment knows of this very job.
+std::optional<Checkpoint> known_of(const SegmentHeader& header, const LoadedJob& job) noexcept {
+    const auto known = read_record(header.checkpoint);
+    const bool is_known = known && is_checkpoint(*known) && known->job_checksum == job.checksum &&
+                          known->layer_count == job.view.layer_count();
+    return is_known ? known : std::nullopt;
+}
+
+/// Layers of the piece that a run of the whole job leaves behind: of the run before, and not of whichever
+/// came furthest; where that has finished none, of the one before it.
+std::uint32_t left_behind(const Checkpoint& before) noexcept {
+    if (before.next_layer == before.layer_count) return 0;
+    return before.next_layer != 0 ? before.next_layer : before.earlier_layer;
+}
+
+}  // namespace
+
+std::optional<Checkpoint> CheckpointKeeper::note(SegmentHeader& header, const cycle::Sample& sample,
+                                                 const LoadedJob* job) noexcept {
+    if (job == nullptr) return std::nullopt;
+    if (!is_carving_of(sample, *job)) return announce(header, sample, *job);
+    is_announced_ = false;
     if (begun_tick_ != run_start_tick_) begin_run(header, sample.first_layer, *job);
-    if (leaves_gap_) return;
+    if (leaves_gap_) return std::nullopt;
     const std::uint64_t layers_done =
         std::max<std::uint64_t>(carved_before_, sample.points_done / job->view.point_count());
     const auto next_layer =
@@ -20,10 +41,28 @@ void CheckpointKeeper::note(SegmentHeader& header, const cycle::Sample& sample,
     const std::uint32_t earlier = earlier_layer_ > next_layer ? earlier_layer_ : 0;
     if (written_job_ == job->generation && written_ && written_->next_layer == next_layer &&
         written_->earlier_layer == earlier)
-        return;
+        return std::nullopt;
     written_ = checkpoint_at(job->checksum, next_layer, job->view.layer_count(), earlier);
     written_job_ = job->generation;
     write_record(header.checkpoint, *written_);
+    return written_;
+}
+
+std::optional<Checkpoint> CheckpointKeeper::announce(const SegmentHeader& header, const cycle::Sample& sample,
+                                                     const LoadedJob& job) noexcept {
+    const bool is_under_way = sample.job_generation == job.generation && runs_job(sample.state);
+    // Nothing was carved: all is as it was.
+    if (!is_under_way) return std::exchange(is_announced_, false) ? known_of(header, job) : std::nullopt;
+    if (is_announced_ || sample.first_layer != 0 || sample.is_dry != 0) return std::nullopt;
+    const auto before = known_of(header, job);
+    if (!before) return std::nullopt;
+    is_announced_ = true;
+    return checkpoint_at(job.checksum, 0, job.view.layer_count(), left_behind(*before));
+}
+
+void CheckpointKeeper::take_over(SegmentHeader& header, const Checkpoint& left) noexcept {
+    const auto before = read_record(header.checkpoint);
+    if (!before || !is_checkpoint(*before)) write_record(header.checkpoint, left);
 }
 
 void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t first_layer,
@@ -32,14 +71,10 @@ void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t firs
     carved_before_ = 0;
     earlier_layer_ = 0;
     leaves_gap_ = false;
-    const auto before = read_record(header.checkpoint);
-    const bool is_known = before && is_checkpoint(*before) && before->job_checksum == job.checksum &&
-                          before->layer_count == job.view.layer_count();
-    if (!is_known) return;  // whoever begins later than with the first knows of the layers before
-    const bool is_whole = before->next_layer == before->layer_count;
+    const auto before = known_of(header, job);
+    if (!before) return;  // whoever begins later than with the first knows of the layers before
     if (first_layer == 0) {
-        // The run before, and not whichever came furthest: where that has finished none, the one before it.
-        if (!is_whole) earlier_layer_ = before->next_layer != 0 ? before->next_layer : before->earlier_layer;
+        earlier_layer_ = left_behind(*before);
         return;
     }
     if (before->next_layer == 0 && before->earlier_layer == 0) return;

@@ -19,13 +19,21 @@ namespace psicarve::supervisor {
 /// the first layer that is not carved. The supervisor's thread.
 class CheckpointKeeper {
 public:
-    void note(SegmentHeader& header, const cycle::Sample& sample, const LoadedJob* job) noexcept;
+    /// What is to be kept on a disk, too, where that has changed: what was written; and of a run that begins
+    /// the same job anew what will be, from its start on. A disk is slower than the first point is left, and
+    /// whoever goes on by what it said before would plunge into a fresh blank.
+    std::optional<Checkpoint> note(SegmentHeader& header, const cycle::Sample& sample,
+                                   const LoadedJob* job) noexcept;
+    /// What is known of the job at hand from elsewhere, where the segment knows nothing.
+    static void take_over(SegmentHeader& header, const Checkpoint& left) noexcept;
     /// Another job is at hand: a new segment gives generations that were given before.
     void note_new_job() noexcept { run_generation_ = 0; }
     /// The segment was replaced: the new one holds no checkpoint yet.
     void write_anew(SegmentHeader& header) const noexcept;
 
 private:
+    std::optional<Checkpoint> announce(const SegmentHeader& header, const cycle::Sample& sample,
+                                       const LoadedJob& job) noexcept;
     bool is_carving_of(const cycle::Sample& sample, const LoadedJob& job) noexcept;
     void begin_run(const SegmentHeader& header, std::uint64_t first_layer, const LoadedJob& job) noexcept;
 
@@ -35,6 +43,7 @@ private:
     std::uint32_t carved_before_ = 0;  ///< layers, without a gap
     std::uint32_t earlier_layer_ = 0;  ///< behind those of the run before, which began anew since
     bool leaves_gap_ = false;
+    bool is_announced_ = false;      ///< a run that has not left its first point
     std::uint64_t written_job_ = 0;  ///< generation
     std::optional<Checkpoint> written_;
 };

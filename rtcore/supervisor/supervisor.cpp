@@ -54,6 +54,8 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
       segment_(std::make_shared<Segment>(std::move(segment))),
       desk_(parts.profile, facts.is_virtual_clock),
       mirror_(facts),
+      checkpoint_file_(
+          {parts.state_folder, segment_options.name, facts.is_simulator, profile_hash(parts.profile)}),
       is_virtual_clock_(facts.is_virtual_clock),
       promptness_(!facts.is_virtual_clock),
       sample_(read_sample()),
@@ -91,7 +93,7 @@ bool Supervisor::poll(Hearing hearing) {
     drain_reports();
     drain_increments();
     watch_recording();
-    keeper_.note(segment_->header(), sample_, job_.get());
+    note_checkpoint();
     publish_status();
     // Who raised something that was not taken wakes us at once.
     if (takes_requests) wake_seen_ = desk_.has_more() ? wake_count - 1 : wake_count;
@@ -215,6 +217,8 @@ void Supervisor::finish_job(const cycle::Report& report) {
     if (accepted) {
         job_ = std::move(loading_job_);
         keeper_.note_new_job();
+        if (const auto left = checkpoint_file_.left_of(*job_))
+            CheckpointKeeper::take_over(segment_->header(), *left);
         if (parts_->estimator != nullptr)
             parts_->estimator->begin(std::shared_ptr<const JobView>{job_, &job_->view});
     } else if (job_ != nullptr) {
@@ -271,6 +275,11 @@ void Supervisor::watch_recording() {
     if (must_end_recording_ &&
         request(cycle::RequestKind::record, static_cast<std::uint64_t>(RecordingForm::none)))
         must_end_recording_ = false;
+}
+
+void Supervisor::note_checkpoint() {
+    const auto to_keep = keeper_.note(segment_->header(), sample_, job_.get());
+    if (to_keep) checkpoint_file_.keep(*to_keep, job_);
 }
 
 PlannedTimes Supervisor::planned_times() {
@@ -364,7 +373,7 @@ void Supervisor::leave() {
     sample_ = read_sample();
     drain_reports();
     drain_increments();
-    keeper_.note(segment_->header(), sample_, job_.get());
+    note_checkpoint();
     publish_status();
     event_signal(segment_->header().status_changed);
     segment_->release_core();

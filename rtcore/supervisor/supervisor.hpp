@@ -7,6 +7,7 @@
 #include <string>
 
 #include "rtcore/promptness.hpp"
+#include "rtcore/supervisor/checkpoint_file.hpp"
 #include "rtcore/supervisor/checkpoint_keeper.hpp"
 #include "rtcore/supervisor/command_desk.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
@@ -93,6 +94,7 @@ private:
     void drain_reports();
     void drain_increments();
     void watch_recording();
+    void note_checkpoint();
     PlannedTimes planned_times();
     void publish_status();
     void watch_guard();
@@ -112,6 +114,7 @@ private:
     StatusMirror mirror_;
     PinRecording recording_;
     CheckpointKeeper keeper_;
+    CheckpointFile checkpoint_file_;
     FlightLog flight_log_;
     bool is_virtual_clock_;
     rtcore::Promptness promptness_;

@@ -24,6 +24,7 @@ import sandbox
 
 # No profile of whoever runs this has a say.
 os.environ["PSICARVE_PROFILE"] = ""
+os.environ["PSICARVE_STATE"] = ""
 UNIT, BUILD, EXAMPLES, WORK = sys.argv[1:5]
 BIN = os.path.join(BUILD, "bin")
 PATIENCE_S = 120

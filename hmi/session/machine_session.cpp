@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hmi/session/core_phrase.hpp"
+#include "hmi/session/saved_piece.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 using machine::MachineLink;
 
 constexpr std::chrono::milliseconds kAttachPause{200};
+constexpr std::chrono::milliseconds kDiskPause{1000};
 
 }  // namespace
 
@@ -54,10 +56,12 @@ void MachineSession::take_accepted(const Profile* of_job) {
 
 void MachineSession::poll() {
     finder_.deliver();
+    disk_.deliver();
     orders_.deliver();
     const MachineSight before = sight_;
     keep_attached();
     look();
+    look_for_saved_piece();
     jog_.poll();
     for (Message& message : changes_between(before, sight_)) log_.add(std::move(message));
     go_on_with_start();
@@ -161,6 +165,21 @@ void MachineSession::look_for_checkpoint() {
     if (checkpoint->earlier_layer != 0) sight_.earlier_layer = checkpoint->earlier_layer;
     sight_.checkpoint_layer_count = checkpoint->layer_count;
     sight_.checkpoint_job_checksum = checkpoint->job_checksum;
+}
+
+void MachineSession::look_for_saved_piece() {
+    if (!may_be_saved(sight_)) return sight_.saved_piece.reset();
+    const auto now = Clock::now();
+    if (!disk_.is_idle() || now - saved_looked_ < kDiskPause) return;
+    saved_looked_ = now;
+    const auto kind = sight_.is_heard() ? std::optional{sight_.is_simulator()} : std::nullopt;
+    disk_.post([this, name = options_.segment_name, kind]() -> WorkLane::Finish {
+        auto found = std::make_shared<std::optional<FoundCheckpoint>>(kind ? find_unfinished(name, *kind)
+                                                                           : find_unfinished(name));
+        return [this, found] {
+            if (may_be_saved(sight_)) sight_.saved_piece = std::move(*found);
+        };
+    });
 }
 
 void MachineSession::find_profile() {

@@ -104,6 +104,7 @@ private:
     void take_status(const CoreStatus& status, bool has_core);
     void find_profile();
     void look_for_checkpoint();
+    void look_for_saved_piece();
     void go_on_with_start();
     void forget_wishes() noexcept;
 
@@ -117,6 +118,7 @@ private:
     std::uint64_t heartbeat_ = 0;
     Clock::time_point heartbeat_changed_{};
     Clock::time_point attach_tried_{};
+    Clock::time_point saved_looked_{};
     std::optional<Clock::time_point> unsigned_since_;  ///< so long the lock's words name nobody who lives
     StartIntent intent_;
     bool has_looked_ = false;  ///< for a core, and knows whether one was there
@@ -124,6 +126,7 @@ private:
     std::optional<std::uint32_t> wanted_override_percent_;
     JogHand jog_;
     WorkLane finder_;
+    WorkLane disk_;  ///< that may hang
     WorkLane orders_;
 };
 

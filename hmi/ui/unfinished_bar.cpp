@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hmi/session/lost_core.hpp"
+#include "hmi/session/saved_piece.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/anew_dialog.hpp"
 #include "hmi/ui/frames.hpp"
@@ -41,6 +42,7 @@ UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
       title_(role_label("title")),
       details_(new QLabel),
       anew_(new ActionButton{session::Action::from_layer, tr("Start anew…"), [this] { begin_anew(); }}),
+      open_(new QPushButton{tr("Open its job")}),
       dismiss_(new QPushButton{tr("Dismiss")}) {
     setObjectName("unfinished");
     title_->setObjectName("unfinished_title");
@@ -56,18 +58,21 @@ UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
     }
     anew_->setObjectName("start_anew");
     anew_->set_hint(tr("Begins with layer 1 again; it asks first"));
+    open_->setObjectName("unfinished_open");
+    open_->setFocusPolicy(Qt::TabFocus);
+    open_->setToolTip(tr("Opens the copy of the job that the core has kept; it publishes and moves nothing"));
+    connect(open_, &QPushButton::clicked, this, [this] {
+        if (const FoundCheckpoint* found = saved_piece()) bench_.desk.open_job(found->job_path);
+    });
     dismiss_->setObjectName("unfinished_dismiss");
     dismiss_->setFocusPolicy(Qt::TabFocus);
     dismiss_->setToolTip(tr("Takes this away until more is carved; it moves and forgets nothing"));
-    connect(dismiss_, &QPushButton::clicked, this, [this] {
-        dismissed_ = piece();
-        dismissed_job_ = job_generation();
-        refresh();
-    });
+    connect(dismiss_, &QPushButton::clicked, this, [this] { dismiss(); });
     auto* buttons = new QVBoxLayout;
     buttons->setContentsMargins(0, kSmallGap, 0, kSmallGap);
     buttons->setSpacing(kSmallGap);
     buttons->addWidget(anew_);
+    buttons->addWidget(open_);
     buttons->addWidget(dismiss_);
     buttons->addStretch();
     auto* all = new QHBoxLayout{this};
@@ -96,6 +101,20 @@ std::optional<session::UnfinishedPiece> UnfinishedBar::piece() const {
     return session::unfinished_piece(sight, bench_.desk.sight());
 }
 
+const FoundCheckpoint* UnfinishedBar::saved_piece() const {
+    const session::MachineSight& sight = bench_.machine.sight();
+    if (bench_.replay.is_open() || session::loud_text(sight) || !sight.saved_piece) return nullptr;
+    return bench_.desk.sight().state == session::DeskState::empty ? &*sight.saved_piece : nullptr;
+}
+
+void UnfinishedBar::dismiss() {
+    const FoundCheckpoint* const found = saved_piece();
+    dismissed_ = piece();
+    dismissed_job_ = job_generation();
+    if (!dismissed_ && found != nullptr) dismissed_saved_ = found->saved.checkpoint.check;
+    refresh();
+}
+
 std::uint64_t UnfinishedBar::job_generation() const {
     const auto& status = bench_.machine.sight().status;
     return status ? status->job_generation : 0;
@@ -117,21 +136,47 @@ void UnfinishedBar::refresh() {
     forget_dismissed();
     const auto shown = piece();
     if (shown && dismissed_ != shown) dismissed_.reset();
-    const bool is_there = shown && !dismissed_;
+    const FoundCheckpoint* found = shown ? nullptr : saved_piece();
+    if (found != nullptr && found->saved.checkpoint.check == dismissed_saved_) found = nullptr;
+    const bool is_piece = shown && !dismissed_;
+    const bool is_there = is_piece || found != nullptr;
     if (isHidden() == is_there) setVisible(is_there);
     if (!is_there) return;
+    if (anew_->isHidden() == is_piece) anew_->setVisible(is_piece);
+    const bool can_open = found != nullptr && !found->job_path.empty();
+    if (open_->isHidden() == can_open) open_->setVisible(can_open);
+    if (is_piece) {
+        show_piece(*shown);
+    } else {
+        show_saved(*found);
+    }
+}
+
+void UnfinishedBar::show_piece(const session::UnfinishedPiece& piece) {
     const session::MachineSight& sight = bench_.machine.sight();
     const auto job = bench_.desk.core_job() ? bench_.desk.core_job() : bench_.desk.job();
-    const QString all = in_one_line(session::unfinished_details(*shown, sight, job.get()));
-    show_words(*title_, words(session::unfinished_title(*shown)));
-    show_words(*details_, is_small_ ? in_one_line(session::unfinished_needs(*shown, sight)) : all);
-    if (details_->isHidden() != details_->text().isEmpty()) details_->setHidden(details_->text().isEmpty());
+    const QString all = in_one_line(session::unfinished_details(piece, sight, job.get()));
+    show_texts(words(session::unfinished_title(piece)),
+               is_small_ ? in_one_line(session::unfinished_needs(piece, sight)) : all, all);
+    anew_->refresh(bench_);
+}
+
+void UnfinishedBar::show_saved(const FoundCheckpoint& found) {
+    const session::MachineSight& sight = bench_.machine.sight();
+    const QString all = in_one_line(session::saved_details(found, sight));
+    show_texts(words(session::saved_title(found.saved)),
+               is_small_ ? in_one_line(session::saved_needs(found, sight)) : all, all);
+}
+
+void UnfinishedBar::show_texts(const QString& title, const QString& details, const QString& all) {
+    show_words(*title_, title);
+    show_words(*details_, details);
+    if (details_->isHidden() != details.isEmpty()) details_->setHidden(details.isEmpty());
     for (QLabel* label : {title_, details_}) {
         if (label->toolTip() != all) label->setToolTip(all);
     }
-    setAccessibleName(title_->text());
+    setAccessibleName(title);
     setAccessibleDescription(all);
-    anew_->refresh(bench_);
 }
 
 }  // namespace psicarve::ui

@@ -243,6 +243,7 @@ constexpr PressLine kLines[] = {
     {"turn", "PlacedModel.IsTurnedAndMirroredAsInTheCommandLine"},
     {"verdict_close", "MenuEntries.OfToolsVerifyCompareCalibrateAndCheck"},
     {"verify_action", "MenuEntries.OfToolsVerifyCompareCalibrateAndCheck"},
+    {"unfinished_open", "SavedPiece.IsOfferedAtTheStartAndGoesOn"},
     {"unfinished_dismiss", "GoingOn.IsDismissedUntilMoreIsCarved"},
     {"view_model", "ExpectedPiece.CanBeCancelled"},
     {"view_piece", "ExpectedPiece.CanBeCancelled"},

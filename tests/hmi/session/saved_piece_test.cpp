@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/saved_piece.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/hmi/session/sights.hpp"
+
+namespace psicarve::session {
+namespace {
+
+FoundCheckpoint found_after(std::uint32_t layers, std::uint32_t earlier = 0) {
+    FoundCheckpoint found;
+    found.saved.checkpoint = checkpoint_at(1, layers, 200, earlier);
+    found.saved.written_s = 1'764'185'000;
+    found.saved.source_name = "vase.stl";
+    found.saved.tool = "ball, 3 mm";
+    found.job_path = "/srv/a.job";
+    return found;
+}
+
+std::vector<std::string> said_of(const FoundCheckpoint& found, const MachineSight& machine) {
+    std::vector<std::string> said{in_english(saved_title(found.saved))};
+    for (const Phrase& each : saved_details(found, machine)) said.push_back(in_english(each));
+    return said;
+}
+
+TEST(SavedPieceWords, SayWhichPieceHowFarSinceWhenAndWhatToDo) {
+    EXPECT_EQ(said_of(found_after(131), test::machine_in(MachineState::off)),
+              (std::vector<std::string>{"Unfinished: 131 of 200 layers of vase.stl are carved",
+                                        "Since 2025-11-26 19:23 UTC, tool ball, 3 mm.",
+                                        "Open its job, publish it, Home all, then go on from layer 132."}));
+    FoundCheckpoint without_copy = found_after(0, 50);
+    without_copy.job_path.clear();
+    without_copy.saved.tool.clear();
+    MachineSight dead;
+    EXPECT_EQ(
+        said_of(without_copy, dead),
+        (std::vector<std::string>{"Begun anew: none of 200 layers of vase.stl is finished",
+                                  "Since 2025-11-26 19:23 UTC.", "First start psicarve-rtcore.",
+                                  "No copy of its job is there: open that very job, publish it, Home all, "
+                                  "then go on from layer 51.",
+                                  "Run before: to layer 50 (From layer 51)."}));
+}
+
+TEST(SavedPieceWords, AreForAMachineThatHasNoJob) {
+    MachineSight machine = test::machine_in(MachineState::off);
+    machine.status->job_generation = 0;
+    EXPECT_TRUE(may_be_saved(machine));
+    machine.status->job_generation = 1;
+    EXPECT_FALSE(may_be_saved(machine));
+    machine.life = CoreLife::none;
+    EXPECT_TRUE(may_be_saved(machine));
+    EXPECT_TRUE(may_be_saved(MachineSight{}));
+}
+
+}  // namespace
+}  // namespace psicarve::session

@@ -16,11 +16,14 @@ Phrase origin(const SavedCheckpoint& saved) {
     return phrase("Since %1, tool %2.", since, saved.tool);
 }
 
-Phrase what_to_do(const FoundCheckpoint& found) {
-    const Checkpoint& checkpoint = found.saved.checkpoint;
-    const bool goes_on = checkpoint.next_layer != 0;
-    const std::string layer =
-        std::to_string((goes_on ? checkpoint.next_layer : checkpoint.earlier_layer) + 1);
+/// With which the piece goes on, counted from 1.
+std::string layer_after(const Checkpoint& checkpoint) {
+    return std::to_string((checkpoint.next_layer != 0 ? checkpoint.next_layer : checkpoint.earlier_layer) +
+                          1);
+}
+
+Phrase steps(const FoundCheckpoint& found) {
+    const std::string layer = layer_after(found.saved.checkpoint);
     if (found.job_path.empty()) {
         return phrase(
             "No copy of its job is there: open that very job, publish it, Home all, then go on from layer "
@@ -28,6 +31,12 @@ Phrase what_to_do(const FoundCheckpoint& found) {
             layer);
     }
     return phrase("Open its job, publish it, Home all, then go on from layer %1.", layer);
+}
+
+void add_run_before(std::vector<Phrase>& to, const Checkpoint& checkpoint) {
+    if (checkpoint.earlier_layer == 0) return;
+    to.push_back(phrase("Run before: to layer %1 (From layer %2).", std::to_string(checkpoint.earlier_layer),
+                        std::to_string(checkpoint.earlier_layer + 1)));
 }
 
 }  // namespace
@@ -46,19 +55,16 @@ Phrase saved_title(const SavedCheckpoint& saved) {
 
 std::vector<Phrase> saved_details(const FoundCheckpoint& found, const MachineSight& machine) {
     std::vector<Phrase> details{origin(found.saved)};
-    for (Phrase& need : saved_needs(found, machine)) details.push_back(std::move(need));
+    if (!machine.is_heard()) details.push_back(phrase("First start psicarve-rtcore."));
+    details.push_back(steps(found));
+    add_run_before(details, found.saved.checkpoint);
     return details;
 }
 
-std::vector<Phrase> saved_needs(const FoundCheckpoint& found, const MachineSight& machine) {
-    std::vector<Phrase> needs;
-    if (!machine.is_heard()) needs.push_back(phrase("First start psicarve-rtcore."));
-    needs.push_back(what_to_do(found));
-    const std::uint32_t earlier = found.saved.checkpoint.earlier_layer;
-    if (earlier != 0) {
-        needs.push_back(phrase("Run before: to layer %1 (From layer %2).", std::to_string(earlier),
-                               std::to_string(earlier + 1)));
-    }
+std::vector<Phrase> saved_needs(const FoundCheckpoint& found) {
+    const Checkpoint& checkpoint = found.saved.checkpoint;
+    std::vector<Phrase> needs{phrase("Open its job, then go on from layer %1.", layer_after(checkpoint))};
+    add_run_before(needs, checkpoint);
     return needs;
 }
 

@@ -17,7 +17,7 @@ bool may_be_saved(const MachineSight& machine) noexcept;
 Phrase saved_title(const SavedCheckpoint& saved);
 /// Sentences for the operator: since when, with which tool, what to do, and where the run before came to.
 std::vector<Phrase> saved_details(const FoundCheckpoint& found, const MachineSight& machine);
-/// Of them what nobody may miss.
-std::vector<Phrase> saved_needs(const FoundCheckpoint& found, const MachineSight& machine);
+/// In few words what nobody may miss.
+std::vector<Phrase> saved_needs(const FoundCheckpoint& found);
 
 }  // namespace psicarve::session

@@ -828,6 +828,10 @@
             <translation>Начато заново: из %1 слоёв ни один не закончен</translation>
         </message>
         <message>
+            <source>Begun anew: none of %1 layers of %2 is finished</source>
+            <translation>Начато заново: из %1 слоёв «%2» ни один не закончен</translation>
+        </message>
+        <message>
             <source>Between entries</source>
             <translation>Между записями</translation>
         </message>
@@ -1423,6 +1427,10 @@ F12  этот список</translation>
         <message>
             <source>First start psicarve-rtcore, then Home all.</source>
             <translation>Сначала запустите psicarve-rtcore, затем «Все нули».</translation>
+        </message>
+        <message>
+            <source>First start psicarve-rtcore.</source>
+            <translation>Сначала запустите psicarve-rtcore.</translation>
         </message>
         <message>
             <source>Fit</source>
@@ -2301,6 +2309,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Аварии нет</translation>
         </message>
         <message>
+            <source>No copy of its job is there: open that very job, publish it, Home all, then go on from layer %1.</source>
+            <translation>Копии задания нет: откройте то самое задание, передайте его, «Все нули», затем продолжайте со слоя %1.</translation>
+        </message>
+        <message>
             <source>No core has been seen yet</source>
             <translation>Ядра ещё не было видно</translation>
         </message>
@@ -2493,6 +2505,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Один таймер на всё или два, как у прежней машины.</translation>
         </message>
         <message>
+            <source>Open</source>
+            <translation>Открыть</translation>
+        </message>
+        <message>
             <source>Open a machine profile</source>
             <translation>Открыть профиль станка</translation>
         </message>
@@ -2503,6 +2519,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Open its job</source>
             <translation>Открыть задание</translation>
+        </message>
+        <message>
+            <source>Open its job, publish it, Home all, then go on from layer %1.</source>
+            <translation>Откройте его задание, передайте его, «Все нули», затем продолжайте со слоя %1.</translation>
+        </message>
+        <message>
+            <source>Open its job, then go on from layer %1.</source>
+            <translation>Откройте задание: слой %1.</translation>
         </message>
         <message>
             <source>Open its job: this snapshot has none</source>
@@ -2551,6 +2575,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Opened, not sliced yet: %1</source>
             <translation>Открыто, ещё не нарезано: %1</translation>
+        </message>
+        <message>
+            <source>Opens the copy of the job that the core has kept; it publishes and moves nothing</source>
+            <translation>Открывает копию задания, которую сохранило ядро; ничего не передаёт и не двигает</translation>
         </message>
         <message>
             <source>Opens the model with the form it had</source>
@@ -3319,6 +3347,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Silent at work</source>
             <translation>Молчит в работе</translation>
+        </message>
+        <message>
+            <source>Since %1, tool %2.</source>
+            <translation>С %1, инструмент %2.</translation>
+        </message>
+        <message>
+            <source>Since %1.</source>
+            <translation>С %1.</translation>
         </message>
         <message>
             <source>Since then the core has ended: there is none to take orders.</source>
@@ -4251,6 +4287,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Unfinished: %1 of %2 layers are carved</source>
             <translation>Не закончено: вырезано слоёв %1 из %2</translation>
+        </message>
+        <message>
+            <source>Unfinished: %1 of %2 layers of %3 are carved</source>
+            <translation>Не закончено: «%3», вырезано слоёв %1 из %2</translation>
         </message>
         <message>
             <source>Unit</source>

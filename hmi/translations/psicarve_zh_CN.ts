@@ -828,6 +828,10 @@
             <translation>已重新开始：%1 层中没有完成的层</translation>
         </message>
         <message>
+            <source>Begun anew: none of %1 layers of %2 is finished</source>
+            <translation>已重新开始：“%2”的 %1 层中没有完成的层</translation>
+        </message>
+        <message>
             <source>Between entries</source>
             <translation>记录之间</translation>
         </message>
@@ -1422,6 +1426,10 @@ F12  本列表</translation>
         <message>
             <source>First start psicarve-rtcore, then Home all.</source>
             <translation>先启动 psicarve-rtcore，再全部回零。</translation>
+        </message>
+        <message>
+            <source>First start psicarve-rtcore.</source>
+            <translation>先启动 psicarve-rtcore。</translation>
         </message>
         <message>
             <source>Fit</source>
@@ -2300,6 +2308,10 @@ N、Shift+N  下一条、上一条记录
             <translation>无报警</translation>
         </message>
         <message>
+            <source>No copy of its job is there: open that very job, publish it, Home all, then go on from layer %1.</source>
+            <translation>没有其作业的副本：打开同一个作业，发布它，全部回零，然后从第 %1 层继续。</translation>
+        </message>
+        <message>
             <source>No core has been seen yet</source>
             <translation>尚未见到内核</translation>
         </message>
@@ -2492,6 +2504,10 @@ N、Shift+N  下一条、上一条记录
             <translation>一个定时器负责全部，或采用原机的两个。</translation>
         </message>
         <message>
+            <source>Open</source>
+            <translation>打开</translation>
+        </message>
+        <message>
             <source>Open a machine profile</source>
             <translation>打开机床配置</translation>
         </message>
@@ -2502,6 +2518,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Open its job</source>
             <translation>打开其作业</translation>
+        </message>
+        <message>
+            <source>Open its job, publish it, Home all, then go on from layer %1.</source>
+            <translation>打开其作业，发布它，全部回零，然后从第 %1 层继续。</translation>
+        </message>
+        <message>
+            <source>Open its job, then go on from layer %1.</source>
+            <translation>打开其作业，然后从第 %1 层继续。</translation>
         </message>
         <message>
             <source>Open its job: this snapshot has none</source>
@@ -2550,6 +2574,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Opened, not sliced yet: %1</source>
             <translation>已打开、尚未切片：%1</translation>
+        </message>
+        <message>
+            <source>Opens the copy of the job that the core has kept; it publishes and moves nothing</source>
+            <translation>打开内核保存的作业副本；不发布，也不产生任何运动</translation>
         </message>
         <message>
             <source>Opens the model with the form it had</source>
@@ -3314,6 +3342,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Silent at work</source>
             <translation>工作中无响应</translation>
+        </message>
+        <message>
+            <source>Since %1, tool %2.</source>
+            <translation>时间 %1，刀具 %2。</translation>
+        </message>
+        <message>
+            <source>Since %1.</source>
+            <translation>时间 %1。</translation>
         </message>
         <message>
             <source>Since then the core has ended: there is none to take orders.</source>
@@ -4246,6 +4282,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Unfinished: %1 of %2 layers are carved</source>
             <translation>未完成：已雕刻 %1 层，共 %2 层</translation>
+        </message>
+        <message>
+            <source>Unfinished: %1 of %2 layers of %3 are carved</source>
+            <translation>未完成：“%3”已雕刻 %1 层，共 %2 层</translation>
         </message>
         <message>
             <source>Unit</source>

@@ -14,8 +14,10 @@
 #include "hmi/ui/anew_dialog.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
+#include "hmi/ui/long_names.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/machine_state.hpp"
+#include "shared/saved_checkpoint.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -91,6 +93,7 @@ void UnfinishedBar::set_theme(const Tokens& tokens) {
 
 void UnfinishedBar::set_room(Room room) {
     is_small_ = room == Room::small;
+    open_->setText(is_small_ ? tr("Open") : tr("Open its job"));
     refresh();
 }
 
@@ -162,10 +165,17 @@ void UnfinishedBar::show_piece(const session::UnfinishedPiece& piece) {
 }
 
 void UnfinishedBar::show_saved(const FoundCheckpoint& found) {
-    const session::MachineSight& sight = bench_.machine.sight();
-    const QString all = in_one_line(session::saved_details(found, sight));
-    show_texts(words(session::saved_title(found.saved)),
-               is_small_ ? in_one_line(session::saved_needs(found, sight)) : all, all);
+    const Checkpoint& checkpoint = found.saved.checkpoint;
+    const QString all = in_one_line(session::saved_details(found, bench_.machine.sight()));
+    if (is_small_) {
+        const session::UnfinishedPiece piece{checkpoint.next_layer, checkpoint.earlier_layer,
+                                             checkpoint.layer_count};
+        return show_texts(words(session::unfinished_title(piece)), in_one_line(session::saved_needs(found)),
+                          all);
+    }
+    SavedCheckpoint titled = found.saved;
+    titled.source_name = short_file_name(titled.source_name).toStdString();
+    show_texts(breakable(words(session::saved_title(titled))), all, all);
 }
 
 void UnfinishedBar::show_texts(const QString& title, const QString& details, const QString& all) {

@@ -45,6 +45,13 @@ TEST(SavedPieceWords, SayWhichPieceHowFarSinceWhenAndWhatToDo) {
                                   "Run before: to layer 50 (From layer 51)."}));
 }
 
+TEST(SavedPieceWords, AreFewWhereThereIsNoRoom) {
+    const auto needs = saved_needs(found_after(3, 50));
+    ASSERT_EQ(needs.size(), 2U);
+    EXPECT_EQ(in_english(needs[0]), "Open its job, then go on from layer 4.");
+    EXPECT_EQ(in_english(needs[1]), "Run before: to layer 50 (From layer 51).");
+}
+
 TEST(SavedPieceWords, AreForAMachineThatHasNoJob) {
     MachineSight machine = test::machine_in(MachineState::off);
     machine.status->job_generation = 0;

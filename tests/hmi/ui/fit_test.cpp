@@ -12,8 +12,11 @@
 #include <QTabWidget>
 #include <QVariantMap>
 
+#include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -23,6 +26,8 @@
 #include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/words.hpp"
 #include "hmi/ui/work_keeper.hpp"
+#include "shared/saved_checkpoint.hpp"
+#include "shared/snapshot_file.hpp"
 #include "tests/hmi/ui/fit_audit.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
@@ -164,6 +169,27 @@ TEST_P(Fit, WithAPieceThatIsUnfinished) {
     for (const session::Phrase& need : room_in(size()) == Room::small ? needs : decltype(needs){})
         EXPECT_TRUE(part<QLabel>("unfinished_details").text().contains(words(need)))
             << words(need).toStdString();
+}
+
+TEST_P(Fit, WithAPieceThatOnlyADiskKnows) {
+    setenv("PSICARVE_STATE", file("").c_str(), 1);
+    SavedCheckpoint saved;
+    saved.checkpoint = checkpoint_at(1, 3131, 4000, 3999);
+    saved.source_name = std::string(120, 'x') + ".stl";
+    saved.tool = "ball, 3.175 mm";
+    const StateNames names{file(""), segment_name_, false};
+    ASSERT_TRUE(save_checkpoint(saved, names.checkpoint()));
+    const bool has_copy = size().width() != 1280;
+    if (has_copy) {
+        ASSERT_TRUE(save_job_for_everybody(std::vector<std::byte>(64), names.job(1)));
+    }
+    open_window();
+    window_->resize(size());
+    ASSERT_TRUE(comes_true([&] { return part<QLabel>("unfinished_title").isVisible(); }));
+    setenv("PSICARVE_STATE", "", 1);
+    settle();
+    expect_fit("saved_piece");
+    EXPECT_EQ(button("unfinished_open").isVisible(), has_copy);
 }
 
 TEST_P(Fit, WithAJobBeforeAndWhileItIsCarved) {

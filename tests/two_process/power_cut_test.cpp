@@ -22,9 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Of each job that is carved to its end.
-constexpr std::uint32_t kPieceLayers = test::kIsSanitized ? 50 : 110;
+constexpr std::uint32_t kPieceLayers = test::kIsSanitized ? 60 : 110;
 /// A trace's end is lost with its core: so many layers are more than that.
-constexpr std::uint32_t kLostLayers = test::kIsSanitized ? 25 : 40;
+constexpr std::uint32_t kLostLayers = test::kIsSanitized ? 35 : 40;
 constexpr std::uint32_t kPiecePoints = 101;
 
 class PowerCut : public CoreRig {

@@ -70,7 +70,8 @@ struct CoreStatus {
     AlarmRecord alarms[kAlarmHistory];  ///< alarm n stands at n % kAlarmHistory
     std::uint64_t waited_ticks;         ///< in which the pins kept a due iteration waiting, since start
     std::uint32_t override_percent;     ///< of the planned feed
-    std::uint16_t is_dry;               ///< 1: the job at hand, or the last, was a dry run
+    std::uint8_t is_dry;                ///< 1: the job at hand, or the last, was a dry run
+    std::uint8_t is_left_forecast;      ///< 1: seconds_left is in part a forecast: not all is planned yet
     std::uint16_t is_port_silent;  ///< 1: the port has not taken the safe state; `signals` may stand on it
     std::uint64_t trace_lost;      ///< pin changes that no trace could take (real clock only)
     // How the tick's thread is treated (real clock only), and what it cost it: counted outside of the tick.

@@ -86,10 +86,10 @@ Result<double> sunk_in_stretches_mm(const model::Mesh& mesh, const Profile& prof
 
 Result<double> sunk_between_points_mm(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan,
                                       const JobTable& table, const slice::SliceOptions& options) {
+    if (profile.tool.shape == ToolShape::point) return most_sunk_at_edges_mm(mesh, profile, plan, table);
     const std::vector<Gap> gaps = sunk_at_edges(mesh, profile, plan, table);
     double most_mm = 0.0;
     for (const Gap& gap : gaps) most_mm = std::max(most_mm, gap.sunk_mm);
-    if (profile.tool.shape == ToolShape::point) return most_mm;
     const auto round_rad = slice::full_circle_rad(plan.point_count, profile.psi.pulses_per_rev, 0.0);
     const auto sunk_mm = sunk_in_stretches_mm(mesh, profile, plan, worst_stretches(gaps, round_rad), options);
     if (!sunk_mm) return sunk_mm.error();

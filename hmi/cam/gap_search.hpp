@@ -23,4 +23,8 @@ struct Gap {
 std::vector<Gap> sunk_at_edges(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan,
                                const JobTable& table);
 
+/// The most of all these gaps [mm], 0: nowhere. Of a point in flat layers in a part of the time.
+double most_sunk_at_edges_mm(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan,
+                             const JobTable& table);
+
 }  // namespace psicarve::cam

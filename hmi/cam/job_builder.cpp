@@ -134,13 +134,16 @@ std::string percent(double share) {
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " %";
 }
 
-// Where the chosen axis loses more than this, a better one is looked for and offered.
+// Where the chosen axis loses more than this, a better one is worth a look.
 constexpr double kLossWorthASearch = 0.01;
 
-Result<void> offer_axis(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan,
-                        const JobOptions& options, SliceReport& report) {
-    const double outside = ratio(report.layers_without_axis, report.layers);
-    if (report.axis_search || report.undercut_share + outside < kLossWorthASearch) return {};
+bool is_axis_worth_a_search(const SliceReport& report) {
+    return report.undercut_share + ratio(report.layers_without_axis, report.layers) >= kLossWorthASearch;
+}
+
+Result<void> compare_axes(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan,
+                          const JobOptions& options, SliceReport& report) {
+    if (!options.compares_axes || report.axis_search || !is_axis_worth_a_search(report)) return {};
     const auto found =
         slice::search_axis(mesh, plan.placement.up, {plan.placement.axis_x, plan.placement.axis_y},
                            reachable_radius(profile, plan.scale), options.search_progress);
@@ -150,7 +153,9 @@ Result<void> offer_axis(const model::Mesh& mesh, const Profile& profile, const J
 }
 
 std::string better_axis(const SliceReport& report) {
-    if (report.axis_choice == "best" || !report.axis_search) return "";
+    if (report.axis_choice == "best") return "";
+    if (!report.axis_search)
+        return is_axis_worth_a_search(report) ? "; --axis-at best looks for an axis that loses less" : "";
     const slice::AxisSearch& found = *report.axis_search;
     if (found.best_loss.total() >= found.used_loss.total() - kLossWorthASearch) return "";
     // Both as the search has looked: on fewer sections than the job, so not the figure before.
@@ -256,7 +261,7 @@ Result<BuiltJob> build(const model::Mesh& mesh, const Profile& profile, const Jo
     report_totals(*totals, heights_mm, report);
     const CoreShare at_core = core_share(profile, table);
     tables.report(profile, report);
-    if (auto done = offer_axis(mesh, profile, plan, options, report); !done) return done.error();
+    if (auto done = compare_axes(mesh, profile, plan, options, report); !done) return done.error();
     warn_about_losses(report);
     // Grooves tell of it themselves.
     if (!mesh.grooves) warn_about_core(profile, at_core, report);

@@ -36,6 +36,9 @@ struct JobOptions {
     std::optional<double> height_mm;    ///< of the whole model; not together with scale
     std::optional<double> scale;        ///< mm per file unit; default 1
     std::optional<double> diameter_mm;  ///< twice as far as it reaches from its axis; not with any of these
+    /// Where the axis loses much, the one that loses least is looked for and its losses are told: that takes
+    /// longer than all the slicing. Else the report names the way to look.
+    bool compares_axes = false;
     bool fits = false;  ///< as large as travel and blank let it be; not together with height or scale
     std::optional<Joining> joining;   ///< default: the profile's
     unsigned thread_count = 1;        ///< changes nothing in the job

@@ -51,7 +51,8 @@ struct SliceReport {
     std::string roughing_json;              ///< of the roughing passes; empty: none were asked for
     double r_min_mm = 0.0;                  ///< of the tables, core radius included
     double r_max_mm = 0.0;
-    /// What looking for a better axis found: always with axis choice "best", else when much is lost.
+    /// What looking for a better axis found: with axis choice "best", and where the two are compared and
+    /// something is lost.
     std::optional<slice::AxisSearch> axis_search;
     std::vector<std::string> warnings;
     std::vector<std::string> notes;  ///< what was chosen otherwise than usual

@@ -100,6 +100,7 @@ Result<int> inspect(const CommonOptions& common, const InspectOptions& options) 
     if (options.is_draft) return sketch(common, options);
     ModelOptions model = options.model;
     model.keeps_mesh = true;
+    model.compares_axes = true;
     const auto job = prepare_job(options.path, model, common);
     if (!job) return job.error();
     const auto report = ModelReport::make(*job);

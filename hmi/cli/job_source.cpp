@@ -64,6 +64,7 @@ Result<cam::JobOptions> job_options(const ModelOptions& options) {
     job.height_mm = options.height_mm;
     job.scale = options.scale;
     job.fits = options.fits;
+    job.compares_axes = options.compares_axes;
     job.joining = joining_from_name(options.joining);
     job.thread_count =
         options.thread_count > 0 ? options.thread_count : std::max(1U, std::thread::hardware_concurrency());

@@ -41,7 +41,8 @@ struct ModelOptions {
     std::optional<double> stepover_mm;
     bool finish_only = false;
     FlatChoice flat;
-    bool keeps_mesh = false;  ///< not of the command line: PreparedJob::mesh is wanted
+    bool compares_axes = false;  ///< not of the command line: cam::JobOptions::compares_axes
+    bool keeps_mesh = false;     ///< not of the command line: PreparedJob::mesh is wanted
 };
 void add_model_options(Syntax& syntax, ModelOptions& options);
 

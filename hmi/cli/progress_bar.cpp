@@ -50,7 +50,11 @@ std::string clock_text(double seconds) {
     return text;
 }
 
-std::string progress_line(const std::string& label, double done_ratio, std::optional<double> seconds_left,
+std::string to_go_text(const TimeToGo& to_go) {
+    return (to_go.is_about ? "about " : "") + clock_text(to_go.seconds);
+}
+
+std::string progress_line(const std::string& label, double done_ratio, const std::optional<TimeToGo>& to_go,
                           const std::string& detail, int width) {
     const double ratio = std::clamp(std::isfinite(done_ratio) ? done_ratio : 0.0, 0.0, 1.0);
     const auto filled = static_cast<std::size_t>(ratio * kBarColumns);
@@ -58,7 +62,7 @@ std::string progress_line(const std::string& label, double done_ratio, std::opti
     std::snprintf(percent, sizeof percent, "%3d %%", static_cast<int>(ratio * 100.0));
     std::string line =
         label + "  [" + std::string(filled, '#') + std::string(kBarColumns - filled, '.') + "]  " + percent;
-    if (seconds_left) line += "  " + clock_text(*seconds_left) + " left";
+    if (to_go) line += "  " + to_go_text(*to_go) + " left";
     if (!detail.empty()) line += "  " + detail;
     if (width > 1 && line.size() >= static_cast<std::size_t>(width))
         line.resize(static_cast<std::size_t>(width - 1));
@@ -80,16 +84,16 @@ void ProgressBar::relabel(const std::string& label) {
     begin_ = std::chrono::steady_clock::now();
 }
 
-void ProgressBar::update(double done_ratio, const std::string& detail, std::optional<double> seconds_left) {
+void ProgressBar::update(double done_ratio, const std::string& detail, std::optional<TimeToGo> to_go) {
     if (!is_terminal_) return;
     const auto now = std::chrono::steady_clock::now();
     if (now - last_drawn_ < kRedraw) return;
     last_drawn_ = now;
     const double elapsed_s = std::chrono::duration<double>(now - begin_).count();
-    if (!seconds_left && done_ratio > 0.0 && elapsed_s > kSecondsBeforeGuess) {
-        seconds_left = elapsed_s * (1.0 - done_ratio) / done_ratio;
+    if (!to_go && done_ratio > 0.0 && elapsed_s > kSecondsBeforeGuess) {
+        to_go = TimeToGo{elapsed_s * (1.0 - done_ratio) / done_ratio};
     }
-    const std::string line = progress_line(label_, done_ratio, seconds_left, detail, terminal_columns());
+    const std::string line = progress_line(label_, done_ratio, to_go, detail, terminal_columns());
     std::fprintf(stderr, "%s%s", kClearLine, line.c_str());
     std::fflush(stderr);
     line_is_drawn = true;

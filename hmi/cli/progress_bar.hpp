@@ -7,6 +7,12 @@
 
 namespace psicarve::cli {
 
+/// Told as "3:12 left", or as "about 3:12 left".
+struct TimeToGo {
+    double seconds = 0.0;
+    bool is_about = true;  ///< not planned to the end, or nobody plans it
+};
+
 /// One line on a terminal: "carving  [######......]  42 %  3:12 left  layer 12/500". Writes nothing at all
 /// when standard error is not a terminal. One at a time.
 class ProgressBar {
@@ -16,8 +22,8 @@ public:
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// `seconds_left`: as a core planned it; without it the time so far tells.
-    void update(double done_ratio, const std::string& detail = {}, std::optional<double> seconds_left = {});
+    /// `to_go`: as a core tells it; without it the time so far tells about how much.
+    void update(double done_ratio, const std::string& detail = {}, std::optional<TimeToGo> to_go = {});
     /// A new phase: the time so far starts anew.
     void relabel(const std::string& label);
 
@@ -33,8 +39,11 @@ private:
 void clear_progress_line();
 
 /// The line itself, without control characters; `width` columns at most.
-std::string progress_line(const std::string& label, double done_ratio, std::optional<double> seconds_left,
+std::string progress_line(const std::string& label, double done_ratio, const std::optional<TimeToGo>& to_go,
                           const std::string& detail, int width);
+
+/// "3:12", "about 3:12".
+std::string to_go_text(const TimeToGo& to_go);
 
 /// "0:07", "3:12", "1:05:00".
 std::string clock_text(double seconds);

@@ -24,14 +24,15 @@ Result<void> RunWatch::look(const CoreStatus& status) {
         const double done_ratio =
             static_cast<double>(status.points_done) / static_cast<double>(status.points_total);
         // On the virtual clock machine time says nothing about how long we wait.
-        const bool is_planned = status.is_virtual_clock == 0 && status.seconds_left >= 0.0;
+        const bool is_told = status.is_virtual_clock == 0 && status.seconds_left >= 0.0;
         const bool has_passes = job_->passes().size() > 1 && status.layer < job_->layer_count();
         const std::string pass =
             has_passes ? pass_name(job_->passes()[job_->pass_of(status.layer)]) + ", " : std::string{};
         bar_.update(
             done_ratio,
             pass + "layer " + std::to_string(status.layer) + ", point " + std::to_string(status.point),
-            is_planned ? std::optional{status.seconds_left} : std::nullopt);
+            is_told ? std::optional{TimeToGo{status.seconds_left, status.is_left_forecast != 0}}
+                    : std::nullopt);
     } else {
         bar_.update(0.0);
     }

@@ -56,7 +56,8 @@ std::string progress_text(const CoreStatus& status, const std::string& pass) {
     if (!pass.empty()) text += ", " + pass;
     if (status.is_dry != 0 && runs_job(status.state)) text += ", dry run";
     if (status.seconds_left >= 0.0)
-        text += ", " + clock_text(status.seconds_left) + (runs_job(status.state) ? " left" : " planned");
+        text += ", " + to_go_text({status.seconds_left, status.is_left_forecast != 0}) +
+                (runs_job(status.state) ? " left" : " planned");
     return text;
 }
 

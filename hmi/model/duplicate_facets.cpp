@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hmi/model/edge_hash.hpp"
+#include "hmi/model/hash_sort.hpp"
 #include "hmi/model/mesh.hpp"
 
 namespace psicarve::model {
@@ -40,7 +41,7 @@ std::vector<Hashed> sorted_hashes(const TriangleList& triangles) {
             vertex_hash(t.vertices[0]) + vertex_hash(t.vertices[1]) + vertex_hash(t.vertices[2]),
             static_cast<std::uint32_t>(hashes.size()));
     }
-    std::sort(hashes.begin(), hashes.end());
+    sort_by_hash(hashes, [](const Hashed& facet) { return facet.first; });
     return hashes;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hmi/model/edge_hash.hpp"
+#include "hmi/model/hash_sort.hpp"
 #include "hmi/model/mesh.hpp"
 
 namespace psicarve::model {
@@ -24,7 +25,7 @@ std::uint64_t key_of(std::uint64_t from, std::uint64_t to) noexcept {
 
 /// Sorts the keys and counts; the undirected hashes of the edges that are not in order go to `bad`, sorted.
 EdgeCounts count_keys(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& bad) {
-    std::sort(keys.begin(), keys.end());
+    sort_by_hash(keys, [](std::uint64_t key) { return key; });
     EdgeCounts counts;
     for (std::size_t i = 0; i < keys.size();) {
         std::size_t end = i;
@@ -52,10 +53,12 @@ using Edge = std::pair<Vertex, Vertex>;
 /// The edges with these hashes, each as often as facets have it.
 std::vector<Edge> edges_of(const TriangleList& triangles, const std::vector<std::uint64_t>& bad) {
     std::vector<Edge> edges;
+    const HashSieve sieve(bad);
     for (const Triangle& t : triangles) {
         const auto keys = keys_of(t);
         for (std::size_t i = 0; i < 3; ++i) {
-            if (keys[i] == 0 || !std::binary_search(bad.begin(), bad.end(), keys[i] & ~1ULL)) continue;
+            if (keys[i] == 0 || !sieve.may_hold(keys[i] & ~1ULL)) continue;
+            if (!std::binary_search(bad.begin(), bad.end(), keys[i] & ~1ULL)) continue;
             edges.emplace_back(t.vertices[i], t.vertices[(i + 1) % 3]);
         }
     }
@@ -104,9 +107,13 @@ Moves moves_of(const std::vector<Edge>& edges, const std::vector<Edge>& welded) 
 }
 
 void move_vertices(TriangleList& triangles, const Moves& moves) {
+    std::vector<std::uint64_t> moved;
+    for (const auto& move : moves) moved.push_back(move.first);
+    const HashSieve sieve(moved);
     for (Triangle& t : triangles) {
         for (Vertex& v : t.vertices) {
             const std::uint64_t hash = vertex_hash(v);
+            if (!sieve.may_hold(hash)) continue;
             const auto move = std::lower_bound(moves.begin(), moves.end(), hash,
                                                [](const auto& m, std::uint64_t h) { return m.first < h; });
             if (move != moves.end() && move->first == hash) v = move->second;

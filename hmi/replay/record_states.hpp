@@ -27,7 +27,7 @@ private:
         std::uint32_t override_percent;
         std::uint64_t generation;
         std::uint64_t alarms;
-        std::uint16_t is_dry;
+        std::uint8_t is_dry;
     };
     std::vector<At> states_;
 };

@@ -139,6 +139,7 @@ nlohmann::ordered_json status_json(const CoreStatus& status) {
             {"points_total", status.points_total},
             {"job_generation", status.job_generation},
             {"seconds_left", seconds_or_null(is_running ? status.seconds_left : -1.0)},
+            {"seconds_left_is_estimate", is_running && status.is_left_forecast != 0},
             {"planned_seconds", seconds_or_null(is_running ? -1.0 : status.seconds_left)},
             {"reference_seconds", seconds_or_null(status.reference_seconds)},
             {"outputs", names_json(status.signals, kOutputMask)},

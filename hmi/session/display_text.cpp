@@ -56,6 +56,11 @@ Phrase place_of(const MachineSight& machine, std::uint32_t layer_count) {
                   std::to_string(layer_count));
 }
 
+Phrase left_text(const CoreStatus& status) {
+    const std::string text = clock_text(status.seconds_left);
+    return status.is_left_forecast != 0 ? phrase("about %1 left", text) : phrase("%1 left", text);
+}
+
 StateText off_text(const MachineSight& machine) {
     if (machine.status->job_generation != 0)
         return {phrase("IDLE"), phrase("Not homed, job published"), Tone::idle};
@@ -187,6 +192,10 @@ std::optional<double> planned_seconds(const MachineSight& machine) {
     return is_whole && status.seconds_left > 0.0 ? std::optional{status.seconds_left} : std::nullopt;
 }
 
+bool is_time_about(const MachineSight& machine) {
+    return machine.status && runs_job(machine.state()) && machine.status->is_left_forecast != 0;
+}
+
 Phrase time_text(const MachineSight& machine, std::uint32_t layer_count) {
     if (!machine.status) return {};
     const S state = machine.state();
@@ -205,7 +214,7 @@ Phrase time_text(const MachineSight& machine, std::uint32_t layer_count) {
         if (machine.status->points_done == machine.status->points_total) return phrase("done");
         return machine.status->points_done == 0 ? phrase("%1 planned", clock_text(left_s)) : Phrase{};
     }
-    return phrase("%1 left", clock_text(left_s));
+    return left_text(*machine.status);
 }
 
 Phrase work_text(const MachineSight& machine, std::uint32_t layer_count, std::uint32_t point_count) {
@@ -250,8 +259,8 @@ JobTimes job_times(const MachineSight& machine, bool is_cores_job, double least_
     const bool is_told = machine.is_heard() && machine.status && machine.status->points_total != 0;
     const bool is_running = is_told && runs_job(machine.state());
     if (is_told && machine.status->seconds_left >= 0.0 && (is_running || is_cores_job)) {
-        const std::string text = clock_text(machine.status->seconds_left);
-        times.time = is_running ? phrase("%1 left", text) : phrase("%1 planned", text);
+        times.time = is_running ? left_text(*machine.status)
+                                : phrase("%1 planned", clock_text(machine.status->seconds_left));
     } else if (planned) {
         times.time = phrase("%1 planned", clock_text(planned->carve_seconds));
     } else if (!is_running && least_seconds > 0.0) {

@@ -39,8 +39,11 @@ bool is_cut_short(const MachineSight& machine);
 
 /// How much of the job is carved; negative: there is none.
 double done_ratio(const MachineSight& machine);
-/// "12:38 left", "stopped", "stopped in layer 315" ... `layer_count`: of the core's job; 0: not known.
+/// "12:38 left", "about 12:38 left", "stopped", "stopped in layer 315" ... `layer_count`: of the core's job;
+/// 0: not known.
 Phrase time_text(const MachineSight& machine, std::uint32_t layer_count = 0);
+/// What is left of the run is not planned to its end yet: part of its time is a forecast.
+bool is_time_about(const MachineSight& machine);
 /// The last run has ended before its last point; an alarm tells that itself.
 bool is_left_undone(const MachineSight& machine);
 /// The run that the machine is at, or was at last, is of what is open; at work it always counts.
@@ -60,7 +63,7 @@ std::optional<std::chrono::system_clock::time_point> alarm_time(const MachineSig
 
 /// How long the job takes that the operator looks at.
 struct JobTimes {
-    Phrase time;            ///< "2:04 planned", "1:20 left"; nothing when it is not known
+    Phrase time;            ///< "2:04 planned", "1:20 left", "about 1:20 left"; nothing when it is not known
     Phrase reference;       ///< T_ref of all of it
     bool is_least = false;  ///< nobody has planned it yet: what feed and top speeds allow
 };

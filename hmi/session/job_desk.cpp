@@ -34,6 +34,7 @@ JobDesk::~JobDesk() {
 
 void JobDesk::begin(DeskState state) {
     sight_.state = state;
+    refusal_.reset();
     cancels_.store(false);
     progress_ratio_.store(0.0);
 }
@@ -171,9 +172,16 @@ void JobDesk::slice(const cam::JobOptions& options, const Profile& profile) {
     };
     how.progress = show;
     how.search_progress = show;
-    lane_.post([this, how, profile, mesh = mesh_]() -> WorkLane::Finish {
+    const bool is_mesh = kind_ == flat::ModelKind::mesh;
+    lane_.post([this, how, profile, is_mesh, mesh = mesh_]() -> WorkLane::Finish {
         auto job = make_job(*mesh, profile, how);
-        if (!job) return [this, error = job.error()] { fail(error); };
+        if (!job) {
+            auto remedies =
+                is_mesh ? slicing_remedies(job.error(), *mesh, profile, how) : std::vector<Remedy>{};
+            return [this, error = job.error(), remedies] {
+                refuse_desk(DeskRefusal::Of::slicing, error, remedies);
+            };
+        }
         return [this, made = *job, mesh] { take_job(made, 0, mesh); };
     });
 }
@@ -184,7 +192,9 @@ void JobDesk::make_table_job(TableWay way) {
         const auto stamp = FileWatch::stamp_of(path);
         auto job = job_of_table(path, way);
         if (cancels_.load()) job = Error{ErrorCode::cancelled, path + ": slicing was cancelled"};
-        if (!job) return [this, error = job.error()] { fail(error); };
+        if (!job) {
+            return [this, error = job.error()] { refuse_desk(DeskRefusal::Of::slicing, error, {}); };
+        }
         return [this, way, stamp, made = *job] {
             table_way_ = way;
             watch(stamp);
@@ -215,22 +225,78 @@ void JobDesk::take_job(JobPointer job, std::uint64_t generation, MeshPointer mes
 void JobDesk::publish() {
     if (sight_.is_busy() || !job_) return;
     begin(DeskState::publishing);
-    lane_.post([this, job = job_]() -> WorkLane::Finish {
+    lane_.post([this, job = job_, mesh = job_mesh_, path = path_]() -> WorkLane::Finish {
         const auto generation = publish_and_wait(segment_name_, group_, *job, cancels_);
-        if (!generation) return [this, error = generation.error()] { fail(error); };
-        return [this, job, number = *generation] {
+        if (!generation) {
+            return [this, error = generation.error()] {
+                const bool is_sliceable = mesh_ != nullptr || table_way_;
+                refuse_desk(DeskRefusal::Of::publishing, error,
+                            is_sliceable ? publishing_remedies(error) : std::vector<Remedy>{});
+            };
+        }
+        return [this, job, mesh, path, number = *generation] {
             generation_ = number;
             fetched_generation_ = number;
             core_job_generation_ = number;
             core_job_ = job;
+            core_job_mesh_ = mesh;
+            core_job_path_ = path;
             resting_state_ = DeskState::job;
         };
     });
 }
 
+void JobDesk::take_over(const cam::PreparedJob* saved) {
+    if (!can_take_over()) return;
+    const JobPointer job = core_job();
+    // Its body may have been made anew since.
+    const bool is_of_open = !core_job_path_.empty() && core_job_path_ == path_;
+    if (!is_of_open) {
+        tell_unkept(saved);
+        close_file();
+    }
+    if (opened_) opened_();
+    refusal_.reset();
+    taken_job_ = job;
+    log_.add(Severity::info, phrase("Taken over from the machine: %1", std::string{job->view.source_name()}));
+    take_job(job, core_job_generation_, core_job_mesh_);
+}
+
+/// What took its time to slice is not dropped without a word.
+void JobDesk::tell_unkept(const cam::PreparedJob* saved) {
+    const bool is_sliced = job_mesh_ != nullptr || table_way_;
+    if (!job_ || !is_sliced || generation_ != 0 || job_.get() == saved) return;
+    log_.add(Severity::warning,
+             phrase("Closed: %1, neither published nor saved", std::string{job_->view.source_name()}));
+}
+
+void JobDesk::close_file() {
+    path_.clear();
+    watch({});
+    refused_file_.reset();
+    mesh_.reset();
+    file_mesh_.reset();
+    scene_.reset();
+    mesh_bytes_ = 0;
+    kind_ = flat::ModelKind::mesh;
+    table_way_.reset();
+    wished_.reset();
+    shape_ = {};
+    turn_ = {};
+    wishes_turn_ = false;
+    drop_job();
+}
+
 void JobDesk::fail(const Error& error) {
     const Severity severity = error.code == ErrorCode::cancelled ? Severity::info : Severity::warning;
     log_.add(severity, error_phrase(error.message));
+}
+
+void JobDesk::refuse_desk(DeskRefusal::Of of, const Error& error, std::vector<Remedy> remedies) {
+    fail(error);
+    if (error.code == ErrorCode::cancelled) return;
+    const std::string name = mesh_ ? mesh_->source_name : path_;
+    refusal_ = {of, name, error_phrase(error.message), std::move(remedies)};
 }
 
 void JobDesk::fetch_from_core(std::uint64_t generation) {
@@ -241,8 +307,11 @@ void JobDesk::fetch_from_core(std::uint64_t generation) {
         return [this, made = *job, generation] {
             core_job_generation_ = generation;
             core_job_ = made;
+            core_job_mesh_.reset();
+            core_job_path_.clear();
             ++edition_;
-            if (!mesh_ && path_.empty()) take_job(made, generation);
+            // What somebody has taken over stays until they take another.
+            if (!mesh_ && path_.empty() && !is_taken_over()) take_job(made, generation);
         };
     });
 }
@@ -260,6 +329,7 @@ void JobDesk::poll(const MachineSight& machine) {
     const std::uint64_t accepted = is_there ? machine.status->job_generation : 0;
     if (job_ && generation_ != 0 && accepted == generation_) sight_.state = DeskState::published;
     sight_.can_be_sliced = mesh_ != nullptr || table_way_;
+    sight_.was_published = job_ && generation_ != 0;
     sight_.layer_count = job_ ? job_->view.layer_count() : 0;
     accepted_generation_ = accepted;
     compare_profiles(machine);

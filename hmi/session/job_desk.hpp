@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/cam/prepared_job.hpp"
@@ -19,6 +20,7 @@
 #include "hmi/session/message_log.hpp"
 #include "hmi/session/opened_file.hpp"
 #include "hmi/session/refused_file.hpp"
+#include "hmi/session/remedy.hpp"
 #include "hmi/session/work_lane.hpp"
 
 namespace psicarve::session {
@@ -54,6 +56,8 @@ public:
         refused_file_ = {path, std::move(why)};
     }
     void forget_refused_file() noexcept { refused_file_.reset(); }
+    /// The slicing or publishing that was asked for last and refused, until anything else is asked for.
+    const std::optional<DeskRefusal>& refusal() const noexcept { return refusal_; }
     /// The file that is open was written since.
     bool has_changed() const noexcept { return watch_.has_changed(); }
     /// In what state the file that is open was read; nothing where that is not known.
@@ -71,10 +75,15 @@ public:
     void slice(const cam::JobOptions& options, const Profile& profile);
     /// Requires a job.
     void publish();
+    /// Puts core_job() on the desk in place of what is open; a file stays when that job was made of it here.
+    /// Nothing while the desk is busy, or where there is no other job to take. `saved`: the job that was
+    /// saved last; another one that goes and was not published either is told.
+    void take_over(const cam::PreparedJob* saved = nullptr);
+    bool can_take_over() const noexcept { return !sight_.is_busy() && core_job() && core_job() != job_; }
     /// Ends opening, slicing or waiting for the core soon.
     void cancel() noexcept { cancels_.store(true); }
 
-    /// At screen rate. Fetches the core's job, and shows it when nothing is open.
+    /// At screen rate. Fetches the core's job, and shows it when nothing is open and none was taken over.
     void poll(const MachineSight& machine);
     const JobSight& sight() const noexcept { return sight_; }
     const std::string& path() const noexcept { return path_; }
@@ -88,6 +97,8 @@ public:
     std::shared_ptr<const cam::PreparedJob> job() const noexcept { return job_; }
     /// How the job was made of the table that is open; nothing: none is.
     const std::optional<TableWay>& table_way() const noexcept { return table_way_; }
+    /// The job was taken over: the file that is open was made into another one since.
+    bool is_taken_over() const noexcept { return job_ && job_ == taken_job_; }
     /// What the job was sliced from, as it was turned then; null: it was opened as a job.
     std::shared_ptr<const model::Mesh> job_mesh() const noexcept { return job_mesh_; }
     /// The job that the core accepted last: what the machine carves, whatever is open here. Null while it is
@@ -115,7 +126,10 @@ private:
     void note_change();
     void take_job(JobPointer job, std::uint64_t generation, std::shared_ptr<const model::Mesh> mesh = {});
     void drop_job();
+    void tell_unkept(const cam::PreparedJob* saved);
+    void close_file();
     void fail(const Error& error);
+    void refuse_desk(DeskRefusal::Of of, const Error& error, std::vector<Remedy> remedies);
     void fetch_from_core(std::uint64_t generation);
 
     std::function<bool(const std::string&)> is_recording_;
@@ -131,6 +145,7 @@ private:
     DeskState resting_state_ = DeskState::empty;  ///< without what is under way
     std::string path_;
     std::optional<RefusedFile> refused_file_;
+    std::optional<DeskRefusal> refusal_;
     FileWatch watch_;
     bool is_change_told_ = false;
     std::shared_ptr<const model::Mesh> mesh_;
@@ -150,6 +165,9 @@ private:
     std::shared_ptr<const model::Mesh> job_mesh_;
     std::uint64_t generation_ = 0;  ///< of job_ in the segment; 0: not published
     JobPointer core_job_;
+    std::shared_ptr<const model::Mesh> core_job_mesh_;  ///< that it was sliced from here; else null
+    std::string core_job_path_;                         ///< of the file that it was made of here; else empty
+    JobPointer taken_job_;
     std::uint64_t core_job_generation_ = 0;
     std::uint64_t accepted_generation_ = 0;  ///< by the core; 0: none
     std::uint64_t fetched_generation_ = 0;   ///< the core's job that was asked for last

@@ -57,6 +57,7 @@ void MachineSession::take_accepted(const Profile* of_job) {
 void MachineSession::poll() {
     finder_.deliver();
     disk_.deliver();
+    profile_finder_.deliver();
     orders_.deliver();
     const MachineSight before = sight_;
     keep_attached();
@@ -135,6 +136,7 @@ void MachineSession::look() {
     const auto silence = std::chrono::duration_cast<std::chrono::milliseconds>(now - heartbeat_changed_);
     sight_.life = core_life(pid.has_value(), silence);
     find_profile();
+    look_for_profile();
     look_for_checkpoint();
 }
 
@@ -194,6 +196,22 @@ void MachineSession::find_profile() {
     for (const KnownProfile& known : profiles_) {
         if (known.hash == hash) sight_.profile = known.profile;
     }
+}
+
+/// Once for each core that counts by a profile which nobody has given.
+void MachineSession::look_for_profile() {
+    const std::uint64_t hash = sight_.core_profile_hash;
+    const bool is_known = sight_.profile && !sight_.is_profile_of_job;
+    if (is_known || hash == 0 || !sight_.is_heard() || !profile_finder_.is_idle()) return;
+    if (sought_hash_ == hash && sought_pid_ == sight_.core_pid) return;
+    sought_hash_ = hash;
+    sought_pid_ = sight_.core_pid;
+    profile_finder_.post(
+        [this, hash, pid = sight_.core_pid, find = options_.find_profile]() -> WorkLane::Finish {
+            return [this, found = find(pid, hash)] {
+                if (found) offer_profile(*found);
+            };
+        });
 }
 
 void MachineSession::go_on_with_start() {

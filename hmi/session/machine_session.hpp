@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hmi/machine/machine_link.hpp"
+#include "hmi/session/core_profile.hpp"
 #include "hmi/session/jog_hand.hpp"
 #include "hmi/session/machine_sight.hpp"
 #include "hmi/session/message_log.hpp"
@@ -31,6 +32,9 @@ struct SessionOptions {
     std::optional<Profile> profile;  ///< chosen by the user; else the built-in one and the job's are tried
     /// So long a hand that is not heard of still holds. More only where a busy computer must not matter.
     std::chrono::milliseconds hand_limit = kJogLease;
+    /// Looks for the profile of a core in files; on a thread of its own, as their disk may hang.
+    std::function<std::optional<Profile>(std::uint32_t core_pid, std::uint64_t hash)> find_profile =
+        find_core_profile;
 };
 
 /// The machine as a window has it: attached whenever there is a segment, looked at by poll(), asked by
@@ -103,6 +107,7 @@ private:
     void look();
     void take_status(const CoreStatus& status, bool has_core);
     void find_profile();
+    void look_for_profile();
     void look_for_checkpoint();
     void look_for_saved_piece();
     void go_on_with_start();
@@ -115,6 +120,8 @@ private:
     std::optional<RingReader<IncrementEntry, kIncrementRingEntries>> increments_;  // of link_
     std::vector<KnownProfile> profiles_;
     std::uint64_t core_profile_hash_ = 0;
+    std::uint64_t sought_hash_ = 0;  ///< of the profile that was looked for in files
+    std::uint32_t sought_pid_ = 0;
     std::uint64_t heartbeat_ = 0;
     Clock::time_point heartbeat_changed_{};
     Clock::time_point attach_tried_{};
@@ -126,7 +133,8 @@ private:
     std::optional<std::uint32_t> wanted_override_percent_;
     JogHand jog_;
     WorkLane finder_;
-    WorkLane disk_;  ///< that may hang
+    WorkLane disk_;                                         ///< that may hang
+    WorkLane profile_finder_{WorkLane::Haste::background};  ///< a disk that hangs keeps nobody from attaching
     WorkLane orders_;
 };
 

@@ -114,6 +114,8 @@ struct JobSight {
     std::string profile_difference{};
     /// In what the blank of the job, or of the core's where none is open, is not that of the core's profile.
     std::optional<BlankDifference> blank_difference{};
+    /// The core had accepted it before; by now it may have another one.
+    bool was_published = false;
     bool has_job() const noexcept {
         return state == DeskState::job || state == DeskState::publishing || state == DeskState::published;
     }

@@ -20,12 +20,19 @@ std::vector<Sentence> warning_sentences() {
          phrase("%1 of the surface lies behind another part and cannot be reached. With Axis at: least lost, "
                 "%2 of the surface and %3 of the layers would be lost; by the same look this axis loses %4 "
                 "and %5.")},
+        {"%1 of the surface lies behind another part and cannot be reached; --axis-at best looks for an axis "
+         "that loses less",
+         phrase("%1 of the surface lies behind another part and cannot be reached. Axis at: least lost looks "
+                "for an axis that loses less.")},
         {"%1 of the surface lies behind another part and cannot be reached",
          phrase("%1 of the surface lies behind another part and cannot be reached.")},
         {"%1 of %2 layers do not contain the axis; --axis-at best would lose %3 of the surface and %4 of the "
          "layers, by the same look this axis %5 and %6",
          phrase("%1 of %2 layers do not contain the axis. With Axis at: least lost, %3 of the surface and %4 "
                 "of the layers would be lost; by the same look this axis loses %5 and %6.")},
+        {"%1 of %2 layers do not contain the axis; --axis-at best looks for an axis that loses less",
+         phrase("%1 of %2 layers do not contain the axis. Axis at: least lost looks for an axis that loses "
+                "less.")},
         {"%1 of %2 layers do not contain the axis", phrase("%1 of %2 layers do not contain the axis.")},
         {"the mesh is open at %1 of the samples; what is missing there is carved down to what lies behind "
          "it, "

@@ -34,6 +34,8 @@ public:
     /// How many sorted directions lie at or before this diamond angle: 0 .. count().
     std::uint32_t count_up_to(double diamond) const noexcept {
         std::uint32_t k = guess_[static_cast<std::uint32_t>(diamond * bins_per_unit_)];
+        // Where directions are even a bin holds one or none, which no processor foresees: no branch there.
+        k += diamond_[k] <= diamond ? 1U : 0U;
         while (diamond_[k] <= diamond) ++k;
         return k;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/slice/layer_scan.hpp"
 
+#include <emmintrin.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,6 +39,25 @@ constexpr std::array<CutEdges, 8> kCutEdges{{{0, 0, 0, 0},
                                              {1, 0, 1, 2},
                                              {0, 2, 0, 1},
                                              {0, 0, 0, 0}}};
+
+/// diamond_angle of both ends at once and without a branch: ends come from everywhere.
+std::array<double, 2> diamond_angles(const SectionSegment& segment) noexcept {
+    const __m128d p = _mm_set_pd(segment.py, segment.px);
+    const __m128d q = _mm_set_pd(segment.qy, segment.qx);
+    const __m128d x = _mm_unpacklo_pd(p, q);
+    const __m128d y = _mm_unpackhi_pd(p, q);
+    const __m128d sign = _mm_set1_pd(-0.0);
+    const __m128d not_zero = _mm_set1_pd(1e-300);
+    const __m128d sum = _mm_add_pd(_mm_add_pd(_mm_andnot_pd(sign, x), _mm_andnot_pd(sign, y)), not_zero);
+    const __m128d slope = _mm_div_pd(y, sum);
+    const __m128d is_left = _mm_cmplt_pd(x, _mm_setzero_pd());
+    const __m128d is_below = _mm_cmplt_pd(slope, _mm_setzero_pd());
+    const __m128d begin = _mm_or_pd(_mm_and_pd(is_left, _mm_set1_pd(2.0)),
+                                    _mm_andnot_pd(is_left, _mm_and_pd(is_below, _mm_set1_pd(4.0))));
+    std::array<double, 2> angles{};
+    _mm_storeu_pd(angles.data(), _mm_add_pd(begin, _mm_xor_pd(slope, _mm_and_pd(is_left, sign))));
+    return angles;
+}
 
 }  // namespace
 
@@ -112,12 +133,22 @@ void LayerScan::draw_radial(const Wall& s, std::uint32_t first, std::uint32_t en
     }
 }
 
-bool LayerScan::see(const SectionSegment& segment, SeenWall& seen) const noexcept {
+/// Diamond angles of a segment's ends, and the cells at which they lie.
+struct LayerScan::Ends {
+    double p_angle;
+    double q_angle;
+    std::uint32_t p_cell;
+    std::uint32_t q_cell;
+};
+
+LayerScan::Ends LayerScan::ends_of(const SectionSegment& segment) const noexcept {
+    const auto [p_angle, q_angle] = diamond_angles(segment);
+    return {p_angle, q_angle, directions_.count_up_to(p_angle), directions_.count_up_to(q_angle)};
+}
+
+bool LayerScan::see(const SectionSegment& segment, const Ends& ends, SeenWall& seen) noexcept {
     const auto& [px, py, qx, qy] = segment;
-    const double p_angle = diamond_angle(px, py);
-    const double q_angle = diamond_angle(qx, qy);
-    const std::uint32_t p_cell = directions_.count_up_to(p_angle);
-    const std::uint32_t q_cell = directions_.count_up_to(q_angle);
+    const auto& [p_angle, q_angle, p_cell, q_cell] = ends;
     // The short way round is the way the segment goes: opposite directions are exactly 2 apart.
     const double turn = q_angle - p_angle;
     seen.wraps = std::abs(turn) > 2.0;
@@ -133,19 +164,37 @@ bool LayerScan::see(const SectionSegment& segment, SeenWall& seen) const noexcep
 
 void LayerScan::add_segment(const SectionSegment& segment) noexcept {
     SeenWall seen;
-    if (!see(segment, seen)) return;
-    const auto paint = seen.is_narrow ? &LayerScan::draw_radial : &LayerScan::draw;
+    if (see(segment, ends_of(segment), seen)) draw(seen);
+}
+
+void LayerScan::add_segments(std::span<const SectionSegment> segments) noexcept {
+    std::array<Ends, kMostAtOnce> ends;
+    for (std::size_t i = 0; i < segments.size(); ++i) ends[i] = ends_of(segments[i]);
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        SeenWall seen;
+        if (see(segments[i], ends[i], seen)) draw(seen);
+    }
+}
+
+void LayerScan::draw(const SeenWall& seen) noexcept {
+    const auto paint = [&](std::uint32_t first, std::uint32_t end) {
+        if (seen.is_narrow) {
+            draw_radial(seen.wall, first, end);
+        } else {
+            draw(seen.wall, first, end);
+        }
+    };
     if (!seen.wraps) {
-        (this->*paint)(seen.wall, seen.from, seen.to);
+        paint(seen.from, seen.to);
     } else {
-        (this->*paint)(seen.wall, seen.from, static_cast<std::uint32_t>(directions_.count()));
-        (this->*paint)(seen.wall, 0, seen.to);
+        paint(seen.from, static_cast<std::uint32_t>(directions_.count()));
+        paint(0, seen.to);
     }
 }
 
 void LayerScan::add_segment_in(const SectionSegment& segment, std::uint32_t cell) noexcept {
     SeenWall seen;
-    if (!see(segment, seen)) return;
+    if (!see(segment, ends_of(segment), seen)) return;
     const bool is_after = cell >= seen.from;
     const bool is_before = cell < seen.to;
     if (seen.wraps ? !is_after && !is_before : !is_after || !is_before) return;

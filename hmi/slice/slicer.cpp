@@ -2,6 +2,7 @@
 #include "hmi/slice/slicer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -96,8 +97,15 @@ private:
         const double top = work_.rows.tops[layer];
         const bool rises = spiral_ && bottom != top;
         if (!rises) {
-            for_each_in(layer,
-                        [&](const model::Triangle& t) { scan_.add_segment(work_.cutter.cut(t, top)); });
+            std::array<SectionSegment, LayerScan::kMostAtOnce> cuts;
+            std::size_t count = 0;
+            for_each_in(layer, [&](const model::Triangle& t) {
+                cuts[count++] = work_.cutter.cut(t, top);
+                if (count < cuts.size()) return;
+                scan_.add_segments(cuts);
+                count = 0;
+            });
+            scan_.add_segments(std::span(cuts).first(count));
         } else {
             spiral_->begin_row(layer, bottom, top);
             for_each_in(layer, [&](const model::Triangle& t) { spiral_->add(work_.cutter, t, scan_); });

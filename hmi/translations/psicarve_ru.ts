@@ -192,6 +192,10 @@
             <translation>%1 нечётно, и пол-оборота не целое число импульсов; задайте чётное число</translation>
         </message>
         <message>
+            <source>%1 layers</source>
+            <translation>Слоёв: %1</translation>
+        </message>
+        <message>
             <source>%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis Y</source>
             <translation>слоёв %1, а не %2: высота %3 лишь %4 mm, а слою нужен импульс оси Y</translation>
         </message>
@@ -272,6 +276,10 @@
             <translation>%1 mm/s</translation>
         </message>
         <message>
+            <source>%1 more</source>
+            <translation>и ещё %1</translation>
+        </message>
+        <message>
             <source>%1 numbers, not %2</source>
             <translation>чисел %1, а не %2</translation>
         </message>
@@ -286,6 +294,10 @@
         <message>
             <source>%1 of %2 layers do not contain the axis.</source>
             <translation>Слоёв, не содержащих ось: %1 из %2.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 layers do not contain the axis. Axis at: least lost looks for an axis that loses less.</source>
+            <translation>Слоёв, не содержащих ось: %1 из %2. «Ось проходит: мин. потеря» ищет ось с меньшими потерями.</translation>
         </message>
         <message>
             <source>%1 of %2 layers do not contain the axis. With Axis at: least lost, %3 of the surface and %4 of the layers would be lost; by the same look this axis loses %5 and %6.</source>
@@ -326,6 +338,10 @@
         <message>
             <source>%1 of the surface lies behind another part and cannot be reached.</source>
             <translation>%1 поверхности заслонено другой частью и недостижимо.</translation>
+        </message>
+        <message>
+            <source>%1 of the surface lies behind another part and cannot be reached. Axis at: least lost looks for an axis that loses less.</source>
+            <translation>%1 поверхности заслонено другой частью и недостижимо. «Ось проходит: мин. потеря» ищет ось с меньшими потерями.</translation>
         </message>
         <message>
             <source>%1 of the surface lies behind another part and cannot be reached. With Axis at: least lost, %2 of the surface and %3 of the layers would be lost; by the same look this axis loses %4 and %5.</source>
@@ -432,6 +448,10 @@
             <translation>%1 · конец в %2</translation>
         </message>
         <message>
+            <source>%1 · ends about %2</source>
+            <translation>%1 · конец около %2</translation>
+        </message>
+        <message>
             <source>%1 × %2 × %3 mm, scale %4</source>
             <translation>%1 × %2 × %3 mm, масштаб %4</translation>
         </message>
@@ -478,6 +498,10 @@
         <message>
             <source>%1: %2 values become others</source>
             <translation>%1: изменятся значения: %2</translation>
+        </message>
+        <message>
+            <source>%1: core %2, here %3</source>
+            <translation>%1: в ядре %2, здесь %3</translation>
         </message>
         <message>
             <source>%1: homed</source>
@@ -776,6 +800,10 @@
             <translation>Ось Ψ</translation>
         </message>
         <message>
+            <source>Axis: least lost</source>
+            <translation>Ось: мин. потеря</translation>
+        </message>
+        <message>
             <source>BACKING OFF</source>
             <translation>ОТВОД</translation>
         </message>
@@ -1016,6 +1044,10 @@
             <translation>Изменено после нарезки: нарежьте заново, чтобы учесть.</translation>
         </message>
         <message>
+            <source>Changes that, and slices again</source>
+            <translation>Меняет это и нарезает снова</translation>
+        </message>
+        <message>
             <source>Charge pump</source>
             <translation>Charge pump (генератор накачки)</translation>
         </message>
@@ -1060,6 +1092,10 @@
             <translation>Закрыть окно</translation>
         </message>
         <message>
+            <source>Closed: %1, neither published nor saved</source>
+            <translation>Закрыто: %1 — не опубликовано и не сохранено</translation>
+        </message>
+        <message>
             <source>Command: %1</source>
             <translation>Команда: %1</translation>
         </message>
@@ -1094,6 +1130,10 @@
         <message>
             <source>Core found, process %1</source>
             <translation>Ядро найдено, процесс %1</translation>
+        </message>
+        <message>
+            <source>Core: profile %1, not %2</source>
+            <translation>Ядро: профиль %1, а не %2</translation>
         </message>
         <message>
             <source>Cutting end of the tools; jobs keep all of it out of the model. A point has no size.</source>
@@ -1605,6 +1645,10 @@ F12  этот список</translation>
             <translation>Высота</translation>
         </message>
         <message>
+            <source>Height %1 mm</source>
+            <translation>Высота %1 mm</translation>
+        </message>
+        <message>
             <source>Height sets it</source>
             <translation>Задано высотой</translation>
         </message>
@@ -1851,6 +1895,10 @@ F12  этот список</translation>
         <message>
             <source>Job</source>
             <translation>Задание</translation>
+        </message>
+        <message>
+            <source>Job in the machine</source>
+            <translation>Задание в станке</translation>
         </message>
         <message>
             <source>Job in travel</source>
@@ -2269,6 +2317,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Более %1 mm на %2 % поверхности</translation>
         </message>
         <message>
+            <source>Motion and slicing go by the core's. %1</source>
+            <translation>Движение и нарезка идут по профилю ядра. %1</translation>
+        </message>
+        <message>
             <source>Motor pulses for one millimetre.</source>
             <translation>Импульсов двигателя на миллиметр.</translation>
         </message>
@@ -2401,6 +2453,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Не открыто, так как не открыт профиль станка: %1</translation>
         </message>
         <message>
+            <source>Not published</source>
+            <translation>Не передано</translation>
+        </message>
+        <message>
             <source>Not published when a window ended: %1 (page Model)</source>
             <translation>Не передано, когда окно закрылось: %1 (страница «Модель»)</translation>
         </message>
@@ -2411,6 +2467,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Not saved: %1 is open here, and would be lost; choose another name</source>
             <translation>Не сохранено: %1 открыт здесь и был бы потерян; выберите другое имя</translation>
+        </message>
+        <message>
+            <source>Not sliced</source>
+            <translation>Не нарезано</translation>
         </message>
         <message>
             <source>Not sliced yet.</source>
@@ -2483,6 +2543,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>On hold the heads stay in the cut, or leave it by retract_mm and come back before it goes on.</source>
             <translation>В паузе головки остаются в резе или отходят на retract_mm и возвращаются, прежде чем продолжить.</translation>
+        </message>
+        <message>
+            <source>On the desk</source>
+            <translation>В этом окне</translation>
         </message>
         <message>
             <source>On the virtual clock nothing has to be in time</source>
@@ -2571,10 +2635,6 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Opened without its model: there is nothing to compare the piece with</source>
             <translation>Открыто без модели: деталь не с чем сравнить</translation>
-        </message>
-        <message>
-            <source>Opened, not sliced yet: %1</source>
-            <translation>Открыто, ещё не нарезано: %1</translation>
         </message>
         <message>
             <source>Opens the copy of the job that the core has kept; it publishes and moves nothing</source>
@@ -2843,6 +2903,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Pump</source>
             <translation>Накачка</translation>
+        </message>
+        <message>
+            <source>Puts this job on the desk</source>
+            <translation>Берёт это задание в окно</translation>
+        </message>
+        <message>
+            <source>Puts this job on the desk in place of %1</source>
+            <translation>Берёт это задание в окно вместо %1</translation>
         </message>
         <message>
             <source>R1 and R2 out, then Y, then Ψ to its index (Ctrl+Home)</source>
@@ -3257,6 +3325,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Масштаб</translation>
         </message>
         <message>
+            <source>Scale %1</source>
+            <translation>Масштаб %1</translation>
+        </message>
+        <message>
             <source>Scale sets it</source>
             <translation>Задано масштабом</translation>
         </message>
@@ -3383,10 +3455,6 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Slice: this is a job, and already sliced</source>
             <translation>Нарезать: это задание, оно уже нарезано</translation>
-        </message>
-        <message>
-            <source>Sliced, not published yet: %1</source>
-            <translation>Нарезано, ещё не опубликовано: %1</translation>
         </message>
         <message>
             <source>Slicing …</source>
@@ -3693,6 +3761,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Таблицы (*.csv)</translation>
         </message>
         <message>
+            <source>Take over</source>
+            <translation>Взять</translation>
+        </message>
+        <message>
+            <source>Take over: a job is being made</source>
+            <translation>Взять: задание составляется</translation>
+        </message>
+        <message>
             <source>Take up again</source>
             <translation>Вернуть на стол</translation>
         </message>
@@ -3703,6 +3779,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Take up again: %1, %2 layers × %3 points, sliced</source>
             <translation>Вернуть на стол: %1, слоёв %2 × точек %3, нарезано</translation>
+        </message>
+        <message>
+            <source>Taken over from the core: profile %1</source>
+            <translation>Взят из ядра профиль %1</translation>
+        </message>
+        <message>
+            <source>Taken over from the machine: %1</source>
+            <translation>Взято из станка: %1</translation>
         </message>
         <message>
             <source>Takes the position that the core counts now</source>
@@ -3831,6 +3915,18 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>
             <translation>Ядро идёт по виртуальным часам: такты не запаздывают</translation>
+        </message>
+        <message>
+            <source>The core runs with another profile than %1; its file was not found.</source>
+            <translation>Ядро работает с другим профилем, а не с %1; файл того профиля не найден.</translation>
+        </message>
+        <message>
+            <source>The core runs with profile %1, not with %2 of --profile</source>
+            <translation>Ядро работает с профилем %1, а не с %2 из --profile</translation>
+        </message>
+        <message>
+            <source>The core's profile is not known: give the window its file, with --profile</source>
+            <translation>Профиль ядра неизвестен: задайте окну его файл ключом --profile</translation>
         </message>
         <message>
             <source>The core's tick</source>
@@ -4109,6 +4205,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Этот компьютер</translation>
         </message>
         <message>
+            <source>This window goes by it from now on, also without a core; no file is changed</source>
+            <translation>Отныне окно работает по нему, в том числе без ядра; файлы не меняются</translation>
+        </message>
+        <message>
             <source>Thread</source>
             <translation>Поток</translation>
         </message>
@@ -4311,6 +4411,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Up to %1 roughing passes, layers %2 mm apart</source>
             <translation>До %1 черновых проходов, слои через %2 mm</translation>
+        </message>
+        <message>
+            <source>Use the core's profile</source>
+            <translation>Взять профиль ядра</translation>
         </message>
         <message>
             <source>Use the switch on the machine to stop it</source>
@@ -4795,6 +4899,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>около %1 % поверхности</translation>
         </message>
         <message>
+            <source>about %1 left</source>
+            <translation>ещё около %1</translation>
+        </message>
+        <message>
             <source>alarm</source>
             <translation>авария</translation>
         </message>
@@ -4953,6 +5061,18 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>being made</source>
             <translation>составляется</translation>
+        </message>
+        <message>
+            <source>being published</source>
+            <translation>передаётся</translation>
+        </message>
+        <message>
+            <source>being read</source>
+            <translation>читается</translation>
+        </message>
+        <message>
+            <source>being sliced</source>
+            <translation>нарезается</translation>
         </message>
         <message>
             <source>blank</source>
@@ -5703,6 +5823,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>нет линий для гравировки</translation>
         </message>
         <message>
+            <source>no longer in the machine</source>
+            <translation>уже не в станке</translation>
+        </message>
+        <message>
             <source>no pin</source>
             <translation>нет вывода</translation>
         </message>
@@ -5737,6 +5861,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>no. %1</source>
             <translation>№ %1</translation>
+        </message>
+        <message>
+            <source>no. %1, %2 % done</source>
+            <translation>№ %1, готово %2 %</translation>
+        </message>
+        <message>
+            <source>no. %1, dry run %2 %</source>
+            <translation>№ %1, прогон %2 %</translation>
         </message>
         <message>
             <source>no: a dry run carves nothing</source>
@@ -5819,6 +5951,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>при виртуальных часах не нужны</translation>
         </message>
         <message>
+            <source>not published</source>
+            <translation>не передано</translation>
+        </message>
+        <message>
             <source>not recorded</source>
             <translation>не записано</translation>
         </message>
@@ -5829,6 +5965,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>not while %1; %2</source>
             <translation>нельзя в состоянии «%1»; %2</translation>
+        </message>
+        <message>
+            <source>nothing</source>
+            <translation>ничего</translation>
         </message>
         <message>
             <source>nothing is open</source>
@@ -6449,6 +6589,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the profile is %1 bytes long; the most is %2</source>
             <translation>профиль занимает %1 байт; допустимо не больше %2</translation>
+        </message>
+        <message>
+            <source>the same job</source>
+            <translation>то же задание</translation>
         </message>
         <message>
             <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>

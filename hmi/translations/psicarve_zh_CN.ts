@@ -192,6 +192,10 @@
             <translation>%1 是奇数，半转就不是整数个脉冲；请输入偶数</translation>
         </message>
         <message>
+            <source>%1 layers</source>
+            <translation>%1 层</translation>
+        </message>
+        <message>
             <source>%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis Y</source>
             <translation>%1 层而不是 %2 层：%3 只有 %4 mm 高，每层至少需要 Y 轴一个脉冲</translation>
         </message>
@@ -272,6 +276,10 @@
             <translation>%1 mm/s</translation>
         </message>
         <message>
+            <source>%1 more</source>
+            <translation>另有 %1 项</translation>
+        </message>
+        <message>
             <source>%1 numbers, not %2</source>
             <translation>有 %1 个数，应为 %2 个</translation>
         </message>
@@ -286,6 +294,10 @@
         <message>
             <source>%1 of %2 layers do not contain the axis.</source>
             <translation>%2 层中有 %1 层不包含轴心。</translation>
+        </message>
+        <message>
+            <source>%1 of %2 layers do not contain the axis. Axis at: least lost looks for an axis that loses less.</source>
+            <translation>%2 层中有 %1 层不包含轴心。“轴心位于”选“损失最少”，可寻找损失更少的轴心。</translation>
         </message>
         <message>
             <source>%1 of %2 layers do not contain the axis. With Axis at: least lost, %3 of the surface and %4 of the layers would be lost; by the same look this axis loses %5 and %6.</source>
@@ -326,6 +338,10 @@
         <message>
             <source>%1 of the surface lies behind another part and cannot be reached.</source>
             <translation>%1 的表面位于其他部分之后，无法到达。</translation>
+        </message>
+        <message>
+            <source>%1 of the surface lies behind another part and cannot be reached. Axis at: least lost looks for an axis that loses less.</source>
+            <translation>%1 的表面位于其他部分之后，无法到达。“轴心位于”选“损失最少”，可寻找损失更少的轴心。</translation>
         </message>
         <message>
             <source>%1 of the surface lies behind another part and cannot be reached. With Axis at: least lost, %2 of the surface and %3 of the layers would be lost; by the same look this axis loses %4 and %5.</source>
@@ -432,6 +448,10 @@
             <translation>%1 · %2 结束</translation>
         </message>
         <message>
+            <source>%1 · ends about %2</source>
+            <translation>%1 · 约 %2 结束</translation>
+        </message>
+        <message>
             <source>%1 × %2 × %3 mm, scale %4</source>
             <translation>%1 × %2 × %3 mm，比例 %4</translation>
         </message>
@@ -478,6 +498,10 @@
         <message>
             <source>%1: %2 values become others</source>
             <translation>%1：%2 个值将改变</translation>
+        </message>
+        <message>
+            <source>%1: core %2, here %3</source>
+            <translation>%1：内核 %2，此处 %3</translation>
         </message>
         <message>
             <source>%1: homed</source>
@@ -776,6 +800,10 @@
             <translation>Ψ 轴</translation>
         </message>
         <message>
+            <source>Axis: least lost</source>
+            <translation>轴心：损失最少</translation>
+        </message>
+        <message>
             <source>BACKING OFF</source>
             <translation>退离中</translation>
         </message>
@@ -1016,6 +1044,10 @@
             <translation>切片之后有更改：请重新切片以采用。</translation>
         </message>
         <message>
+            <source>Changes that, and slices again</source>
+            <translation>改为此值并重新切片</translation>
+        </message>
+        <message>
             <source>Charge pump</source>
             <translation>电荷泵</translation>
         </message>
@@ -1060,6 +1092,10 @@
             <translation>关闭窗口</translation>
         </message>
         <message>
+            <source>Closed: %1, neither published nor saved</source>
+            <translation>已关闭：%1，既未发布也未保存</translation>
+        </message>
+        <message>
             <source>Command: %1</source>
             <translation>命令：%1</translation>
         </message>
@@ -1094,6 +1130,10 @@
         <message>
             <source>Core found, process %1</source>
             <translation>找到内核，进程 %1</translation>
+        </message>
+        <message>
+            <source>Core: profile %1, not %2</source>
+            <translation>内核：配置 %1，而非 %2</translation>
         </message>
         <message>
             <source>Cutting end of the tools; jobs keep all of it out of the model. A point has no size.</source>
@@ -1604,6 +1644,10 @@ F12  本列表</translation>
             <translation>高度</translation>
         </message>
         <message>
+            <source>Height %1 mm</source>
+            <translation>高度 %1 mm</translation>
+        </message>
+        <message>
             <source>Height sets it</source>
             <translation>由高度决定</translation>
         </message>
@@ -1850,6 +1894,10 @@ F12  本列表</translation>
         <message>
             <source>Job</source>
             <translation>作业</translation>
+        </message>
+        <message>
+            <source>Job in the machine</source>
+            <translation>机床中的作业</translation>
         </message>
         <message>
             <source>Job in travel</source>
@@ -2268,6 +2316,10 @@ N、Shift+N  下一条、上一条记录
             <translation>超过 %1 mm 的占表面 %2 %</translation>
         </message>
         <message>
+            <source>Motion and slicing go by the core's. %1</source>
+            <translation>运动和切片以内核的配置为准。%1</translation>
+        </message>
+        <message>
             <source>Motor pulses for one millimetre.</source>
             <translation>每毫米的电机脉冲数。</translation>
         </message>
@@ -2400,6 +2452,10 @@ N、Shift+N  下一条、上一条记录
             <translation>未打开，因为机床配置未能打开：%1</translation>
         </message>
         <message>
+            <source>Not published</source>
+            <translation>未发布</translation>
+        </message>
+        <message>
             <source>Not published when a window ended: %1 (page Model)</source>
             <translation>窗口结束时尚未发布：%1（模型页）</translation>
         </message>
@@ -2410,6 +2466,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Not saved: %1 is open here, and would be lost; choose another name</source>
             <translation>未保存：%1 正在此处打开，会丢失；请换一个名称</translation>
+        </message>
+        <message>
+            <source>Not sliced</source>
+            <translation>未切片</translation>
         </message>
         <message>
             <source>Not sliced yet.</source>
@@ -2482,6 +2542,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>On hold the heads stay in the cut, or leave it by retract_mm and come back before it goes on.</source>
             <translation>暂停时刀头留在切口中，或退出 retract_mm，继续之前再返回。</translation>
+        </message>
+        <message>
+            <source>On the desk</source>
+            <translation>在此窗口中</translation>
         </message>
         <message>
             <source>On the virtual clock nothing has to be in time</source>
@@ -2570,10 +2634,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Opened without its model: there is nothing to compare the piece with</source>
             <translation>打开时没有模型：工件无可比较</translation>
-        </message>
-        <message>
-            <source>Opened, not sliced yet: %1</source>
-            <translation>已打开、尚未切片：%1</translation>
         </message>
         <message>
             <source>Opens the copy of the job that the core has kept; it publishes and moves nothing</source>
@@ -2842,6 +2902,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Pump</source>
             <translation>电荷泵</translation>
+        </message>
+        <message>
+            <source>Puts this job on the desk</source>
+            <translation>把此作业取到窗口中</translation>
+        </message>
+        <message>
+            <source>Puts this job on the desk in place of %1</source>
+            <translation>把此作业取到窗口中，代替 %1</translation>
         </message>
         <message>
             <source>R1 and R2 out, then Y, then Ψ to its index (Ctrl+Home)</source>
@@ -3252,6 +3320,10 @@ N、Shift+N  下一条、上一条记录
             <translation>比例</translation>
         </message>
         <message>
+            <source>Scale %1</source>
+            <translation>比例 %1</translation>
+        </message>
+        <message>
             <source>Scale sets it</source>
             <translation>由比例决定</translation>
         </message>
@@ -3378,10 +3450,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Slice: this is a job, and already sliced</source>
             <translation>切片：这是作业，已经切片</translation>
-        </message>
-        <message>
-            <source>Sliced, not published yet: %1</source>
-            <translation>已切片、尚未发布：%1</translation>
         </message>
         <message>
             <source>Slicing …</source>
@@ -3688,6 +3756,14 @@ N、Shift+N  下一条、上一条记录
             <translation>表格 (*.csv)</translation>
         </message>
         <message>
+            <source>Take over</source>
+            <translation>取用</translation>
+        </message>
+        <message>
+            <source>Take over: a job is being made</source>
+            <translation>取用：正在生成作业</translation>
+        </message>
+        <message>
             <source>Take up again</source>
             <translation>取回</translation>
         </message>
@@ -3698,6 +3774,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Take up again: %1, %2 layers × %3 points, sliced</source>
             <translation>取回：%1，%2 层 × %3 点，已切片</translation>
+        </message>
+        <message>
+            <source>Taken over from the core: profile %1</source>
+            <translation>已采用内核的配置 %1</translation>
+        </message>
+        <message>
+            <source>Taken over from the machine: %1</source>
+            <translation>已从机床取用：%1</translation>
         </message>
         <message>
             <source>Takes the position that the core counts now</source>
@@ -3826,6 +3910,18 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>
             <translation>内核使用虚拟时钟：节拍从不迟滞</translation>
+        </message>
+        <message>
+            <source>The core runs with another profile than %1; its file was not found.</source>
+            <translation>内核使用的配置不是 %1，而是另一个；未找到其文件。</translation>
+        </message>
+        <message>
+            <source>The core runs with profile %1, not with %2 of --profile</source>
+            <translation>内核使用配置 %1，而非 --profile 的 %2</translation>
+        </message>
+        <message>
+            <source>The core's profile is not known: give the window its file, with --profile</source>
+            <translation>内核的配置未知：请用 --profile 指定其文件</translation>
         </message>
         <message>
             <source>The core's tick</source>
@@ -4104,6 +4200,10 @@ N、Shift+N  下一条、上一条记录
             <translation>本机</translation>
         </message>
         <message>
+            <source>This window goes by it from now on, also without a core; no file is changed</source>
+            <translation>此后本窗口以它为准，无内核时亦然；不修改任何文件</translation>
+        </message>
+        <message>
             <source>Thread</source>
             <translation>线程</translation>
         </message>
@@ -4306,6 +4406,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Up to %1 roughing passes, layers %2 mm apart</source>
             <translation>最多 %1 道粗加工，层距 %2 mm</translation>
+        </message>
+        <message>
+            <source>Use the core's profile</source>
+            <translation>采用内核的配置</translation>
         </message>
         <message>
             <source>Use the switch on the machine to stop it</source>
@@ -4788,6 +4892,10 @@ N、Shift+N  下一条、上一条记录
             <translation>约占表面的 %1 %</translation>
         </message>
         <message>
+            <source>about %1 left</source>
+            <translation>剩余约 %1</translation>
+        </message>
+        <message>
             <source>alarm</source>
             <translation>报警</translation>
         </message>
@@ -4946,6 +5054,18 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>being made</source>
             <translation>正在生成</translation>
+        </message>
+        <message>
+            <source>being published</source>
+            <translation>正在发布</translation>
+        </message>
+        <message>
+            <source>being read</source>
+            <translation>正在读取</translation>
+        </message>
+        <message>
+            <source>being sliced</source>
+            <translation>正在切片</translation>
         </message>
         <message>
             <source>blank</source>
@@ -5696,6 +5816,10 @@ N、Shift+N  下一条、上一条记录
             <translation>没有可雕刻的线条</translation>
         </message>
         <message>
+            <source>no longer in the machine</source>
+            <translation>已不在机床中</translation>
+        </message>
+        <message>
             <source>no pin</source>
             <translation>无引脚</translation>
         </message>
@@ -5730,6 +5854,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>no. %1</source>
             <translation>%1 号</translation>
+        </message>
+        <message>
+            <source>no. %1, %2 % done</source>
+            <translation>%1 号，已完成 %2 %</translation>
+        </message>
+        <message>
+            <source>no. %1, dry run %2 %</source>
+            <translation>%1 号，空运行 %2 %</translation>
         </message>
         <message>
             <source>no: a dry run carves nothing</source>
@@ -5812,6 +5944,10 @@ N、Shift+N  下一条、上一条记录
             <translation>虚拟时钟下不需要</translation>
         </message>
         <message>
+            <source>not published</source>
+            <translation>未发布</translation>
+        </message>
+        <message>
             <source>not recorded</source>
             <translation>未记录</translation>
         </message>
@@ -5822,6 +5958,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>not while %1; %2</source>
             <translation>当前状态（%1）下不可用；%2</translation>
+        </message>
+        <message>
+            <source>nothing</source>
+            <translation>无</translation>
         </message>
         <message>
             <source>nothing is open</source>
@@ -6442,6 +6582,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the profile is %1 bytes long; the most is %2</source>
             <translation>配置长 %1 字节；最多 %2 字节</translation>
+        </message>
+        <message>
+            <source>the same job</source>
+            <translation>同一作业</translation>
         </message>
         <message>
             <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>

@@ -78,6 +78,17 @@ struct Bench {
         const auto& of_core = machine.sight().profile;
         return of_core ? *of_core : machine.options().profile.value_or(Profile{});
     }
+    /// Not only what a job says of it.
+    bool knows_core_profile() const noexcept {
+        return machine.sight().profile.has_value() && !machine.sight().is_profile_of_job;
+    }
+    /// Requires that it is known. It is the window's own from now on.
+    void take_core_profile() {
+        const Profile of_core = *machine.sight().profile;
+        log.add(session::Severity::info,
+                session::phrase("Taken over from the core: profile %1", of_core.name));
+        machine.set_profile(of_core);
+    }
     // What the window shows: the machine and its job, or a recording of them.
     const session::MachineSight& shown() const noexcept {
         return replay.is_open() ? replay.sight() : machine.sight();

@@ -50,7 +50,8 @@ Dock::Dock(const QString& title, QWidget* parent) : QFrame(parent) {
     all->setSpacing(0);
     auto* head = new QHBoxLayout;
     head->setContentsMargins(kGap, kSmallGap, kGap, kSmallGap);
-    head->addWidget(role_label("head", title));
+    title_ = role_label("head", title);
+    head->addWidget(title_);
     head->addStretch();
     note_ = role_label("small");
     head->addWidget(note_);

@@ -27,10 +27,12 @@ public:
     explicit Dock(const QString& title, QWidget* parent = nullptr);
 
     QVBoxLayout& body() noexcept { return *body_; }
+    QLabel& title() noexcept { return *title_; }
     QLabel& note() noexcept { return *note_; }
 
 private:
     QVBoxLayout* body_;
+    QLabel* title_;
     QLabel* note_;
 };
 

@@ -37,12 +37,16 @@ JobFactsView::JobFactsView(Bench& bench, QWidget* parent)
     : QWidget(parent), bench_(bench), grid_(new QGridLayout{this}) {
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setVerticalSpacing(1);
-    counts_ = add_row(tr("Layers × points"), "job_counts").value;
-    size_ = add_row(tr("Height, radius"), "job_size").value;
+    counts_ = add_row(tr("Layers × points"), "job_counts");
+    size_ = add_row(tr("Height, radius"), "job_size");
+    brief_ = new QLabel;
+    brief_->setObjectName("job_brief");
+    grid_->addWidget(brief_, grid_->rowCount(), 0, 1, 2);
+    brief_->hide();
     pass_ = add_row(tr("Pass"), "job_pass");
     time_ = add_row(tr("Time"), "job_time").value;
-    reference_ = add_row(tr("T_ref"), "reference").value;
-    reference_->setToolTip(tr("The least time that the motors' limits allow for the whole job"));
+    reference_ = add_row(tr("T_ref"), "reference");
+    reference_.value->setToolTip(tr("The least time that the motors' limits allow for the whole job"));
     for (const char* id : kSourceRows) source_rows_.push_back(add_row({}, id));
     set_room(Room::usual);
 }
@@ -65,16 +69,31 @@ void JobFactsView::set_room(Room room) {
     }
 }
 
+void JobFactsView::set_brief(bool is_brief) {
+    if (is_brief_ == is_brief) return;
+    is_brief_ = is_brief;
+    for (const Row& row : {counts_, size_, reference_}) {
+        row.name->setHidden(is_brief);
+        row.value->setHidden(is_brief);
+    }
+    brief_->setVisible(is_brief);
+}
+
 void JobFactsView::show_job(const replay::JobPointer& job) {
     const bool is_replay = bench_.replay.is_open();
     show_source(job);
     if (job) {
-        counts_->setText(QString{"%1 × %2"}.arg(job->view.layer_count()).arg(job->view.point_count()));
-        return size_->setText(size_text(*job));
+        return show_size(QString{"%1 × %2"}.arg(job->view.layer_count()).arg(job->view.point_count()),
+                         size_text(*job));
     }
     const bool has_mesh = !is_replay && bench_.desk.mesh() != nullptr;
-    counts_->setText(has_mesh ? tr("not sliced") : is_replay ? tr("not recorded") : tr("open a model"));
-    size_->setText(kNotKnown);
+    show_size(has_mesh ? tr("not sliced") : is_replay ? tr("not recorded") : tr("open a model"), kNotKnown);
+}
+
+void JobFactsView::show_size(const QString& counts, const QString& size) {
+    counts_.value->setText(counts);
+    size_.value->setText(size);
+    brief_->setText(size == kNotKnown ? counts : QString{"%1, %2"}.arg(counts, size));
 }
 
 void JobFactsView::show_source(const replay::JobPointer& job) {
@@ -108,7 +127,7 @@ void JobFactsView::show_times(const replay::JobPointer& job) {
     time_->setToolTip(times.is_least
                           ? tr("By feed and top speeds alone; it is planned while the machine is at rest")
                           : QString{});
-    reference_->setText(times.reference.is_empty() ? kNotKnown : words(times.reference));
+    reference_.value->setText(times.reference.is_empty() ? kNotKnown : words(times.reference));
 }
 
 }  // namespace psicarve::ui

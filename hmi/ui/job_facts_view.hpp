@@ -21,6 +21,8 @@ public:
     explicit JobFactsView(Bench& bench, QWidget* parent = nullptr);
 
     void set_room(Room room);
+    /// Counts and size in one line, and no T_ref.
+    void set_brief(bool is_brief);
     /// Of the job that the panel is about; null: none, or not sliced yet.
     void show_job(const replay::JobPointer& job);
     void show_times(const replay::JobPointer& job);
@@ -32,16 +34,19 @@ private:
     };
     Row add_row(const QString& name, const char* id);
     void show_source(const replay::JobPointer& job);
+    void show_size(const QString& counts, const QString& size);
 
     Bench& bench_;
     QGridLayout* grid_;
-    QLabel* counts_;
-    QLabel* size_;
+    Row counts_;
+    Row size_;
+    QLabel* brief_;
     Row pass_;
     QLabel* time_;
-    QLabel* reference_;
+    Row reference_;
     std::vector<Row> source_rows_;
     bool is_wide_ = false;
+    bool is_brief_ = false;
 };
 
 }  // namespace psicarve::ui

@@ -11,10 +11,8 @@
 #include "hmi/session/preflight.hpp"
 #include "hmi/session/start_intent.hpp"
 #include "hmi/ui/anew_dialog.hpp"
-#include "hmi/ui/elided_label.hpp"
-#include "hmi/ui/job_facts_view.hpp"
+#include "hmi/ui/job_pair_view.hpp"
 #include "hmi/ui/lock_with.hpp"
-#include "hmi/ui/long_names.hpp"
 #include "hmi/ui/motion_buttons.hpp"
 #include "hmi/ui/preflight_list.hpp"
 #include "hmi/ui/report_dialog.hpp"
@@ -27,12 +25,12 @@ namespace {
 using session::Action;
 
 constexpr int kFullPercent = 100;
-constexpr int kFullHeight_px = 632;  // of the panel with its buttons as high as they should be
+constexpr int kCloseGap = 2;
 
 }  // namespace
 
 JobPanel::JobPanel(Bench& bench, QWidget* parent) : Dock(tr("Job"), parent), bench_(bench) {
-    make_facts();
+    make_jobs();
     body().addSpacing(kSmallGap);
     checks_ = new PreflightList;
     body().addWidget(checks_);
@@ -41,12 +39,8 @@ JobPanel::JobPanel(Bench& bench, QWidget* parent) : Dock(tr("Job"), parent), ben
     make_override();
 }
 
-void JobPanel::make_facts() {
-    name_ = new ElidedLabel;
-    name_->setProperty("role", "title");
-    name_->setObjectName("job_name");
-    auto* title = new QHBoxLayout;
-    title->addWidget(name_, 1);
+void JobPanel::make_jobs() {
+    jobs_ = new JobPairView{bench_, title(), note()};
     report_ = new ActionButton{[](const Bench& now) -> std::optional<session::Phrase> {
                                    if (!now.runs.run()) return session::phrase("Report: no job was started");
                                    if (!now.job_of_run())
@@ -56,15 +50,8 @@ void JobPanel::make_facts() {
                                tr("Report"), [this] { show_report(); }};
     report_->setObjectName("report_button");
     report_->setProperty("small", true);
-    title->addWidget(report_);
-    body().addLayout(title);
-    facts_ = new JobFactsView{bench_};
-    body().addWidget(facts_);
-    next_ = role_label("label");
-    next_->setObjectName("next_job");
-    next_->setWordWrap(true);
-    next_->hide();
-    body().addWidget(next_);
+    jobs_->add_button(report_);
+    body().addWidget(jobs_);
 }
 
 void JobPanel::make_buttons() {
@@ -204,13 +191,15 @@ void JobPanel::set_theme(const Tokens& tokens) {
 
 void JobPanel::refresh() {
     if (tokens_ == nullptr) return;
-    refresh_facts();
+    refresh_jobs();
     refresh_checks();
     lock_with(*dry_run_, bench_.replay.is_open() ? words(*replay::lock()) : QString{},
               tr("Start, One layer and From layer carve nothing: table and Y go as they would, heads outside "
                  "the blank, spindle off"));
     refresh_buttons();
     refresh_override();
+    // Another line has come, or one has gone.
+    if (least_height() != fitted_height_) fit();
 }
 
 void JobPanel::change_override(int percent) {
@@ -218,61 +207,51 @@ void JobPanel::change_override(int percent) {
     override_->setValue(percent == 0 ? 100 : override_->value() + percent);  // %
 }
 
-void JobPanel::refresh_facts() {
-    const bool is_replay = bench_.replay.is_open();
-    const session::MachineSight& sight = bench_.shown();
-    const auto job = job_shown();
-    facts_->show_times(job);
-    const bool has_generation = sight.status && sight.status->job_generation != 0;
-    note().setText(is_replay        ? tr("recorded")
-                   : has_generation ? tr("no. %1").arg(sight.status->job_generation)
-                                    : QString{});
-    const std::uint64_t edition = bench_.desk.edition() + bench_.replay.edition();
-    if (shown_edition_ == edition && shown_job_ == job) return;
-    shown_edition_ = edition;
-    shown_job_ = job;
-    const auto mesh = is_replay ? nullptr : bench_.desk.mesh();
-    refresh_next();
-    facts_->show_job(job);
-    if (job) {
-        name_->show_text(QString::fromStdString(std::string{job->view.source_name()}));
-        layer_->setMaximum(static_cast<int>(job->view.layer_count()));
-    } else {
-        name_->show_text(mesh ? QString::fromStdString(mesh->source_name) : tr("No job"));
-    }
+void JobPanel::refresh_jobs() {
+    jobs_->refresh();
+    if (const auto job = jobs_->job()) layer_->setMaximum(static_cast<int>(job->view.layer_count()));
 }
 
 void JobPanel::resizeEvent(QResizeEvent* event) {
-    const bool is_low = event->size().height() < kFullHeight_px;
-    checks_->set_low(is_low);
-    for (ActionButton* button : {start_, hold_, resume_, stop_})
-        set_styled(button, "low", is_low ? "yes" : "no");
     Dock::resizeEvent(event);
+    fit();
 }
 
 void JobPanel::set_room(Room room) {
-    facts_->set_room(room);
+    room_ = room;
+    jobs_->set_room(room);
 }
 
-/// While a job runs the panel is about that one; what has been opened or sliced since waits.
-replay::JobPointer JobPanel::job_shown() const {
-    if (bench_.replay.is_open()) return bench_.replay.facts().job;
-    const bool runs = bench_.machine.sight().is_heard() && runs_job(bench_.machine.sight().state());
-    if (runs && bench_.desk.core_job()) return bench_.desk.core_job();
-    return bench_.desk.job();
+/// As loose as there is room for: buttons as high as they should be, or lines close together, or as few of
+/// them as will do.
+void JobPanel::fit() {
+    for (const Density density : {Density::loose, Density::close, Density::brief}) {
+        arrange(density);
+        // A page of one column scrolls.
+        if (room_ == Room::small && density == Density::close) break;
+        if (least_height() <= height()) break;
+    }
+    fitted_height_ = least_height();
 }
 
-void JobPanel::refresh_next() {
-    const auto waiting = bench_.desk.job();
-    const auto mesh = bench_.desk.mesh();
-    const bool is_other =
-        !bench_.replay.is_open() && shown_job_ && shown_job_ != waiting && (waiting || mesh);
-    next_->setVisible(is_other);
-    if (!is_other) return;
-    const QString name =
-        breakable(short_file_name(waiting ? std::string{waiting->view.source_name()} : mesh->source_name));
-    next_->setText(waiting ? tr("Sliced, not published yet: %1").arg(name)
-                           : tr("Opened, not sliced yet: %1").arg(name));
+int JobPanel::least_height() const {
+    const QLayout& all = *layout();
+    return all.hasHeightForWidth() ? all.totalMinimumHeightForWidth(width())
+                                   : all.totalMinimumSize().height();
+}
+
+void JobPanel::arrange(Density density) {
+    const bool is_loose = density == Density::loose;
+    body().setSpacing(is_loose ? kSmallGap : kCloseGap);
+    checks_->set_low(!is_loose);
+    jobs_->set_density(!is_loose, density == Density::brief);
+    for (ActionButton* button : {start_, hold_, resume_, stop_})
+        set_styled(button, "low", is_loose ? "no" : "yes");
+    // What they need is asked for before their own layouts have told it.
+    for (QWidget* part : {static_cast<QWidget*>(jobs_), static_cast<QWidget*>(checks_),
+                          static_cast<QWidget*>(start_), static_cast<QWidget*>(stop_)})
+        part->updateGeometry();
+    layout()->activate();
 }
 
 void JobPanel::refresh_checks() {

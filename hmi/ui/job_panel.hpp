@@ -14,8 +14,7 @@ class QSpinBox;
 
 namespace psicarve::ui {
 
-class ElidedLabel;
-class JobFactsView;
+class JobPairView;
 class PreflightList;
 
 /// The job: what it is, what is missing before it can start, and its buttons.
@@ -34,12 +33,16 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void make_facts();
+    /// How much room its lines are given.
+    enum class Density : std::uint8_t { loose, close, brief };
+
+    void make_jobs();
     void make_buttons();
     void make_override();
-    void refresh_facts();
-    replay::JobPointer job_shown() const;
-    void refresh_next();
+    void refresh_jobs();
+    void fit();
+    void arrange(Density density);
+    int least_height() const;
     void refresh_checks();
     void refresh_buttons();
     void refresh_layer();
@@ -51,12 +54,10 @@ private:
 
     Bench& bench_;
     const Tokens* tokens_ = nullptr;
-    std::uint64_t shown_edition_ = ~std::uint64_t{0};
     std::uint32_t shown_layer_ = 0;
-    replay::JobPointer shown_job_;
-    QLabel* next_;
-    ElidedLabel* name_;
-    JobFactsView* facts_;
+    int fitted_height_ = 0;
+    Room room_ = Room::usual;
+    JobPairView* jobs_;
     PreflightList* checks_;
     QCheckBox* dry_run_;
     ActionButton* start_;

@@ -22,6 +22,7 @@
 #include "hmi/session/action_lock.hpp"
 #include "hmi/session/escape_key.hpp"
 #include "hmi/ui/alarm_banner.hpp"
+#include "hmi/ui/core_profile_bar.hpp"
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/job_panel.hpp"
@@ -136,6 +137,8 @@ QWidget* MainWindow::make_centre() {
     column->addWidget(refusal_);
     unfinished_ = new UnfinishedBar{bench_};
     column->addWidget(unfinished_);
+    core_profile_ = new CoreProfileBar{bench_};
+    column->addWidget(core_profile_);
     auto* frame = new QFrame;
     frame->setProperty("dock", true);
     auto* inside = new QVBoxLayout{frame};
@@ -165,6 +168,7 @@ void MainWindow::show_theme() {
     banner_->set_theme(tokens);
     refusal_->set_theme(tokens);
     unfinished_->set_theme(tokens);
+    core_profile_->set_theme(tokens);
     pages_->set_theme(tokens);
     replay_->set_theme(tokens);
 }
@@ -181,6 +185,7 @@ void MainWindow::refresh() {
     banner_->refresh();
     refusal_->refresh();
     unfinished_->refresh();
+    core_profile_->refresh();
     pages_->refresh();
     refresh_tools();
     refresh_status_bar();
@@ -250,6 +255,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
     strip_->set_room(room);
     job_->set_room(room);
     unfinished_->set_room(room);
+    core_profile_->set_room(room);
     position_->set_room(room);
     show_menu_bar(room == Room::wide);
     if (sides_->arrange(room)) {

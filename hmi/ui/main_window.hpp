@@ -32,6 +32,7 @@ class PlaceKeeper;
 class PositionPanel;
 class RefusalBar;
 class UnfinishedBar;
+class CoreProfileBar;
 class ReplayBar;
 class SidePanels;
 class Strip;
@@ -151,6 +152,7 @@ private:
     AlarmBanner* banner_ = nullptr;
     RefusalBar* refusal_ = nullptr;
     UnfinishedBar* unfinished_ = nullptr;
+    CoreProfileBar* core_profile_ = nullptr;
     PageTabs* pages_ = nullptr;
     ReplayBar* replay_ = nullptr;
     std::vector<QAction*> float_actions_;

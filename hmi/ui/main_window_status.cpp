@@ -55,7 +55,16 @@ void MainWindow::refresh_profile_label() {
                          : sight.profile ? tr("profile %1").arg(QString::fromStdString(sight.profile->name))
                                          : tr("profile unknown");
     const QString unused = QString::fromStdString(sight.unused_profile);
-    const QString text = unused.isEmpty() ? name : tr("%1, not %2 of --profile").arg(name, unused);
+    const QString both = tr("%1, not %2 of --profile").arg(name, unused);
+    // Where that would take more than a third of the row the bar above the pages says it, as long as it is
+    // there.
+    const QFontMetrics letters = profile_label_->fontMetrics();
+    const bool has_room = 3 * letters.horizontalAdvance(both) <= width();
+    const bool is_told_above = !core_profile_->isHidden();
+    const QString text = unused.isEmpty() || (!has_room && is_told_above) ? name
+                         : has_room                                       ? both
+                                    : letters.elidedText(both, Qt::ElideMiddle, width() / 3);
+    profile_label_->setToolTip(text == both || unused.isEmpty() ? QString{} : both);
     if (profile_label_->text() == text) return;
     profile_label_->setText(text);
     set_styled(profile_label_, "role", unused.isEmpty() ? "label" : "problem");

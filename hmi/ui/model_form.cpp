@@ -214,6 +214,27 @@ void ModelForm::begin(flat::ModelKind kind, bool is_engraved) {
     is_told_ = true;
 }
 
+void ModelForm::take(const session::Remedy& remedy) {
+    switch (remedy.kind) {
+        case session::Remedy::Kind::height:
+            scale_->setValue(0.0);
+            height_->setValue(remedy.value);
+            return;
+        case session::Remedy::Kind::scale:
+            height_->setValue(0.0);
+            scale_->setValue(remedy.value);
+            return;
+        case session::Remedy::Kind::layers:
+            layers_->setValue(static_cast<int>(remedy.value));
+            return;
+        case session::Remedy::Kind::best_axis:
+            axis_->setCurrentIndex(axis_->findData(static_cast<int>(cam::AxisAt::best)));
+            return;
+        case session::Remedy::Kind::core_profile:
+            return;
+    }
+}
+
 flat::FlatOptions ModelForm::flat_options(const Profile& machine) const {
     flat::FlatOptions options;
     if (height_->value() > 0.0) options.height_mm = height_->value();

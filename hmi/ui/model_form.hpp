@@ -9,6 +9,7 @@
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/flat/load_model.hpp"
+#include "hmi/session/remedy.hpp"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -37,6 +38,8 @@ public:
     void set_fits(bool fits);
     /// A table takes tool, blank, passes and joining; the rest is locked.
     void set_table(bool is_table);
+    /// Sets the field that it names; nothing where that is no field of this form.
+    void take(const session::Remedy& remedy);
     bool is_engraved() const;
     /// Of a drawing or picture on this machine.
     flat::FlatOptions flat_options(const Profile& machine) const;

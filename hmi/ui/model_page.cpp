@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QResizeEvent>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -22,6 +23,8 @@
 #include "hmi/ui/model_report_dialog.hpp"
 #include "hmi/ui/pass_view.hpp"
 #include "hmi/ui/piece_panel.hpp"
+#include "hmi/ui/refusal_card.hpp"
+#include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/slicing_panel.hpp"
 #include "hmi/ui/turn_form.hpp"
 #include "hmi/ui/view_buttons.hpp"
@@ -61,7 +64,24 @@ void ModelPage::resizeEvent(QResizeEvent* event) {
     // Beside it as high as is left: the page is not to scroll for fields that scroll by themselves.
     room_->setSizePolicy(QSizePolicy::Preferred, is_narrow ? QSizePolicy::Preferred : QSizePolicy::Ignored);
     sides_->setDirection(is_narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    place_refusal();
     QWidget::resizeEvent(event);
+}
+
+/// Beside its button, or where there is no room for that above the fields, which scroll.
+void ModelPage::place_refusal() {
+    const bool is_in_fields = field_rows_->indexOf(&slicing_->refusal()) >= 0;
+    const bool is_small = room_in(window()->size()) == Room::small;
+    if (is_small == is_in_fields) return;
+    if (is_small) return field_rows_->insertWidget(0, &slicing_->refusal());
+    field_rows_->removeWidget(&slicing_->refusal());
+    slicing_->take_refusal_back();
+}
+
+void ModelPage::show_new_refusal() {
+    const bool is_there = bench_.desk.refusal().has_value();
+    if (is_there && !is_refusal_seen_) room_->verticalScrollBar()->setValue(0);
+    is_refusal_seen_ = is_there;
 }
 
 QWidget* ModelPage::make_view() {
@@ -115,6 +135,7 @@ QWidget* ModelPage::make_form() {
                          }};
     auto* fields = new QWidget;
     auto* rows = new QVBoxLayout{fields};
+    field_rows_ = rows;
     rows->setContentsMargins(0, 0, kSmallGap, 0);
     rows->addWidget(turn_);
     rows->addWidget(form_);
@@ -133,7 +154,9 @@ QWidget* ModelPage::make_form() {
     column->addWidget(room_, 1);
     watch_fields(*fields);
     column->addWidget(form_->pass_picture());
-    slicing_ = new SlicingPanel{bench_, {[this] { slice(); }, [this] { reload(); }}};
+    slicing_ = new SlicingPanel{bench_,
+                                {[this] { slice(); }, [this] { reload(); },
+                                 [this](const session::Remedy& remedy) { take_remedy(remedy); }}};
     column->addWidget(slicing_);
     return whole_form_;
 }
@@ -154,6 +177,14 @@ void ModelPage::watch_fields(QWidget& fields) {
 void ModelPage::slice() {
     sliced_changes_ = changes_;
     bench_.desk.slice(options(), form_->profile_for(bench_.machine_profile()));
+}
+
+void ModelPage::take_remedy(const session::Remedy& remedy) {
+    // Where the window goes by the core's already there is nothing to take.
+    const bool has_another = bench_.knows_core_profile() && !bench_.machine.sight().unused_profile.empty();
+    if (remedy.kind == session::Remedy::Kind::core_profile && has_another) bench_.take_core_profile();
+    form_->take(remedy);
+    slice();
 }
 
 session::TableWay ModelPage::table_way() const {
@@ -218,6 +249,7 @@ void ModelPage::show_model() {
 void ModelPage::set_theme(const Tokens& tokens) {
     view_->set_theme(tokens);
     warnings_->set_theme(tokens);
+    slicing_->set_theme(tokens);
     form_->set_theme(tokens);
     refresh();
 }
@@ -225,6 +257,7 @@ void ModelPage::set_theme(const Tokens& tokens) {
 void ModelPage::refresh() {
     form_->show_passes(bench_.machine_profile());
     slicing_->refresh(is_stale());
+    show_new_refusal();
     if (shown_edition_ != bench_.desk.edition()) {
         shown_edition_ = bench_.desk.edition();
         show_opened();
@@ -327,9 +360,10 @@ void ModelPage::show_warnings() {
 bool ModelPage::is_stale() const {
     const session::JobSight& sight = bench_.desk.sight();
     if (sight.state != DeskState::job && sight.state != DeskState::published) return false;
+    const bool is_taken_over = bench_.desk.is_taken_over();
     // A table becomes a job without anybody's asking, too.
-    if (const auto& way = bench_.desk.table_way()) return !way->is_as(table_way());
-    return bench_.desk.mesh() && changes_ != sliced_changes_;
+    if (const auto& way = bench_.desk.table_way()) return is_taken_over || !way->is_as(table_way());
+    return bench_.desk.mesh() && (is_taken_over || changes_ != sliced_changes_);
 }
 
 }  // namespace psicarve::ui

@@ -12,6 +12,7 @@
 #include "hmi/ui/space_canvas.hpp"
 
 class QBoxLayout;
+class QVBoxLayout;
 class QScrollArea;
 class QLabel;
 class QPushButton;
@@ -58,6 +59,9 @@ private:
     void show_facts();
     void reload();
     void open_report();
+    void place_refusal();
+    void show_new_refusal();
+    void take_remedy(const session::Remedy& remedy);
     void look();
     void show_model();
     void refresh_piece();
@@ -92,6 +96,8 @@ private:
     QBoxLayout* sides_ = nullptr;
     QWidget* whole_form_ = nullptr;
     QScrollArea* room_ = nullptr;  ///< of the fields
+    QVBoxLayout* field_rows_ = nullptr;
+    bool is_refusal_seen_ = false;
     PiecePanel* piece_ = nullptr;
     std::size_t warning_count_ = 0;
     BlankProfile fitted_blank_;  ///< that the model was last made to fit

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/refusal_card.hpp"
+#include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -44,6 +46,8 @@ QString state_words(DeskState state) {
 SlicingPanel::SlicingPanel(Bench& bench, Acts acts, QWidget* parent) : QWidget(parent), bench_(bench) {
     auto* column = new QVBoxLayout{this};
     column->setContentsMargins(0, 0, 0, 0);
+    refusal_ = new RefusalCard{std::move(acts.remedy)};
+    column->addWidget(refusal_);
     add_state(*column, acts.reload);
     add_buttons(*column, std::move(acts.slice));
     publish_reason_ = role_label("label");
@@ -99,6 +103,26 @@ void SlicingPanel::refresh(bool is_stale) {
     cancel_->setVisible(sight.is_busy());
     reload_->setVisible(bench_.desk.has_changed() && !sight.is_busy());
     show_publish_reason();
+    show_refusal();
+}
+
+void SlicingPanel::take_refusal_back() {
+    static_cast<QVBoxLayout*>(layout())->insertWidget(0, refusal_);
+}
+
+void SlicingPanel::set_theme(const Tokens& tokens) {
+    refusal_->set_theme(tokens);
+}
+
+void SlicingPanel::show_refusal() {
+    const auto& refusal = bench_.desk.refusal();
+    auto lock = bench_.replay.is_open()
+                    ? replay::lock()
+                    : session::lock_of(Action::slice, bench_.machine.sight(), bench_.desk.sight());
+    const std::vector<session::Remedy> by_core{{session::Remedy::Kind::core_profile}};
+    if (!lock && refusal && refusal->remedies == by_core && !bench_.knows_core_profile())
+        lock = session::phrase("The core's profile is not known: give the window its file, with --profile");
+    refusal_->show_refusal(refusal ? &*refusal : nullptr, lock ? words(*lock) : QString{});
 }
 
 /// What is locked says why: beside Publish in words, too.

@@ -16,6 +16,9 @@ class QVBoxLayout;
 
 namespace psicarve::ui {
 
+class RefusalCard;
+struct Tokens;
+
 /// How far the open model is on its way to the core, and the buttons that bring it on: Slice, Publish,
 /// Cancel, Reload.
 class SlicingPanel : public QWidget {
@@ -24,18 +27,25 @@ public:
     struct Acts {
         std::function<void()> slice;
         std::function<void()> reload;
+        std::function<void(const session::Remedy&)> remedy;
     };
     SlicingPanel(Bench& bench, Acts acts, QWidget* parent = nullptr);
 
     /// `is_stale`: the job was sliced otherwise than the fields say now.
     void refresh(bool is_stale);
+    void set_theme(const Tokens& tokens);
+    /// What was refused stands above the rest here, until somebody puts it elsewhere.
+    RefusalCard& refusal() noexcept { return *refusal_; }
+    void take_refusal_back();
 
 private:
     void add_state(QVBoxLayout& column, const std::function<void()>& reload);
     void add_buttons(QVBoxLayout& column, std::function<void()> slice);
     void show_publish_reason();
+    void show_refusal();
 
     Bench& bench_;
+    RefusalCard* refusal_;
     QLabel* state_;
     QProgressBar* progress_;
     QPushButton* cancel_;

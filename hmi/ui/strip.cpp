@@ -251,7 +251,8 @@ void Strip::refresh_heartbeat() {
     tick_->setToolTip(tr("99 % of the ticks were no later; page Real time tells more"));
 }
 
-/// "12:38 left · ends 15:11", "stopped 14:58:07", "held, last known 14:58:07"
+/// "12:38 left · ends 15:11", "about 12:38 left · ends about 15:11", "stopped 14:58:07", "held, last known
+/// 14:58:07"
 QString Strip::time_words() const {
     const session::MachineSight& sight = bench_.machine.sight();
     if (!sight.is_heard() && sight.status) {
@@ -263,7 +264,10 @@ QString Strip::time_words() const {
     if (at && session::is_cut_short(sight)) return tr("stopped %1").arg(local_time(*at, "HH:mm:ss"));
     const QString left = words(session::time_text(sight, bench_.desk.sight().core_layer_count));
     const auto end = session::end_time(sight, std::chrono::system_clock::now());
-    return end ? tr("%1 · ends %2").arg(left, local_time(*end, "HH:mm")) : left;
+    if (!end) return left;
+    const QString clock = local_time(*end, "HH:mm");
+    return session::is_time_about(sight) ? tr("%1 · ends about %2").arg(left, clock)
+                                         : tr("%1 · ends %2").arg(left, clock);
 }
 
 /// Where room is short as much as fits, and all of it in the tip.

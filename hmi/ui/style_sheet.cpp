@@ -120,7 +120,7 @@ QScrollBar:horizontal { background: @panel; height: 10px; }
 QScrollBar::handle:horizontal { background: @edge; border-radius: 4px; min-width: 24px; }
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
 QToolTip { background: @field; color: @text; border: 1px solid @edge; padding: 3px; }
-#refusal, #unfinished { background: @warn_ground; border: 2px solid @warn; border-radius: 4px; }
+#refusal, #unfinished, #desk_refusal, #core_profile { background: @warn_ground; border: 2px solid @warn; border-radius: 4px; }
 QLabel[trouble="yes"] { color: @warn; font-weight: 700; }
 #alarm_room, #alarm_room > QWidget, #alarm_room > QWidget > QWidget { background: transparent; border: 0; }
 #banner { background: @alarm_ground; border: 2px solid @alarm; border-radius: 4px; }

@@ -2,7 +2,6 @@
 #include "hmi/verify/binary_reader.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -15,7 +14,6 @@ namespace psicarve::verify {
 namespace {
 
 constexpr SignalWord kAllSignals = kOutputMask | kInputMask;
-constexpr std::int64_t kLargestPosition = std::int64_t{1} << 52;
 
 /// Walks over the numbers of one record.
 class NumberCursor {
@@ -86,6 +84,8 @@ Result<void> BinaryReader::read_header() {
         return source_.bad_at(offsetof(TraceHeader, period_ns), "a tick period of no time");
     if ((header.initial_levels & ~kAllSignals) != 0)
         return source_.bad_at(offsetof(TraceHeader, initial_levels), "levels of signals that do not exist");
+    if (!std::ranges::all_of(header.position_pulses, is_trace_position))
+        return source_.bad_at(offsetof(TraceHeader, position_pulses), "a position beyond all bounds");
     start_.initial_levels = header.initial_levels;
     start_.present = kAllSignals;
     start_.has_positions = true;
@@ -127,7 +127,7 @@ BinaryReader::Decoded BinaryReader::decode(TraceEvent& event) {
             std::uint64_t zigzag = 0;
             if (!cursor.next(zigzag)) return incomplete();
             position = value_from_zigzag(zigzag);
-            if (std::abs(position) > kLargestPosition) return fail("a position beyond all bounds");
+            if (!is_trace_position(position)) return fail("a position beyond all bounds");
         }
     } else if (kind != TraceRecordKind::end) {
         std::uint64_t changed = 0;
@@ -173,6 +173,7 @@ Result<std::size_t> BinaryReader::read(std::span<TraceEvent> events) {
             // end.
             ended_ = true;
             events[count].kind = TraceEvent::Kind::pins;
+            events[count].position_pulses = {};
             ++count;
         } else if (count > 0) {
             return count;  // what is wrong is told by the next call

@@ -9,6 +9,7 @@ namespace psicarve::verify {
 
 void MotionWitness::start_slow(Range positions, std::int64_t time_ns, std::int64_t count) {
     is_slow_ = true;
+    is_anywhere_ = false;
     is_whole_ = false;
     slow_ = positions;
     time_ns_ = time_ns;
@@ -37,6 +38,7 @@ bool MotionWitness::take_slow(const TrainEvent& event, double time_s) {
     const double way = limits_.jump_pps * time_s;
     const Range room = room_at(count_);
     slow_ = common({slow_.low - way, slow_.high + way}, room);
+    is_anywhere_ = slow_.low <= room.low && slow_.high >= room.high;
     if (event.is_pulse()) slow_ = common(slow_, room_between(count_, event.count_after(count_)));
     return !slow_.is_empty();
 }
@@ -49,7 +51,7 @@ bool MotionWitness::take_running(const TrainEvent& event, double time_s) {
         is_whole_ = is_whole_ && running_.slowest() >= speeds.low;
         running_.keep_speeds(speeds);
         time_s -= step_s;
-        if (time_s > 0.0) running_.keep_below(is_upward_ ? room_at(count_).high : -room_at(count_).low);
+        running_.keep_below(is_upward_ ? room_at(count_).high : -room_at(count_).low);
     }
     if (running_.is_empty()) return false;
     if (event.kind == TrainEvent::Kind::joint) {
@@ -64,6 +66,13 @@ bool MotionWitness::take_running(const TrainEvent& event, double time_s) {
     running_.keep_below(room.high);
     running_.keep_above(room.low);
     return !running_.is_empty();
+}
+
+Range MotionWitness::slow_positions() const noexcept {
+    if (is_slow_) return slow_;
+    if (running_.is_empty() || running_.slowest() > limits_.jump_pps) return Range::none();
+    const Range row = running_.slowest_row();
+    return common(is_upward_ ? row : mirrored(row), room_at(count_));
 }
 
 void MotionWitness::hand_to(MotorReach& reach) const {

@@ -25,6 +25,11 @@ public:
     /// False: no such motion is left.
     bool take(const TrainEvent& event);
 
+    bool is_slow() const noexcept { return is_slow_; }
+    /// Positions where it may be no faster than start-stop now.
+    Range slow_positions() const noexcept;
+    /// Slow, and no slow motion is left out: it may be anywhere in the room.
+    bool is_anywhere() const noexcept { return is_slow_ && is_anywhere_; }
     /// No motion was left out so far.
     bool is_whole() const noexcept { return is_whole_; }
     /// Gives all of it to a set of states that knew nothing else.
@@ -38,6 +43,7 @@ private:
 
     MotorLimits limits_;
     bool is_slow_ = true;
+    bool is_anywhere_ = false;
     bool is_whole_ = false;
     bool is_upward_ = true;
     Range slow_ = Range::none();

@@ -33,11 +33,14 @@ void StateFlank::push(double speed, double reach) noexcept {
 double StateFlank::reach_at(double speed) const noexcept {
     if (speed <= speed_[0]) return reach_[0];
     for (std::size_t i = 1; i < size_; ++i) {
-        if (speed > speed_[i]) continue;
-        const double share = (speed - speed_[i - 1]) / (speed_[i] - speed_[i - 1]);
-        return reach_[i - 1] + share * (reach_[i] - reach_[i - 1]);
+        if (speed <= speed_[i]) return reach_below(i, speed);
     }
     return reach_[size_ - 1];
+}
+
+double StateFlank::reach_below(std::size_t i, double speed) const noexcept {
+    const double share = (speed - speed_[i - 1]) / (speed_[i] - speed_[i - 1]);
+    return reach_[i - 1] + share * (reach_[i] - reach_[i - 1]);
 }
 
 // What a motor can add within a time T is a lens between two parabolas, from (-aT^2/2, -aT) to (aT^2/2, aT).
@@ -95,10 +98,9 @@ Range StateFlank::speeds_reaching(double level) const noexcept {
 
 void StateFlank::keep_speeds(Range speeds) noexcept {
     if (speeds.high < fastest()) {
-        const double reach = reach_at(speeds.high);
         while (size_ > 1 && speed_[size_ - 2] >= speeds.high) --size_;
+        if (size_ > 1) reach_[size_ - 1] = reach_below(size_ - 1, speeds.high);
         speed_[size_ - 1] = speeds.high;
-        reach_[size_ - 1] = reach;
     }
     if (speeds.low > slowest()) {
         const double reach = reach_at(speeds.low);

@@ -74,6 +74,8 @@ private:
     void make_room(std::size_t corners) noexcept;
     void replace(std::size_t from, std::size_t end, std::size_t wanted) noexcept;
     void push(double speed, double reach) noexcept;
+    /// Between corners i - 1 and i.
+    double reach_below(std::size_t i, double speed) const noexcept;
     /// Where the chain between corners i - 1 and i crosses a level.
     double crossing(std::size_t i, double level) const noexcept;
 

@@ -13,6 +13,12 @@
 
 namespace psicarve::verify {
 
+/// No machine counts further; what is further in a trace is garbage, and sums of it would overflow.
+inline constexpr std::int64_t kMostTracePosition_pulses = std::int64_t{1} << 52;
+constexpr bool is_trace_position(std::int64_t position_pulses) noexcept {
+    return position_pulses <= kMostTracePosition_pulses && position_pulses >= -kMostTracePosition_pulses;
+}
+
 /// One entry of a pin trace, whatever its file format. Times never fall from one event to the next.
 struct TraceEvent {
     enum class Kind : std::uint32_t {

@@ -11,8 +11,6 @@ namespace psicarve::verify {
 
 namespace {
 
-constexpr std::int64_t kVcdHeaderLargestPosition = std::int64_t{1} << 52;
-
 std::string_view next_word(std::string_view& text) {
     const std::size_t begin = text.find_first_not_of(" \t\r\n\v\f");
     if (begin == std::string_view::npos) return text = {};
@@ -98,8 +96,7 @@ VcdComment VcdComment::from_text(std::string_view text) {
         if (equals == std::string_view::npos) return comment;
         const auto axis = axis_from_name(word.substr(0, equals));
         const auto value = whole_number(word.substr(equals + 1));
-        if (!axis || !value || *value > kVcdHeaderLargestPosition || *value < -kVcdHeaderLargestPosition)
-            return comment;
+        if (!axis || !value || !is_trace_position(*value)) return comment;
         position[index_of(*axis)] = *value;
         seen |= 1U << index_of(*axis);
     }

@@ -95,7 +95,7 @@ struct Sample {
     std::uint8_t homed_mask;
     SignalWord signals;
     MoveEnd move_end;
-    std::uint16_t is_dry;          ///< the job at hand, or the last: nothing is carved
+    std::uint8_t is_dry;           ///< the job at hand, or the last: nothing is carved
     std::uint16_t is_port_silent;  ///< it has not taken the safe state; `signals` may stand on its pins
     std::array<std::int64_t, kAxisCount> position_pulses;
     std::array<std::uint64_t, kAxisCount> emitted_pulses;

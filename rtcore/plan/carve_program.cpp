@@ -36,10 +36,6 @@ void CarveProgram::add_link_to_layer() {
              carved_point(job_->joining(), job_->point_count(), layer_, 0));
     at_pulses_ = start;
     blocks_ = std::move(list.blocks());
-    for (const MotionBlock& link : blocks_) {
-        const GroupLimits speeds{link.start_speed_per_s, link.max_speed_per_s, link.accel_per_s2};
-        planned_.seconds += group_seconds(speeds, link.group_iterations);
-    }
     ++planned_.points;
 }
 
@@ -78,7 +74,6 @@ void CarveProgram::add_lines() {
             }
             blocks_.push_back(block);
         }
-        planned_.seconds += group_seconds(group.limits, group.iterations);
     }
 }
 

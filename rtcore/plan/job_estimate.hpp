@@ -8,11 +8,20 @@
 
 namespace psicarve::plan {
 
+/// What is left of a run.
+struct TimeLeft {
+    double seconds = -1.0;    ///< negative: not known
+    bool is_planned = false;  ///< to the end; else from some place on it is a forecast
+};
+
 /// How long a whole table takes as planned, at 100 % feed, and how long the way to each of its points: known
-/// at the places where a layer or a stretch ends, in between each point takes as long as the next. Grows as
-/// the table is planned.
+/// at the places where a layer or a stretch ends. In between layers share the time as a forecast says, and
+/// within one each point takes as long as the next. Grows as the table is planned; what is not planned yet
+/// takes as long as the forecast says.
 class JobEstimate {
 public:
+    /// By layer, about when it ends, in a table with so many points in each.
+    void forecast(const std::vector<double>& layer_ends_s, std::uint32_t point_count);
     /// So much has been planned; neither count nor seconds ever less than before.
     void add(const PlannedSoFar& planned);
 
@@ -21,14 +30,19 @@ public:
     double seconds() const noexcept { return marks_.back().seconds; }
     /// They are the least that the limits allow: T_ref.
     bool is_reference() const noexcept { return marks_.back().is_reference; }
-    /// From the first point to the one after which so many are done; past the end: the end.
+    /// From the first point to the one after which so many are done; past what is planned as forecast, if
+    /// there is a forecast.
     double seconds_to(std::uint64_t points_done) const noexcept;
-    /// From `points_done` on to the end at `points_total`. Past what is planned each point takes as long as
-    /// those so far.
-    double seconds_left(std::uint64_t points_done, std::uint64_t points_total) const noexcept;
+    /// From `points_done` on to the end at `points_total`; never less than what is planned of it.
+    TimeLeft left(std::uint64_t points_done, std::uint64_t points_total) const noexcept;
 
 private:
-    std::vector<PlannedSoFar> marks_{PlannedSoFar{.points = 1}};  ///< the first point is where it begins
+    using Marks = std::vector<PlannedSoFar>;
+    static double seconds_at(const Marks& marks, std::uint64_t points_done) noexcept;
+    double forecast_between(std::uint64_t begin, std::uint64_t end) const noexcept;
+
+    Marks marks_{PlannedSoFar{.points = 1}};     ///< the first point is where it begins
+    Marks forecast_{PlannedSoFar{.points = 1}};  ///< of the whole table
 };
 
 }  // namespace psicarve::plan

@@ -2,10 +2,12 @@
 #include "rtcore/plan/job_estimator.hpp"
 
 #include <utility>
+#include <vector>
 
 #include "rtcore/handler_stack.hpp"
 #include "rtcore/plan/approach.hpp"
 #include "rtcore/plan/carving.hpp"
+#include "rtcore/plan/time_forecast.hpp"
 #include "rtcore/side_thread.hpp"
 
 namespace psicarve::plan {
@@ -17,13 +19,6 @@ constexpr std::chrono::milliseconds kBeforeIt{100};
 PlannedSoFar with_first_point(PlannedSoFar planned) noexcept {
     ++planned.points;
     return planned;
-}
-
-double left_of(const JobEstimate& estimate, std::uint64_t points_done, std::uint64_t points_total) noexcept {
-    const std::uint64_t planned = estimate.points();
-    const bool is_known =
-        points_total <= planned || (points_done < planned && points_total - planned <= planned - points_done);
-    return is_known ? estimate.seconds_left(points_done, points_total) : -1.0;
 }
 
 }  // namespace
@@ -44,7 +39,7 @@ void JobEstimator::begin(std::shared_ptr<const JobView> job) {
     next_job_ = std::move(job);
     has_next_job_ = true;
     whole_ = nullptr;
-    last_left_s_ = -1.0;
+    last_left_ = {};
     static_cast<void>(look());
 }
 
@@ -73,13 +68,13 @@ std::shared_ptr<const JobEstimate> JobEstimator::estimate() {
     return whole_;
 }
 
-double JobEstimator::seconds_left(std::uint64_t points_done, std::uint64_t points_total) {
-    if (points_total == 0) return -1.0;
-    if (whole_ != nullptr) return left_of(*whole_, points_done, points_total);
+TimeLeft JobEstimator::left(std::uint64_t points_done, std::uint64_t points_total) {
+    if (points_total == 0) return {};
+    if (whole_ != nullptr) return whole_->left(points_done, points_total);
     if (const auto lock = look()) {
-        last_left_s_ = estimate_ != nullptr ? left_of(*estimate_, points_done, points_total) : -1.0;
+        last_left_ = estimate_ != nullptr ? estimate_->left(points_done, points_total) : TimeLeft{};
     }
-    return last_left_s_;
+    return last_left_;
 }
 
 bool JobEstimator::wait(std::chrono::milliseconds limit) {
@@ -109,25 +104,36 @@ void JobEstimator::run() {
     }
 }
 
+bool JobEstimator::change(std::uint64_t edition, const std::function<void(JobEstimate&)>& change) {
+    const std::lock_guard lock(mutex_);
+    if (must_end_ || edition_ != edition) return false;
+    change(*estimate_);
+    return true;
+}
+
 void JobEstimator::plan(const std::shared_ptr<const JobView>& job, std::uint64_t edition) {
-    const auto program = carving_of(limits_for(limits_, *job), job);
+    const MachineLimits limits = limits_for(limits_, *job);
+    TimeForecast forecast(limits, job);
+    while (forecast.next()) {
+        if (!change(edition, [](JobEstimate& /*estimate*/) {})) return;
+    }
+    const std::vector<double> ends_s = forecast.layer_ends_seconds();
+    if (!change(edition, [&](JobEstimate& estimate) { estimate.forecast(ends_s, job->point_count()); }))
+        return;
+    const auto program = carving_of(limits, job);
     cycle::MotionBlock block{};
     std::uint64_t points = 0;
     while (program->next(block)) {
         const PlannedSoFar planned = program->planned();
         if (planned.points == points) continue;
         points = planned.points;
-        const std::lock_guard lock(mutex_);
-        if (must_end_ || edition_ != edition) return;
-        estimate_->add(with_first_point(planned));
+        if (!change(edition, [&](JobEstimate& estimate) { estimate.add(with_first_point(planned)); })) return;
     }
-    {
-        const std::lock_guard lock(mutex_);
-        if (edition_ != edition) return;
-        estimate_->add(with_first_point(program->planned()));
+    const bool is_done = change(edition, [&](JobEstimate& estimate) {
+        estimate.add(with_first_point(program->planned()));
         is_whole_ = true;
-    }
-    changed_.notify_all();
+    });
+    if (is_done) changed_.notify_all();
 }
 
 }  // namespace psicarve::plan

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -31,9 +32,9 @@ public:
     void begin(std::shared_ptr<const JobView> job);
     /// Of the job, when all of it is planned; else null.
     std::shared_ptr<const JobEstimate> estimate();
-    /// Of a run of the job that ends at `points_total`; negative: not known, as less than half of what is
-    /// left is planned. What one layer takes says little about another.
-    double seconds_left(std::uint64_t points_done, std::uint64_t points_total);
+    /// Of a run of the job that ends at `points_total`; not known until there is a forecast, a moment after
+    /// the job has begun to be planned.
+    TimeLeft left(std::uint64_t points_done, std::uint64_t points_total);
     /// Waits until there is one.
     bool wait(std::chrono::milliseconds limit);
 
@@ -43,12 +44,14 @@ private:
     void exchange_with_thread();
     void run();
     void plan(const std::shared_ptr<const JobView>& job, std::uint64_t edition);
+    /// Does something to the estimate; false, and nothing is done: another job has come.
+    bool change(std::uint64_t edition, const std::function<void(JobEstimate&)>& change);
 
     MachineLimits limits_;
     std::shared_ptr<const JobView> next_job_;  ///< not handed over yet
     bool has_next_job_ = false;
     std::shared_ptr<const JobEstimate> whole_;
-    double last_left_s_ = -1.0;
+    TimeLeft last_left_;
     std::mutex mutex_;  // guards all that follow
     std::condition_variable changed_;
     std::shared_ptr<const JobView> job_;

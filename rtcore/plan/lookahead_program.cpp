@@ -87,7 +87,7 @@ void LookaheadProgram::add_stretches(std::size_t first, std::size_t last) {
     for (std::size_t i = first + 1; i <= last; ++i) {
         if (i < last && i != first_of_layer_ && !corners[i - 1].is_stop) continue;
         pieces_.clear();
-        planned_.seconds += stretches_.plan(points_, spans, corners, first, i, pieces_) / limits_.pace;
+        stretches_.plan(points_, spans, corners, first, i, pieces_);
         add_stretch();
         first = i;
     }
@@ -210,8 +210,6 @@ void LookaheadProgram::begin_in_between() {
         note_gaps(std::span(blocks_).first(left));
         speed_up_from_rest(std::span(blocks_).first(left));
     }
-    planned_.seconds = 0.0;
-    for (const MotionBlock& block : blocks_) planned_.seconds += path_seconds(block.path);
 }
 
 // The rows made at once go further up than the carving does: it comes to rest where its last row ends.
@@ -222,10 +220,8 @@ void LookaheadProgram::end_in_between() {
         if (last->group_blocks > 0) run = last;
         if (last->reaches_points == 2 && last->layer == end_layer_) break;
     }
-    for (auto left_out = last + 1; left_out != blocks_.end(); ++left_out) {
+    for (auto left_out = last + 1; left_out != blocks_.end(); ++left_out)
         planned_.points -= left_out->reaches_points;
-        planned_.seconds -= path_seconds(left_out->path);
-    }
     const bool was_cut = last + 1 != blocks_.end() && (last + 1)->group_blocks == 0;
     blocks_.erase(last + 1, blocks_.end());
     if (!was_cut) return;

@@ -16,6 +16,8 @@ using cycle::MotionBlock;
 // A stop after so many of a spiral's points costs next to nothing, and what they take of memory is little.
 constexpr std::uint32_t kSpiralPointsAtOnce = 8192;
 
+}  // namespace
+
 MachineLimits limits_of_job(const MachineLimits& limits, const JobView& job) {
     MachineLimits result = limits;
     // The feed is the job's own; the profile's is what a slicer puts there.
@@ -24,14 +26,23 @@ MachineLimits limits_of_job(const MachineLimits& limits, const JobView& job) {
     return result;
 }
 
-}  // namespace
+Pulses4 pulses_at(const JobView& job, std::uint32_t layer, std::uint32_t step) {
+    const std::uint32_t point = carved_point(job.joining(), job.point_count(), layer, step);
+    return {job.r_left_pulses(layer)[point], job.r_right_pulses(layer)[point], job.psi_pulses(layer, point),
+            job.y_pulses(layer, point)};
+}
+
+std::uint32_t layers_at_once(const JobView& job, std::uint32_t layer) {
+    return is_spiral_row(job, layer) ? std::max(1U, kSpiralPointsAtOnce / job.point_count()) : 1;
+}
 
 TableProgram::TableProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, LayerSpan layers)
     : limits_(limits_of_job(limits, *job)),
       job_(std::move(job)),
       first_layer_(layers.first),
       end_layer_(std::min(layers.end, job_->layer_count())),
-      layer_(layers.first) {}
+      layer_(layers.first),
+      times_(limits_) {}
 
 bool TableProgram::next(MotionBlock& block) {
     while (next_ == blocks_.size()) {
@@ -43,11 +54,16 @@ bool TableProgram::next(MotionBlock& block) {
             blocks_.emplace_back();
             blocks_.back().kind = BlockKind::program_end;
         } else {
-            make_layers();
+            make_blocks();
         }
     }
     block = blocks_[next_++];
     return true;
+}
+
+void TableProgram::make_blocks() {
+    make_layers();
+    planned_.seconds += times_.seconds_of(blocks_);
 }
 
 void TableProgram::add_way_to_pass(const Pulses4& from_pulses) {
@@ -55,24 +71,8 @@ void TableProgram::add_way_to_pass(const Pulses4& from_pulses) {
     add_way_between_passes(list, limits_, *job_, from_pulses, layer_);
     for (const MotionBlock& block : list.blocks()) {
         planned_.points += block.reaches_points;
-        if (block.kind == BlockKind::dwell) {
-            planned_.seconds += static_cast<double>(block.ticks) * limits_.tick_seconds();
-        } else {
-            planned_.seconds += group_seconds(
-                {block.start_speed_per_s, block.max_speed_per_s, block.accel_per_s2}, block.group_iterations);
-        }
         blocks_.push_back(block);
     }
-}
-
-std::uint32_t TableProgram::layers_at_once() const {
-    return is_spiral() ? std::max(1U, kSpiralPointsAtOnce / job_->point_count()) : 1;
-}
-
-Pulses4 TableProgram::point_at(std::uint32_t layer, std::uint32_t step) const {
-    const std::uint32_t point = carved_point(job_->joining(), job_->point_count(), layer, step);
-    return {job_->r_left_pulses(layer)[point], job_->r_right_pulses(layer)[point],
-            job_->psi_pulses(layer, point), job_->y_pulses(layer, point)};
 }
 
 void TableProgram::reach(MotionBlock& block, std::uint32_t layer, std::uint32_t step) {

@@ -8,6 +8,7 @@
 
 #include "rtcore/plan/machine_limits.hpp"
 #include "rtcore/plan/program.hpp"
+#include "rtcore/plan/tick_times.hpp"
 #include "shared/job.hpp"
 
 namespace psicarve::plan {
@@ -20,6 +21,18 @@ struct LayerSpan {
     std::uint32_t end = kLastLayer;
 };
 
+/// The machine's limits for a job: its own feed, where it has one, and where heads are outside in it.
+MachineLimits limits_of_job(const MachineLimits& limits, const JobView& job);
+/// Where the machine stands in the point that is carved as a layer's `step`-th.
+Pulses4 pulses_at(const JobView& job, std::uint32_t layer, std::uint32_t step);
+/// Whether a layer is a row of a spiral, which only the finishing pass can be.
+inline bool is_spiral_row(const JobView& job, std::uint32_t layer) {
+    return job.joining() == Joining::spiral && layer >= job.finishing_layer();
+}
+/// So many layers from this one on are planned at once: nothing stops between the rows of a spiral, so each
+/// begins as fast as the one before it ended.
+std::uint32_t layers_at_once(const JobView& job, std::uint32_t layer);
+
 /// A table or some of its layers, from a layer's first point (where the machine stands) to the last layer's
 /// last point; how, is for the planners that derive from it to say. Makes few layers' blocks at a time.
 class TableProgram : public Program {
@@ -30,18 +43,16 @@ public:
 protected:
     TableProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, LayerSpan layers);
 
-    /// Adds the blocks of the next layers to blocks() and moves layer_ on, past them.
+    /// Adds the blocks of the next layers, whole groups, to blocks_ and moves layer_ on, past them.
     virtual void make_layers() = 0;
 
     /// Whether the next layers to make are rows of a spiral, which only the finishing pass can be.
-    bool is_spiral() const { return job_->joining() == Joining::spiral && layer_ >= job_->finishing_layer(); }
+    bool is_spiral() const { return is_spiral_row(*job_, layer_); }
     bool begins_pass() const { return job_->begins_pass(layer_); }
-    /// Heads clear between two passes; what it takes counts as planned.
+    /// Heads clear between two passes.
     void add_way_to_pass(const Pulses4& from_pulses);
-    /// So many layers are made at once: nothing stops between the rows of a spiral, so each begins as fast as
-    /// the one before it ended.
-    std::uint32_t layers_at_once() const;
-    Pulses4 point_at(std::uint32_t layer, std::uint32_t step) const;
+    std::uint32_t layers_at_once() const { return plan::layers_at_once(*job_, layer_); }
+    Pulses4 point_at(std::uint32_t layer, std::uint32_t step) const { return pulses_at(*job_, layer, step); }
     /// The block ends in this point; a spiral's next row begins in it too.
     void reach(cycle::MotionBlock& block, std::uint32_t layer, std::uint32_t step);
 
@@ -54,6 +65,9 @@ protected:
     PlannedSoFar planned_;
 
 private:
+    void make_blocks();
+
+    TickTimes times_;
     std::size_t next_ = 0;
     bool is_ended_ = false;
 };

@@ -48,6 +48,7 @@ CoreStatus StatusMirror::compose(const cycle::Sample& sample, const PlannedTimes
     status.waited_ticks = sample.waited_ticks;
     status.override_percent = static_cast<std::uint32_t>(sample.override_percent);
     status.is_dry = sample.is_dry;
+    status.is_left_forecast = times.is_left_forecast ? 1 : 0;
     status.is_port_silent = sample.is_port_silent;
     status.trace_lost = sample.trace_lost;
     status.realtime_asked = realtime_.asked;

@@ -36,7 +36,8 @@ struct SimFacts {
 /// As planned, at 100 % feed; negative: unknown.
 struct PlannedTimes {
     double left_s = -1.0;
-    double reference_s = -1.0;  ///< T_ref of the whole job
+    bool is_left_forecast = false;  ///< not all of it is planned yet
+    double reference_s = -1.0;      ///< T_ref of the whole job
 };
 
 /// How much longer the planned time takes with this override. Beyond 100 % it depends on the motors' limits

@@ -290,7 +290,13 @@ PlannedTimes Supervisor::planned_times() {
     PlannedTimes times{.left_s = -1.0, .reference_s = parts_->planner->reference_seconds()};
     if (parts_->estimator != nullptr) {
         estimate = parts_->estimator->estimate();
-        times.left_s = parts_->estimator->seconds_left(sample_.points_done, parts_->planner->points_total());
+        const plan::TimeLeft left =
+            parts_->estimator->left(sample_.points_done, parts_->planner->points_total());
+        // At rest it is the whole job that is told of, once it is planned.
+        if (runs_job(sample_.state)) {
+            times.left_s = left.seconds;
+            times.is_left_forecast = left.seconds >= 0.0 && !left.is_planned;
+        }
     }
     // Before the status tells that the job is planned.
     if (!layer_times_.tell(estimate, job_)) return {.left_s = -1.0, .reference_s = -1.0};

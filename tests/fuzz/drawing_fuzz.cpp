@@ -16,13 +16,7 @@ namespace {
 
 using namespace psicarve;
 using fuzz::require;
-
-template <typename T>
-void require_one_line(const Result<T>& result) {
-    if (result) return;
-    require(!result.error().message.empty(), "an error says something");
-    require(result.error().message.find('\n') == std::string::npos, "an error is one line");
-}
+using fuzz::require_one_line;
 
 /// Its lines are refused, or every place of the cylinder is no deeper than they are to be.
 void engrave(const flat::Drawing& drawing, bool is_full_turn) {

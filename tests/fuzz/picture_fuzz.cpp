@@ -14,17 +14,11 @@ namespace {
 
 using namespace psicarve;
 using fuzz::require;
+using fuzz::require_one_line;
 
 constexpr std::size_t kPngHeadBytes = 8;
 constexpr std::size_t kChunkFrameBytes = 12;  // length, name and sum
 constexpr std::size_t kMostDepths = 100'000;  // large pictures are read, and left at that
-
-template <typename T>
-void require_one_line(const Result<T>& result) {
-    if (result) return;
-    require(!result.error().message.empty(), "an error says something");
-    require(result.error().message.find('\n') == std::string::npos, "an error is one line");
-}
 
 /// A PNG whose chunks have the sums that they should have: else hardly one mutation gets past these.
 std::vector<unsigned char> with_right_sums(flat::Bytes bytes) {

@@ -3,6 +3,9 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <string>
+
+#include "shared/result.hpp"
 
 namespace psicarve::fuzz {
 
@@ -11,6 +14,14 @@ inline void require(bool holds, const char* what) {
     if (holds) return;
     std::fprintf(stderr, "broken: %s\n", what);
     std::abort();
+}
+
+/// What is refused is so in one line that says something.
+template <typename T>
+void require_one_line(const Result<T>& result) {
+    if (result) return;
+    require(!result.error().message.empty(), "an error says something");
+    require(result.error().message.find('\n') == std::string::npos, "an error is one line");
 }
 
 }  // namespace psicarve::fuzz

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <random>
 #include <string>
+#include <utility>
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/model/load_mesh.hpp"
@@ -130,6 +132,67 @@ INSTANTIATE_TEST_SUITE_P(CoarseTables, Flanks,
                                                       Joining::spiral},
                                            CoarseHead{"Noise", noise_mm, 0.002, 400.0, 300}),
                          [](const auto& named) { return std::string{named.param.name}; });
+
+/// Three points a layer, far apart, and high layers: Y is at its top speed where a link has its middle.
+JobTable three_points_a_layer(const Profile& profile, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    const auto pick = [&](std::uint64_t least, std::uint64_t span) { return least + random() % span; };
+    JobTable table = table_of(
+        profile, [](double, std::uint32_t) { return 10.0; }, 6, 3);
+    std::int64_t height = 200;
+    for (std::uint32_t layer = 0; layer < table.layer_count; ++layer) {
+        table.layer_height_pulses[layer] = height;
+        height += static_cast<std::int64_t>(pick(400, 3600));
+    }
+    for (std::size_t i = 0; i < table.r_left_pulses.size(); ++i) {
+        table.r_left_pulses[i] = static_cast<std::int32_t>(pick(2000, 7000));
+        table.r_right_pulses[i] = static_cast<std::int32_t>(pick(2000, 7000));
+    }
+    return table;
+}
+
+/// How close Y's pulses follow each other.
+struct Following {
+    std::uint64_t least_ticks = ~std::uint64_t{0};
+    double most_ahead = 0.0;  ///< of a motion at top speed, over any of its ways [pulses]
+};
+
+Following following_of(const Profile& profile, const JobTable& table) {
+    const double pulses_a_tick =
+        axis_motion(profile, Axis::y).speed_pps * 1e-9 * static_cast<double>(tick_period_ns(profile));
+    Following following;
+    std::uint64_t tick = 0;
+    std::uint64_t last = 0;
+    std::int64_t at = 0;
+    double ahead = 0.0;
+    const Carved result = carved(profile, table, [&](cycle::MachineRig& rig) {
+        const std::int64_t now = rig.positions()[kY];
+        ++tick;
+        if (now == std::exchange(at, now)) return;
+        if (last != 0) {
+            following.least_ticks = std::min(following.least_ticks, tick - last);
+            ahead = std::max(0.0, ahead) + 1.0 - pulses_a_tick * static_cast<double>(tick - last);
+            following.most_ahead = std::max(following.most_ahead, ahead);
+        }
+        last = tick;
+    });
+    EXPECT_TRUE(result.report.ok) << verify::report_text(result.report);
+    return following;
+}
+
+// At top speed a pulse of Y comes every 5 ticks. Where the path has a point the count is rounded to a whole
+// pulse: half a pulse that Y is behind there is made up for in one interval, and no motor takes note.
+TEST(ThreePointsALayer, YsPulsesAreNeverAheadOfItsTopSpeedByMoreThanAPulseAndATick) {
+    const Profile profile;
+    std::uint64_t least_ticks = ~std::uint64_t{0};
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U}) {
+        const Following sut = following_of(profile, three_points_a_layer(profile, seed));
+        EXPECT_LE(sut.most_ahead, 1.1) << seed << ": 0.45 pulses at either end, and a tick";
+        least_ticks = std::min(least_ticks, sut.least_ticks);
+    }
+    EXPECT_LT(least_ticks, 4U) << "more than rounding to ticks";
+    EXPECT_GE(least_ticks, 2U);
+}
 
 // Some ticks pass until an edge is heeded: that way is part of the one that rule 4 grants.
 TEST(Homing, RunsNoFurtherPastASensorThanSlowingDownFromHomeSpeedTakes) {

@@ -49,7 +49,7 @@ TEST(WaitsForNobody, WhoAsksForTheTimeOfAJobThatIsBeingPlanned) {
         });
         while (sut.estimate() == nullptr) {
             count_into(counts, [&] {
-                static_cast<void>(sut.seconds_left(1, 20 * 100));
+                static_cast<void>(sut.left(1, 20 * 100));
                 static_cast<void>(sut.estimate());
             });
         }

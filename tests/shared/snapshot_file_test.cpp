@@ -171,6 +171,17 @@ TEST(SnapshotFile, StatusOfAnOlderLayoutWithTheSameStructuresIsRead) {
     EXPECT_THAT(refusal_of(snapshot), HasSubstr("layout version"));
 }
 
+TEST(SnapshotFile, ADryRunOfAnOlderLayoutIsOneWithoutAForecast) {
+    Bytes snapshot = snapshot_bytes(full_snapshot());
+    put(snapshot, offsetof(SnapshotHeader, layout_version), std::uint32_t{9});
+    put(snapshot, sizeof(SnapshotHeader) + offsetof(CoreStatus, is_dry), std::uint16_t{1});
+    const auto parsed = parse_snapshot(snapshot, "s.psi");
+    ASSERT_TRUE(parsed.has_value()) << parsed.error().message;
+    EXPECT_EQ(parsed->status->is_dry, 1U);
+    EXPECT_EQ(parsed->status->is_left_forecast, 0U);
+    EXPECT_EQ(parsed->status->is_port_silent, 0U);
+}
+
 TEST(SnapshotFile, KeepsTheCheckpointAndNoImpossibleOne) {
     Snapshot saved = full_snapshot();
     EXPECT_FALSE(parse_snapshot(snapshot_bytes(saved), "s.psi")->checkpoint.has_value());

@@ -51,6 +51,23 @@ TEST_F(CoreCarving, TheTimeIsKnownBeforeTheStart) {
     EXPECT_GT(status().reference_seconds, 1.5 * before.reference_seconds);
 }
 
+TEST_F(CoreCarving, OfARunThatAnAlarmEndedNoForecastIsToldAtRest) {
+    start_core();
+    home();
+    ASSERT_EQ(publish(long_job()), "");
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().is_left_forecast != 0U; }));
+    request_emergency_stop(*segment_);
+    ASSERT_TRUE(eventually([&] {
+        const CoreStatus now = status();
+        EXPECT_TRUE(runs_job(now.state) || now.reference_seconds >= 0.0 || now.seconds_left < 0.0);
+        return now.reference_seconds >= 0.0;
+    }));
+    ASSERT_TRUE(eventually([&] { return !runs_job(status().state); }));
+    EXPECT_EQ(status().is_left_forecast, 0U);
+    EXPECT_EQ(status().seconds_left, status().reference_seconds) << "of the whole job";
+}
+
 TEST_F(CoreCarving, WhoSeesAJobAcceptedReadsNoTimesOfTheJobBefore) {
     start_core();
     ASSERT_EQ(publish(lobed_job(6, 33)), "");

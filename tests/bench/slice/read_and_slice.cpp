@@ -3,33 +3,27 @@
 // into 500 layers and building of a job, on one thread and on two, next to admesh reading the same file.
 //   bench_read_and_slice [PSICARVE]     with the program's path also `PSICARVE slice FILE -o JOB --layers
 //   500`
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/model/load_mesh.hpp"
 #include "shared/profile.hpp"
+#include "tests/bench/slice/binary_stl.hpp"
+#include "tests/bench/slice/child_cost.hpp"
 #include "tests/bench/slice/measure.hpp"
 #include "tests/bench/slice/relief_mesh.hpp"
-
-extern char** environ;
 
 namespace {
 
 using namespace psicarve;
+using bench::Cost;
 
 constexpr std::size_t kTriangles = 1'000'000;
 constexpr int kRuns = 5;
@@ -37,18 +31,7 @@ constexpr double kMostCpuOfAdmesh = 0.25;
 constexpr double kMostPeak_mb = 500.0;
 
 int generate(const std::string& file) {
-    const model::Mesh mesh = bench::relief_mesh(kTriangles);
-    std::ofstream out(file, std::ios::binary);
-    std::array<char, 80> header{};
-    out.write(header.data(), header.size());
-    const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
-    out.write(reinterpret_cast<const char*>(&count), sizeof(count));
-    std::array<char, 50> facet{};
-    for (const model::Triangle& triangle : mesh.triangles) {
-        std::memcpy(facet.data() + 12, &triangle, sizeof(triangle));
-        out.write(facet.data(), facet.size());
-    }
-    return out.good() ? 0 : 1;
+    return bench::write_binary_stl(bench::relief_mesh(kTriangles).triangles, file) ? 0 : 1;
 }
 
 int read_and_slice(const std::string& file, unsigned thread_count) {
@@ -66,40 +49,6 @@ int read_and_slice(const std::string& file, unsigned thread_count) {
         return 1;
     }
     return 0;
-}
-
-struct Cost {
-    std::string name;
-    std::vector<std::string> command;
-    std::vector<double> cpu_s;
-    std::vector<double> wall_s;
-    double peak_mb = 0.0;
-    bool failed = false;
-};
-
-/// Runs the command and adds what it cost. The parent stays small: a child's peak begins with its parent's.
-void run(Cost& cost) {
-    std::vector<char*> arguments;
-    for (std::string& word : cost.command) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", 1, 0);
-    const double begin = bench::wall_s();
-    ::pid_t child = 0;
-    cost.failed = ::posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ) != 0;
-    ::posix_spawn_file_actions_destroy(&actions);
-    if (cost.failed) return;
-    int status = 0;
-    rusage usage{};
-    ::wait4(child, &status, 0, &usage);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    cost.wall_s.push_back(bench::wall_s() - begin);
-    cost.cpu_s.push_back(seconds(usage.ru_utime) + seconds(usage.ru_stime));
-    cost.peak_mb = std::max(cost.peak_mb, static_cast<double>(usage.ru_maxrss) / 1024.0);
-    cost.failed = !WIFEXITED(status) || WEXITSTATUS(status) != 0;
 }
 
 void print(const Cost& cost) {
@@ -126,7 +75,7 @@ int compare(const std::string& self, const char* psicarve) {
     const std::string model = folder / "relief.stl";
     const std::string job = folder / "relief.job";
     Cost generation{"generate", {self, "--generate", model}, {}, {}, 0.0, false};
-    run(generation);
+    bench::run(generation);
     std::vector<Cost> costs{{"admesh", {"admesh", model}, {}, {}, 0.0, false},
                             {"read, slice, build", {self, "--slice", model, "1"}, {}, {}, 0.0, false},
                             {"the same, two threads", {self, "--slice", model, "2"}, {}, {}, 0.0, false}};
@@ -135,7 +84,7 @@ int compare(const std::string& self, const char* psicarve) {
             {"psicarve slice", {psicarve, "slice", model, "-o", job, "--layers", "500"}, {}, {}, 0.0, false});
     }
     for (int round = 0; round < kRuns; ++round) {
-        for (Cost& cost : costs) run(cost);
+        for (Cost& cost : costs) bench::run(cost);
     }
     std::filesystem::remove_all(folder);
     for (const Cost& cost : costs) print(cost);

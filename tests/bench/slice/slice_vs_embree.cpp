@@ -7,13 +7,12 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <limits>
 #include <vector>
 
 #include "hmi/model/mesh.hpp"
 #include "hmi/slice/directions.hpp"
 #include "hmi/slice/slicer.hpp"
+#include "tests/bench/slice/embree_trace.hpp"
 #include "tests/bench/slice/measure.hpp"
 #include "tests/bench/slice/relief_mesh.hpp"
 
@@ -24,62 +23,15 @@ using namespace psicarve;
 constexpr std::size_t kLayers = 500;
 constexpr std::size_t kDirections = 1000;
 constexpr int kRuns = 5;
-constexpr float kOutside_mm = 100.0F;
 
-struct Samples {
-    std::vector<double> heights;
-    std::vector<double> angles_rad;
-};
-
-/// Scene build and trace; fills the radius of each sample.
-double run_embree(const model::Mesh& mesh, const Samples& samples, RTCDevice device,
+double run_embree(const model::Mesh& mesh, const bench::Rays& samples, RTCDevice device,
                   std::vector<double>& radius) {
     const double begin = bench::cpu_s();
-    RTCScene scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    const std::size_t count = mesh.triangles.size();
-    void* vertices =
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, 3 * count);
-    std::memcpy(vertices, mesh.triangles.data(), count * sizeof(model::Triangle));
-    auto* indices = static_cast<unsigned*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, count));
-    for (std::size_t i = 0; i < 3 * count; ++i) indices[i] = static_cast<unsigned>(i);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene);
-
-    std::vector<float> cosine;
-    std::vector<float> sine;
-    for (const double angle : samples.angles_rad) {
-        cosine.push_back(static_cast<float>(std::cos(angle)));
-        sine.push_back(static_cast<float>(std::sin(angle)));
-    }
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    for (std::size_t layer = 0; layer < kLayers; ++layer) {
-        for (std::size_t k = 0; k < kDirections; ++k) {
-            RTCRayHit hit{};
-            hit.ray.org_x = kOutside_mm * cosine[k];
-            hit.ray.org_y = kOutside_mm * sine[k];
-            hit.ray.org_z = static_cast<float>(samples.heights[layer]);
-            hit.ray.dir_x = -cosine[k];
-            hit.ray.dir_y = -sine[k];
-            hit.ray.tfar = kOutside_mm;
-            hit.ray.mask = ~0U;
-            hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-            rtcIntersect1(scene, &context, &hit);
-            radius[layer * kDirections + k] =
-                hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ? 0.0 : double{kOutside_mm - hit.ray.tfar};
-        }
-    }
-    rtcReleaseScene(scene);
+    bench::trace_with_embree(mesh.triangles, samples, device, radius);
     return bench::cpu_s() - begin;
 }
 
-double run_ours(const model::Mesh& mesh, const Samples& samples, std::vector<double>& radius) {
+double run_ours(const model::Mesh& mesh, const bench::Rays& samples, std::vector<double>& radius) {
     const double begin = bench::cpu_s();
     const slice::Directions directions(samples.angles_rad);
     auto map = slice::radial_map(mesh, {}, samples.heights, directions, {});
@@ -94,7 +46,7 @@ double run_ours(const model::Mesh& mesh, const Samples& samples, std::vector<dou
 /// Whether the slicer was fast enough.
 bool compare(std::size_t triangle_count, double least_ratio, RTCDevice device) {
     const model::Mesh mesh = bench::relief_mesh(triangle_count);
-    Samples samples;
+    bench::Rays samples;
     samples.heights = slice::layer_heights(mesh.facts.min[2], mesh.facts.max[2] - mesh.facts.min[2], kLayers);
     for (std::size_t k = 0; k < kDirections; ++k) {
         samples.angles_rad.push_back(2.0 * kPi * static_cast<double>(k) / kDirections);

@@ -182,6 +182,9 @@ void expect_known(const Profile& profile, Joining joining, Share share) {
     const std::vector<Gap> sut = sunk_at_edges(mesh, profile, *plan, table);
     const std::vector<Searched> searched = GapOracle(mesh, profile, table, sut).search();
     ASSERT_EQ(sut.size(), searched.size());
+    double most_mm = 0.0;
+    for (const Gap& gap : sut) most_mm = std::max(most_mm, gap.sunk_mm);
+    EXPECT_EQ(most_sunk_at_edges_mm(mesh, profile, *plan, table), most_mm) << name_of(joining);
     // A spiral crosses an edge that is taken for straight over a whole gap.
     const double slack_mm = joining == Joining::spiral ? 0.15 : 0.01;
     for (std::size_t k = 0; k < sut.size(); ++k)

@@ -58,12 +58,54 @@ TEST(SliceReport, IsJsonWithWhatTheSlicerSaw) {
     EXPECT_EQ(json["axis_at"], "centre");
 }
 
+/// A plate with a post aside of its middle.
+model::Mesh lopsided() {
+    return shapes::Builder()
+        .add(shapes::box({-20, -10, 0}, {20, 10, 2}))
+        .add(shapes::cylinder(4.0, 2.0, 40.0, 32, 10.0, 3.0))
+        .mesh();
+}
+
+// The search takes longer than all the slicing.
+TEST(SliceReport, LooksForABetterAxisOnlyWhereAsked) {
+    JobOptions options = small(40, 30);
+    int looks = 0;
+    options.search_progress = [&looks](double) {
+        ++looks;
+        return true;
+    };
+    const BuiltJob quick = built(lopsided(), Profile{}, options);
+    EXPECT_EQ(looks, 0);
+    EXPECT_FALSE(quick.report.axis_search.has_value());
+    EXPECT_FALSE(nlohmann::json::parse(quick.table.report_json).contains("best_axis"));
+    EXPECT_THAT(quick.report.warnings,
+                Contains(HasSubstr("; --axis-at best looks for an axis that loses less")));
+    options.compares_axes = true;
+    const BuiltJob compared = built(lopsided(), Profile{}, options);
+    EXPECT_GT(looks, 0);
+    EXPECT_EQ(compared.table.r_left_pulses, quick.table.r_left_pulses);
+    options.axis_at = AxisAt::best;
+    EXPECT_THAT(built(lopsided(), Profile{}, options).report.warnings,
+                Not(Contains(HasSubstr("--axis-at best"))));
+}
+
+// Nothing is promised of an axis at which next to nothing is lost.
+TEST(SliceReport, NamesNoOtherAxisWhereLittleIsLost) {
+    const BuiltJob sut = built(shapes::Builder()
+                                   .add(shapes::cylinder(10.0, 0.0, 40.0, 64))
+                                   .add(shapes::box({11, -0.1, 10}, {11.2, 0.1, 12}))
+                                   .mesh(),
+                               Profile{}, small(40, 200));
+    EXPECT_GT(sut.report.undercut_share, 0.0);
+    EXPECT_LT(sut.report.undercut_share, 0.01);
+    EXPECT_THAT(sut.report.warnings, Not(Contains(HasSubstr("--axis-at"))));
+}
+
 TEST(SliceReport, OffersABetterAxisWhereOneIs) {
-    const model::Mesh mesh = shapes::Builder()
-                                 .add(shapes::box({-20, -10, 0}, {20, 10, 2}))
-                                 .add(shapes::cylinder(4.0, 2.0, 40.0, 32, 10.0, 3.0))
-                                 .mesh();
-    const BuiltJob centre = built(mesh, Profile{}, small(40, 30));
+    const model::Mesh mesh = lopsided();
+    JobOptions asked = small(40, 30);
+    asked.compares_axes = true;
+    const BuiltJob centre = built(mesh, Profile{}, asked);
     EXPECT_GT(centre.report.layers_without_axis, 30U);
     EXPECT_THAT(centre.report.warnings, Contains(HasSubstr("layers, by the same look this axis")));
     JobOptions options = small(40, 30);

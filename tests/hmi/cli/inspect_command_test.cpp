@@ -31,6 +31,28 @@ TEST_F(InspectCommand, TellsWhatAMeshIsMadeOfAndHowItWouldStand) {
     EXPECT_GT(report["expected"]["places"].get<int>(), 1000);
 }
 
+// Looking for a better axis takes longer than all the slicing.
+TEST_F(InspectCommand, LooksForABetterAxisAndSliceNamesTheWay) {
+    const std::vector<std::string> beside{box_stl("box.stl"), "--layers", "4",     "--points", "17",
+                                          "--axis-at",        "12,0",     "--json"};
+    std::vector<std::string> arguments{"inspect"};
+    arguments.insert(arguments.end(), beside.begin(), beside.end());
+    const Outcome inspected = psicarve(arguments);
+    ASSERT_EQ(inspected.exit_code, 0) << inspected.error;
+    EXPECT_NE(inspected.error.find("cannot be reached; --axis-at best would lose 0.0 % of the surface"),
+              std::string::npos)
+        << inspected.error;
+    EXPECT_EQ(inspected.json()["report"]["best_axis"]["loss"]["layers_without_axis_share"], 0.0);
+    arguments.front() = "slice";
+    arguments.insert(arguments.end(), {"-o", file("box.job")});
+    const Outcome sliced = psicarve(arguments);
+    ASSERT_EQ(sliced.exit_code, 0) << sliced.error;
+    EXPECT_NE(sliced.error.find("cannot be reached; --axis-at best looks for an axis that loses less"),
+              std::string::npos)
+        << sliced.error;
+    EXPECT_FALSE(sliced.json()["report"].contains("best_axis"));
+}
+
 TEST_F(InspectCommand, DraftsWhatAToolWouldLeaveWithoutSlicing) {
     // A slot 2 mm wide and 3 mm deep in a bar of 10 mm, across the direction 0.
     write("slot.obj",

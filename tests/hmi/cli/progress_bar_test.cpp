@@ -9,12 +9,17 @@ namespace psicarve::cli {
 namespace {
 
 TEST(ProgressLine, ShowsShareTimeLeftAndPlace) {
-    EXPECT_EQ(progress_line("carving", 0.5, 192.0, "layer 3", 80),
+    EXPECT_EQ(progress_line("carving", 0.5, TimeToGo{192.0, false}, "layer 3", 80),
               "carving  [############............]   50 %  3:12 left  layer 3");
 }
 
+TEST(ProgressLine, SaysAboutOfWhatIsNotPlannedYet) {
+    EXPECT_EQ(progress_line("carving", 0.5, TimeToGo{192.0, true}, "layer 3", 80),
+              "carving  [############............]   50 %  about 3:12 left  layer 3");
+}
+
 TEST(ProgressLine, NeverFillsTheTerminalsLastColumn) {
-    EXPECT_EQ(progress_line("carving", 1.0, 1.0, "layer 3", 20).size(), 19U);
+    EXPECT_EQ(progress_line("carving", 1.0, TimeToGo{1.0, false}, "layer 3", 20).size(), 19U);
 }
 
 TEST(ProgressLine, BearsSharesThatMakeNoSense) {

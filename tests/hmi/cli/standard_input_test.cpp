@@ -57,5 +57,17 @@ TEST_F(StandardInput, IsNotLostToWhatIsWritten) {
     EXPECT_EQ(shell("", "slice - --layers 3 --points 5 -o " + file("n.job"), "<" + model), 0) << said();
 }
 
+TEST_F(StandardInput, MayBeATableWithItsHead) {
+    ASSERT_EQ(psicarve({"slice", box_stl("m.stl"), "--layers", "3", "--points", "6", "-o", file("m.job")})
+                  .exit_code,
+              0);
+    ASSERT_EQ(shell("", "snapshot export " + file("m.job") + " --format csv", ""), 0) << said();
+    const std::string table = text_of(file("out"));
+    write("m.csv", table);
+    EXPECT_EQ(shell("cat " + file("m.csv") + " | ", "slice - -o " + file("table.job"), ""), 0) << said();
+    ASSERT_EQ(shell("", "snapshot export " + file("table.job") + " --format csv", ""), 0) << said();
+    EXPECT_EQ(text_of(file("out")), table);
+}
+
 }  // namespace
 }  // namespace psicarve::test

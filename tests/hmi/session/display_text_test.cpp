@@ -73,7 +73,12 @@ TEST(DisplayText, TellsTheTimeLeft) {
     machine.status->seconds_left = 758.0;
     EXPECT_DOUBLE_EQ(done_ratio(machine), 0.63);
     EXPECT_EQ(in_english(time_text(machine)), "12:38 left");
+    EXPECT_FALSE(is_time_about(machine));
+    machine.status->is_left_forecast = 1;
+    EXPECT_EQ(in_english(time_text(machine)), "about 12:38 left");
+    EXPECT_TRUE(is_time_about(machine));
     machine.status->state = S::alarm;
+    EXPECT_FALSE(is_time_about(machine));
     machine.status->job_start_tick = 500;
     EXPECT_EQ(in_english(time_text(machine)), "stopped");
     EXPECT_LT(done_ratio(machine_in(S::ready)), 0.0);
@@ -203,6 +208,8 @@ TEST(DisplayText, TellsHowLongTheOpenJobTakes) {
     machine.status->state = S::carving;
     EXPECT_EQ(in_english(job_times(machine, false, 61.0, ours).time), "12:38 left");
     EXPECT_EQ(in_english(job_times(machine, false, 61.0, ours).reference), "1:05") << "as before";
+    machine.status->is_left_forecast = 1;
+    EXPECT_EQ(in_english(job_times(machine, false, 61.0, ours).time), "about 12:38 left");
     machine.life = CoreLife::none;
     EXPECT_EQ(in_english(job_times(machine, true, 61.0).time), "at least 1:01") << "the core is gone";
     machine.life = CoreLife::alive;

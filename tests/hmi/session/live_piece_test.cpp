@@ -212,11 +212,12 @@ TEST_F(LivePieces, EndInTheMiddleOfALayerThatIsCutAsPlanned) {
 }
 
 TEST_F(LivePieces, EndInTheMiddleOfIncrements) {
-    EXPECT_TRUE(ends_in_the_middle([this] {
+    const auto carve_a_layer = [this] {
         look(0);
         tell_layer(0, 100);
         look(1);
-    }));
+    };
+    EXPECT_TRUE(ends_in_the_middle(carve_a_layer, 2'500));
 }
 
 TEST_F(LivePieces, EndWhileMuchIsToBeCut) {

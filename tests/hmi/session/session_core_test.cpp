@@ -1,66 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <fstream>
+#include <future>
 #include <memory>
+#include <optional>
 #include <string>
 
-#include "hmi/session/job_desk.hpp"
-#include "hmi/session/machine_session.hpp"
 #include "shared/process_identity.hpp"
+#include "tests/hmi/session/session_rig.hpp"
 #include "tests/places.hpp"
-#include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::session {
 namespace {
 
-using two_process::CoreRig;
 using S = MachineState;
 
-/// What a window does between its frames.
-class SessionOnCore : public CoreRig {
-protected:
-    void open_session() {
-        session_ = std::make_unique<MachineSession>(SessionOptions{segment_name_, {}, {}}, log_);
-        desk_ = std::make_unique<JobDesk>(segment_name_, std::string{}, log_);
-    }
-    template <typename Condition>
-    bool comes_true(Condition condition) {
-        return eventually([&] {
-            session_->poll();
-            desk_->poll(session_->sight());
-            return condition();
-        });
-    }
-    ::testing::AssertionResult comes_to(S state) {
-        if (comes_true([&] { return session_->sight().state() == state; }))
-            return ::testing::AssertionSuccess();
-        return ::testing::AssertionFailure()
-               << "state is " << name_of(session_->sight().state()) << all_messages();
-    }
-    std::string all_messages() const {
-        std::string text;
-        for (const Message& message : log_.messages()) text += "\n  " + in_english(message.what);
-        return text;
-    }
-    void open_and_publish(const JobTable& table) {
-        Snapshot snapshot;
-        snapshot.job_blob = job_blob_from_table(table);
-        ASSERT_TRUE(save_snapshot(snapshot, file("long.job")));
-        desk_->open(file("long.job"));
-        ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::job; })) << all_messages();
-        desk_->publish();
-        ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::published; }))
-            << all_messages();
-    }
-    void home_session() {
-        session_->order(CommandKind::home, phrase("Home"));
-        ASSERT_TRUE(comes_to(S::ready));
-    }
-
-    MessageLog log_;
-    std::unique_ptr<MachineSession> session_;
-    std::unique_ptr<JobDesk> desk_;
-};
+class SessionOnCore : public test::SessionRig {};
 
 TEST_F(SessionOnCore, GoesTheWholeWayFromAModelToADoneJob) {
     start_core();
@@ -141,6 +98,33 @@ TEST_F(SessionOnCore, SaysThatTheCoreIsGoneAndFindsTheNext) {
     start_core();
     ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::alive; }));
     home_session();
+}
+
+TEST_F(SessionOnCore, FindsTheNextCoreThoughTheDiskOfAProfileHangs) {
+    Profile own;
+    own.r1.pulses_per_mm *= 2.0;
+    std::ofstream{file("own.toml")} << profile_to_toml(own);
+    start_core({"--profile", file("own.toml")});
+    std::promise<void> disk;
+    const auto is_sought = std::make_shared<std::atomic<bool>>(false);
+    open_session();
+    SessionOptions options{segment_name_, {}, {}};
+    options.find_profile = [is_sought, answers = disk.get_future().share()](std::uint32_t, std::uint64_t) {
+        is_sought->store(true);
+        answers.wait();
+        return std::optional<Profile>{};
+    };
+    session_ = std::make_unique<MachineSession>(options, log_);
+    ASSERT_TRUE(comes_true([&] { return is_sought->load(); }));
+    // Its segment goes with it.
+    core_.reset();
+    segment_.reset();
+    ASSERT_TRUE(Segment::remove(segment_name_));
+    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::none; }));
+    start_core();
+    EXPECT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::alive; }));
+    EXPECT_TRUE(session_->stop()) << "somebody hears it";
+    disk.set_value();
 }
 
 // It may plan the job that was left first, which takes seconds: no frame waits for that.

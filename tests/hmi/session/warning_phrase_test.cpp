@@ -18,6 +18,15 @@ TEST(WarningPhrase, NamesTheWindowsFieldsInsteadOfOptions) {
         "the surface and 0.0 % of the layers, by the same look this axis 2.5 % and 40.0 %");
     EXPECT_EQ(shown.arguments, (std::vector<std::string>{"2.4 %", "2.3 %", "0.0 %", "2.5 %", "40.0 %"}));
     EXPECT_EQ(in_english(shown).find("--"), std::string::npos);
+    EXPECT_EQ(
+        in_english(warning_phrase("20 of 500 layers do not contain the axis; --axis-at best looks for an "
+                                  "axis that loses less")),
+        "20 of 500 layers do not contain the axis. Axis at: least lost looks for an axis that loses less.");
+    EXPECT_EQ(
+        in_english(warning_phrase("2.4 % of the surface lies behind another part and cannot be reached; "
+                                  "--axis-at best looks for an axis that loses less")),
+        "2.4 % of the surface lies behind another part and cannot be reached. Axis at: least lost looks for "
+        "an axis that loses less.");
     EXPECT_EQ(in_english(warning_phrase("20 of 500 layers do not contain the axis")),
               "20 of 500 layers do not contain the axis.");
     EXPECT_EQ(

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace psicarve::slice {
@@ -24,6 +26,47 @@ SectionSegment wall_along(double angle_rad, double aside_rad) {
     const double from_rad = angle_rad - aside_rad;
     const double to_rad = angle_rad + aside_rad;
     return {std::cos(from_rad), std::sin(from_rad), 3.0 * std::cos(to_rad), 3.0 * std::sin(to_rad)};
+}
+
+// Bit for bit: walls on all sides, along the axes too, short and long, some through the axis.
+TEST(LayerScan, SeveralWallsAtOnceAreTheSameWallsOneByOne) {
+    std::mt19937_64 random{31};
+    std::uniform_real_distribution<double> place{-9.0, 9.0};
+    std::vector<SectionSegment> walls{{1, 0, 0, 1},    {0, 1, -1, 0},     {-1, 0, 0, -1},
+                                      {0, -1, 1, 0},   {0, 0, 2, 1},      {1, -0.0, 2, 3},
+                                      {-0.0, 1, 1, 1}, {-1, -0.0, -1, 1}, {3, -1e-320, 3, 1}};
+    while (walls.size() < LayerScan::kMostAtOnce) {
+        const double x = place(random);
+        const double y = place(random);
+        const double length = walls.size() % 3 == 0 ? 4.0 : 0.01;
+        walls.push_back({x, y, x + length * place(random), y + length * place(random)});
+    }
+    const Directions directions{every_degree_rad()};
+    LayerScan sut{directions};
+    LayerScan one_by_one{directions};
+    for (const std::size_t count : {std::size_t{0}, std::size_t{9}, walls.size()}) {
+        sut.add_segments(std::span(walls).first(count));
+        for (std::size_t i = 0; i < count; ++i) one_by_one.add_segment(walls[i]);
+        const LayerTotals totals = sut.finish();
+        const LayerTotals expected = one_by_one.finish();
+        EXPECT_EQ(totals.radius_sum, expected.radius_sum) << count;
+        EXPECT_EQ(totals.walls, expected.walls) << count;
+        EXPECT_TRUE(std::ranges::equal(sut.radius(), one_by_one.radius())) << count;
+        EXPECT_TRUE(std::ranges::equal(sut.wall_counts(), one_by_one.wall_counts())) << count;
+    }
+}
+
+// Both ends' diamond angles are worked out at once there.
+TEST(LayerScan, EndsOfWallsOnAnyRayAreWhereDirectionsSayTheyAre) {
+    const Directions directions{every_degree_rad()};
+    LayerScan sut{directions};
+    for (std::size_t degree = 0; degree < 360; ++degree) {
+        const double from_rad = every_degree_rad()[degree] - 0.01;
+        const double to_rad = every_degree_rad()[degree] + 0.01;
+        sut.add_segment({std::cos(from_rad), std::sin(from_rad), std::cos(to_rad), std::sin(to_rad)});
+        EXPECT_EQ(sut.finish().walls, 1U) << degree;
+        EXPECT_EQ(sut.wall_counts()[degree], 1U) << degree;
+    }
 }
 
 // The quotient of a line and a ray is 0 : 0 there.

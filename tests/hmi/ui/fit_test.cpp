@@ -2,6 +2,7 @@
 // Nothing is cut off, in any language, on a screen of 1280 x 720 and on one of 1920 x 1080 at 200 %.
 #include <gtest/gtest.h>
 
+#include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
@@ -218,6 +219,49 @@ TEST_P(Fit, WithAJobBeforeAndWhileItIsCarved) {
     ASSERT_TRUE(comes_to(S::alarm));
     expect_pages_fit("alarm");
     expect_panels_fit("alarm");
+}
+
+TEST_P(Fit, WithAnotherJobOnTheDeskThanInTheMachine) {
+    open_small();
+    ASSERT_NO_FATAL_FAILURE(publish_job(two_process::long_job()));
+    std::filesystem::copy_file(example("figurine.stl"), file(kLongName));
+    window_->open(QString::fromStdString(file(kLongName)));
+    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(click("slice"));
+    ASSERT_TRUE(comes_to(session::DeskState::job));
+    ASSERT_FALSE(part<QWidget>("desk_job").isHidden());
+    expect_fit("two_jobs");
+    expect_panels_fit("two_jobs");
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    window_->bench().machine.start(0);  // by another program
+    ASSERT_TRUE(comes_to(S::carving));
+    expect_fit("two_jobs_carving");
+    expect_panels_fit("two_jobs_carving");
+}
+
+TEST_P(Fit, WithASlicingThatWasRefused) {
+    open_small();
+    std::filesystem::copy_file(example("figurine.stl"), file(kLongName));
+    window_->open(QString::fromStdString(file(kLongName)));
+    ASSERT_TRUE(comes_to(session::DeskState::model));
+    part<QDoubleSpinBox>("scale").setValue(10.0);
+    ASSERT_TRUE(click("slice"));
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("desk_refusal").isVisible(); }));
+    expect_fit("not_sliced");
+}
+
+TEST_P(Fit, WithAnotherProfileThanTheCores) {
+    Profile given;
+    given.name = "mill_in_the_workshop";
+    given.r1.pulses_per_mm *= 2.0;
+    given.r2.pulses_per_mm *= 2.0;
+    given.y.pulses_per_mm *= 2.0;
+    given.head_clearance_mm += 1.0;
+    open_small();
+    window_->bench().machine.set_profile(given);
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("core_profile").isVisible(); }));
+    expect_fit("other_profile");
 }
 
 TEST_P(Fit, WithASlicedModel) {

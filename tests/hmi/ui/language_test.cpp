@@ -16,12 +16,14 @@
 #include <QScrollBar>
 #include <QTabWidget>
 
+#include <csignal>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "hmi/session/action_lock.hpp"
 #include "hmi/session/core_phrase.hpp"
+#include "hmi/session/display_text.hpp"
 #include "hmi/session/error_phrase.hpp"
 #include "hmi/ui/language.hpp"
 #include "hmi/ui/state_pill.hpp"
@@ -29,6 +31,7 @@
 #include "shared/command.hpp"
 #include "shared/profile_table.hpp"
 #include "shared/profile_text.hpp"
+#include "shared/shared_record.hpp"
 #include "tests/hmi/session/sights.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
@@ -134,7 +137,7 @@ TEST_P(Languages, SayEveryStateInFull) {
     constexpr std::uint32_t kMany = 4000;
     std::vector<session::MachineSight> all{session::test::limit_alarm(Axis::psi), session::MachineSight{}};
     for (std::uint32_t k = 0; k < kMachineStateCount; ++k) {
-        for (const std::uint16_t is_dry : {std::uint16_t{0}, std::uint16_t{1}}) {
+        for (const std::uint8_t is_dry : {std::uint8_t{0}, std::uint8_t{1}}) {
             all.push_back(session::test::machine_in(static_cast<MachineState>(k)));
             all.back().status->is_dry = is_dry;
             all.back().status->layer = kMany - 1;
@@ -169,6 +172,38 @@ TEST_P(Languages, KeepRoomForTheLargestFiguresOfTheTick) {
     EXPECT_GE(tick.width(), tick.fontMetrics().horizontalAdvance(longest)) << longest.toStdString();
     const QString missed = in_own("missed %1", "999\u2009999\u2009999");
     EXPECT_GE(tick.width(), tick.fontMetrics().horizontalAdvance(missed)) << missed.toStdString();
+}
+
+// The longest there is: about so many hours, and when they end. What has no room is in the tip.
+TEST_P(Languages, TellTheTimeLeftOfALongJobOnTheSmallestScreen) {
+    start_core();
+    open_window();
+    window_->resize(1280, 720);
+    ASSERT_TRUE(comes_to(MachineState::off));
+    core_->send_signal(SIGSTOP);  // its words are ours
+    const double left_s = 3600.0 * 23 + 60.0 * 58 + 48;
+    auto& record = segment_->header().status;
+    CoreStatus status = load_words<CoreStatus>(record.words);
+    status.state = MachineState::carving;
+    status.is_virtual_clock = 0;
+    status.points_done = 1000;
+    status.points_total = 4'000'000;
+    status.seconds_left = left_s;
+    status.is_left_forecast = 1;
+    const QString left = words(session::phrase("about %1 left", session::clock_text(left_s)));
+    const auto& time = part<QLabel>("time_left");
+    ASSERT_TRUE(comes_true([&] {
+        ++status.heartbeat;
+        write_record(record, status);
+        return time.text().startsWith(left);
+    })) << time.text().toStdString();
+    const QString all = time.toolTip().isEmpty() ? time.text() : time.toolTip();
+    EXPECT_TRUE(all.startsWith(left + " · ")) << all.toStdString();
+    EXPECT_FALSE(all.endsWith(QStringLiteral("…"))) << all.toStdString();
+    EXPECT_TRUE(comes_true([&] { return time.fontMetrics().horizontalAdvance(time.text()) <= time.width(); }))
+        << time.text().toStdString() << ", " << time.width();
+    take_picture("time_left_" + QString::number(static_cast<int>(GetParam())));
+    expect_nothing_cut_off();
 }
 
 // What is told of it stands under the view, beside warnings and a form with all a tool's fields.

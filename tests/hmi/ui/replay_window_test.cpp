@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
@@ -48,6 +49,25 @@ protected:
         QApplication::sendEvent(&timeline(), &press);
     }
 };
+
+TEST_F(ReplayWindow, LocksWhatWouldHelpARefusedModel) {
+    record();
+    open_window();
+    window_->open(QString::fromStdString(example("figurine.stl")));
+    ASSERT_TRUE(comes_to(session::DeskState::model));
+    part<QDoubleSpinBox>("scale").setValue(10.0);
+    ASSERT_TRUE(click("slice"));
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("desk_refusal").isVisible(); }));
+    ASSERT_TRUE(button("remedy_height").isEnabled());
+    // As one that was still being read when slicing was asked for.
+    desk().open(trace(), Profile{});
+    ASSERT_TRUE(comes_true([&] { return desk().is_open() && desk().is_settled(); }));
+    window_->refresh();
+    ASSERT_FALSE(part<QWidget>("desk_refusal").isHidden());
+    EXPECT_FALSE(button("slice").isEnabled());
+    EXPECT_FALSE(button("remedy_height").isEnabled());
+    EXPECT_EQ(button("remedy_height").toolTip(), button("slice").toolTip());
+}
 
 TEST_F(ReplayWindow, ShowsATracesMomentOnEveryPageAndLeavesAgain) {
     record();

@@ -91,6 +91,22 @@ TEST_F(TableForm, MakesTheJobAnewWithToolBlankAndRoughing) {
     EXPECT_TRUE(says("Changed since"));
 }
 
+TEST_F(TableForm, IsNotWhatAJobThatWasTakenOverWasMadeBy) {
+    start_core();
+    open_window();
+    ASSERT_NO_FATAL_FAILURE(open_table());
+    ASSERT_TRUE(click("publish"));
+    ASSERT_TRUE(comes_to(DeskState::published));
+    choose_tool_blank_and_roughing();
+    ASSERT_TRUE(click("slice"));
+    ASSERT_TRUE(comes_to(DeskState::job));
+    ASSERT_TRUE(says("The job is ready"));
+    ASSERT_TRUE(click("take_over"));
+    ASSERT_TRUE(comes_to(DeskState::published));
+    EXPECT_TRUE(window_->bench().desk.table_way()) << "the table is still open";
+    EXPECT_TRUE(says("Changed since")) << part<QLabel>("desk_state").text().toStdString();
+}
+
 TEST_F(TableForm, HoldsForATableThatIsOpenedLater) {
     open_window();
     choose_tool_blank_and_roughing();

@@ -316,12 +316,15 @@ TEST_F(WindowOnCore, TellsTheRunningJobFromTheOneThatWasSlicedMeanwhile) {
     ASSERT_NE(running, nullptr);
     window_->open(QString::fromStdString(example("small.stl")));
     ASSERT_TRUE(comes_to(DeskState::model));
-    auto* const next = window_->findChild<QLabel*>("next_job");
-    EXPECT_EQ(next->text(), "Opened, not sliced yet: small.stl");
+    EXPECT_EQ(part<QLabel>("desk_job").text(), "small.stl");
+    EXPECT_EQ(part<QLabel>("desk_job_note").text(), "not sliced");
     ASSERT_TRUE(click("slice"));
     ASSERT_TRUE(comes_to(DeskState::job));
     ASSERT_EQ(sight().state(), S::carving) << all_messages().toStdString();
-    ASSERT_TRUE(comes_true([&] { return next->text() == "Sliced, not published yet: small.stl"; }));
+    ASSERT_TRUE(comes_true([&] { return part<QLabel>("desk_job_note").text() == "not published"; }));
+    EXPECT_TRUE(part<QLabel>("desk_job").isVisible());
+    EXPECT_EQ(part<QLabel>("machine_job").text(), "lobed");
+    EXPECT_TRUE(part<QLabel>("machine_job_note").text().startsWith("no. 1")) << "how far it is";
     EXPECT_EQ(window_->bench().desk.core_job(), running);
     EXPECT_EQ(window_->bench().desk.sight().core_layer_count, two_process::kLongLayers);
     auto& view = *static_cast<MeshView*>(window_->findChild<QWidget*>("carving_view"));
@@ -329,7 +332,6 @@ TEST_F(WindowOnCore, TellsTheRunningJobFromTheOneThatWasSlicedMeanwhile) {
     take_picture("running_and_next_light");
     ASSERT_TRUE(click("stop"));
     ASSERT_TRUE(comes_to(S::ready));
-    ASSERT_TRUE(comes_true([&] { return !next->isVisible(); }));
     EXPECT_EQ(button("start").toolTip(), "Start: the job is not published");
     EXPECT_EQ(window_->findChild<QSpinBox*>("layer")->value(), 1);
 }

@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
+#include <cstdint>
 #include <fstream>
+#include <limits>
+#include <string>
 #include <thread>
 
 #include "hmi/verify/trace_reader.hpp"
@@ -139,6 +143,34 @@ TEST_F(TraceFile, AHeaderOfAnotherVersionIsRefused) {
     std::string bytes = as_binary(PerfectMachine(job).start, {});
     bytes[8] = 9;
     EXPECT_THAT(read(bytes).error, HasSubstr("version 9"));
+}
+
+TEST_F(TraceFile, PositionsThatNoMachineCountsAreRefused) {
+    constexpr std::int64_t kMost = kMostTracePosition_pulses;
+    const SampleJob job = wavy_job();
+    for (const std::int64_t pulses :
+         {kMost, -kMost, kMost + 1, -kMost - 1, std::numeric_limits<std::int64_t>::max(),
+          std::numeric_limits<std::int64_t>::min()}) {
+        const bool is_one = pulses <= kMost && pulses >= -kMost;
+        TraceStart start = PerfectMachine(job).start;
+        TraceEvent event{.kind = TraceEvent::Kind::position};
+        event.position_pulses[2] = pulses;
+        EXPECT_EQ(read(as_binary(start, {event})).error.find("beyond all bounds") == std::string::npos,
+                  is_one)
+            << pulses;
+        start.position_pulses[3] = pulses;
+        EXPECT_EQ(read(as_binary(start, {})).error.find("beyond all bounds") == std::string::npos, is_one)
+            << pulses;
+    }
+}
+
+TEST_F(TraceFile, WhatTheLastEventSaysDoesNotHangOnTheRoomItIsGiven) {
+    const SampleJob job = wavy_job();
+    TraceEvent position{.kind = TraceEvent::Kind::position};
+    position.position_pulses = {1, 2, 3, 4};
+    const ReadTrace trace = read(as_binary(PerfectMachine(job).start, {position}), 1);
+    ASSERT_EQ(trace.events.size(), 2U);
+    EXPECT_EQ(trace.events[1].position_pulses, (std::array<std::int64_t, kAxisCount>{}));
 }
 
 TEST_F(TraceFile, ThatIsNoTraceIsRefused) {

@@ -183,6 +183,47 @@ TEST_P(TrainFollowerTest, ShortcutsChangeNoVerdict) {
     }
 }
 
+/// Speeds around start-stop, now and then far above it, one after the other at nearly all the acceleration
+/// that there is, or a little more: every millisecond another one of the short ways to follow it ends.
+Motion restless_motion(const MotorLimits& limits, std::uint32_t seed, double duration_s) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    const double accel_pps2 = (0.85 + 0.5 * part(random)) * limits.accel_pps2;
+    constexpr double kStep_s = 1e-5;
+    std::vector<double> positions{0.0};
+    double speed_pps = 0.0;
+    double wanted_pps = 0.0;
+    double until_s = 0.0;
+    while (static_cast<double>(positions.size()) * kStep_s < duration_s) {
+        const double now_s = static_cast<double>(positions.size()) * kStep_s;
+        if (now_s >= until_s) {
+            const double most_pps = (part(random) < 0.2 ? 4.0 : 1.6) * limits.jump_pps;
+            wanted_pps = std::min(most_pps, limits.speed_pps) * (2.0 * part(random) - 1.0);
+            until_s = now_s + 0.003 + 0.06 * part(random);
+        }
+        const double change_pps = accel_pps2 * kStep_s;
+        speed_pps += std::clamp(wanted_pps - speed_pps, -change_pps, change_pps);
+        positions.push_back(positions.back() + speed_pps * kStep_s);
+    }
+    return [positions](double time_s) {
+        const auto step = static_cast<std::size_t>(time_s / kStep_s);
+        return positions[std::min(step, positions.size() - 1)];
+    };
+}
+
+TEST_P(TrainFollowerTest, ShortcutsChangeNoVerdictAroundStartStopSpeed) {
+    int offences = 0;
+    for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+        const auto events = pulses_of(restless_motion(limits_, seed, 1.0), 1.0,
+                                      {.tick_ns = GetParam().tick_ns, .jitter_pulses = 0.2, .seed = seed});
+        const auto offence = first_offence_the_long_way(events, limits_);
+        offences += offence ? 1 : 0;
+        EXPECT_EQ(first_offence(events, limits_), offence) << "seed " << seed;
+    }
+    EXPECT_GT(offences, 0);
+    EXPECT_LT(offences, 40);
+}
+
 // The case that the rule is for: 4000 pulses/mm, 10 us ticks. Ramps of 46 ms.
 TEST(TrainFollower, CatchesTenPercentTooMuchAccelerationOnTheFineProfile) {
     const Case machine = fine();

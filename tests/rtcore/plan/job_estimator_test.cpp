@@ -85,15 +85,49 @@ TEST(JobEstimate, CountsPointsEvenlyBetweenItsMarks) {
     EXPECT_DOUBLE_EQ(sut.seconds(), 13.0);
 }
 
-TEST(JobEstimate, TellsWhatIsLeftAlsoBeforeAllIsPlanned) {
+TEST(JobEstimate, TellsWhatIsPlannedAndSaysSo) {
     JobEstimate sut;
     sut.add({.points = 11, .seconds = 2.0});
     sut.add({.points = 41, .seconds = 20.5});
-    EXPECT_DOUBLE_EQ(sut.seconds_left(11, 41), 18.5);
-    EXPECT_DOUBLE_EQ(sut.seconds_left(6, 11), 1.0);
-    EXPECT_DOUBLE_EQ(sut.seconds_left(41, 41), 0.0);
-    // 0.5 s a point so far, so 20 s for 40 more.
-    EXPECT_DOUBLE_EQ(sut.seconds_left(11, 81), 38.5);
+    EXPECT_DOUBLE_EQ(sut.left(11, 41).seconds, 18.5);
+    EXPECT_DOUBLE_EQ(sut.left(6, 11).seconds, 1.0);
+    EXPECT_DOUBLE_EQ(sut.left(41, 41).seconds, 0.0);
+    EXPECT_TRUE(sut.left(11, 41).is_planned);
+    EXPECT_LT(sut.left(11, 42).seconds, 0.0) << "there is no forecast";
+    EXPECT_FALSE(sut.left(11, 42).is_planned);
+}
+
+TEST(JobEstimate, BetweenItsMarksPointsTakeTimeAsForecast) {
+    JobEstimate sut;
+    sut.forecast({10.0, 30.0, 60.0, 70.0}, 10);
+    sut.add({.points = 30, .seconds = 120.0});
+    EXPECT_DOUBLE_EQ(sut.seconds_to(1), 0.0);
+    EXPECT_DOUBLE_EQ(sut.seconds_to(10), 20.0);
+    EXPECT_DOUBLE_EQ(sut.seconds_to(20), 60.0);
+    EXPECT_DOUBLE_EQ(sut.seconds_to(25), 90.0);
+    EXPECT_DOUBLE_EQ(sut.seconds_to(30), 120.0);
+    EXPECT_DOUBLE_EQ(sut.left(20, 30).seconds, 60.0) << "as was told before it was planned, only longer";
+}
+
+TEST(JobEstimate, PastWhatIsPlannedItGoesOnAsForecast) {
+    JobEstimate sut;
+    sut.forecast({10.0, 30.0, 60.0, 70.0}, 10);
+    EXPECT_DOUBLE_EQ(sut.left(1, 40).seconds, 70.0);
+    EXPECT_DOUBLE_EQ(sut.left(20, 40).seconds, 40.0);
+    EXPECT_DOUBLE_EQ(sut.left(25, 30).seconds, 15.0);
+    EXPECT_FALSE(sut.left(25, 30).is_planned);
+    sut.add({.points = 20, .seconds = 36.0});
+    EXPECT_DOUBLE_EQ(sut.left(1, 40).seconds, 36.0 + 40.0);
+    EXPECT_FALSE(sut.left(1, 40).is_planned);
+    EXPECT_TRUE(sut.left(1, 20).is_planned) << "of a run that ends there";
+    // From a layer that is not planned yet.
+    EXPECT_DOUBLE_EQ(sut.left(30, 40).seconds, 10.0);
+    sut.add({.points = 35, .seconds = 500.0});
+    EXPECT_DOUBLE_EQ(sut.left(1, 40).seconds, 505.0) << "never less than planned";
+    sut.add({.points = 40, .seconds = 501.0});
+    EXPECT_DOUBLE_EQ(sut.left(1, 40).seconds, 501.0);
+    EXPECT_TRUE(sut.left(1, 40).is_planned);
+    EXPECT_LT(sut.left(1, 41).seconds, 0.0) << "there are no more";
 }
 
 TEST(JobEstimator, FindsWhatThePlannerPlans) {
@@ -131,16 +165,17 @@ TEST(JobEstimator, TellsOneLayerFromAnother) {
 TEST(JobEstimator, KnowsWhatIsLeftOfARunThatEndsAnywhere) {
     const auto job = owned(rougher_and_rougher(8));
     JobEstimator sut{Profile{}};
-    EXPECT_LT(sut.seconds_left(0, 8 * 60), 0.0);
+    EXPECT_LT(sut.left(0, 8 * 60).seconds, 0.0);
     sut.begin(job);
     ASSERT_TRUE(sut.wait(kPatience));
     const auto all = sut.estimate();
-    EXPECT_DOUBLE_EQ(sut.seconds_left(1, 8 * 60), all->seconds());
-    EXPECT_DOUBLE_EQ(sut.seconds_left(8 * 60, 8 * 60), 0.0);
-    EXPECT_DOUBLE_EQ(sut.seconds_left(60, 3 * 60), all->seconds_to(3 * 60) - all->seconds_to(60));
-    EXPECT_LT(sut.seconds_left(0, 0), 0.0) << "nothing runs";
+    EXPECT_DOUBLE_EQ(sut.left(1, 8 * 60).seconds, all->seconds());
+    EXPECT_TRUE(sut.left(1, 8 * 60).is_planned);
+    EXPECT_DOUBLE_EQ(sut.left(8 * 60, 8 * 60).seconds, 0.0);
+    EXPECT_DOUBLE_EQ(sut.left(60, 3 * 60).seconds, all->seconds_to(3 * 60) - all->seconds_to(60));
+    EXPECT_LT(sut.left(0, 0).seconds, 0.0) << "nothing runs";
     sut.begin(job);
-    EXPECT_LT(sut.seconds_left(60, 8 * 60), 0.0) << "forgotten";
+    EXPECT_LT(sut.left(60, 8 * 60).seconds, 0.0) << "forgotten";
 }
 
 TEST(JobEstimator, ForgetsTheJobBefore) {
@@ -157,15 +192,8 @@ TEST(JobEstimator, ForgetsTheJobBefore) {
     EXPECT_EQ(sut.estimate()->points(), 3U * 60U);
 }
 
-TEST(JobEstimator, SaysNothingFromAFewLayersAndEndsInTheMiddle) {
+TEST(JobEstimator, EndsInTheMiddle) {
     JobEstimator sut{Profile{}};
-    sut.begin(owned(rougher_and_rougher(6)));
-    ASSERT_TRUE(sut.wait(kPatience));
-    // As of a job that is twice as long, and of one that is longer.
-    EXPECT_GT(sut.seconds_left(0, 12 * 60), 0.0);
-    EXPECT_LT(sut.seconds_left(0, 12 * 60 + 1), 0.0);
-    EXPECT_LT(sut.seconds_left(60, 12 * 60), 0.0);
-    EXPECT_LT(sut.seconds_left(7 * 60, 12 * 60), 0.0);
     sut.begin(owned(rougher_and_rougher(200)));
 }
 

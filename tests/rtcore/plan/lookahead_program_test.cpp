@@ -182,16 +182,21 @@ TEST_P(LinkedLookahead, FromALayerOnTheBlocksAreThoseOfTheWholeRun) {
 TEST(LookaheadProgram, ReportsItsTimeAsTheReference) {
     std::mt19937_64 random{53};
     const auto job = job_of(random_table(random, Joining::continuous, 5));
-    LookaheadProgram program(machine_limits(Profile{}), job);
+    const MachineLimits limits = machine_limits(Profile{});
+    LookaheadProgram program(limits, job);
     cycle::MotionBlock block;
-    double seconds = 0.0;
+    // A run takes whole ticks, and the one in which it begins.
+    std::vector<double> runs_s;
     while (program.next(block)) {
         if (block.kind != cycle::BlockKind::path) continue;
-        seconds += 2.0 * block.path.length /
-                   (std::sqrt(block.path.start_speed2[0]) + std::sqrt(block.path.end_speed2[0]));
+        if (block.group_blocks > 0) runs_s.push_back(0.0);
+        runs_s.back() += 2.0 * block.path.length /
+                         (std::sqrt(block.path.start_speed2[0]) + std::sqrt(block.path.end_speed2[0]));
     }
+    double ticks = 0.0;
+    for (const double seconds : runs_s) ticks += std::ceil(seconds / limits.tick_seconds() - 1e-6) + 1.0;
     EXPECT_TRUE(program.planned().is_reference);
-    EXPECT_NEAR(program.planned().seconds, seconds, 1e-6 * seconds);
+    EXPECT_NEAR(program.planned().seconds, ticks * limits.tick_seconds(), 1e-9);
     EXPECT_EQ(program.planned().points, 4U * 60U - 1U);
 }
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hmi/cam/job_builder.hpp"
+#include "hmi/model/mesh.hpp"
+#include "hmi/session/phrase.hpp"
+#include "shared/profile.hpp"
+#include "shared/result.hpp"
+
+namespace psicarve::session {
+
+/// What would help where something was refused, and can be done by a click.
+struct Remedy {
+    enum class Kind : std::uint8_t {
+        height,        ///< of the model: `value` mm
+        scale,         ///< of the model: mm for each unit of its file
+        layers,        ///< at most so many
+        best_axis,     ///< the one that loses least
+        core_profile,  ///< slice again by the profile that the core is known to have by now
+    };
+    Kind kind = Kind::height;
+    double value = 0.0;
+    bool operator==(const Remedy&) const = default;
+};
+
+/// What the desk was asked to do and did not.
+struct DeskRefusal {
+    enum class Of : std::uint8_t { slicing, publishing };
+    Of of = Of::slicing;
+    std::string name;  ///< of what is on the desk, which `why` may begin with
+    Phrase why;
+    std::vector<Remedy> remedies;
+};
+
+/// "Height 149.9 mm"
+Phrase remedy_text(const Remedy& remedy);
+/// For a mesh that was to be sliced like this. Looks for its size where that is the matter: may take as long
+/// as looking for its axis does.
+std::vector<Remedy> slicing_remedies(const Error& error, const model::Mesh& mesh, const Profile& profile,
+                                     const cam::JobOptions& options);
+/// For a job of something that can be sliced again.
+std::vector<Remedy> publishing_remedies(const Error& error);
+
+}  // namespace psicarve::session

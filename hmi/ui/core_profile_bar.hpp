@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QFrame>
+
+#include <cstdint>
+
+#include "hmi/ui/bench.hpp"
+#include "hmi/ui/side_panels.hpp"
+#include "hmi/ui/tokens.hpp"
+
+class QLabel;
+class QPushButton;
+
+namespace psicarve::ui {
+
+/// The core runs with another profile than the window was given: both, in what they differ, and a button that
+/// takes the core's over. Where nobody has found the core's: only that.
+class CoreProfileBar : public QFrame {
+    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CoreProfileBar)
+public:
+    explicit CoreProfileBar(Bench& bench, QWidget* parent = nullptr);
+
+    void set_theme(const Tokens& tokens);
+    /// Where it is short the keys are in the tooltip only.
+    void set_room(Room room);
+    void refresh();
+
+private:
+    bool is_there() const;
+    void show_both();
+    void show_given();
+
+    Bench& bench_;
+    QLabel* icon_;
+    QLabel* title_;
+    QLabel* details_;
+    QPushButton* take_;
+    std::uint64_t shown_hash_ = 0;
+    bool shown_known_ = false;
+    bool is_small_ = false;
+};
+
+}  // namespace psicarve::ui

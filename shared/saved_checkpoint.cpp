@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/saved_checkpoint.hpp"
 
+#include <unistd.h>
 #include <xxhash.h>
 
 #include <array>
@@ -13,6 +14,7 @@
 #include "shared/atomic_file.hpp"
 #include "shared/shared_text.hpp"
 #include "shared/snapshot_file.hpp"
+#include "shared/withdrawn_file.hpp"
 
 namespace psicarve {
 namespace {
@@ -31,10 +33,12 @@ struct SavedFile {
     std::int64_t written_s;
     std::uint32_t is_simulator;
     std::uint32_t reserved;
+    std::uint64_t sequence;
+    char segment_name[256];
     char source_name[128];
     char tool[64];
 };
-static_assert(sizeof(SavedFile) == 280 && std::is_trivially_copyable_v<SavedFile>, "bump kSavedVersion");
+static_assert(sizeof(SavedFile) == 544 && std::is_trivially_copyable_v<SavedFile>, "bump kSavedVersion");
 
 std::uint64_t checksum_of_saved(SavedFile file) noexcept {
     file.checksum = 0;
@@ -66,10 +70,12 @@ std::vector<std::byte> saved_checkpoint_bytes(const SavedCheckpoint& saved) {
     file.version = kSavedVersion;
     file.total_bytes = sizeof(SavedFile);
     file.checkpoint = saved.checkpoint;
+    file.sequence = saved.sequence;
     file.job_bytes = saved.job_bytes;
     file.profile_hash = saved.profile_hash;
     file.written_s = saved.written_s;
     file.is_simulator = saved.is_simulator ? 1 : 0;
+    text_into_field(file.segment_name, saved.segment_name);
     text_into_field(file.source_name, saved.source_name);
     text_into_field(file.tool, saved.tool);
     file.checksum = checksum_of_saved(file);
@@ -102,6 +108,8 @@ Result<SavedCheckpoint> parse_saved_checkpoint(std::span<const std::byte> bytes,
     saved.profile_hash = file.profile_hash;
     saved.written_s = file.written_s;
     saved.is_simulator = file.is_simulator != 0;
+    saved.sequence = file.sequence;
+    saved.segment_name = text_from_field(file.segment_name);
     saved.source_name = text_from_field(file.source_name);
     saved.tool = text_from_field(file.tool);
     return saved;
@@ -120,23 +128,38 @@ Result<void> save_checkpoint(const SavedCheckpoint& saved, const std::string& pa
     return write_parts_atomically(path, parts, FileRights{kForEverybody, {}});
 }
 
-std::optional<FoundCheckpoint> find_unfinished(const std::string& segment_name, bool is_simulator) {
+std::optional<FoundCheckpoint> find_newest(const std::string& segment_name, bool is_simulator,
+                                           const std::vector<std::string>& folders) {
     std::optional<FoundCheckpoint> found;
-    for (const std::string& folder : state_folders_to_read()) {
+    for (const std::string& folder : folders) {
         const StateNames names{folder, segment_name, is_simulator};
         auto saved = load_saved_checkpoint(names.checkpoint());
-        if (!saved || saved->is_simulator != is_simulator) continue;
-        if (found && found->saved.written_s >= saved->written_s) continue;
+        if (!saved || !saved->is_of(segment_name, is_simulator)) continue;
+        if (found && found->saved.sequence >= saved->sequence) continue;
         const std::string job = names.job(saved->checkpoint.job_checksum);
-        found = FoundCheckpoint{std::move(*saved), is_snapshot_file(job) ? job : std::string{}};
+        found = FoundCheckpoint{std::move(*saved), names.checkpoint(),
+                                is_snapshot_file(job) ? job : std::string{}};
     }
-    if (found && !found->saved.is_unfinished()) return std::nullopt;
     return found;
 }
 
-std::optional<FoundCheckpoint> find_unfinished(const std::string& segment_name) {
-    auto found = find_unfinished(segment_name, false);
-    return found ? found : find_unfinished(segment_name, true);
+std::optional<FoundCheckpoint> find_unfinished(const std::string& segment_name,
+                                               std::optional<bool> is_simulator, const std::string& folder) {
+    const std::vector<std::string> folders =
+        folder.empty() ? state_folders_to_read() : std::vector<std::string>{folder};
+    for (const bool is_simulated : {false, true}) {
+        if (is_simulator && *is_simulator != is_simulated) continue;
+        auto found = find_newest(segment_name, is_simulated, folders);
+        if (found && found->saved.is_unfinished()) return found;
+    }
+    return std::nullopt;
+}
+
+Result<void> forget_piece(const FoundCheckpoint& found) {
+    if (auto withdrawn = withdraw_file(found.path); !withdrawn) return withdrawn.error();
+    // Without its checkpoint it is a job like others: harmless where it stays.
+    if (!found.job_path.empty()) ::unlink(found.job_path.c_str());
+    return {};
 }
 
 }  // namespace psicarve

@@ -21,11 +21,17 @@ struct SavedCheckpoint {
     Checkpoint checkpoint{};
     std::uint64_t job_bytes = 0;     ///< of the job's blob
     std::uint64_t profile_hash = 0;  ///< of the core's profile
-    std::int64_t written_s = 0;      ///< when, by the computer's clock: seconds since 1970, UTC
+    std::uint64_t sequence = 0;      ///< larger than that of any file that its core knew of
+    std::int64_t written_s = 0;      ///< when, by the computer's clock, which may go back: seconds, UTC
     bool is_simulator = false;       ///< the machine was none
+    std::string segment_name;        ///< of the core's, with its slash
     std::string source_name;         ///< of the job
     std::string tool;                ///< of the job: "ball, 3 mm"
 
+    /// Of this segment's core and that kind of machine: a name alone may be another's.
+    bool is_of(const std::string& segment, bool is_simulated) const {
+        return segment_name == segment && is_simulator == is_simulated;
+    }
     /// Begun, and not carved to its end.
     bool is_unfinished() const noexcept {
         const bool is_whole = checkpoint.next_layer == checkpoint.layer_count;
@@ -48,14 +54,24 @@ Result<void> save_checkpoint(const SavedCheckpoint& saved, const std::string& pa
 
 struct FoundCheckpoint {
     SavedCheckpoint saved;
+    std::string path;
     std::string job_path;  ///< of the job's copy; empty: there is none
 };
 
-/// The unfinished piece of this segment that was written down last, in any of the places where cores keep
-/// them (state_folders_to_read), of a real machine before one of a simulated. Nothing where there is none;
-/// what cannot be read or is damaged is none.
-std::optional<FoundCheckpoint> find_unfinished(const std::string& segment_name);
-/// Of the one or the other kind of machine alone.
-std::optional<FoundCheckpoint> find_unfinished(const std::string& segment_name, bool is_simulator);
+/// What a core of this segment and this kind of machine has written down last, in any of the folders: by its
+/// sequence, for clocks go back. Nothing where there is none; what cannot be read, is damaged or is another
+/// segment's or the other machine's is none.
+std::optional<FoundCheckpoint> find_newest(const std::string& segment_name, bool is_simulator,
+                                           const std::vector<std::string>& folders);
+
+/// The unfinished piece of this segment, in `folder` or, where that is empty, wherever cores keep them
+/// (state_folders_to_read): of a real machine before one of a simulated, or of one kind alone. May wait for
+/// a disk that hangs.
+std::optional<FoundCheckpoint> find_unfinished(const std::string& segment_name,
+                                               std::optional<bool> is_simulator = {},
+                                               const std::string& folder = {});
+
+/// Takes away what is kept of it, job and all, so that it stays away (withdraw_file).
+Result<void> forget_piece(const FoundCheckpoint& found);
 
 }  // namespace psicarve

@@ -11,8 +11,11 @@ namespace psicarve {
 namespace {
 
 constexpr const char* kStateVariable = "PSICARVE_STATE";
-constexpr std::string_view kJobEnding = ".job";
 constexpr std::size_t kChecksumDigits = 16;
+
+constexpr std::string_view job_ending(bool is_simulator) noexcept {
+    return is_simulator ? ".simulated.job" : ".job";
+}
 
 bool is_set(const char* name) {
     return std::getenv(name) != nullptr;  // NOLINT(concurrency-mt-unsafe): nobody changes the environment
@@ -53,19 +56,20 @@ std::vector<std::string> state_folders_to_read() {
     return folders;
 }
 
-StateNames::StateNames(const std::string& folder, const std::string& segment_name, bool is_simulator)
-    : base(folder + "/" + segment_name.substr(segment_name.starts_with("/") ? 1 : 0) +
-           (is_simulator ? ".sim" : "")) {}
+StateNames::StateNames(const std::string& folder, const std::string& segment_name, bool is_simulated)
+    : base(folder + "/" + segment_name.substr(segment_name.starts_with("/") ? 1 : 0)),
+      is_simulator(is_simulated) {}
 
 std::string StateNames::job(std::uint64_t job_checksum) const {
     std::array<char, kChecksumDigits + 1> digits{};
     (void)std::snprintf(digits.data(), digits.size(), "%016" PRIx64, job_checksum);
-    return base + "-" + digits.data() + std::string{kJobEnding};
+    return base + "-" + digits.data() + std::string{job_ending(is_simulator)};
 }
 
 bool StateNames::is_job(const std::string& path) const {
-    if (path.size() != base.size() + 1 + kChecksumDigits + kJobEnding.size()) return false;
-    if (!path.starts_with(base + "-") || !path.ends_with(kJobEnding)) return false;
+    const std::string_view ending = job_ending(is_simulator);
+    if (path.size() != base.size() + 1 + kChecksumDigits + ending.size()) return false;
+    if (!path.starts_with(base + "-") || !path.ends_with(ending)) return false;
     const std::string_view digits = std::string_view{path}.substr(base.size() + 1, kChecksumDigits);
     return digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }

@@ -20,19 +20,20 @@ std::string state_folder_of_core(bool is_of_system);
 /// else both, their own and kSystemStateFolder.
 std::vector<std::string> state_folders_to_read();
 
-/// Names of what a core keeps in such a folder: one set for each segment, and another for its simulated
-/// machine, which never stands in the real one's way.
+/// Names of what a core keeps in such a folder: one set for each segment, and another, with other endings,
+/// for its simulated machine: no segment's name makes the one the other.
 struct StateNames {
     /// `segment_name` as Segment has it, with its slash.
-    StateNames(const std::string& folder, const std::string& segment_name, bool is_simulator);
+    StateNames(const std::string& folder, const std::string& segment_name, bool is_simulated);
 
-    std::string checkpoint() const { return base + ".checkpoint"; }
+    std::string checkpoint() const { return base + (is_simulator ? ".simulated" : ".checkpoint"); }
     /// One name for each job: what replaces it never stands under its name.
     std::string job(std::uint64_t job_checksum) const;
     /// Whether it is a name that job() gives, to any job.
     bool is_job(const std::string& path) const;
 
     std::string base;  ///< "FOLDER/psicarve"
+    bool is_simulator;
 };
 
 }  // namespace psicarve

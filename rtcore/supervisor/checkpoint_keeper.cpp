@@ -10,12 +10,8 @@
 namespace psicarve::supervisor {
 namespace {
 
-/// What the segment knows of this very job.
-std::optional<Checkpoint> known_of(const SegmentHeader& header, const LoadedJob& job) noexcept {
-    const auto known = read_record(header.checkpoint);
-    const bool is_known = known && is_checkpoint(*known) && known->job_checksum == job.checksum &&
-                          known->layer_count == job.view.layer_count();
-    return is_known ? known : std::nullopt;
+std::uint32_t origin_of(bool is_simulator) noexcept {
+    return is_simulator ? kCheckpointSimulated : 0;
 }
 
 /// Layers of the piece that a run of the whole job leaves behind: of the run before, and not of whichever
@@ -27,10 +23,32 @@ std::uint32_t left_behind(const Checkpoint& before) noexcept {
 
 }  // namespace
 
+bool CheckpointKeeper::clear_foreign(SegmentHeader& header) const noexcept {
+    const auto found = read_record(header.checkpoint);
+    if (!found || !is_checkpoint(*found) || found->is_simulated() == is_simulator_) return false;
+    write_record(header.checkpoint, Checkpoint{});
+    return true;
+}
+
+/// What the segment knows of this very job.
+std::optional<Checkpoint> CheckpointKeeper::known_of(const SegmentHeader& header,
+                                                     const LoadedJob& job) const noexcept {
+    const auto known = read_record(header.checkpoint);
+    const bool is_known = known && is_checkpoint(*known) && known->is_simulated() == is_simulator_ &&
+                          known->job_checksum == job.checksum && known->layer_count == job.view.layer_count();
+    return is_known ? known : std::nullopt;
+}
+
+Checkpoint CheckpointKeeper::own(const LoadedJob& job, std::uint32_t next_layer,
+                                 std::uint32_t earlier_layer) const noexcept {
+    return checkpoint_at(job.checksum, next_layer, job.view.layer_count(), earlier_layer,
+                         origin_of(is_simulator_));
+}
+
 std::optional<Checkpoint> CheckpointKeeper::note(SegmentHeader& header, const cycle::Sample& sample,
-                                                 const LoadedJob* job) noexcept {
+                                                 const LoadedJob* job, std::uint32_t most_told) noexcept {
     if (job == nullptr) return std::nullopt;
-    if (!is_carving_of(sample, *job)) return announce(header, sample, *job);
+    if (!is_carving_of(sample, *job)) return announce(header, sample, *job, most_told);
     is_announced_ = false;
     if (begun_tick_ != run_start_tick_) begin_run(header, sample.first_layer, *job);
     if (leaves_gap_) return std::nullopt;
@@ -42,27 +60,61 @@ std::optional<Checkpoint> CheckpointKeeper::note(SegmentHeader& header, const cy
     if (written_job_ == job->generation && written_ && written_->next_layer == next_layer &&
         written_->earlier_layer == earlier)
         return std::nullopt;
-    written_ = checkpoint_at(job->checksum, next_layer, job->view.layer_count(), earlier);
+    written_ = own(*job, next_layer, earlier);
     written_job_ = job->generation;
     write_record(header.checkpoint, *written_);
     return written_;
 }
 
 std::optional<Checkpoint> CheckpointKeeper::announce(const SegmentHeader& header, const cycle::Sample& sample,
-                                                     const LoadedJob& job) noexcept {
+                                                     const LoadedJob& job, std::uint32_t most_told) noexcept {
     const bool is_under_way = sample.job_generation == job.generation && runs_job(sample.state);
-    // Nothing was carved: all is as it was.
-    if (!is_under_way) return std::exchange(is_announced_, false) ? known_of(header, job) : std::nullopt;
-    if (is_announced_ || sample.first_layer != 0 || sample.is_dry != 0) return std::nullopt;
     const auto before = known_of(header, job);
-    if (!before) return std::nullopt;
+    if (!is_under_way) {
+        // Nothing was carved: all is as it was.
+        if (!std::exchange(is_announced_, false) || !before) return std::nullopt;
+        return own(job, before->next_layer, before->earlier_layer);
+    }
+    if (is_announced_ || sample.is_dry != 0) return std::nullopt;
+    const std::uint64_t first_layer = sample.first_layer;
+    // One that begins later goes on with the piece that is known, or leaves it as it is.
+    if (before && first_layer != 0) return std::nullopt;
+    if (!before && most_told <= first_layer) return std::nullopt;
     is_announced_ = true;
-    return checkpoint_at(job.checksum, 0, job.view.layer_count(), left_behind(*before));
+    if (before) return own(job, 0, left_behind(*before));
+    return own(job, static_cast<std::uint32_t>(std::min<std::uint64_t>(first_layer, job.view.layer_count())),
+               0);
 }
 
-void CheckpointKeeper::take_over(SegmentHeader& header, const Checkpoint& left) noexcept {
+CheckpointKeeper::TakenOver CheckpointKeeper::take_over(SegmentHeader& header, const Checkpoint& left,
+                                                        const LoadedJob& job) const {
+    const auto place = [&] {
+        write_record(header.checkpoint,
+                     checkpoint_at(left.job_checksum, left.next_layer, left.layer_count, left.earlier_layer,
+                                   origin_of(is_simulator_) | kCheckpointFromDisk));
+    };
     const auto before = read_record(header.checkpoint);
-    if (!before || !is_checkpoint(*before)) write_record(header.checkpoint, left);
+    if (before && before->is_empty()) {
+        place();
+        return {};
+    }
+    const auto known = known_of(header, job);
+    if (!known) return {};
+    if (known->next_layer == left.next_layer) return {};
+    const std::string both = "segment: layer " + std::to_string(known->next_layer) +
+                             ", disk: " + std::to_string(left.next_layer) +
+                             "; where this piece goes on the two disagree, the lower one is taken";
+    if (left.next_layer > known->next_layer) return {own(job, known->next_layer, known->earlier_layer), both};
+    place();
+    return {std::nullopt, both};
+}
+
+void CheckpointKeeper::forget(SegmentHeader& header) noexcept {
+    write_record(header.checkpoint, Checkpoint{});
+    written_.reset();
+    is_announced_ = false;
+    begun_tick_ = run_start_tick_;
+    leaves_gap_ = true;  // what is told of the run that has ended is no news
 }
 
 void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t first_layer,

@@ -3,7 +3,6 @@
 
 #include <signal.h>
 #include <sys/prctl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -26,6 +25,7 @@
 #include "rtcore/supervisor/replay.hpp"
 #include "rtcore/supervisor/replay_script.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
+#include "rtcore/supervisor/state_folder.hpp"
 #include "rtcore/supervisor/supervisor.hpp"
 #include "shared/printable.hpp"
 #include "shared/segment_object.hpp"
@@ -161,15 +161,6 @@ Result<void> check_group_of_user(const rtcore::UserAccount& account, const CoreO
                                            ", who is none: adduser " + options.user + " " + options.group};
 }
 
-/// Where only root could make it. One that is there already is whose it is.
-void make_state_folder_of(const rtcore::UserAccount& account, const std::string& folder) {
-    constexpr mode_t kForAllToRead = 0755;
-    if (folder.empty() || mkdir(folder.c_str(), kForAllToRead) != 0) return;
-    // Where this is refused, writing to it will be, and says so.
-    static_cast<void>(chmod(folder.c_str(), kForAllToRead));
-    [[maybe_unused]] const int given = chown(folder.c_str(), account.user, account.group);
-}
-
 /// For the user that is asked for. Refused before anything is that user's.
 Result<void> leave_root(const CoreOptions& options) {
     if (options.user.empty()) return {};
@@ -179,7 +170,7 @@ Result<void> leave_root(const CoreOptions& options) {
     // What a core of root's has left when it ended is taken over, as every core takes it over.
     if (auto handed = Segment::hand_over(options.segment_name, account->user, account->group); !handed)
         return handed.error();
-    make_state_folder_of(*account, options.state_folder);
+    make_state_folder_for(options.state_folder, account->user, account->group);
     return rtcore::become_user(*account);
 }
 

@@ -54,8 +54,7 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
       segment_(std::make_shared<Segment>(std::move(segment))),
       desk_(parts.profile, facts.is_virtual_clock),
       mirror_(facts),
-      checkpoint_file_(
-          {parts.state_folder, segment_options.name, facts.is_simulator, profile_hash(parts.profile)}),
+      piece_({parts.state_folder, segment_options.name, facts.is_simulator, profile_hash(parts.profile)}),
       is_virtual_clock_(facts.is_virtual_clock),
       promptness_(!facts.is_virtual_clock),
       sample_(read_sample()),
@@ -73,6 +72,7 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
 }
 
 void Supervisor::introduce() {
+    piece_.enter(segment_->header());
     PortName port{};
     text_into_field(port.text, parts_->port_name);
     write_record(segment_->header().port, port);
@@ -213,12 +213,11 @@ void Supervisor::offer_job(std::shared_ptr<const LoadedJob> job) {
 void Supervisor::finish_job(const cycle::Report& report) {
     const bool accepted = report.refusal == cycle::Refusal::none;
     const std::uint64_t generation = loading_job_->generation;
-    const std::string remark = accepted ? loading_job_->remark : "the machine is busy; try again";
+    std::string remark = accepted ? loading_job_->remark : "the machine is busy; try again";
     if (accepted) {
         job_ = std::move(loading_job_);
-        keeper_.note_new_job();
-        if (const auto left = checkpoint_file_.left_of(*job_))
-            CheckpointKeeper::take_over(segment_->header(), *left);
+        const std::string more = piece_.take_job(segment_->header(), job_);
+        if (!more.empty()) remark += (remark.empty() ? "" : "; ") + more;
         if (parts_->estimator != nullptr)
             parts_->estimator->begin(std::shared_ptr<const JobView>{job_, &job_->view});
     } else if (job_ != nullptr) {
@@ -278,8 +277,8 @@ void Supervisor::watch_recording() {
 }
 
 void Supervisor::note_checkpoint() {
-    const auto to_keep = keeper_.note(segment_->header(), sample_, job_.get());
-    if (to_keep) checkpoint_file_.keep(*to_keep, job_);
+    if (desk_.take_forgetting()) piece_.forget(segment_->header());
+    piece_.note(segment_->header(), sample_, job_);
 }
 
 PlannedTimes Supervisor::planned_times() {
@@ -371,7 +370,7 @@ void Supervisor::take_new_segment() {
     seen_generation_ = 0;
     is_look_stale_ = true;
     is_offer_stale_ = true;
-    keeper_.write_anew(segment_->header());
+    piece_.write_anew(segment_->header());
     is_segment_lost_ = false;
 }
 

@@ -53,12 +53,21 @@ std::string progress_of(const Checkpoint& checkpoint) {
 
 }  // namespace
 
+std::string disk_source_text(const FoundCheckpoint& found, bool is_other_core) {
+    const SavedCheckpoint& saved = found.saved;
+    return found.path + " of " + report::utc_text(saved.written_s) + ": " + saved.source_name + ", " +
+           progress_of(saved.checkpoint) + (saved.tool.empty() ? "" : ", tool " + saved.tool) +
+           (saved.is_simulator ? ", simulated machine" : "") +
+           (is_other_core ? ", carved with another profile of the machine" : "");
+}
+
 std::string unfinished_text(const FoundCheckpoint& found, const WayBack& way) {
     const SavedCheckpoint& saved = found.saved;
     std::string text = "unfinished " + saved.source_name + ": " + progress_of(saved.checkpoint) + "\n";
     text += "since      " + report::utc_text(saved.written_s);
     if (!saved.tool.empty()) text += "; tool " + saved.tool;
     text += saved.is_simulator ? "; simulated machine\n" : "\n";
+    text += "kept in    " + found.path + "\n";
     if (way.is_other_core) text += "mind       the core's profile is not the one that it was carved with\n";
     int number = 0;
     for (const std::string& step : steps_of(found, way)) {
@@ -78,6 +87,7 @@ nlohmann::ordered_json unfinished_json(const std::optional<FoundCheckpoint>& fou
     object["written"] = report::utc_stamp(saved.written_s);
     object["tool"] = saved.tool;
     object["is_simulator"] = saved.is_simulator;
+    object["kept_in"] = found->path;
     object["is_other_profile"] = way.is_other_core;
     object["job"] =
         found->job_path.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(found->job_path);

@@ -19,6 +19,8 @@ struct WayBack {
 
 /// For a person, in some lines: which piece, how far it is, since when, and step by step how it goes on.
 std::string unfinished_text(const FoundCheckpoint& found, const WayBack& way);
+/// In one line whence it is known, of when, and what it says.
+std::string disk_source_text(const FoundCheckpoint& found, bool is_other_core);
 /// {"source": ..., "next_layer": ..., "layer_count": ..., "written": "2026-11-26T19:23:05Z", ..., "steps":
 /// [...]}; null where there is none.
 nlohmann::ordered_json unfinished_json(const std::optional<FoundCheckpoint>& found, const WayBack& way);

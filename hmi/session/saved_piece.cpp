@@ -39,7 +39,39 @@ void add_run_before(std::vector<Phrase>& to, const Checkpoint& checkpoint) {
                         std::to_string(checkpoint.earlier_layer + 1)));
 }
 
+/// Nobody knows the profile of a core that is not there.
+bool is_other_profile(const SavedCheckpoint& saved, const MachineSight& machine) noexcept {
+    return machine.is_heard() && machine.core_profile_hash != 0 &&
+           machine.core_profile_hash != saved.profile_hash;
+}
+
+Phrase other_profile() {
+    return phrase("It was begun with another profile of the machine.");
+}
+
 }  // namespace
+
+bool is_from_disk_alone(const MachineSight& machine, std::uint32_t layer) noexcept {
+    return machine.is_heard() && machine.is_checkpoint_from_disk && machine.resumable_layer == layer;
+}
+
+std::vector<Phrase> disk_question(const MachineSight& machine) {
+    std::vector<Phrase> question;
+    const auto& found = machine.saved_piece;
+    const bool is_it = found && found->saved.checkpoint.job_checksum == machine.checkpoint_job_checksum;
+    if (is_it) {
+        question.push_back(saved_title(found->saved));
+        question.push_back(origin(found->saved));
+        if (is_other_profile(found->saved, machine)) question.push_back(other_profile());
+    } else {
+        question.push_back(
+            phrase("Since when, and with which tool, is not known: the disk does not answer."));
+    }
+    question.push_back(phrase(
+        "This is known from the disk alone. Go on only if this very piece is still mounted, as it was, "
+        "with this tool."));
+    return question;
+}
 
 bool may_be_saved(const MachineSight& machine) noexcept {
     return !machine.is_heard() || !machine.status || machine.status->job_generation == 0;
@@ -55,15 +87,18 @@ Phrase saved_title(const SavedCheckpoint& saved) {
 
 std::vector<Phrase> saved_details(const FoundCheckpoint& found, const MachineSight& machine) {
     std::vector<Phrase> details{origin(found.saved)};
+    if (is_other_profile(found.saved, machine)) details.push_back(other_profile());
     if (!machine.is_heard()) details.push_back(phrase("First start psicarve-rtcore."));
     details.push_back(steps(found));
     add_run_before(details, found.saved.checkpoint);
     return details;
 }
 
-std::vector<Phrase> saved_needs(const FoundCheckpoint& found) {
+std::vector<Phrase> saved_needs(const FoundCheckpoint& found, const MachineSight& machine) {
     const Checkpoint& checkpoint = found.saved.checkpoint;
-    std::vector<Phrase> needs{phrase("Open its job, then go on from layer %1.", layer_after(checkpoint))};
+    std::vector<Phrase> needs;
+    if (is_other_profile(found.saved, machine)) needs.push_back(other_profile());
+    needs.push_back(phrase("Open its job, then go on from layer %1.", layer_after(checkpoint)));
     add_run_before(needs, checkpoint);
     return needs;
 }

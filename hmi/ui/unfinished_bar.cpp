@@ -12,6 +12,7 @@
 #include "hmi/session/saved_piece.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/anew_dialog.hpp"
+#include "hmi/ui/disk_piece_dialog.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/icon.hpp"
 #include "hmi/ui/long_names.hpp"
@@ -45,6 +46,7 @@ UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
       details_(new QLabel),
       anew_(new ActionButton{session::Action::from_layer, tr("Start anew…"), [this] { begin_anew(); }}),
       open_(new QPushButton{tr("Open its job")}),
+      forget_(new QPushButton{tr("Forget…")}),
       dismiss_(new QPushButton{tr("Dismiss")}) {
     setObjectName("unfinished");
     title_->setObjectName("unfinished_title");
@@ -66,6 +68,10 @@ UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
     connect(open_, &QPushButton::clicked, this, [this] {
         if (const FoundCheckpoint* found = saved_piece()) bench_.desk.open_job(found->job_path);
     });
+    forget_->setObjectName("unfinished_forget");
+    forget_->setFocusPolicy(Qt::TabFocus);
+    forget_->setToolTip(tr("Forgets for good how far this piece is carved; it asks first and moves nothing"));
+    connect(forget_, &QPushButton::clicked, this, [this] { forget_when_asked(bench_, window()); });
     dismiss_->setObjectName("unfinished_dismiss");
     dismiss_->setFocusPolicy(Qt::TabFocus);
     dismiss_->setToolTip(tr("Takes this away until more is carved; it moves and forgets nothing"));
@@ -75,7 +81,11 @@ UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
     buttons->setSpacing(kSmallGap);
     buttons->addWidget(anew_);
     buttons->addWidget(open_);
-    buttons->addWidget(dismiss_);
+    auto* away = new QHBoxLayout;
+    away->setSpacing(kSmallGap);
+    away->addWidget(forget_);
+    away->addWidget(dismiss_);
+    buttons->addLayout(away);
     buttons->addStretch();
     auto* all = new QHBoxLayout{this};
     all->setContentsMargins(0, 0, kGap, 0);
@@ -107,6 +117,7 @@ std::optional<session::UnfinishedPiece> UnfinishedBar::piece() const {
 const FoundCheckpoint* UnfinishedBar::saved_piece() const {
     const session::MachineSight& sight = bench_.machine.sight();
     if (bench_.replay.is_open() || session::loud_text(sight) || !sight.saved_piece) return nullptr;
+    if (!session::may_be_saved(sight)) return nullptr;
     return bench_.desk.sight().state == session::DeskState::empty ? &*sight.saved_piece : nullptr;
 }
 
@@ -146,6 +157,8 @@ void UnfinishedBar::refresh() {
     if (isHidden() == is_there) setVisible(is_there);
     if (!is_there) return;
     if (anew_->isHidden() == is_piece) anew_->setVisible(is_piece);
+    const bool can_forget = found != nullptr || bench_.machine.sight().is_checkpoint_from_disk;
+    if (forget_->isHidden() == can_forget) forget_->setVisible(can_forget);
     const bool can_open = found != nullptr && !found->job_path.empty();
     if (open_->isHidden() == can_open) open_->setVisible(can_open);
     if (is_piece) {
@@ -170,8 +183,8 @@ void UnfinishedBar::show_saved(const FoundCheckpoint& found) {
     if (is_small_) {
         const session::UnfinishedPiece piece{checkpoint.next_layer, checkpoint.earlier_layer,
                                              checkpoint.layer_count};
-        return show_texts(words(session::unfinished_title(piece)), in_one_line(session::saved_needs(found)),
-                          all);
+        return show_texts(words(session::unfinished_title(piece)),
+                          in_one_line(session::saved_needs(found, bench_.machine.sight())), all);
     }
     SavedCheckpoint titled = found.saved;
     titled.source_name = short_file_name(titled.source_name).toStdString();

@@ -50,6 +50,7 @@ private:
     QLabel* details_;
     ActionButton* anew_;
     QPushButton* open_;
+    QPushButton* forget_;
     QPushButton* dismiss_;
     std::optional<session::UnfinishedPiece> dismissed_;
     std::uint64_t dismissed_job_ = 0;    ///< generation

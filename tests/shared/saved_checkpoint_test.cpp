@@ -25,12 +25,16 @@ using testing::HasSubstr;
 
 constexpr std::uint64_t kSavedJob = 0x1234'5678'9abc'def0ULL;
 
+std::uint64_t last_sequence = 0;
+
 SavedCheckpoint saved_at(std::uint32_t next_layer, std::int64_t written_s = 1'764'185'000) {
     SavedCheckpoint saved;
     saved.checkpoint = checkpoint_at(kSavedJob, next_layer, 400, 0);
     saved.job_bytes = 5000;
     saved.profile_hash = 77;
     saved.written_s = written_s;
+    saved.sequence = ++last_sequence;
+    saved.segment_name = "/shop";
     saved.source_name = "vase \u00e9.stl";
     saved.tool = "ball, 3 mm";
     return saved;
@@ -163,6 +167,41 @@ TEST(SavedCheckpoint, TheRealMachinesIsFoundBeforeTheSimulatedOnes) {
     EXPECT_FALSE(find_unfinished("/shop", false));
 }
 
+TEST(SavedCheckpoint, IsOfThatVerySegmentAndMachine) {
+    test::TemporaryFolder folder;
+    const StateVariable variable{folder.path("")};
+    const StateNames names{folder.path(""), "/shop", false};
+    SavedCheckpoint other = saved_at(131);
+    other.segment_name = "/shop2";
+    ASSERT_TRUE(save_checkpoint(other, names.checkpoint()));
+    EXPECT_FALSE(find_unfinished("/shop"));
+}
+
+TEST(SavedCheckpoint, OfSeveralTheOneWrittenLastCountsWhateverTheClockSaid) {
+    test::TemporaryFolder folder;
+    const std::string one = folder.path("one");
+    const std::string two = folder.path("two");
+    std::filesystem::create_directory(one);
+    std::filesystem::create_directory(two);
+    SavedCheckpoint older = saved_at(20, 2'000'000'000);
+    const SavedCheckpoint newer = saved_at(131, 1'000'000'000);
+    ASSERT_TRUE(save_checkpoint(older, StateNames(one, "/shop", false).checkpoint()));
+    ASSERT_TRUE(save_checkpoint(newer, StateNames(two, "/shop", false).checkpoint()));
+    for (const auto& folders : {std::vector{one, two}, std::vector{two, one}})
+        EXPECT_EQ(find_newest("/shop", false, folders)->saved.checkpoint.next_layer, 131U);
+}
+
+TEST(SavedCheckpoint, IsForgottenWithItsJob) {
+    test::TemporaryFolder folder;
+    const StateNames names{folder.path(""), "/shop", false};
+    ASSERT_TRUE(save_checkpoint(saved_at(131), names.checkpoint()));
+    ASSERT_TRUE(save_job_for_everybody(std::vector<std::byte>(64), names.job(kSavedJob)));
+    const auto found = find_unfinished("/shop", false, folder.path(""));
+    ASSERT_TRUE(found);
+    ASSERT_TRUE(forget_piece(*found));
+    EXPECT_EQ(folder.file_count(), 0U);
+}
+
 TEST(SavedCheckpoint, ItsJobIsFoundByItsChecksumAlone) {
     test::TemporaryFolder folder;
     const StateVariable variable{folder.path("")};
@@ -262,6 +301,8 @@ TEST(StateNames, TellOneJobsCopyFromEverythingElse) {
     EXPECT_FALSE(sut.is_job("/srv/shop-00000000000000ab.job2"));
     EXPECT_FALSE(sut.is_job("/srv/shop-00000000000000ab.bak"));
     const StateNames simulated{"/srv", "/shop", true};
+    EXPECT_NE(StateNames("/srv", "/shop.sim", false).checkpoint(), simulated.checkpoint());
+    EXPECT_NE(StateNames("/srv", "/shop.simulated", false).checkpoint(), simulated.checkpoint());
     EXPECT_FALSE(sut.is_job(simulated.job(0xAB)));
     EXPECT_FALSE(simulated.is_job(sut.job(0xAB)));
 }

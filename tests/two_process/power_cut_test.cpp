@@ -105,9 +105,15 @@ TEST_P(PowerCutAnywhere, ThePieceIsTheOneThatAnUndisturbedRunCarves) {
     home();
     start_carving();
     ASSERT_TRUE(eventually([&] { return checkpoint().next_layer >= cut_layer; }));
+    // The machine waits for the disk here, or the piece might be finished first; and nothing is copied while
+    // it is written.
+    ASSERT_EQ(refusal_of(CommandKind::hold), "");
+    ASSERT_TRUE(reaches(MachineState::held));
+    const std::uint32_t held_layer = checkpoint().next_layer;
     ASSERT_TRUE(eventually([&] { return fs::exists(names().job(job_checksum(blob))); }));
-    ASSERT_TRUE(eventually([&] { return on_disk().checkpoint.next_layer != 0; }));
+    ASSERT_TRUE(eventually([&] { return on_disk().checkpoint.next_layer == held_layer; }));
     fs::copy(state(), file("disk"), fs::copy_options::recursive);
+    ASSERT_EQ(refusal_of(CommandKind::resume), "");
     ASSERT_TRUE(eventually([&] { return checkpoint().next_layer >= cut_layer + kLostLayers; }));
     cut_power();
     // The disk as it was some time before: what is carved of these layers is carved again, in air.
@@ -124,8 +130,15 @@ TEST_P(PowerCutAnywhere, ThePieceIsTheOneThatAnUndisturbedRunCarves) {
     const auto published = psicarve({"publish", unfinished["job"].get<std::string>()});
     ASSERT_EQ(published.exit_code, 0) << published.error;
     EXPECT_EQ(checkpoint().next_layer, layer);
+    EXPECT_TRUE(checkpoint().is_from_disk());
     ASSERT_EQ(psicarve({"home"}).exit_code, 0);
-    ASSERT_EQ(psicarve({"start", "--resume", "--carve"}).exit_code, 0);
+    const auto resumed = psicarve({"start", "--resume", "--carve"});
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.error;
+    EXPECT_NE(resumed.error.find("goes on by " + names().checkpoint() + " of 20"), std::string::npos)
+        << resumed.error;
+    EXPECT_NE(resumed.error.find(": lobed, " + std::to_string(layer) + " of "), std::string::npos)
+        << resumed.error;
+    EXPECT_NE(resumed.error.find(", tool point, simulated machine"), std::string::npos) << resumed.error;
     ASSERT_TRUE(is_carved_to_its_end());
     ASSERT_TRUE(eventually([&] { return on_disk().checkpoint.next_layer == kPieceLayers; }));
     end_core();
@@ -240,6 +253,35 @@ TEST_F(PowerCut, AnotherJobThatIsOnlyPublishedForgetsNothing) {
     ASSERT_TRUE(eventually([&] { return on_disk().checkpoint.layer_count == 3; }));
     const std::string copy = names().job(job_checksum(job_blob_from_table(table)));
     EXPECT_TRUE(eventually([&] { return !fs::exists(copy); }));
+}
+
+TEST_F(PowerCut, APieceIsForgottenForGood) {
+    for (const bool has_core : {true, false}) {
+        start_core_with_state();
+        ASSERT_EQ(publish(lobed_job(40, 40)), "");
+        home();
+        Command some{};
+        some.kind = CommandKind::start;
+        some.value2 = 6;
+        ASSERT_EQ(refusal_of(some), "");
+        ASSERT_TRUE(reaches(MachineState::waiting));
+        ASSERT_EQ(refusal_of(CommandKind::start_interpolation), "");
+        EXPECT_NE(psicarve({"forget"}).error.find("not at rest"), std::string::npos);
+        ASSERT_TRUE(reaches(MachineState::ready));
+        ASSERT_TRUE(eventually([&] { return on_disk().checkpoint.next_layer == 6; }));
+        if (!has_core) cut_power();
+        const auto forgotten = psicarve({"forget"});
+        EXPECT_EQ(forgotten.exit_code, 0) << forgotten.error;
+        EXPECT_FALSE(fs::exists(names().checkpoint()));
+        if (has_core) {
+            EXPECT_TRUE(checkpoint().is_empty());
+            EXPECT_NE(psicarve({"start", "--resume"}).error.find("nothing was carved yet"),
+                      std::string::npos);
+            cut_power();
+        }
+        EXPECT_EQ(psicarve({"status", "--json"}).json()["unfinished"], nullptr);
+        EXPECT_EQ(psicarve({"forget"}).exit_code, 3) << "there is none";
+    }
 }
 
 TEST_F(PowerCut, ADiskThatTakesNothingIsAWarningAndTheJobIsCarved) {

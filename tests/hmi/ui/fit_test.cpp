@@ -176,6 +176,7 @@ TEST_P(Fit, WithAPieceThatOnlyADiskKnows) {
     setenv("PSICARVE_STATE", file("").c_str(), 1);
     SavedCheckpoint saved;
     saved.checkpoint = checkpoint_at(1, 3131, 4000, 3999);
+    saved.segment_name = segment_name_;
     saved.source_name = std::string(120, 'x') + ".stl";
     saved.tool = "ball, 3.175 mm";
     const StateNames names{file(""), segment_name_, false};

@@ -15,23 +15,14 @@
 
 #include "shared/atomic_file.hpp"
 #include "shared/snapshot_file.hpp"
-#include "tests/shared/job_fixture.hpp"
+#include "tests/rtcore/supervisor/kept_job.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve::supervisor {
 namespace {
 
+using test::job_called;
 using testing::HasSubstr;
-
-std::shared_ptr<const LoadedJob> job_called(const std::string& name, std::uint64_t generation = 1) {
-    Profile machine;
-    machine.tool.shape = ToolShape::ball;
-    JobTable table = small_job(machine);
-    table.source_name = name;
-    auto job = load_job(job_blob_from_table(table), generation, machine);
-    EXPECT_TRUE(job) << (job ? "" : job.error().message);
-    return job ? *job : nullptr;
-}
 
 /// No file grows beyond so many bytes.
 class FullDisk {
@@ -76,7 +67,7 @@ protected:
         return static_cast<std::size_t>(std::distance(begin(all), end(all)));
     }
 
-    test::TemporaryFolder folder_;
+    psicarve::test::TemporaryFolder folder_;
     std::shared_ptr<const LoadedJob> vase_ = job_called("vase.stl");
 };
 
@@ -104,10 +95,38 @@ TEST_F(CheckpointFileTest, TheNextCoreFindsItForThatVeryJob) {
     CheckpointFile sut{place()};
     const auto left = sut.left_of(*job_called("vase.stl", 9));
     ASSERT_TRUE(left);
-    EXPECT_EQ(left->next_layer, 1U);
-    EXPECT_EQ(left->earlier_layer, 2U);
+    EXPECT_EQ(left->checkpoint.next_layer, 1U);
+    EXPECT_EQ(left->checkpoint.earlier_layer, 2U);
     EXPECT_FALSE(sut.left_of(*job_called("cup.stl")));
     ASSERT_TRUE(sut.left_of(*vase_)) << "another job that was only looked at changes nothing";
+}
+
+TEST_F(CheckpointFileTest, WhatWasLeftIsPastOnceSomethingIsKept) {
+    keep(after(2), vase_);
+    CheckpointFile sut{place()};
+    ASSERT_TRUE(sut.left_of(*vase_));
+    EXPECT_EQ(sut.most_told_of(*vase_), 2U);
+    sut.keep(after(1), vase_);
+    EXPECT_FALSE(sut.left_of(*vase_));
+    EXPECT_EQ(sut.most_told_of(*vase_), 2U) << "until the disk has done it";
+}
+
+TEST_F(CheckpointFileTest, EachIsNewerThanAllThatWereThereWhateverTheClockSays) {
+    keep(after(1), vase_);
+    auto before = *load_saved_checkpoint(names().checkpoint());
+    EXPECT_GT(before.sequence, 0U);
+    // In another folder that readers know, by a clock that went ahead.
+    before.sequence = 700;
+    before.written_s += 1'000'000;
+    setenv("PSICARVE_STATE", folder_.path("other").c_str(), 1);
+    std::filesystem::create_directory(folder_.path("other"));
+    ASSERT_TRUE(save_checkpoint(before, StateNames{folder_.path("other"), "/shop", false}.checkpoint()));
+    keep(after(2), vase_);
+    setenv("PSICARVE_STATE", "", 1);
+    EXPECT_GT(load_saved_checkpoint(names().checkpoint())->sequence, 700U);
+    const auto newest = find_newest("/shop", false, {folder_.path("other"), folder_.path("state")});
+    ASSERT_TRUE(newest);
+    EXPECT_EQ(newest->saved.checkpoint.next_layer, 2U);
 }
 
 TEST_F(CheckpointFileTest, OfAnotherJobItIsAnotherFileAndTheOldCopyGoes) {

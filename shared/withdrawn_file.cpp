@@ -25,8 +25,8 @@ Result<void> withdraw_file(const std::string& path) {
     const OpenFile file{::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)};
     int failed = ::unlink(path.c_str()) == 0 || errno == ENOENT ? 0 : errno;
     if (failed == 0) failed = sync_folder_of(path);
-    // Without a folder there is no file, on any disk.
-    if (failed == 0 || failed == ENOENT) return {};
+    // Where the folder is missing, or a folder has the name, there is no file.
+    if (failed == 0 || failed == ENOENT || failed == ENOTDIR || failed == EISDIR) return {};
     if (file.get() >= 0 && ::ftruncate(file.get(), 0) == 0 && ::fsync(file.get()) == 0) return {};
     return bad_input(path + ": cannot be taken away: " + std::generic_category().message(failed));
 }

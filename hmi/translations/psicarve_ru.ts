@@ -1497,12 +1497,32 @@ F12  этот список</translation>
             <translation>Следить за станком: он режет не это задание</translation>
         </message>
         <message>
+            <source>Forget</source>
+            <translation>Забыть</translation>
+        </message>
+        <message>
             <source>Forget it</source>
             <translation>Забыть</translation>
         </message>
         <message>
+            <source>Forget this piece</source>
+            <translation>Забыть эту деталь</translation>
+        </message>
+        <message>
+            <source>Forget this piece…</source>
+            <translation>Забыть эту деталь…</translation>
+        </message>
+        <message>
+            <source>Forgets for good how far this piece is carved; it asks first and moves nothing</source>
+            <translation>Навсегда забывает, докуда вырезана эта деталь; сначала спрашивает, ничего не двигает</translation>
+        </message>
+        <message>
             <source>Forgets the zero of %1</source>
             <translation>Забывает отсчёт %1</translation>
+        </message>
+        <message>
+            <source>Forget…</source>
+            <translation>Забыть…</translation>
         </message>
         <message>
             <source>Found</source>
@@ -1559,6 +1579,10 @@ F12  этот список</translation>
         <message>
             <source>Go</source>
             <translation>Пуск</translation>
+        </message>
+        <message>
+            <source>Go on with an unfinished piece</source>
+            <translation>Продолжить незаконченную деталь</translation>
         </message>
         <message>
             <source>Go to</source>
@@ -1769,6 +1793,10 @@ F12  этот список</translation>
             <translation>На сколько механика допускает ход за датчик.</translation>
         </message>
         <message>
+            <source>How far the unfinished piece is carved is forgotten for good, and with it the core's copy of its job. Nothing moves.</source>
+            <translation>Навсегда забывается, докуда вырезана незаконченная деталь, а с этим и копия её задания у ядра. Ничего не двигается.</translation>
+        </message>
+        <message>
             <source>How late the core's ticks would be, beside whatever the computer does</source>
             <translation>Насколько опаздывали бы такты ядра рядом с прочими делами компьютера</translation>
         </message>
@@ -1875,6 +1903,10 @@ F12  этот список</translation>
         <message>
             <source>It is not offered again; the file stays</source>
             <translation>Больше не предлагается; файл остаётся</translation>
+        </message>
+        <message>
+            <source>It was begun with another profile of the machine.</source>
+            <translation>Она начата с другим профилем станка.</translation>
         </message>
         <message>
             <source>Its guard could not switch drives and spindle off: the port does not answer.</source>
@@ -3437,6 +3469,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>После этого ядро молчит: команд оно не принимает.</translation>
         </message>
         <message>
+            <source>Since when, and with which tool, is not known: the disk does not answer.</source>
+            <translation>С каких пор и каким инструментом, неизвестно: диск не отвечает.</translation>
+        </message>
+        <message>
             <source>Size</source>
             <translation>Размер</translation>
         </message>
@@ -4173,6 +4209,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Инструмент оставит (набросок)</translation>
         </message>
         <message>
+            <source>The unfinished piece is forgotten.</source>
+            <translation>Незаконченная деталь забыта.</translation>
+        </message>
+        <message>
             <source>The window stays open: the core has not taken the hold</source>
             <translation>Окно остаётся открытым: ядро не приняло паузу</translation>
         </message>
@@ -4203,6 +4243,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>This computer</source>
             <translation>Этот компьютер</translation>
+        </message>
+        <message>
+            <source>This is known from the disk alone. Go on only if this very piece is still mounted, as it was, with this tool.</source>
+            <translation>Это известно только с диска. Продолжайте, только если эта самая деталь всё ещё закреплена, как была, и с тем же инструментом.</translation>
         </message>
         <message>
             <source>This window goes by it from now on, also without a core; no file is changed</source>
@@ -5325,6 +5369,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>flight recorder, entry %1, counted from 0</source>
             <translation>самописец, запись %1, счёт с 0</translation>
+        </message>
+        <message>
+            <source>forget</source>
+            <translation>забыть</translation>
         </message>
         <message>
             <source>free</source>

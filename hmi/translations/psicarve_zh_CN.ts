@@ -1496,12 +1496,32 @@ F12  本列表</translation>
             <translation>跟随机床：机床没有在加工此作业</translation>
         </message>
         <message>
+            <source>Forget</source>
+            <translation>忘记</translation>
+        </message>
+        <message>
             <source>Forget it</source>
             <translation>忘记</translation>
         </message>
         <message>
+            <source>Forget this piece</source>
+            <translation>忘记此工件</translation>
+        </message>
+        <message>
+            <source>Forget this piece…</source>
+            <translation>忘记此工件…</translation>
+        </message>
+        <message>
+            <source>Forgets for good how far this piece is carved; it asks first and moves nothing</source>
+            <translation>永久忘记此工件的雕刻进度；会先询问，不产生任何运动</translation>
+        </message>
+        <message>
             <source>Forgets the zero of %1</source>
             <translation>清除 %1 的显示零点</translation>
+        </message>
+        <message>
+            <source>Forget…</source>
+            <translation>忘记…</translation>
         </message>
         <message>
             <source>Found</source>
@@ -1558,6 +1578,10 @@ F12  本列表</translation>
         <message>
             <source>Go</source>
             <translation>移动</translation>
+        </message>
+        <message>
+            <source>Go on with an unfinished piece</source>
+            <translation>继续未完成的工件</translation>
         </message>
         <message>
             <source>Go to</source>
@@ -1768,6 +1792,10 @@ F12  本列表</translation>
             <translation>机械结构允许越过传感器的距离。</translation>
         </message>
         <message>
+            <source>How far the unfinished piece is carved is forgotten for good, and with it the core's copy of its job. Nothing moves.</source>
+            <translation>未完成工件的雕刻进度以及内核保存的作业副本将被永久忘记。不产生任何运动。</translation>
+        </message>
+        <message>
             <source>How late the core's ticks would be, beside whatever the computer does</source>
             <translation>在计算机做其他事的同时，内核节拍会迟多少</translation>
         </message>
@@ -1874,6 +1902,10 @@ F12  本列表</translation>
         <message>
             <source>It is not offered again; the file stays</source>
             <translation>不再提示；文件保留</translation>
+        </message>
+        <message>
+            <source>It was begun with another profile of the machine.</source>
+            <translation>它是用另一份机床配置开始的。</translation>
         </message>
         <message>
             <source>Its guard could not switch drives and spindle off: the port does not answer.</source>
@@ -3432,6 +3464,10 @@ N、Shift+N  下一条、上一条记录
             <translation>此后内核无响应：不接收指令。</translation>
         </message>
         <message>
+            <source>Since when, and with which tool, is not known: the disk does not answer.</source>
+            <translation>从何时开始、用何刀具未知：磁盘没有响应。</translation>
+        </message>
+        <message>
             <source>Size</source>
             <translation>尺寸</translation>
         </message>
@@ -4168,6 +4204,10 @@ N、Shift+N  下一条、上一条记录
             <translation>刀具留下（草图）</translation>
         </message>
         <message>
+            <source>The unfinished piece is forgotten.</source>
+            <translation>未完成的工件已被忘记。</translation>
+        </message>
+        <message>
             <source>The window stays open: the core has not taken the hold</source>
             <translation>窗口保持打开：内核未接受暂停</translation>
         </message>
@@ -4198,6 +4238,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>This computer</source>
             <translation>本机</translation>
+        </message>
+        <message>
+            <source>This is known from the disk alone. Go on only if this very piece is still mounted, as it was, with this tool.</source>
+            <translation>这些仅从磁盘得知。只有当这件工件仍按原样装夹、刀具也相同时才继续。</translation>
         </message>
         <message>
             <source>This window goes by it from now on, also without a core; no file is changed</source>
@@ -5318,6 +5362,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>flight recorder, entry %1, counted from 0</source>
             <translation>飞行记录第 %1 条（从 0 计）</translation>
+        </message>
+        <message>
+            <source>forget</source>
+            <translation>忘记</translation>
         </message>
         <message>
             <source>free</source>

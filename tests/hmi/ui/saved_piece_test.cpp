@@ -2,13 +2,17 @@
 // The computer was switched off in mid-job: what the window offers when it is opened again.
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QLabel>
+#include <QMessageBox>
+#include <QTest>
 
 #include <cstdlib>
 #include <filesystem>
 
 #include "shared/saved_checkpoint.hpp"
 #include "tests/hmi/ui/hands_rig.hpp"
+#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -43,6 +47,15 @@ protected:
         segment_.reset();
         ASSERT_TRUE(Segment::remove(segment_name_));
     }
+    Answer answers(const char* name) {
+        return [this, name](QDialog& dialog) {
+            question_ = dynamic_cast<QMessageBox&>(dialog).text();
+            dialog.grab().save(QString::fromStdString(
+                in_build("screenshots/" + dialog.objectName().toStdString() + "_light.png")));
+            QTest::mouseClick(dialog.findChild<QAbstractButton*>(name), Qt::LeftButton);
+        };
+    }
+    QString question_;
     bool is_shown() { return part<QWidget>("unfinished").isVisible(); }
 };
 
@@ -74,10 +87,47 @@ TEST_F(SavedPiece, IsOfferedAtTheStartAndGoesOn) {
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
     EXPECT_TRUE(comes_true([&] { return button("start").text() == "Continue from layer 7"; }));
-    ASSERT_TRUE(click("start"));
+    // A disk's word is not taken without a question, however the layer is started.
+    ASSERT_TRUE(comes_true([&] { return sight().saved_piece.has_value(); }));
+    for (const char* name : {"start", "one_layer", "from_layer"}) {
+        EXPECT_TRUE(answered([&] { EXPECT_TRUE(click(name)); }, {answers("disk_cancel")})) << name;
+        EXPECT_TRUE(question_.startsWith("Unfinished: 6 of 40 layers of lobed are carved\n\nSince 20"))
+            << question_.toStdString();
+        EXPECT_TRUE(question_.contains(" UTC, tool point.")) << question_.toStdString();
+    }
+    EXPECT_TRUE(comes_true([&] { return !window_->bench().machine.has_orders(); }));
+    EXPECT_EQ(sight().status->job_start_tick, 0U) << "nothing was started";
+    EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("start")); }, {answers("disk_go")}));
     EXPECT_TRUE(comes_true([&] { return sight().status && sight().status->layer >= 6; }));
+    EXPECT_TRUE(comes_true([&] { return !sight().is_checkpoint_from_disk; }))
+        << "now it is the machine's own";
     EXPECT_TRUE(comes_true([&] { return sight().status->points_done == sight().status->points_total; }))
         << all_messages().toStdString();
+}
+
+TEST_F(SavedPiece, IsForgottenForGoodOnceItWasAsked) {
+    ASSERT_NO_FATAL_FAILURE(carve_six_layers_and_cut_the_power());
+    open_in_front();
+    ASSERT_TRUE(comes_true([&] { return is_shown(); }));
+    EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("unfinished_forget")); }, {answers("forget_cancel")}));
+    ASSERT_TRUE(find_unfinished(segment_name_));
+    EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("unfinished_forget")); }, {answers("forget_go")}));
+    EXPECT_TRUE(comes_true([&] { return !is_shown(); }));
+    EXPECT_FALSE(find_unfinished(segment_name_));
+    EXPECT_TRUE(comes_true([&] { return all_messages().contains("The unfinished piece is forgotten."); }));
+}
+
+TEST_F(SavedPiece, IsForgottenByTheCoreWhereItIsAskedFor) {
+    ASSERT_NO_FATAL_FAILURE(carve_six_layers_and_cut_the_power());
+    start_core({"--state", state()});
+    ASSERT_EQ(publish(two_process::lobed_job(40, 40)), "");
+    home();
+    open_in_front();
+    ASSERT_TRUE(comes_true([&] { return button("start").text() == "Continue from layer 7"; }));
+    EXPECT_TRUE(
+        answered([&] { EXPECT_TRUE(click("start")); }, {answers("disk_forget"), answers("forget_go")}));
+    EXPECT_TRUE(comes_true([&] { return button("start").text() == "Start"; }));
+    EXPECT_TRUE(comes_true([&] { return !find_unfinished(segment_name_); }));
 }
 
 TEST_F(SavedPiece, WithoutACopyOfItsJobSaysSoAndIsDismissed) {

@@ -47,7 +47,8 @@ UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
       anew_(new ActionButton{session::Action::from_layer, tr("Start anew…"), [this] { begin_anew(); }}),
       open_(new QPushButton{tr("Open its job")}),
       forget_(new QPushButton{tr("Forget…")}),
-      dismiss_(new QPushButton{tr("Dismiss")}) {
+      dismiss_(new QPushButton{tr("Dismiss")}),
+      ways_out_(new QBoxLayout{QBoxLayout::LeftToRight}) {
     setObjectName("unfinished");
     title_->setObjectName("unfinished_title");
     details_->setObjectName("unfinished_details");
@@ -81,11 +82,10 @@ UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
     buttons->setSpacing(kSmallGap);
     buttons->addWidget(anew_);
     buttons->addWidget(open_);
-    auto* away = new QHBoxLayout;
-    away->setSpacing(kSmallGap);
-    away->addWidget(forget_);
-    away->addWidget(dismiss_);
-    buttons->addLayout(away);
+    ways_out_->setSpacing(kSmallGap);
+    ways_out_->addWidget(forget_);
+    ways_out_->addWidget(dismiss_);
+    buttons->addLayout(ways_out_);
     buttons->addStretch();
     auto* all = new QHBoxLayout{this};
     all->setContentsMargins(0, 0, kGap, 0);
@@ -103,6 +103,8 @@ void UnfinishedBar::set_theme(const Tokens& tokens) {
 
 void UnfinishedBar::set_room(Room room) {
     is_small_ = room == Room::small;
+    // Below each other they leave the words more of a narrow window.
+    ways_out_->setDirection(is_small_ ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     open_->setText(is_small_ ? tr("Open") : tr("Open its job"));
     refresh();
 }

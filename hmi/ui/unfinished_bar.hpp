@@ -12,6 +12,7 @@
 #include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/tokens.hpp"
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -52,6 +53,7 @@ private:
     QPushButton* open_;
     QPushButton* forget_;
     QPushButton* dismiss_;
+    QBoxLayout* ways_out_;  ///< the two
     std::optional<session::UnfinishedPiece> dismissed_;
     std::uint64_t dismissed_job_ = 0;    ///< generation
     std::uint64_t dismissed_saved_ = 0;  ///< its checksum

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "hmi/machine/loose_work.hpp"
 #include "shared/saved_checkpoint.hpp"

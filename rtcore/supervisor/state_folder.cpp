@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "shared/partial_file.hpp"
 
@@ -54,7 +55,7 @@ Result<void> make_state_folder(const std::string& folder) {
     return {};
 }
 
-void make_state_folder_for(const std::string& folder, uid_t user, gid_t group) noexcept {
+void make_state_folder_for(const std::string& folder, uid_t user, gid_t group) {
     if (folder.empty()) return;
     const std::string path = without_last_slash(folder);
     const std::string name = path.substr(path.rfind('/') + 1);

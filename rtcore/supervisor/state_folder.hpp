@@ -16,6 +16,6 @@ Result<void> make_state_folder(const std::string& folder);
 
 /// By root, for a user who may not: only where nobody but root can put something else into its place, and
 /// only what this call has made becomes that user's. Elsewhere nothing: the user makes it, or cannot.
-void make_state_folder_for(const std::string& folder, uid_t user, gid_t group) noexcept;
+void make_state_folder_for(const std::string& folder, uid_t user, gid_t group);
 
 }  // namespace psicarve::supervisor

@@ -164,6 +164,13 @@ TEST_P(Fit, WithAPieceThatIsUnfinished) {
     expect_fit("unfinished_piece_of_a_core_before");
     // What has to be done first, and the way back, are no matter of room.
     EXPECT_TRUE(part<QLabel>("unfinished_details").isVisible());
+    SharedRecord<Checkpoint>& record = segment_->header().checkpoint;
+    const Checkpoint own = read_record(record).value_or(Checkpoint{});
+    write_record(record, checkpoint_at(own.job_checksum, own.next_layer, own.layer_count, own.earlier_layer,
+                                       own.origin | kCheckpointFromDisk));
+    ASSERT_TRUE(comes_true([&] { return sight().is_checkpoint_from_disk; }));
+    EXPECT_TRUE(button("unfinished_forget").isVisible());
+    expect_fit("unfinished_piece_from_disk");
     const session::UnfinishedPiece piece{2, 4, 4000};
     const auto needs = session::unfinished_needs(piece, sight());
     EXPECT_EQ(needs.size(), 2U);

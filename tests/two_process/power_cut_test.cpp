@@ -131,6 +131,7 @@ TEST_P(PowerCutAnywhere, ThePieceIsTheOneThatAnUndisturbedRunCarves) {
     ASSERT_EQ(published.exit_code, 0) << published.error;
     EXPECT_EQ(checkpoint().next_layer, layer);
     EXPECT_TRUE(checkpoint().is_from_disk());
+    EXPECT_EQ(psicarve({"status", "--json"}).json()["checkpoint"]["is_from_disk"], true);
     ASSERT_EQ(psicarve({"home"}).exit_code, 0);
     const auto resumed = psicarve({"start", "--resume", "--carve"});
     ASSERT_EQ(resumed.exit_code, 0) << resumed.error;

@@ -60,6 +60,9 @@ bool is_loose_above_slowest(const StateFlank& a, const StateFlank& b, double tol
     constexpr double kLookMargin_pulses = 1e-6;
     if (a.slowest() != b.slowest() || a.size() < 2 || b.size() < 2) return false;
     if (std::max(a.size(), b.size()) > StateFlank::kMostExactlyJoined) return false;
+    // After a run too short to change a speed two corners may have the same one: no line leads from one to
+    // the other.
+    if (a.speed(1) <= a.slowest() || b.speed(1) <= b.slowest()) return false;
     const double slowest = a.slowest();
     const double reach = std::max(a.reach(0), b.reach(0));
     const double way = 0.5 * (slowest + std::min(a.speed(1), b.speed(1))) - slowest;

@@ -135,6 +135,18 @@ TEST(StateSetTest, IsJoinedWhereTheHullIsTightAndNowhereElse) {
     EXPECT_GT(kept_apart, 1000U);
 }
 
+// A run too short to change a speed leaves two corners at the slowest one.
+TEST(StateSetTest, IsJoinedAfterARunThatIsAllButNone) {
+    const StateSet inside = StateSet::box({-1.0, 1.0}, {1000.0, 2000.0});
+    for (const bool is_first : {true, false}) {
+        StateSet other = StateSet::box({-1.5, 1.0}, {1000.0, 2000.0});
+        other.run(2e-19, 32'000.0, 1e5);
+        StateSet joined = inside;
+        joined.keep_speeds({1000.0, 1e5});
+        EXPECT_TRUE(is_first ? joined.try_join(other, 2e-3) : other.try_join(joined, 2e-3));
+    }
+}
+
 // Two motors of which all is known that can be, and next to nothing: behind the pause both are the same, to
 // the last bit, and remain so whatever comes.
 TEST(SettledReach, KnowsNothingOfWhatWasBefore) {

@@ -101,6 +101,7 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
                                offsetof(JobVerdict, reason),
                                offsetof(CommandSlot, sender_start_time),
                                offsetof(CommandSlot, sequence),
+                               offsetof(CommandSlot, stops_seen),
                                offsetof(CommandSlot, command),
                                offsetof(CommandSlot, answer),
                                offsetof(IncrementEntry, r1_pulses),

@@ -20,7 +20,7 @@ namespace psicarve {
 // command.hpp or job.hpp bumps kLayoutVersion; the ABI hash catches whoever forgets.
 
 inline constexpr std::uint64_t kSegmentMagic = 0x3147455341435350ULL;  // "PSCASEG1"
-inline constexpr std::uint32_t kLayoutVersion = 10;
+inline constexpr std::uint32_t kLayoutVersion = 11;
 /// The first whose CoreStatus and FlightRecord are today's: snapshots of it and all since can be read. Before
 /// 10 is_dry had 16 bits: its high byte, always 0, is now is_left_forecast.
 inline constexpr std::uint32_t kOldestStatusVersion = 4;
@@ -98,6 +98,7 @@ struct CommandSlot {
     AtomicWord64 state_and_sender;
     AtomicWord64 sender_start_time;  ///< as in ProcessIdentity; 0: not known (yet)
     AtomicWord64 sequence;
+    AtomicWord64 stops_seen;  ///< by the sender, before it was pending: StopsSeen, packed
     AtomicWord64 command[sizeof(Command) / 8];
     AtomicWord64 answer[sizeof(Answer) / 8];
 };

@@ -82,7 +82,7 @@ enum class AlarmCause : std::uint8_t {
     plan_starved = 9,  ///< the planner did not keep ahead of the tick
     guard_lost = 10,
     core_lost = 11,           ///< said by its guard: the core died, drives and spindle are off
-    supervisor_stalled = 12,  ///< found by the tick: for a second nobody would have heard a stop
+    supervisor_stalled = 12,  ///< found by the tick: for a second nobody would have heard a command
 };
 inline constexpr std::uint8_t kAlarmCauseCount = 13;
 std::string_view name_of(AlarmCause cause) noexcept;  ///< "limit", "emergency stop", ...

@@ -162,10 +162,18 @@ std::string job_remark(const Segment& segment);
 /// `reason`: why it is refused, or what of an accepted one is to be known.
 void acknowledge_job(Segment& segment, std::uint64_t generation, bool accepted, const std::string& reason);
 
+/// The segment's words of stop and emergency stop, as somebody read them.
+struct StopsSeen {
+    std::uint32_t stops = 0;
+    std::uint32_t emergency_stops = 0;
+};
+StopsSeen stops_seen(const Segment& segment) noexcept;
+
 struct ReceivedCommand {
     std::uint32_t slot;
     std::uint64_t sequence;
     std::uint32_t sender_pid;
+    StopsSeen stops_seen;  ///< by the sender, before the command was pending
     Command command;
 };
 /// Whether who sent a command still lives is asked of the kernel, which takes as long as a wake-up; or has

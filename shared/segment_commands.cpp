@@ -25,6 +25,16 @@ constexpr std::chrono::milliseconds kVerdictCheckInterval{100};
 constexpr std::uint64_t pack(SlotState state, std::uint32_t sender_pid) noexcept {
     return (std::uint64_t{sender_pid} << 32) | static_cast<std::uint32_t>(state);
 }
+constexpr std::uint64_t pack(StopsSeen seen) noexcept {
+    return (std::uint64_t{seen.emergency_stops} << 32) | seen.stops;
+}
+constexpr StopsSeen unpack_stops(std::uint64_t word) noexcept {
+    return {.stops = static_cast<std::uint32_t>(word),
+            .emergency_stops = static_cast<std::uint32_t>(word >> 32)};
+}
+StopsSeen stops_in(const SegmentHeader& header) noexcept {
+    return {.stops = header.stop_requests.load(), .emergency_stops = header.estop_requests.load()};
+}
 constexpr std::uint64_t kFreeSlot = pack(SlotState::free, 0);
 SlotState state_of(std::uint64_t word) noexcept {
     return static_cast<SlotState>(static_cast<std::uint32_t>(word));
@@ -63,6 +73,7 @@ CommandSlot* claim_slot(SegmentHeader& header, std::uint32_t pid) noexcept {
 void post(SegmentHeader& header, CommandSlot& slot, const Command& command, std::uint32_t pid) noexcept {
     store_words<Command>(slot.command, command);
     slot.sequence.store(header.next_sequence.fetch_add(1) + 1, std::memory_order_relaxed);
+    slot.stops_seen.store(pack(stops_in(header)), std::memory_order_relaxed);
     slot.state_and_sender.store(pack(SlotState::pending, pid), std::memory_order_release);
     event_signal(header.command_raised);
     // Not before: the look takes as long as the core does. The slot stays ours; until then its start time is
@@ -157,6 +168,10 @@ Result<void> send_command(Segment& segment, const Command& command, std::chrono:
     return {};
 }
 
+StopsSeen stops_seen(const Segment& segment) noexcept {
+    return stops_in(segment.header());
+}
+
 void request_stop(Segment& segment) noexcept {
     segment.header().stop_requests.fetch_add(1);
     event_signal(segment.header().command_raised);
@@ -185,6 +200,7 @@ std::optional<ReceivedCommand> take_command(Segment& segment, SenderLook look) {
     return ReceivedCommand{.slot = static_cast<std::uint32_t>(slot - header.commands),
                            .sequence = slot->sequence.load(std::memory_order_relaxed),
                            .sender_pid = sender,
+                           .stops_seen = unpack_stops(slot->stops_seen.load(std::memory_order_relaxed)),
                            .command = load_words<Command>(slot->command)};
 }
 

@@ -45,6 +45,7 @@ std::vector<Sentence> refusals() {
          phrase("a published job is being looked at; start once it is accepted")},
         {"the port has failed; reset the alarm, then home",
          phrase("the port has failed; reset the alarm, then home")},
+        {"a stop came after it; ask again", phrase("a stop came after it; ask again")},
         {"%1 would bring the tips closer than head_clearance_mm, %2",
          phrase("%1 would bring the tips closer than head_clearance_mm, %2")},
         {"%1 would go inside the core radius, %2", phrase("%1 would go inside the core radius, %2")},

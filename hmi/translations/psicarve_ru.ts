@@ -4959,6 +4959,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>шаг слоёв %1 больше ширины инструмента, %2</translation>
         </message>
         <message>
+            <source>a stop came after it; ask again</source>
+            <translation>после неё пришла команда остановки; повторите</translation>
+        </message>
+        <message>
             <source>a string</source>
             <translation>строка</translation>
         </message>

@@ -4952,6 +4952,10 @@ N、Shift+N  下一条、上一条记录
             <translation>层距 %1 大于刀具宽度 %2</translation>
         </message>
         <message>
+            <source>a stop came after it; ask again</source>
+            <translation>此命令之后收到了停止命令；请重新发出</translation>
+        </message>
+        <message>
             <source>a string</source>
             <translation>字符串</translation>
         </message>

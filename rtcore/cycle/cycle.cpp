@@ -128,24 +128,24 @@ void Cycle::check_index() noexcept {
 }
 
 void Cycle::take_urgent_words() noexcept {
-    const std::uint32_t estops = io_->urgent.estop_requests.load(std::memory_order_acquire);
-    if (estops != estop_seen_) {
-        estop_seen_ = estops;
-        report(record_of(RecordKind::emergency_stop, 0));
-        raise_alarm(AlarmCause::emergency_stop, kNoAxis);
-    }
-    const std::uint32_t stops = io_->urgent.stop_requests.load(std::memory_order_acquire);
-    if (stops != stop_seen_) {
-        stop_seen_ = stops;
-        report(record_of(RecordKind::stop, 0));
-        stop();
-    }
+    take_stops();
     watch_supervisor();
     if (io_->urgent.failures.load(std::memory_order_relaxed) != 0) take_failures();
 }
 
-// Whoever wants the machine to stop would not be heard. Ticks that did not come are not counted: then the
-// computer stood still, and others see to that.
+void Cycle::take_stops() noexcept {
+    if (emergency_stops_.take(io_->urgent.estop_requests, io_->urgent.estop_word)) {
+        report(record_of(RecordKind::emergency_stop, 0));
+        raise_alarm(AlarmCause::emergency_stop, kNoAxis);
+    }
+    if (stops_.take(io_->urgent.stop_requests, io_->urgent.stop_word)) {
+        report(record_of(RecordKind::stop, 0));
+        stop();
+    }
+}
+
+// Whoever wants the machine to hold, or an axis to be let go, would not be heard. Ticks that did not come are
+// not counted: then the computer stood still, and others see to that.
 void Cycle::watch_supervisor() noexcept {
     constexpr std::int64_t kLongestSilence_ns = 1'000'000'000;
     const std::uint64_t rounds = io_->urgent.rounds.load(std::memory_order_relaxed);

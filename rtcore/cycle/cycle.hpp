@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 
@@ -28,6 +29,25 @@ inline constexpr std::uint32_t kExecutingStates =
     state_bit(MachineState::homing) | state_bit(MachineState::moving) | state_bit(MachineState::positioning) |
     state_bit(MachineState::carving) | state_bit(MachineState::holding) | state_bit(MachineState::finishing) |
     state_bit(MachineState::stopping) | state_bit(MachineState::backing_off);
+
+/// Of one kind, how both words stood at the last one that was acted on. RT: yes.
+struct StopsTaken {
+    std::uint32_t own = 0;
+    std::uint32_t asked = 0;
+
+    /// True when either has changed.
+    bool take(const std::atomic<std::uint32_t>& own_word,
+              const std::atomic<std::uint64_t>& asked_word) noexcept {
+        const StopsTaken now{own_word.load(std::memory_order_acquire),
+                             static_cast<std::uint32_t>(asked_word.load(std::memory_order_acquire))};
+        const bool is_changed = now.own != own || now.asked != asked;
+        *this = now;
+        return is_changed;
+    }
+    /// How many were asked for, and acted on, since somebody saw the word so; negative: that many it saw are
+    /// not acted on yet.
+    std::int32_t since(std::uint32_t seen) const noexcept { return static_cast<std::int32_t>(asked - seen); }
+};
 
 /// One tick of the machine: read inputs -> limits, emergency stop, index -> requests -> interpolate -> write
 /// outputs. Holds the one MachineState. All methods belong to the one thread that ticks; everybody else talks
@@ -79,6 +99,7 @@ private:
     void check_limits() noexcept;
     void check_index() noexcept;
     void take_urgent_words() noexcept;
+    void take_stops() noexcept;
     void take_failures() noexcept;
     void watch_supervisor() noexcept;
     void take_next_request(RequestRing& ring) noexcept;
@@ -115,6 +136,7 @@ private:
     void set_feed(bool is_carving) noexcept;
     // cycle_requests.cpp: what the supervisor asks
     void take_request(const Request& request) noexcept;
+    bool is_overtaken(const Request& request) noexcept;
     Refusal judge(const Request& request) noexcept;
     void come_back(std::uint32_t lost_axes) noexcept;
     Refusal start_home(std::uint64_t axes) noexcept;
@@ -188,8 +210,8 @@ private:
     MoveEnd move_end_ = MoveEnd::none;
     std::uint8_t refused_axis_ = kNoAxis;  ///< of the request at hand
     std::uint32_t epoch_ = 0;
-    std::uint32_t stop_seen_ = 0;
-    std::uint32_t estop_seen_ = 0;
+    StopsTaken stops_;
+    StopsTaken emergency_stops_;
     std::uint64_t rounds_seen_ = 0;
     std::int64_t unheard_ns_ = 0;  ///< so long the supervisor has not come round, in ticks that ran
     SignalWord written_ = 0;

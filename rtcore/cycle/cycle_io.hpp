@@ -43,14 +43,17 @@ enum class RequestKind : std::uint8_t {
 struct Request {
     std::uint64_t sequence;  ///< echoed in the answer
     RequestKind kind;
-    std::uint8_t axis;  ///< Axis, for back_off; fail: axes that stand nobody knows where, bit by axis
-    std::uint8_t reserved[6];
+    std::uint8_t axis;        ///< Axis, for back_off; fail: axes that stand nobody knows where, bit by axis
+    std::uint8_t has_sender;  ///< 0: the core's own account; no stop comes between
+    std::uint8_t reserved[5];
     std::uint64_t value;
     std::uint64_t points_total;
     std::uint64_t points_per_layer;  ///< job_loaded
     MotionOrder order;               ///< jog, jog_on, move
     std::uint32_t lease_token;       ///< jog, jog_on: see Lease; record; 0: nobody holds it
     std::uint32_t lease_ticks;
+    std::uint32_t stops_seen;  ///< of UrgentWords::stop_word, by the sender when it asked
+    std::uint32_t emergency_stops_seen;
 };
 
 /// Why a request was refused; the supervisor finds the words.
@@ -73,6 +76,7 @@ enum class Refusal : std::uint8_t {
     heads_not_homed,   ///< psi and y are homed after the heads, or with them
     port_failed,       ///< the port still answers with an error
     port_reset_first,  ///< the port failed: the alarm must be reset before anything moves
+    overtaken,         ///< a stop was asked for after it, and came first
 };
 
 /// tick -> supervisor, in the order in which things happened. Each carries the flight-recorder entry of it.
@@ -124,11 +128,15 @@ using IncrementQueue = SpscRing<IncrementEntry, 16384>;
 
 /// Words that are seen at the next tick and never wait behind anything. The tick acts on any change.
 struct UrgentWords {
-    std::atomic<std::uint32_t> stop_requests{0};
+    std::atomic<std::uint32_t> stop_requests{0};  ///< of the core's own account
     std::atomic<std::uint32_t> estop_requests{0};
+    /// The segment's words: in the low half as they were looked at last, less what they were when the core
+    /// came to them; in the high half whoever writes them keeps which segment it is (urgent_ear.hpp).
+    std::atomic<std::uint64_t> stop_word{0};
+    std::atomic<std::uint64_t> estop_word{0};
     std::atomic<std::uint64_t> jog_lease{0};  ///< as in the segment
     std::atomic<std::uint64_t> failures{0};   ///< a set of failure_bits(), which the tick empties
-    /// Of whoever writes these words: the tick sees whether it still comes round. 0: nobody says so.
+    /// Of whoever hands requests on: the tick sees whether it still comes round. 0: nobody says so.
     std::atomic<std::uint64_t> rounds{0};
 };
 

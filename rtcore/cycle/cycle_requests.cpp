@@ -4,10 +4,52 @@
 #include "shared/job.hpp"
 
 namespace psicarve::cycle {
+namespace {
+
+/// It moves an axis, powers an output or leaves an alarm.
+bool sets_going(const Request& request) noexcept {
+    switch (request.kind) {
+        case RequestKind::home:
+        case RequestKind::start:
+        case RequestKind::start_interpolation:
+        case RequestKind::resume:
+        case RequestKind::reset_alarm:
+        case RequestKind::back_off:
+        case RequestKind::reset_height:
+        case RequestKind::jog:
+        case RequestKind::jog_on:
+        case RequestKind::move:
+            return true;
+        case RequestKind::spindle:
+            return request.value != 0;
+        case RequestKind::test_pin:
+            return pin_order(request.value).is_on;
+        case RequestKind::hold:
+        case RequestKind::job_loaded:
+        case RequestKind::override:
+        case RequestKind::fail:
+        case RequestKind::end_jog:
+        case RequestKind::record:
+        case RequestKind::drives_off:
+            break;
+    }
+    return false;
+}
+
+}  // namespace
 
 void Cycle::take_request(const Request& request) noexcept {
     refused_axis_ = kNoAxis;
-    answer(request, judge(request));
+    answer(request, is_overtaken(request) ? Refusal::overtaken : judge(request));
+}
+
+// Commands may wait for long, and a stop waits for none of them: what was asked for before it would set the
+// machine going after it. A stop that the sender knew of comes first, however they got here.
+bool Cycle::is_overtaken(const Request& request) noexcept {
+    if (request.has_sender == 0 || !sets_going(request)) return false;
+    if (stops_.since(request.stops_seen) < 0 || emergency_stops_.since(request.emergency_stops_seen) < 0)
+        take_stops();
+    return stops_.since(request.stops_seen) > 0 || emergency_stops_.since(request.emergency_stops_seen) > 0;
 }
 
 Refusal Cycle::judge(const Request& request) noexcept {

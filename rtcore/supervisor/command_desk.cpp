@@ -39,10 +39,10 @@ void CommandDesk::take_commands(Segment& segment, cycle::RequestRing& requests, 
     has_more_ = false;
     const auto take_some = [&](SenderLook look) {
         for (int left = kMostOfARound; left > 0; --left) {
-            if (requests.size() + kPlacesLeft >= cycle::RequestRing::capacity()) return;
+            if (requests.size() + kPlacesLeft >= cycle::RequestRing::capacity()) return ear_->note_crowd();
             const auto received = take_command(segment, look);
             if (!received) return;
-            ++commands_taken_;
+            if (left < kMostOfARound) ear_->note_crowd();
             take_one(segment, *received, requests, sample, job);
         }
         has_more_ = true;
@@ -114,6 +114,7 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
         return;
     }
     request->sequence = ++last_sequence_;
+    ear_->note_stops_seen(received, *request);
     requests.push(*request);
     waiting_.push_back({request->sequence, received, job != nullptr ? job->view.layer_count() : 0});
 }

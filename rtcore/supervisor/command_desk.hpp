@@ -9,6 +9,7 @@
 
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/supervisor/loaded_job.hpp"
+#include "rtcore/supervisor/urgent_ear.hpp"
 #include "shared/profile.hpp"
 #include "shared/segment.hpp"
 
@@ -18,9 +19,9 @@ namespace psicarve::supervisor {
 /// the tick only sees requests that make sense.
 class CommandDesk {
 public:
-    /// The profile outlives the desk.
-    CommandDesk(const Profile& profile, bool is_virtual_clock) noexcept
-        : profile_(&profile), is_virtual_clock_(is_virtual_clock) {}
+    /// Profile and ear outlive the desk.
+    CommandDesk(const Profile& profile, UrgentEar& ear, bool is_virtual_clock) noexcept
+        : profile_(&profile), ear_(&ear), is_virtual_clock_(is_virtual_clock) {}
 
     /// Hands on what is pending, but no more than a handful: senders may be faster than we are, and whoever
     /// wants a stop is heard between two rounds. A full request ring leaves the rest for the next one, too.
@@ -49,8 +50,6 @@ public:
     bool awaits_answer() const noexcept { return !waiting_.empty(); }
     /// Some were left for the next round.
     bool has_more() const noexcept { return has_more_; }
-    /// So far.
-    std::uint64_t commands_taken() const noexcept { return commands_taken_; }
     bool shutdown_requested() const noexcept { return shutdown_requested_; }
     /// True once for each order to forget the piece: it is gone from the segment, and to go from the disk.
     bool take_forgetting() noexcept { return std::exchange(forgets_piece_, false); }
@@ -61,6 +60,7 @@ private:
     void note_lease(const Command& command) noexcept;
 
     const Profile* profile_;
+    UrgentEar* ear_;
     std::chrono::steady_clock::time_point last_round_{};
     std::chrono::steady_clock::time_point next_look_{};
     std::chrono::milliseconds jog_lease_{0};
@@ -79,7 +79,6 @@ private:
     bool shutdown_requested_ = false;
     bool forgets_piece_ = false;
     bool has_more_ = false;
-    std::uint64_t commands_taken_ = 0;
 };
 
 }  // namespace psicarve::supervisor

@@ -107,6 +107,8 @@ std::string refusal_text(const cycle::Report& answer, CommandKind command, const
                    "driver, then reset the alarm again";
         case R::port_reset_first:
             return "the port has failed; reset the alarm, then home";
+        case R::overtaken:
+            return std::string{name_of(command)} + ": a stop came after it; ask again";
         case R::bad_override:
             return "override: 10 to 200 per cent of the planned feed, whole";
     }

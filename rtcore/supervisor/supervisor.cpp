@@ -52,8 +52,8 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
     : parts_(&parts),
       segment_options_(segment_options),
       segment_(std::make_shared<Segment>(std::move(segment))),
-      ear_(std::make_unique<UrgentEar>(segment_, parts.io->urgent, UrgentEar::as_they_stand(*segment_))),
-      desk_(parts.profile, facts.is_virtual_clock),
+      ear_(segment_, parts.io->urgent),
+      desk_(parts.profile, ear_, facts.is_virtual_clock),
       mirror_(facts),
       piece_({parts.state_folder, segment_options.name, facts.is_simulator, profile_hash(parts.profile)}),
       is_virtual_clock_(facts.is_virtual_clock),
@@ -83,7 +83,7 @@ bool Supervisor::poll(Hearing hearing) {
     const bool takes_requests = hearing == Hearing::everything;
     sample_ = read_sample();
     // What was asked for first; everything else may take its time.
-    bool handed_on = ear_->look();
+    bool handed_on = ear_.look();
     if (takes_requests) handed_on = take_requests() || handed_on;
     promptness_.lower();
     check_segment();
@@ -107,9 +107,7 @@ bool Supervisor::take_requests() {
     take_job();
     const LoadedJob* const job = loading_job_ != nullptr ? loading_job_.get() : job_.get();
     desk_.note_seen(seen_generation_);
-    const std::uint64_t taken_before = desk_.commands_taken();
     desk_.take_commands(*segment_, parts_->io->requests, sample_, job);
-    if (desk_.commands_taken() - taken_before > 1) ear_->note_crowd();
     return parts_->io->requests.size() > requests_before;
 }
 
@@ -352,10 +350,7 @@ void Supervisor::take_new_segment() {
     flight_log_.begin_anew();
     segment_ = std::make_shared<Segment>(std::move(*fresh));
     introduce();
-    // It is new: whatever has been asked for in it was asked of us.
-    const bool was_listening = ear_->is_listening();
-    ear_ = std::make_unique<UrgentEar>(segment_, parts_->io->urgent, UrgentEar::Seen{});
-    if (was_listening) ear_->listen();
+    ear_.turn_to(segment_);
     judged_generation_ = 0;
     seen_generation_ = 0;
     is_look_stale_ = true;

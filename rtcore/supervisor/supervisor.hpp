@@ -26,8 +26,8 @@ namespace psicarve::supervisor {
 enum class Hearing : std::uint8_t { everything, urgent_words };
 
 /// Serves the segment: jobs and commands in, status, increments and flight recorder out, all through the
-/// lock-free rings to the tick. The only part of the core that touches shared memory. One thread's; not for
-/// the tick.
+/// lock-free rings to the tick. Besides its UrgentEar nothing in the core touches shared memory. One
+/// thread's; not for the tick.
 class Supervisor {
 public:
     Supervisor(CoreParts& parts, const SegmentOptions& segment_options, Segment segment,
@@ -49,7 +49,7 @@ public:
 
     /// On the real clock, once the tick runs: stops are heard between any two rounds, too, by a thread of
     /// their own.
-    void listen_for_stops() { ear_->listen(); }
+    void listen_for_stops() { ear_.listen(); }
 
     /// Before anybody may publish, on the virtual clock: the job that an earlier core has left is loaded
     /// while the machine settles, and no tick passes for it later.
@@ -114,7 +114,7 @@ private:
     CoreParts* parts_;
     SegmentOptions segment_options_;
     std::shared_ptr<Segment> segment_;  ///< with whoever looks at a job in it
-    std::unique_ptr<UrgentEar> ear_;    ///< at segment_
+    UrgentEar ear_;                     ///< at segment_
     CommandDesk desk_;
     StatusMirror mirror_;
     PinRecording recording_;

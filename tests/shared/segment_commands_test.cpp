@@ -65,6 +65,21 @@ TEST_F(SegmentCommands, AnswerDoneReachesTheSender) {
     EXPECT_EQ(used_slots(), 0U);
 }
 
+TEST_F(SegmentCommands, TellWhichStopsTheirSenderHadSeen) {
+    for (int i = 0; i < 2; ++i) request_stop(*core_);
+    for (int i = 0; i < 3; ++i) request_emergency_stop(*core_);
+    std::thread sender{[&] { (void)send_command(*hmi_, Command{}, milliseconds{60'000}); }};
+
+    const ReceivedCommand received = take();
+    request_stop(*core_);
+    answer_command(*core_, received, AnswerKind::done, "");
+    sender.join();
+
+    EXPECT_EQ(received.stops_seen.stops, 2U);
+    EXPECT_EQ(received.stops_seen.emergency_stops, 3U);
+    EXPECT_EQ(stops_seen(*hmi_).stops, 3U);
+}
+
 TEST_F(SegmentCommands, RefusalReachesTheSenderWithItsReasonCutToTheSpace) {
     Result<void> result;
     std::thread sender{[&] {

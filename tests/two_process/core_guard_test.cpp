@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "tests/two_process/port_rig.hpp"
-#include "tests/two_process/stopped_thread.hpp"
 
 namespace psicarve::two_process {
 namespace {
@@ -370,21 +369,6 @@ TEST_F(CoreGuard, WithoutGuardTheCoreIsTheProcessThatWasStarted) {
     attach();
     EXPECT_TRUE(eventually([&] { return segment_->core_pid() == static_cast<std::uint32_t>(core_->pid()); }));
     EXPECT_NE(text_of(file("core.err")).find("no guard"), std::string::npos);
-}
-
-// The thread that takes commands may be kept from it: a stop is none of them. Without a second of ticks the
-// tick itself notices, and stops for another reason.
-TEST_F(CoreGuard, AnEmergencyStopIsHeardWhileTheSupervisorStandsStill) {
-    carve_for_long();
-    constexpr std::uint32_t kSpindle = 1U << 2U;  // pin 16
-    ASSERT_NE(port_.state().control.load() & kSpindle, 0U);
-    StoppedThread supervisor{core_pid_};
-    ASSERT_TRUE(supervisor.is_stopped());
-    request_emergency_stop(*segment_);
-    EXPECT_TRUE(eventually([&] { return (port_.state().control.load() & kSpindle) == 0; }));
-    supervisor.let_go();
-    ASSERT_TRUE(reaches(MachineState::alarm));
-    EXPECT_EQ(status().alarm_cause, AlarmCause::emergency_stop);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 // most: twice as long under the flood, by the medians; ends with 1 above that, or where the flood was none.
 // The port is a preloaded library that notes when it was written; the number of rounds may be given.
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -38,7 +39,9 @@ constexpr fake_port::Wire kEnable{fake_port::Register::data, 4, 0};  // pin 6: R
 
 using Count = std::atomic<std::uint64_t>;
 
-[[noreturn]] void send_for_ever(const std::string& segment_name, Count& answered) {
+/// Also where the bench itself is killed nothing stays behind.
+[[noreturn]] void send_for_ever(const std::string& segment_name, Count& answered, pid_t bench) {
+    if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != bench) std::_Exit(1);
     auto segment = Segment::attach(segment_name);
     if (!segment) std::_Exit(1);
     std::vector<std::thread> senders;
@@ -61,9 +64,10 @@ public:
     explicit Flood(const std::string& segment_name)
         : answered_(new (mmap(nullptr, sizeof(Count), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1,
                               0)) Count{0}) {
+        const pid_t bench = getpid();
         for (pid_t& client : clients_) {
             client = fork();
-            if (client == 0) send_for_ever(segment_name, *answered_);
+            if (client == 0) send_for_ever(segment_name, *answered_, bench);
         }
     }
     ~Flood() {

@@ -47,6 +47,7 @@ public:
     bool is_healthy() const noexcept override { return healthy; }
     void try_safe_state() noexcept override { ++safe_tries; }
     bool take_up_again() noexcept override {
+        if (when_taken_up) when_taken_up();
         healthy = healthy || answers;
         return healthy;
     }
@@ -56,6 +57,7 @@ public:
     bool healthy = true;
     bool answers = false;  ///< once it is not healthy
     int safe_tries = 0;
+    std::function<void()> when_taken_up;
     std::int64_t waited_ns = 0;  ///< the last wait asked for
     std::vector<PortWrite> writes;
 

@@ -17,5 +17,12 @@ TEST(RefusalText, NamesTheSwitchesThatAreStillTrippedOrSaysThatNoneIs) {
     EXPECT_EQ(said(), "still tripped: r2_limit; release it or back off");
 }
 
+TEST(RefusalText, SaysThatAStopCameAfterTheCommand) {
+    cycle::Report answer{};
+    answer.refusal = cycle::Refusal::overtaken;
+    EXPECT_EQ(refusal_text(answer, CommandKind::reset_alarm, {}, Profile{}, 0),
+              "reset-alarm: a stop came after it; ask again");
+}
+
 }  // namespace
 }  // namespace psicarve::supervisor

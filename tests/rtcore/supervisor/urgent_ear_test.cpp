@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
+#include <memory>
 #include <string>
 #include <thread>
 #include <utility>
@@ -15,27 +17,46 @@ namespace {
 
 class UrgentEarTest : public testing::Test {
 protected:
-    void SetUp() override {
+    void SetUp() override { make(segment_, name_); }
+    void TearDown() override {
+        EXPECT_TRUE(Segment::remove(name_));
+        if (other_ != nullptr) {
+            EXPECT_TRUE(Segment::remove(name_ + "-other"));
+        }
+    }
+    static void make(std::shared_ptr<Segment>& segment, const std::string& name) {
         SegmentOptions options;
-        options.name = name_;
+        options.name = name;
         options.capacity_layers = 1;
         options.capacity_points = 2;
         auto made = Segment::create_or_attach(options);
         ASSERT_TRUE(made) << made.error().message;
-        segment_ = std::make_shared<Segment>(std::move(*made));
+        segment = std::make_shared<Segment>(std::move(*made));
     }
-    void TearDown() override { EXPECT_TRUE(Segment::remove(name_)); }
-    std::uint32_t stops() const { return urgent_.stop_requests.load(); }
-    std::uint32_t emergency_stops() const { return urgent_.estop_requests.load(); }
+    void make_other() { make(other_, name_ + "-other"); }
+
+    /// As the tick sees them.
+    std::uint32_t stops() const { return static_cast<std::uint32_t>(urgent_.stop_word.load()); }
+    std::uint32_t emergency_stops() const { return static_cast<std::uint32_t>(urgent_.estop_word.load()); }
+    template <typename Condition>
+    static bool comes(Condition condition) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{60};
+        while (!condition()) {
+            if (std::chrono::steady_clock::now() > end) return false;
+            std::this_thread::yield();
+        }
+        return true;
+    }
 
     std::string name_ = "/psicarve-test-ear-" + std::to_string(getpid());
     std::shared_ptr<Segment> segment_;
+    std::shared_ptr<Segment> other_;
     cycle::UrgentWords urgent_;
 };
 
 TEST_F(UrgentEarTest, HandsOnWhatIsAskedForFromNowOnAndEachOnce) {
     request_stop(*segment_);
-    UrgentEar ear{segment_, urgent_, UrgentEar::as_they_stand(*segment_)};
+    UrgentEar ear{segment_, urgent_};
     EXPECT_FALSE(ear.look());
     request_stop(*segment_);
     EXPECT_TRUE(ear.look());
@@ -46,42 +67,88 @@ TEST_F(UrgentEarTest, HandsOnWhatIsAskedForFromNowOnAndEachOnce) {
     EXPECT_EQ(emergency_stops(), 1U);
 }
 
-TEST_F(UrgentEarTest, HearsWhatANewSegmentWasAskedBeforeItCame) {
-    request_emergency_stop(*segment_);
-    UrgentEar ear{segment_, urgent_, UrgentEar::Seen{}};
-    EXPECT_TRUE(ear.look());
-    EXPECT_EQ(emergency_stops(), 1U);
+// Whoever overwrites a word has asked for a stop, and nobody's later one is lost for it.
+TEST_F(UrgentEarTest, HandsOnAnyChange) {
+    UrgentEar ear{segment_, urgent_};
+    for (const std::uint32_t word : {0xFFFF'FFFFU, 0U, 0x8000'0001U, 0x8000'0000U}) {
+        const std::uint32_t before = stops();
+        segment_->header().stop_requests.store(word);
+        EXPECT_TRUE(ear.look());
+        EXPECT_NE(stops(), before);
+    }
 }
 
-TEST_F(UrgentEarTest, ListensWithoutBeingLookedAfter) {
-    UrgentEar ear{segment_, urgent_, UrgentEar::as_they_stand(*segment_)};
+TEST_F(UrgentEarTest, TurnsToAnotherSegmentWithoutAStopAndMissesNone) {
+    request_stop(*segment_);
+    UrgentEar ear{segment_, urgent_};
+    request_stop(*segment_);
+    ear.look();
+    request_emergency_stop(*segment_);
+    make_other();
+    request_stop(*other_);
+    ear.turn_to(other_);
+    EXPECT_EQ(stops(), 2U) << "asked for in the new one before we came";
+    EXPECT_EQ(emergency_stops(), 1U) << "asked for in the old one at the last moment";
+    EXPECT_FALSE(ear.look());
+    request_stop(*segment_);
+    EXPECT_FALSE(ear.look());
+    request_emergency_stop(*other_);
+    EXPECT_TRUE(ear.look());
+    EXPECT_EQ(stops(), 2U);
+    EXPECT_EQ(emergency_stops(), 2U);
+}
+
+TEST_F(UrgentEarTest, CountsWhatASenderHadSeenAsTheTickDoes) {
+    request_stop(*segment_);
+    UrgentEar ear{segment_, urgent_};
+    const auto seen_now = [&](const Segment& segment) {
+        ReceivedCommand command{};
+        command.stops_seen = stops_seen(segment);
+        cycle::Request request{};
+        ear.note_stops_seen(command, request);
+        EXPECT_EQ(request.has_sender, 1);
+        return std::pair{request.stops_seen, request.emergency_stops_seen};
+    };
+    request_stop(*segment_);
+    EXPECT_EQ(seen_now(*segment_), std::pair(1U, 0U));
+    EXPECT_EQ(stops(), 1U) << "it comes before whatever its sender asks for next";
+    make_other();
+    ear.turn_to(other_);
+    request_emergency_stop(*other_);
+    EXPECT_EQ(seen_now(*other_), std::pair(1U, 1U));
+}
+
+TEST_F(UrgentEarTest, ListensWithoutBeingLookedAfterWhateverSegmentItIs) {
+    UrgentEar ear{segment_, urgent_};
     ear.listen();
     request_stop(*segment_);
-    while (stops() == 0) std::this_thread::yield();
-    request_emergency_stop(*segment_);
-    while (emergency_stops() == 0) std::this_thread::yield();
+    EXPECT_TRUE(comes([&] { return stops() == 1; }));
+    make_other();
+    ear.turn_to(other_);
+    request_emergency_stop(*other_);
+    EXPECT_TRUE(comes([&] { return emergency_stops() == 1; }));
     EXPECT_EQ(stops(), 1U);
 }
 
-// Two who see the same change hand it on once; each change that one of them has seen alone is handed on.
-TEST_F(UrgentEarTest, CountsNoChangeTwiceHoweverManyLook) {
+TEST_F(UrgentEarTest, CountsNoChangeTwiceHoweverManyListen) {
     constexpr std::uint32_t kChanges = 300;
-    UrgentEar ear{segment_, urgent_, UrgentEar::as_they_stand(*segment_)};
+    UrgentEar ear{segment_, urgent_};
     ear.listen();
     std::atomic<bool> must_end{false};
-    std::vector<std::thread> others;
-    for (int i = 0; i < 2; ++i) {
-        others.emplace_back([&] {
-            while (!must_end) ear.look();
-        });
-    }
-    for (std::uint32_t i = 0; i < kChanges; ++i) {
-        const std::uint32_t before = stops();
+    std::thread other{[&] {
+        while (!must_end) {
+            ear.look();
+            ear.note_crowd();
+        }
+    }};
+    for (std::uint32_t count = 1; count <= kChanges; ++count) {
         request_stop(*segment_);
-        while (stops() == before) std::this_thread::yield();
+        if (comes([&] { return stops() == count; })) continue;
+        ADD_FAILURE() << stops() << " of " << count;
+        break;
     }
     must_end = true;
-    for (std::thread& other : others) other.join();
+    other.join();
     EXPECT_EQ(stops(), kChanges);
     EXPECT_EQ(emergency_stops(), 0U);
 }

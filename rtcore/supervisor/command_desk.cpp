@@ -71,6 +71,17 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
         answer_command(segment, received, AnswerKind::refused, refusal_for_all_);
         return;
     }
+    if (command.kind == CommandKind::forget_piece) {
+        const bool may_forget = is_at_rest(sample.state) && !runs_job(sample.state);
+        if (may_forget) {
+            forgets_piece_ = true;
+            // Who is answered finds it gone.
+            write_record(segment.header().checkpoint, Checkpoint{});
+        }
+        answer_command(segment, received, may_forget ? AnswerKind::done : AnswerKind::refused,
+                       may_forget ? "" : "forget: the machine is not at rest; stop first");
+        return;
+    }
     const bool leaves_alarm =
         command.kind == CommandKind::reset_alarm || command.kind == CommandKind::back_off;
     if (leaves_alarm && !refusal_in_alarm_.empty()) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rtcore/cycle/cycle_io.hpp"
@@ -50,6 +51,8 @@ public:
     /// Some were left for the next round.
     bool has_more() const noexcept { return has_more_; }
     bool shutdown_requested() const noexcept { return shutdown_requested_; }
+    /// True once for each order to forget the piece: it is gone from the segment, and to go from the disk.
+    bool take_forgetting() noexcept { return std::exchange(forgets_piece_, false); }
 
 private:
     void take_one(Segment& segment, const ReceivedCommand& received, cycle::RequestRing& requests,
@@ -74,6 +77,7 @@ private:
     std::string refusal_in_alarm_;
     std::uint64_t seen_generation_ = 0;
     bool shutdown_requested_ = false;
+    bool forgets_piece_ = false;
     bool has_more_ = false;
 };
 

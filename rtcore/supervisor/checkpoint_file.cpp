@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/checkpoint_file.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace psicarve::supervisor {
+namespace {
+
+constexpr std::chrono::seconds kReadingPatience{2};
+
+std::int64_t seconds_now() {
+    using std::chrono::system_clock;
+    return std::chrono::duration_cast<std::chrono::seconds>(system_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+CheckpointFile::CheckpointFile(CheckpointPlace place) {
+    if (place.folder.empty()) return;
+    desk_ = std::make_shared<CheckpointDesk>(std::move(place));
+    checkpoints_ = std::make_unique<rtcore::SideThread>();
+    jobs_ = std::make_unique<rtcore::SideThread>();
+    auto left = std::make_shared<std::promise<std::optional<SavedCheckpoint>>>();
+    reading_ = left->get_future();
+    checkpoints_->do_later([desk = desk_, left] { left->set_value(desk->read_left()); });
+    static_cast<void>(reading_.wait_for(kReadingPatience));
+}
+
+void CheckpointFile::look_at_left() {
+    if (!reading_.valid() || reading_.wait_for(std::chrono::seconds{0}) != std::future_status::ready) return;
+    auto left = reading_.get();
+    if (!left) return;
+    std::uint32_t& told = told_[left->checkpoint.job_checksum];
+    told = std::max(told, left->checkpoint.next_layer);
+    if (!is_left_past_) left_ = std::move(left);
+}
+
+void CheckpointFile::keep(const Checkpoint& checkpoint, const std::shared_ptr<const LoadedJob>& job) {
+    if (desk_ == nullptr) return;
+    look_at_left();
+    left_.reset();
+    is_left_past_ = true;
+    std::uint32_t& told = told_[job->checksum];
+    told = std::max(told, checkpoint.next_layer);
+    if (desk_->states.put({checkpoint, job, seconds_now()}))
+        checkpoints_->do_later([desk = desk_] { desk->write_newest(); });
+    if (copied_job_ == job->checksum) return;
+    copied_job_ = job->checksum;
+    if (desk_->jobs.put(job)) jobs_->do_later([desk = desk_] { desk->copy_newest(); });
+}
+
+std::optional<SavedCheckpoint> CheckpointFile::left_of(const LoadedJob& job) {
+    look_at_left();
+    const bool is_of_it = left_ && left_->checkpoint.job_checksum == job.checksum &&
+                          left_->checkpoint.layer_count == job.view.layer_count() &&
+                          left_->job_bytes == job.blob.size();
+    return is_of_it ? left_ : std::nullopt;
+}
+
+std::uint32_t CheckpointFile::most_told_of(const LoadedJob& job) {
+    if (desk_ == nullptr) return 0;
+    look_at_left();
+    // A disk that has not said yet what is on it may say anything.
+    if (reading_.valid()) return job.view.layer_count();
+    const auto told = told_.find(job.checksum);
+    return told == told_.end() ? 0 : told->second;
+}
+
+void CheckpointFile::forget() {
+    if (desk_ == nullptr) return;
+    look_at_left();
+    left_.reset();
+    is_left_past_ = true;
+    copied_job_ = 0;  // its copy goes, too
+    if (desk_->states.put({{}, nullptr, 0})) checkpoints_->do_later([desk = desk_] { desk->write_newest(); });
+}
+
+}  // namespace psicarve::supervisor

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/piece_memory.hpp"
+
+#include "rtcore/words.hpp"
+
+namespace psicarve::supervisor {
+
+void PieceMemory::enter(SegmentHeader& header) const {
+    if (keeper_.clear_foreign(header))
+        rtcore::try_to_say("the segment's checkpoint is of another kind of machine: it is not taken");
+}
+
+std::string PieceMemory::take_job(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job) {
+    keeper_.note_new_job();
+    const auto left = file_.left_of(*job);
+    if (!left) return {};
+    const auto taken = keeper_.take_over(header, left->checkpoint, *job);
+    if (taken.to_keep) file_.keep(*taken.to_keep, job);
+    std::string remark = taken.remark;
+    if (left->profile_hash != profile_hash_ && left->is_unfinished()) {
+        remark += (remark.empty() ? "" : "; ");
+        remark += "this piece was begun with another profile of the machine";
+    }
+    return remark;
+}
+
+void PieceMemory::note(SegmentHeader& header, const cycle::Sample& sample,
+                       const std::shared_ptr<const LoadedJob>& job) {
+    if (job == nullptr) return;
+    const auto to_keep = keeper_.note(header, sample, job.get(), file_.most_told_of(*job));
+    if (to_keep) file_.keep(*to_keep, job);
+}
+
+void PieceMemory::forget(SegmentHeader& header) {
+    keeper_.forget(header);
+    file_.forget();
+}
+
+}  // namespace psicarve::supervisor

@@ -110,7 +110,6 @@ void CheckpointKeeper::forget(SegmentHeader& header, std::uint64_t job_checksum)
     if (written_ && written_->job_checksum != job_checksum) return;
     write_record(header.checkpoint, Checkpoint{});
     written_.reset();
-    is_announced_ = false;
     begun_tick_ = run_start_tick_;
     leaves_gap_ = true;  // what is told of the run that has ended is no news
 }

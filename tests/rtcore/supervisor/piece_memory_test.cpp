@@ -159,6 +159,20 @@ TEST_F(PieceMemoryTest, SaysInTheSegmentWhereItKeepsIt) {
     EXPECT_EQ(CoreKeeping::unpack(header_->core.keeping.load()).how, CoreKeeping::How::nowhere);
 }
 
+TEST_F(PieceMemoryTest, WhatAStartHadAnnouncedIsTakenBackAlsoWhereAnotherRecordIsForgotten) {
+    leave_on_disk(2);
+    {
+        PieceMemory sut{place()};
+        sut.take_job(*header_, vase_);
+        sut.note(*header_, carving_from(0, MachineState::positioning), vase_);
+        for (int i = 0; i < 60'000 && layer_on_disk() != 0; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        sut.forget(*header_, {"/shop", false, vase_->checksum, 1});
+        sut.note(*header_, carving_from(0, MachineState::ready), vase_);
+    }
+    EXPECT_EQ(layer_on_disk(), 2U);
+}
+
 TEST_F(PieceMemoryTest, ForgetsNoOtherJobsRecord) {
     leave_on_disk(2);
     const auto of_vase = load_saved_checkpoint(names().checkpoint())->name();

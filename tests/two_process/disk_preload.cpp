@@ -2,9 +2,9 @@
 // Loaded into a program, it stands for the disk below the folder that PSICARVE_DISK names. What was done
 // there is written, a line each with its thread, to the file that PSICARVE_DISK_LOG names. The file that
 // PSICARVE_DISK_RULES names says how the disk is, in words, and may change at any time: "hangs": whoever
-// opens something there waits until it does no more; "lists_nothing": no folder can be read; "takes_nothing":
-// nothing is written or gets a name; "keeps_names": no name is taken away; "keeps_contents": no file is
-// emptied; "forgets_names": a folder cannot be synced.
+// opens something there waits until it does no more; "lists_one": a folder fails behind its first entry;
+// "takes_nothing": nothing is written or gets a name; "keeps_names": no name is taken away; "keeps_contents":
+// no file is emptied; "forgets_names": a folder cannot be synced.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -82,13 +82,17 @@ mode_t mode_of(int flags, va_list arguments) {
 
 extern "C" {
 dirent* readdir(DIR* folder) {
+    static thread_local DIR* begun = nullptr;
     char path[512];
-    if (is_file_there(dirfd(folder), path, sizeof path) && is_rule("lists_nothing")) {
+    if (begun == folder && is_file_there(dirfd(folder), path, sizeof path) && is_rule("lists_one")) {
         note("list", path);
+        begun = nullptr;
         errno = EIO;
         return nullptr;
     }
-    return next_of<dirent*(DIR*)>("readdir")(folder);
+    dirent* const entry = next_of<dirent*(DIR*)>("readdir")(folder);
+    if (entry != nullptr && entry->d_name[0] != '.') begun = folder;
+    return entry;
 }
 int open(const char* path, int flags, ...) {
     va_list arguments;

@@ -178,7 +178,7 @@ TEST_F(FalseDiskTest, ANameThatAPowerCutMayBringBackLeavesNothingBehindIt) {
 TEST_F(FalseDiskTest, AFolderThatCannotBeReadEndsNoCore) {
     fs::create_directory(state());
     start_core_on_it();
-    disk_is("lists_nothing");
+    disk_is("lists_one");
     ASSERT_EQ(publish(lobed_job(8, 33)), "");
     home();
     ASSERT_NO_FATAL_FAILURE(carve_layers(4));

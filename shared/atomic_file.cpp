@@ -109,10 +109,12 @@ int fill(const OpenFile& file, std::optional<FileRights> rights, const Filling& 
     return ::fsync(file.get()) == 0 ? 0 : errno;
 }
 
-/// So that the new name itself survives a power failure. Some file systems cannot; the file is whole anyway.
-void sync_folder(const std::string& path) noexcept {
+/// So that the new name itself survives a power failure. Some file systems cannot, and the file is whole
+/// anyway; the error number of a disk that could and did not, or 0.
+int sync_folder(const std::string& path) noexcept {
     const OpenFile folder{::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
-    if (folder.get() >= 0) ::fsync(folder.get());
+    if (folder.get() < 0 || ::fsync(folder.get()) == 0) return 0;
+    return errno == EIO || errno == ENOSPC || errno == EDQUOT ? errno : 0;
 }
 
 struct RegularFile {
@@ -162,7 +164,8 @@ Result<void> replace_file(const std::string& path, const std::optional<FileRight
     if (const int failed = part->take_name(path); failed != 0) {
         return file_error(path, "cannot be replaced, what was there before is unchanged", failed);
     }
-    sync_folder(path);
+    if (const int failed = sync_folder(path); failed != 0)
+        return file_error(path, "is written, but a power cut may bring back what was there before", failed);
     return {};
 }
 

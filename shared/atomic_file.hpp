@@ -21,6 +21,7 @@ struct FileRights {
     mode_t mode;
     std::optional<gid_t> group;  ///< nothing: as files are made there
 };
+inline constexpr mode_t kForEverybody = 0644;  ///< to read
 
 /// Temporary file beside it, fsync, rename, fsync of the folder: the old file stays intact whatever happens.
 /// Keeps an existing file's mode; a new one gets what the umask leaves. A symbolic link is replaced, not

@@ -14,38 +14,40 @@ std::uint64_t check_of(const Checkpoint& checkpoint) noexcept {
     return XXH3_64bits(&checkpoint, offsetof(Checkpoint, check));
 }
 
-bool is_empty(const Checkpoint& checkpoint) noexcept {
-    const Checkpoint none{};
-    return std::memcmp(&checkpoint, &none, sizeof none) == 0;
-}
-
 Error refused(const std::string& reason) {
     return Error{ErrorCode::machine_refused, "start: " + reason};
 }
 
 }  // namespace
 
+bool Checkpoint::is_empty() const noexcept {
+    const Checkpoint none{};
+    return std::memcmp(this, &none, sizeof none) == 0;
+}
+
 Checkpoint checkpoint_at(std::uint64_t job_checksum, std::uint32_t next_layer, std::uint32_t layer_count,
-                         std::uint32_t earlier_layer) noexcept {
+                         std::uint32_t earlier_layer, std::uint32_t origin) noexcept {
     Checkpoint checkpoint{.job_checksum = job_checksum,
                           .next_layer = next_layer,
                           .layer_count = layer_count,
                           .earlier_layer = earlier_layer,
-                          .reserved = 0,
+                          .origin = origin,
                           .check = 0};
     checkpoint.check = check_of(checkpoint);
     return checkpoint;
 }
 
 bool is_checkpoint(const Checkpoint& checkpoint) noexcept {
-    return !is_empty(checkpoint) && checkpoint.check == check_of(checkpoint) && checkpoint.layer_count > 0 &&
+    constexpr std::uint32_t kKnownBits = kCheckpointSimulated | kCheckpointFromDisk;
+    return !checkpoint.is_empty() && (checkpoint.origin & ~kKnownBits) == 0 &&
+           checkpoint.check == check_of(checkpoint) && checkpoint.layer_count > 0 &&
            checkpoint.next_layer <= checkpoint.layer_count &&
            checkpoint.earlier_layer < checkpoint.layer_count;
 }
 
 Result<std::uint32_t> layer_to_resume(const std::optional<Checkpoint>& copied, std::uint64_t job_checksum,
                                       std::uint32_t layer_count) {
-    if (copied && is_empty(*copied)) return refused("nothing was carved yet; there is nothing to resume");
+    if (copied && copied->is_empty()) return refused("nothing was carved yet; there is nothing to resume");
     if (!copied || !is_checkpoint(*copied))
         return refused("the checkpoint is damaged; look at the piece and give the layer yourself");
     if (copied->job_checksum != job_checksum || copied->layer_count != layer_count)

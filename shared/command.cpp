@@ -40,6 +40,8 @@ std::string_view name_of(CommandKind kind) noexcept {
             return "pins";
         case CommandKind::drives_off:
             return "drives-off";
+        case CommandKind::forget_piece:
+            return "forget";
     }
     return "unknown";  // a number from shared memory may be anything
 }

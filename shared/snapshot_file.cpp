@@ -26,7 +26,7 @@ Error wrong(const std::string& file_name, const std::string& what) {
     return bad_input(file_name + ": " + what);
 }
 
-SnapshotHeader header_of(const Snapshot& snapshot) noexcept {
+SnapshotHeader header_of(const Snapshot& snapshot, std::uint64_t job_bytes) noexcept {
     SnapshotHeader header{};
     const bool has_status = snapshot.status.has_value() || !snapshot.records.empty();
     header.magic = kSnapshotMagic;
@@ -38,7 +38,7 @@ SnapshotHeader header_of(const Snapshot& snapshot) noexcept {
     header.recorder_offset = header.status_offset + header.status_bytes;
     header.recorder_bytes = snapshot.records.size() * sizeof(FlightRecord);
     header.job_offset = header.recorder_offset + header.recorder_bytes;
-    header.job_bytes = snapshot.job_blob.size();
+    header.job_bytes = job_bytes;
     header.total_bytes = header.job_offset + round_up_to_8(header.job_bytes);
     header.capacity_layers = snapshot.capacity_layers;
     header.capacity_points = snapshot.capacity_points;
@@ -49,6 +49,10 @@ SnapshotHeader header_of(const Snapshot& snapshot) noexcept {
         header.checkpoint_layer_count = snapshot.checkpoint->layer_count;
     }
     return header;
+}
+
+SnapshotHeader header_of(const Snapshot& snapshot) noexcept {
+    return header_of(snapshot, snapshot.job_blob.size());
 }
 
 struct HashState {
@@ -69,13 +73,16 @@ std::uint64_t checksum_of(SnapshotHeader header, std::span<const Bytes> rest) {
     return XXH3_64bits_digest(hash.state);
 }
 
+Bytes padding_behind(std::uint64_t job_bytes) noexcept {
+    static constexpr std::array<std::byte, 8> kPadding{};
+    return Bytes{kPadding}.first(round_up_to_8(job_bytes) - job_bytes);
+}
+
 /// The file's parts behind the header, in their order; point into the snapshot.
 std::array<Bytes, 4> parts_of(const Snapshot& snapshot) noexcept {
-    static constexpr std::array<std::byte, 8> kPadding{};
-    const std::uint64_t job_bytes = snapshot.job_blob.size();
     return {snapshot.status ? std::as_bytes(std::span{&*snapshot.status, 1}) : Bytes{},
             std::as_bytes(std::span{snapshot.records}), Bytes{snapshot.job_blob},
-            Bytes{kPadding}.first(round_up_to_8(job_bytes) - job_bytes)};
+            padding_behind(snapshot.job_blob.size())};
 }
 
 /// Sizes and offsets: the parts follow each other without a gap, so nothing can overlap or overflow.
@@ -228,6 +235,14 @@ Result<void> save_snapshot(const Snapshot& snapshot, const std::string& path, co
     // Written part by part: a job may be larger than what can be copied once more.
     const std::array all{std::as_bytes(std::span{&header, 1}), parts[0], parts[1], parts[2], parts[3]};
     return write_parts_atomically(path, all, *rights);
+}
+
+Result<void> save_job_for_everybody(std::span<const std::byte> job_blob, const std::string& path) {
+    const std::array rest{job_blob, padding_behind(job_blob.size())};
+    SnapshotHeader header = header_of(Snapshot{}, job_blob.size());
+    header.checksum = checksum_of(header, rest);
+    const std::array all{std::as_bytes(std::span{&header, 1}), rest[0], rest[1]};
+    return write_parts_atomically(path, all, FileRights{kForEverybody, {}});
 }
 
 Result<void> write_snapshot(const Snapshot& snapshot, int descriptor, const std::string& name) {

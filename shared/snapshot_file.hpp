@@ -73,7 +73,9 @@ std::uint64_t snapshot_checksum(std::span<const std::byte> bytes);
 /// A snapshot is for its owner alone (0600), or for a group as well (0660); a job file for whom the umask
 /// says.
 Result<void> save_snapshot(const Snapshot& snapshot, const std::string& path, const std::string& group = {});
-/// The same bytes to an open descriptor, which may be a pipe; `name` for messages.
+/// A job file of a blob that is a job, which everybody may read. Needs no memory for another copy of it.
+Result<void> save_job_for_everybody(std::span<const std::byte> job_blob, const std::string& path);
+/// The bytes of save_snapshot to an open descriptor, which may be a pipe; `name` for messages.
 Result<void> write_snapshot(const Snapshot& snapshot, int descriptor, const std::string& name);
 
 }  // namespace psicarve

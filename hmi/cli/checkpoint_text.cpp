@@ -11,8 +11,9 @@ std::string checkpoint_text(const std::optional<Checkpoint>& checkpoint, bool is
         std::to_string(checkpoint->next_layer) + " of " + std::to_string(checkpoint->layer_count);
     if (checkpoint->next_layer == checkpoint->layer_count)
         return "checkpoint " + layers + " layers, carved to the end\n";
+    const std::string whence = checkpoint->is_from_disk() ? ", from a disk" : "";
     const std::string earlier = std::to_string(checkpoint->earlier_layer);
-    return "checkpoint " + layers + " layers" + (is_of_job ? "" : ", of another job") +
+    return "checkpoint " + layers + " layers" + (is_of_job ? "" : ", of another job") + whence +
            (checkpoint->earlier_layer == 0
                 ? ""
                 : "; the run before it came to " + earlier + " (start --from-layer " + earlier + ")") +
@@ -25,6 +26,7 @@ nlohmann::ordered_json checkpoint_json(const std::optional<Checkpoint>& checkpoi
                                   {"layer_count", checkpoint->layer_count},
                                   {"is_of_job", is_of_job}};
     if (checkpoint->earlier_layer != 0) object["earlier_layer"] = checkpoint->earlier_layer;
+    if (checkpoint->is_from_disk()) object["is_from_disk"] = true;
     return object;
 }
 

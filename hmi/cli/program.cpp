@@ -47,6 +47,7 @@ void add_all_commands(CommandSet& commands) {
     add_move(commands);
     add_spindle(commands);
     add_drives_off(commands);
+    add_forget(commands);
     add_pins(commands);
     CommandSet snapshot = commands.group("snapshot", "Save, look at, export and compare snapshots and jobs");
     add_snapshot_save(snapshot);

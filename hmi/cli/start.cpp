@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/motion_command.hpp"
+#include "hmi/cli/unfinished_look.hpp"
+#include "hmi/cli/unfinished_text.hpp"
 #include "shared/job.hpp"
 
 namespace psicarve::cli {
@@ -27,12 +30,29 @@ struct StartOptions {
     bool dry_run = false;
     std::uint32_t from_layer = 0;
     std::uint32_t layers = 0;
+    std::string state_folder;
 };
+
+/// Nothing was carved since: who goes on by it is to see that it is this piece, and not one of last month.
+void tell_disk_source(machine::MachineLink& link, const std::string& folder) {
+    const auto checkpoint = link.checkpoint();
+    if (!checkpoint || !checkpoint->is_from_disk()) return;
+    UnfinishedLook look{folder};
+    const auto& found = look.look(link.segment_name(), checkpoint->is_simulated(), kDiskPatience);
+    if (!found || found->saved.checkpoint.job_checksum != checkpoint->job_checksum)
+        return print_warning(
+            "where the piece goes on is known from a disk that does not answer now: of when is not known");
+    const bool is_other_core = link.segment().header().core_profile_hash.load() != found->saved.profile_hash;
+    const std::string source = "goes on by " + disk_source_text(*found, is_other_core);
+    if (is_other_core) return print_warning(source);
+    print_note(source);
+}
 
 Result<int> start(const CommonOptions& common, const StartOptions& options) {
     auto link = link_to_core(common);
     if (!link) return link.error();
     if (const std::string remark = link->job_remark(); !remark.empty()) print_warning(remark);
+    if (options.resume) tell_disk_source(*link, options.state_folder);
     MotionCommand command{CommandKind::start, {}, {MachineState::waiting}};
     command.details.value = options.from_layer;
     command.details.value2 = options.layers;
@@ -54,6 +74,8 @@ void add_start(CommandSet& commands) {
         .option("--layers", options->layers, 0, kMostLayer + 1, "Carve N layers; 0 carves all that follow")
         .flag("--resume", options->resume, "Go on behind the last layer that was finished")
         .excludes("--resume", "--from-layer")
+        .option("--state", options->state_folder, "FOLDER",
+                "Where the core keeps what is unfinished, if it was given --state")
         .flag("--dry-run", options->dry_run,
               "Heads stay outside the blank, spindle off; table and Y go as they would")
         .flag("--carve", options->carve, "Begin to carve at once");

@@ -3,34 +3,44 @@
 
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hmi/cli/checkpoint_text.hpp"
 #include "hmi/cli/commands.hpp"
+#include "hmi/cli/escaped_output.hpp"
+#include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/status_text.hpp"
+#include "hmi/cli/unfinished_look.hpp"
+#include "hmi/cli/unfinished_text.hpp"
 #include "hmi/cli/watch_loop.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/report/status_json.hpp"
 #include "shared/job.hpp"
 #include "shared/machine_state.hpp"
+#include "shared/saved_checkpoint.hpp"
 #include "shared/segment.hpp"
 
 namespace psicarve::cli {
 namespace {
 
-constexpr CommandText kStatusText{
-    "status", "What the machine is doing",
-    "--watch shows it again and again until Ctrl-C: in place on a terminal, else a line for each change.",
-    "psicarve status --watch"};
+constexpr CommandText kStatusText{"status", "What the machine is doing",
+                                  "Without a core, or with one that has no job, it also tells of a piece "
+                                  "that is not finished and how it goes "
+                                  "on.\n--watch shows it again and again until Ctrl-C: in place on a "
+                                  "terminal, else a line for each change.",
+                                  "psicarve status --watch"};
 
 struct StatusOptions {
     bool watch = false;
+    std::string state_folder;
 };
 
 /// The core's profile, when the one that we have is the same: only then are its mm and degrees ours.
@@ -72,8 +82,80 @@ std::string head_line(const machine::MachineLink& link) {
            "\n";
 }
 
-std::string json_line(const machine::MachineLink& link, const CoreStatus& status, const std::string& pass,
-                      const std::optional<Profile>& profile) {
+/// A piece that was begun before this core was there, while it has no other to do.
+struct Unfinished {
+    std::optional<FoundCheckpoint> found;
+    WayBack way;
+    bool is_silent = false;  ///< the disk: nobody knows
+};
+
+/// Looked for without ever waiting for a disk that hangs.
+class UnfinishedPieces {
+public:
+    explicit UnfinishedPieces(const std::string& folder) : look_(folder) {}
+
+    Unfinished beside(machine::MachineLink& link, const CoreStatus& status,
+                      std::chrono::milliseconds patience) {
+        Unfinished unfinished;
+        unfinished.way.segment = link.segment_name();
+        unfinished.way.has_core = true;
+        if (status.job_generation != 0) return unfinished;
+        unfinished.found = look_.look(link.segment_name(), status.is_simulator != 0, patience);
+        unfinished.is_silent = look_.is_silent();
+        if (unfinished.found)
+            unfinished.way.is_other_core =
+                link.segment().header().core_profile_hash.load() != unfinished.found->saved.profile_hash;
+        return unfinished;
+    }
+    /// Null: there is no segment either.
+    Unfinished without_core(const machine::MachineLink* link, const std::string& segment) {
+        Unfinished unfinished;
+        unfinished.way.segment = segment;
+        unfinished.found = look_.look(segment, {}, kDiskPatience);
+        unfinished.is_silent = look_.is_silent();
+        unfinished.way.is_published = link != nullptr && unfinished.found &&
+                                      link->is_of_published_job(unfinished.found->saved.checkpoint);
+        return unfinished;
+    }
+
+private:
+    UnfinishedLook look_;
+};
+
+std::string text_of(const Unfinished& unfinished) {
+    if (unfinished.is_silent)
+        return "unfinished not known: the disk that keeps unfinished pieces does not answer\n";
+    return unfinished.found ? unfinished_text(*unfinished.found, unfinished.way) : std::string{};
+}
+
+void put_into(nlohmann::ordered_json& object, const Unfinished& unfinished) {
+    object["unfinished"] = unfinished_json(unfinished.found, unfinished.way);
+    if (unfinished.is_silent) object["is_disk_silent"] = true;
+}
+
+/// There is no core: that first, and what it left unfinished.
+Result<int> tell_without_core(const CommonOptions& common, const machine::MachineLink* link, Error error,
+                              UnfinishedPieces& pieces) {
+    // One that is silent is there all the same.
+    const bool is_gone = error.code == ErrorCode::no_core && (link == nullptr || !link->core_pid());
+    if (!is_gone) return error;
+    if (common.json) {
+        const Unfinished unfinished = pieces.without_core(link, common.segment);
+        if (!unfinished.found && !unfinished.is_silent) return error;
+        print_error(error);
+        nlohmann::ordered_json object;
+        object["error"] = nlohmann::ordered_json::parse(error_json(error));
+        put_into(object, unfinished);
+        std::fputs((object.dump() + "\n").c_str(), stdout);
+        return exit_code_of(error.code);
+    }
+    print_error(error);
+    std::fputs(text_of(pieces.without_core(link, common.segment)).c_str(), stdout);
+    return exit_code_of(error.code);
+}
+
+std::string json_line(machine::MachineLink& link, const CoreStatus& status, const std::string& pass,
+                      const std::optional<Profile>& profile, const Unfinished& unfinished) {
     nlohmann::ordered_json object{{"segment", link.segment_name()},
                                   {"core_pid", link.core_pid().value_or(0)}};
     const auto checkpoint = link.checkpoint();
@@ -81,6 +163,7 @@ std::string json_line(const machine::MachineLink& link, const CoreStatus& status
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
+    put_into(object, unfinished);
     return object.dump() + "\n";
 }
 
@@ -99,21 +182,32 @@ Error with_last_state(machine::MachineLink& link, Error error) {
 Result<int> show_status(const CommonOptions& common, const StatusOptions& options) {
     const auto chosen = readable_profile(common);
     if (!chosen) return chosen.error();
+    UnfinishedPieces pieces{options.state_folder};
     auto link = machine::MachineLink::attach(common.segment, common.group);
-    if (!link) return link.error();
+    if (!link) return tell_without_core(common, nullptr, link.error(), pieces);
     RunningPass running;
     const auto show = [&](bool as_line) -> Result<std::string> {
         const auto status = link->status();
         if (!status) return with_last_state(*link, status.error());
         const std::string pass = running.name(*link, *status);
         const auto profile = known_profile(*link, *chosen);
-        if (common.json) return json_line(*link, *status, pass, profile);
+        // What is shown again soon waits for no disk.
+        const auto patience = options.watch ? std::chrono::milliseconds{0} : kDiskPatience;
+        if (common.json)
+            return json_line(*link, *status, pass, profile, pieces.beside(*link, *status, patience));
         if (as_line) return status_line(*status, pass);
         const auto checkpoint = link->checkpoint();
-        return head_line(*link) + status_text(*status, profile ? &*profile : nullptr, pass) +
-               checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));
+        std::string text = head_line(*link) + status_text(*status, profile ? &*profile : nullptr, pass) +
+                           checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));
+        if (!options.watch) {
+            // The machine first: its disk may hang.
+            std::fputs(std::exchange(text, {}).c_str(), stdout);
+            if (const auto flushed = flush_output(); !flushed) return flushed.error();
+        }
+        return text + text_of(pieces.beside(*link, *status, patience));
     };
-    return show_or_watch(show, options.watch, common.json);
+    auto shown = show_or_watch(show, options.watch, common.json);
+    return shown ? shown : tell_without_core(common, &*link, shown.error(), pieces);
 }
 
 }  // namespace
@@ -122,7 +216,9 @@ void add_status(CommandSet& commands) {
     const auto options = std::make_shared<StatusOptions>();
     commands
         .add(kStatusText, [options](const CommonOptions& common) { return show_status(common, *options); })
-        .flag("--watch", options->watch, "Go on showing it until Ctrl-C");
+        .flag("--watch", options->watch, "Go on showing it until Ctrl-C")
+        .option("--state", options->state_folder, "FOLDER",
+                "Where the core keeps what is unfinished, if it was given --state");
 }
 
 }  // namespace psicarve::cli

@@ -33,13 +33,9 @@ constexpr int kExitAlarm = 4;
 constexpr int kSignalExitBase = 128;
 
 std::vector<std::string> arguments_of(const CoreLaunch& launch, const std::string& program) {
-    std::vector<std::string> arguments{program,
-                                       "--segment",
-                                       launch.segment_name,
-                                       "--port",
-                                       "sim",
-                                       "--clock",
-                                       launch.on_real_clock ? "real" : "virtual"};
+    std::vector<std::string> arguments{
+        program, "--segment",  launch.segment_name, "--port",
+        "sim",   "--no-state", "--clock",           launch.on_real_clock ? "real" : "virtual"};
     const bool is_usual_capacity =
         launch.capacity_layers == kDefaultCapacityLayers && launch.capacity_points == kDefaultCapacityPoints;
     if (!is_usual_capacity) {

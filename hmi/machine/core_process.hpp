@@ -17,7 +17,8 @@
 
 namespace psicarve::machine {
 
-/// How to start a core of our own, on the simulated machine.
+/// How to start a core of our own, on the simulated machine. It keeps no state on a disk: nobody's piece is
+/// on that table.
 struct CoreLaunch {
     std::string segment_name = kDefaultSegmentName;
     bool on_real_clock = false;

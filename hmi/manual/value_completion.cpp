@@ -110,6 +110,8 @@ void add_part(const std::string& part, const std::string& owner, ValueCompletion
         const auto of_owner = endings_by_type().find(owner);
         if (of_owner == endings_by_type().end()) completion.any_file = true;
         if (of_owner != endings_by_type().end()) append(completion.endings, of_owner->second);
+    } else if (part == "FOLDER") {
+        completion.any_file = true;  // on the way to it
     } else if (part == "NAME") {
         completion.groups |= owner == "GROUP";
         completion.users |= owner == "USER";

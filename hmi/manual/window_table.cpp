@@ -25,6 +25,7 @@ CommandTable make_window_table() {
     option({"--segment"}, "NAME", "The core's shared-memory segment (default /psicarve)");
     option({"--profile"}, "FILE", "The machine's profile, as the core has it (default: the built-in one)");
     option({"--group"}, "NAME", "The segment belongs to this group");
+    option({"--state"}, "FOLDER", "Where the core keeps what is unfinished, if it was given --state");
     option({"--language"}, "en|zh_CN|ru", "For this time (default: chosen in the menu, or the desktop's)");
     option({"--opengl"}, "", "Draw the views of the space with OpenGL even where no graphics card does it");
     option({"--no-opengl"}, "", "Draw them without");

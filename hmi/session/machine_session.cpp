@@ -5,7 +5,9 @@
 #include <memory>
 #include <utility>
 
+#include "hmi/machine/forget_piece.hpp"
 #include "hmi/session/core_phrase.hpp"
+#include "hmi/session/saved_piece.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -13,6 +15,7 @@ namespace {
 using machine::MachineLink;
 
 constexpr std::chrono::milliseconds kAttachPause{200};
+constexpr std::chrono::milliseconds kDiskPause{1000};
 
 }  // namespace
 
@@ -55,11 +58,13 @@ void MachineSession::take_accepted(const Profile* of_job) {
 
 void MachineSession::poll() {
     finder_.deliver();
+    deliver_forgetting();
     profile_finder_.deliver();
     orders_.deliver();
     const MachineSight before = sight_;
     keep_attached();
     look();
+    look_for_saved_piece();
     refused_.look(sight_);
     if (jogs_asked_ != jog_.asked()) refused_.forget();
     jogs_asked_ = jog_.asked();
@@ -162,6 +167,7 @@ void MachineSession::take_status(const CoreStatus& status, bool has_core) {
 void MachineSession::look_for_checkpoint() {
     sight_.resumable_layer.reset();
     sight_.earlier_layer.reset();
+    sight_.is_checkpoint_from_disk = false;
     const auto checkpoint = link_->checkpoint();
     if (!checkpoint || !link_->is_of_published_job(*checkpoint)) return;
     if (checkpoint->next_layer > 0 && checkpoint->next_layer < checkpoint->layer_count)
@@ -169,6 +175,37 @@ void MachineSession::look_for_checkpoint() {
     if (checkpoint->earlier_layer != 0) sight_.earlier_layer = checkpoint->earlier_layer;
     sight_.checkpoint_layer_count = checkpoint->layer_count;
     sight_.checkpoint_job_checksum = checkpoint->job_checksum;
+    sight_.is_checkpoint_from_disk = checkpoint->is_from_disk();
+}
+
+void MachineSession::look_for_saved_piece() {
+    auto found = disk_.take();
+    const bool is_wanted = may_be_saved(sight_) || sight_.is_checkpoint_from_disk;
+    if (!is_wanted) return sight_.saved_piece.reset();
+    if (found) sight_.saved_piece = std::move(*found);
+    const auto now = Clock::now();
+    if (disk_.is_under_way() || now - saved_looked_ < kDiskPause) return;
+    saved_looked_ = now;
+    const auto kind = sight_.is_heard() ? std::optional{sight_.is_simulator()} : std::nullopt;
+    disk_.begin([name = options_.segment_name, kind, folder = options_.state_folder] {
+        return find_unfinished(name, kind, folder);
+    });
+}
+
+void MachineSession::forget_piece() {
+    if (watches_only_ || forgetting_.is_under_way()) return;
+    forgetting_.begin([name = options_.segment_name, group = options_.group, folder = options_.state_folder] {
+        return machine::forget_piece(name, group, folder);
+    });
+}
+
+void MachineSession::deliver_forgetting() {
+    const auto done = forgetting_.take();
+    if (!done) return;
+    saved_looked_ = {};  // what is known of it is past
+    if (!*done) return log_.add(Severity::warning, refusal_phrase(phrase("Forget"), done->error().message));
+    sight_.saved_piece.reset();
+    log_.add(Severity::info, phrase("The unfinished piece is forgotten."));
 }
 
 void MachineSession::find_profile() {

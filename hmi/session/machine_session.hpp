@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hmi/machine/loose_work.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/session/core_profile.hpp"
 #include "hmi/session/jog_hand.hpp"
@@ -34,6 +35,7 @@ struct SessionOptions {
     std::optional<Profile> profile;  ///< chosen by the user; else the built-in one and the job's are tried
     /// So long a hand that is not heard of still holds. More only where a busy computer must not matter.
     std::chrono::milliseconds hand_limit = kJogLease;
+    std::string state_folder{};  ///< where cores keep unfinished pieces; empty: where they do by themselves
     /// Looks for the profile of a core in files; on a thread of its own, as their disk may hang.
     std::function<std::optional<Profile>(std::uint32_t core_pid, std::uint64_t hash)> find_profile =
         find_core_profile;
@@ -78,6 +80,8 @@ public:
     /// Heads to the first point of the layer, then carve so many layers (0: all that follow). In state
     /// waiting: carve what the heads wait for.
     void start(std::uint32_t from_layer, std::uint32_t layers = 0, RunKind kind = RunKind::carve);
+    /// Nobody goes on with the unfinished piece: segment and disk forget it. What came of it is a message.
+    void forget_piece();
     /// The newest wish goes out as soon as the one before is answered.
     void set_override(std::uint32_t percent) noexcept {
         if (!watches_only_) wanted_override_percent_ = percent;
@@ -115,6 +119,8 @@ private:
     void find_profile();
     void look_for_profile();
     void look_for_checkpoint();
+    void look_for_saved_piece();
+    void deliver_forgetting();
     void go_on_with_start();
     void forget_wishes() noexcept;
     void tell_refusal(OrderPlace place, const Phrase& name, const std::string& reason);
@@ -132,6 +138,7 @@ private:
     std::uint64_t heartbeat_ = 0;
     Clock::time_point heartbeat_changed_{};
     Clock::time_point attach_tried_{};
+    Clock::time_point saved_looked_{};
     std::optional<Clock::time_point> unsigned_since_;  ///< so long the lock's words name nobody who lives
     StartIntent intent_;
     bool has_looked_ = false;  ///< for a core, and knows whether one was there
@@ -141,6 +148,8 @@ private:
     std::uint64_t jogs_asked_ = 0;
     JogHand jog_;
     WorkLane finder_;
+    machine::LooseWork<std::optional<FoundCheckpoint>> disk_;  ///< that may hang
+    machine::LooseWork<Result<void>> forgetting_;              ///< likewise
     WorkLane profile_finder_{WorkLane::Haste::background};  ///< a disk that hangs keeps nobody from attaching
     WorkLane orders_;
 };

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "shared/profile.hpp"
+#include "shared/saved_checkpoint.hpp"
 #include "shared/status.hpp"
 
 namespace psicarve::session {
@@ -61,6 +62,11 @@ struct MachineSight {
     std::optional<std::uint32_t> earlier_layer;
     std::uint32_t checkpoint_layer_count = 0;  ///< of that job, where one of the two is known
     std::uint64_t checkpoint_job_checksum = 0;
+    /// It comes from a disk, and nothing was carved by it since: it may be of a piece of long ago.
+    bool is_checkpoint_from_disk = false;
+    /// What a core has kept on a disk of a piece that is not finished, while no core has a job or its piece
+    /// is known from there.
+    std::optional<FoundCheckpoint> saved_piece{};
     /// What the core itself said last; `status` may have its guard's word instead. Nothing: none was heard.
     std::optional<MachineState> heard_state;
     /// An emergency stop was asked for here and no core was there to hear it; until somebody has read that.

@@ -872,6 +872,10 @@
             <translation>Начато заново: из %1 слоёв ни один не закончен</translation>
         </message>
         <message>
+            <source>Begun anew: none of %1 layers of %2 is finished</source>
+            <translation>Начато заново: из %1 слоёв «%2» ни один не закончен</translation>
+        </message>
+        <message>
             <source>Between entries</source>
             <translation>Между записями</translation>
         </message>
@@ -1489,6 +1493,10 @@ F12  этот список</translation>
             <translation>Сначала запустите psicarve-rtcore, затем «Все нули».</translation>
         </message>
         <message>
+            <source>First start psicarve-rtcore.</source>
+            <translation>Сначала запустите psicarve-rtcore.</translation>
+        </message>
+        <message>
             <source>Fit</source>
             <translation>Вписать</translation>
         </message>
@@ -1513,12 +1521,32 @@ F12  этот список</translation>
             <translation>Следить за станком: он режет не это задание</translation>
         </message>
         <message>
+            <source>Forget</source>
+            <translation>Забыть</translation>
+        </message>
+        <message>
             <source>Forget it</source>
             <translation>Забыть</translation>
         </message>
         <message>
+            <source>Forget this piece</source>
+            <translation>Забыть эту деталь</translation>
+        </message>
+        <message>
+            <source>Forget this piece…</source>
+            <translation>Забыть эту деталь…</translation>
+        </message>
+        <message>
+            <source>Forgets for good how far this piece is carved; it asks first and moves nothing</source>
+            <translation>Навсегда забывает, докуда вырезана эта деталь; сначала спрашивает, ничего не двигает</translation>
+        </message>
+        <message>
             <source>Forgets the zero of %1</source>
             <translation>Забывает отсчёт %1</translation>
+        </message>
+        <message>
+            <source>Forget…</source>
+            <translation>Забыть…</translation>
         </message>
         <message>
             <source>Found</source>
@@ -1575,6 +1603,10 @@ F12  этот список</translation>
         <message>
             <source>Go</source>
             <translation>Пуск</translation>
+        </message>
+        <message>
+            <source>Go on with an unfinished piece</source>
+            <translation>Продолжить незаконченную деталь</translation>
         </message>
         <message>
             <source>Go to</source>
@@ -1785,6 +1817,10 @@ F12  этот список</translation>
             <translation>На сколько механика допускает ход за датчик.</translation>
         </message>
         <message>
+            <source>How far the unfinished piece is carved is forgotten for good, and with it the core's copy of its job. Nothing moves.</source>
+            <translation>Навсегда забывается, докуда вырезана незаконченная деталь, а с этим и копия её задания у ядра. Ничего не двигается.</translation>
+        </message>
+        <message>
             <source>How late the core's ticks would be, beside whatever the computer does</source>
             <translation>Насколько опаздывали бы такты ядра рядом с прочими делами компьютера</translation>
         </message>
@@ -1895,6 +1931,10 @@ F12  этот список</translation>
         <message>
             <source>It is not offered again; the file stays</source>
             <translation>Больше не предлагается; файл остаётся</translation>
+        </message>
+        <message>
+            <source>It was begun with another profile of the machine.</source>
+            <translation>Она начата с другим профилем станка.</translation>
         </message>
         <message>
             <source>Its core is gone, and its flight recorder with it</source>
@@ -2393,6 +2433,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Аварии нет</translation>
         </message>
         <message>
+            <source>No copy of its job is there: open that very job, publish it, Home all, then go on from layer %1.</source>
+            <translation>Копии задания нет: откройте то самое задание, передайте его, «Все нули», затем продолжайте со слоя %1.</translation>
+        </message>
+        <message>
             <source>No core has been seen yet</source>
             <translation>Ядра ещё не было видно</translation>
         </message>
@@ -2601,6 +2645,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Место в самописце есть только у аварии</translation>
         </message>
         <message>
+            <source>Open</source>
+            <translation>Открыть</translation>
+        </message>
+        <message>
             <source>Open a machine profile</source>
             <translation>Открыть профиль станка</translation>
         </message>
@@ -2611,6 +2659,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Open its job</source>
             <translation>Открыть задание</translation>
+        </message>
+        <message>
+            <source>Open its job, publish it, Home all, then go on from layer %1.</source>
+            <translation>Откройте его задание, передайте его, «Все нули», затем продолжайте со слоя %1.</translation>
+        </message>
+        <message>
+            <source>Open its job, then go on from layer %1.</source>
+            <translation>Откройте задание: слой %1.</translation>
         </message>
         <message>
             <source>Open its job: this snapshot has none</source>
@@ -2655,6 +2711,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Opened without its model: there is nothing to compare the piece with</source>
             <translation>Открыто без модели: деталь не с чем сравнить</translation>
+        </message>
+        <message>
+            <source>Opens the copy of the job that the core has kept; it publishes and moves nothing</source>
+            <translation>Открывает копию задания, которую сохранило ядро; ничего не передаёт и не двигает</translation>
         </message>
         <message>
             <source>Opens the model with the form it had</source>
@@ -3453,12 +3513,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Молчит в работе</translation>
         </message>
         <message>
+            <source>Since %1, tool %2.</source>
+            <translation>С %1, инструмент %2.</translation>
+        </message>
+        <message>
+            <source>Since %1.</source>
+            <translation>С %1.</translation>
+        </message>
+        <message>
             <source>Since then the core has ended: there is none to take orders.</source>
             <translation>После этого ядро завершилось: принимать команды некому.</translation>
         </message>
         <message>
             <source>Since then the core is silent: it takes no orders.</source>
             <translation>После этого ядро молчит: команд оно не принимает.</translation>
+        </message>
+        <message>
+            <source>Since when, and with which tool, is not known: the disk does not answer.</source>
+            <translation>С каких пор и каким инструментом, неизвестно: диск не отвечает.</translation>
         </message>
         <message>
             <source>Size</source>
@@ -4209,6 +4281,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Инструмент оставит (набросок)</translation>
         </message>
         <message>
+            <source>The unfinished piece is forgotten.</source>
+            <translation>Незаконченная деталь забыта.</translation>
+        </message>
+        <message>
             <source>The window stays open: the core has not taken the hold</source>
             <translation>Окно остаётся открытым: ядро не приняло паузу</translation>
         </message>
@@ -4251,6 +4327,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>This computer</source>
             <translation>Этот компьютер</translation>
+        </message>
+        <message>
+            <source>This is known from the disk alone. Go on only if this very piece is still mounted, as it was, with this tool.</source>
+            <translation>Это известно только с диска. Продолжайте, только если эта самая деталь всё ещё закреплена, как была, и с тем же инструментом.</translation>
         </message>
         <message>
             <source>This user has no folder to keep it in</source>
@@ -4439,6 +4519,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Unfinished: %1 of %2 layers are carved</source>
             <translation>Не закончено: вырезано слоёв %1 из %2</translation>
+        </message>
+        <message>
+            <source>Unfinished: %1 of %2 layers of %3 are carved</source>
+            <translation>Не закончено: «%3», вырезано слоёв %1 из %2</translation>
         </message>
         <message>
             <source>Unit</source>
@@ -5389,6 +5473,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>flight recorder, entry %1, counted from 0</source>
             <translation>самописец, запись %1, счёт с 0</translation>
+        </message>
+        <message>
+            <source>forget</source>
+            <translation>забыть</translation>
         </message>
         <message>
             <source>free</source>

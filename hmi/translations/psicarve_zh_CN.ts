@@ -872,6 +872,10 @@
             <translation>已重新开始：%1 层中没有完成的层</translation>
         </message>
         <message>
+            <source>Begun anew: none of %1 layers of %2 is finished</source>
+            <translation>已重新开始：“%2”的 %1 层中没有完成的层</translation>
+        </message>
+        <message>
             <source>Between entries</source>
             <translation>记录之间</translation>
         </message>
@@ -1488,6 +1492,10 @@ F12  本列表</translation>
             <translation>先启动 psicarve-rtcore，再全部回零。</translation>
         </message>
         <message>
+            <source>First start psicarve-rtcore.</source>
+            <translation>先启动 psicarve-rtcore。</translation>
+        </message>
+        <message>
             <source>Fit</source>
             <translation>适合</translation>
         </message>
@@ -1512,12 +1520,32 @@ F12  本列表</translation>
             <translation>跟随机床：机床没有在加工此作业</translation>
         </message>
         <message>
+            <source>Forget</source>
+            <translation>忘记</translation>
+        </message>
+        <message>
             <source>Forget it</source>
             <translation>忘记</translation>
         </message>
         <message>
+            <source>Forget this piece</source>
+            <translation>忘记此工件</translation>
+        </message>
+        <message>
+            <source>Forget this piece…</source>
+            <translation>忘记此工件…</translation>
+        </message>
+        <message>
+            <source>Forgets for good how far this piece is carved; it asks first and moves nothing</source>
+            <translation>永久忘记此工件的雕刻进度；会先询问，不产生任何运动</translation>
+        </message>
+        <message>
             <source>Forgets the zero of %1</source>
             <translation>清除 %1 的显示零点</translation>
+        </message>
+        <message>
+            <source>Forget…</source>
+            <translation>忘记…</translation>
         </message>
         <message>
             <source>Found</source>
@@ -1574,6 +1602,10 @@ F12  本列表</translation>
         <message>
             <source>Go</source>
             <translation>移动</translation>
+        </message>
+        <message>
+            <source>Go on with an unfinished piece</source>
+            <translation>继续未完成的工件</translation>
         </message>
         <message>
             <source>Go to</source>
@@ -1784,6 +1816,10 @@ F12  本列表</translation>
             <translation>机械结构允许越过传感器的距离。</translation>
         </message>
         <message>
+            <source>How far the unfinished piece is carved is forgotten for good, and with it the core's copy of its job. Nothing moves.</source>
+            <translation>未完成工件的雕刻进度以及内核保存的作业副本将被永久忘记。不产生任何运动。</translation>
+        </message>
+        <message>
             <source>How late the core's ticks would be, beside whatever the computer does</source>
             <translation>在计算机做其他事的同时，内核节拍会迟多少</translation>
         </message>
@@ -1894,6 +1930,10 @@ F12  本列表</translation>
         <message>
             <source>It is not offered again; the file stays</source>
             <translation>不再提示；文件保留</translation>
+        </message>
+        <message>
+            <source>It was begun with another profile of the machine.</source>
+            <translation>它是用另一份机床配置开始的。</translation>
         </message>
         <message>
             <source>Its core is gone, and its flight recorder with it</source>
@@ -2392,6 +2432,10 @@ N、Shift+N  下一条、上一条记录
             <translation>无报警</translation>
         </message>
         <message>
+            <source>No copy of its job is there: open that very job, publish it, Home all, then go on from layer %1.</source>
+            <translation>没有其作业的副本：打开同一个作业，发布它，全部回零，然后从第 %1 层继续。</translation>
+        </message>
+        <message>
             <source>No core has been seen yet</source>
             <translation>尚未见到内核</translation>
         </message>
@@ -2600,6 +2644,10 @@ N、Shift+N  下一条、上一条记录
             <translation>只有报警在飞行记录中有位置</translation>
         </message>
         <message>
+            <source>Open</source>
+            <translation>打开</translation>
+        </message>
+        <message>
             <source>Open a machine profile</source>
             <translation>打开机床配置</translation>
         </message>
@@ -2610,6 +2658,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Open its job</source>
             <translation>打开其作业</translation>
+        </message>
+        <message>
+            <source>Open its job, publish it, Home all, then go on from layer %1.</source>
+            <translation>打开其作业，发布它，全部回零，然后从第 %1 层继续。</translation>
+        </message>
+        <message>
+            <source>Open its job, then go on from layer %1.</source>
+            <translation>打开其作业，然后从第 %1 层继续。</translation>
         </message>
         <message>
             <source>Open its job: this snapshot has none</source>
@@ -2654,6 +2710,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Opened without its model: there is nothing to compare the piece with</source>
             <translation>打开时没有模型：工件无可比较</translation>
+        </message>
+        <message>
+            <source>Opens the copy of the job that the core has kept; it publishes and moves nothing</source>
+            <translation>打开内核保存的作业副本；不发布，也不产生任何运动</translation>
         </message>
         <message>
             <source>Opens the model with the form it had</source>
@@ -3448,12 +3508,24 @@ N、Shift+N  下一条、上一条记录
             <translation>工作中无响应</translation>
         </message>
         <message>
+            <source>Since %1, tool %2.</source>
+            <translation>时间 %1，刀具 %2。</translation>
+        </message>
+        <message>
+            <source>Since %1.</source>
+            <translation>时间 %1。</translation>
+        </message>
+        <message>
             <source>Since then the core has ended: there is none to take orders.</source>
             <translation>此后内核已结束：没有内核接收指令。</translation>
         </message>
         <message>
             <source>Since then the core is silent: it takes no orders.</source>
             <translation>此后内核无响应：不接收指令。</translation>
+        </message>
+        <message>
+            <source>Since when, and with which tool, is not known: the disk does not answer.</source>
+            <translation>从何时开始、用何刀具未知：磁盘没有响应。</translation>
         </message>
         <message>
             <source>Size</source>
@@ -4204,6 +4276,10 @@ N、Shift+N  下一条、上一条记录
             <translation>刀具留下（草图）</translation>
         </message>
         <message>
+            <source>The unfinished piece is forgotten.</source>
+            <translation>未完成的工件已被忘记。</translation>
+        </message>
+        <message>
             <source>The window stays open: the core has not taken the hold</source>
             <translation>窗口保持打开：内核未接受暂停</translation>
         </message>
@@ -4246,6 +4322,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>This computer</source>
             <translation>本机</translation>
+        </message>
+        <message>
+            <source>This is known from the disk alone. Go on only if this very piece is still mounted, as it was, with this tool.</source>
+            <translation>这些仅从磁盘得知。只有当这件工件仍按原样装夹、刀具也相同时才继续。</translation>
         </message>
         <message>
             <source>This user has no folder to keep it in</source>
@@ -4434,6 +4514,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Unfinished: %1 of %2 layers are carved</source>
             <translation>未完成：已雕刻 %1 层，共 %2 层</translation>
+        </message>
+        <message>
+            <source>Unfinished: %1 of %2 layers of %3 are carved</source>
+            <translation>未完成：“%3”已雕刻 %1 层，共 %2 层</translation>
         </message>
         <message>
             <source>Unit</source>
@@ -5382,6 +5466,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>flight recorder, entry %1, counted from 0</source>
             <translation>飞行记录第 %1 条（从 0 计）</translation>
+        </message>
+        <message>
+            <source>forget</source>
+            <translation>忘记</translation>
         </message>
         <message>
             <source>free</source>

@@ -9,8 +9,10 @@
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/preflight.hpp"
+#include "hmi/session/saved_piece.hpp"
 #include "hmi/session/start_intent.hpp"
 #include "hmi/ui/anew_dialog.hpp"
+#include "hmi/ui/disk_piece_dialog.hpp"
 #include "hmi/ui/job_pair_view.hpp"
 #include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/motion_buttons.hpp"
@@ -151,6 +153,12 @@ void JobPanel::start_at_layer(std::uint32_t layers) {
     // Layer after layer there is nothing to ask: it is where the carving stopped.
     const bool is_next = layers > 0 && layer == shown_layer_ + 1;
     const session::RunKind kind = bench_.wanted_run;  // whatever is chosen while it is asked
+    // What only a disk knows is asked for by its own question, however the layer is started.
+    if (kind == session::RunKind::carve && session::is_from_disk_alone(bench_.machine.sight(), layer - 1)) {
+        if (asked_to_go_on_from_disk(bench_, layer - 1, window()))
+            bench_.machine.start(layer - 1, layers, kind);
+        return;
+    }
     if (is_next || may_start_from_layer(layer, kind)) bench_.machine.start(layer - 1, layers, kind);
 }
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/motion_buttons.hpp"
 
+#include <QApplication>
 #include <QCoreApplication>
 
+#include <cstdint>
+
 #include "hmi/session/going_on.hpp"
+#include "hmi/ui/disk_piece_dialog.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
@@ -12,6 +16,15 @@ namespace {
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MotionButtons)
 };
+
+void start_what_is_said(Bench& bench) {
+    const session::RunKind kind = bench.wanted_run;  // whatever is chosen while it is asked
+    const std::uint32_t layer = layer_to_begin_with(bench).value_or(0);
+    const bool waits = bench.machine.sight().state() == MachineState::waiting;
+    const bool carves = kind == session::RunKind::carve && layer != 0 && !waits;
+    if (!carves || asked_to_go_on_from_disk(bench, layer, QApplication::activeWindow()))
+        bench.machine.start(layer, 0, kind);
+}
 
 }  // namespace
 
@@ -27,9 +40,7 @@ MotionButtons make_motion_buttons(Bench& bench) {
         return [&machine, kind, name] { machine.order(kind, session::Phrase{name}); };
     };
     const MotionButtons made{
-        new ActionButton{
-            Action::start, Words::tr("Start"),
-            [&bench] { bench.machine.start(layer_to_begin_with(bench).value_or(0), 0, bench.wanted_run); }},
+        new ActionButton{Action::start, Words::tr("Start"), [&bench] { start_what_is_said(bench); }},
         new ActionButton{Action::hold, Words::tr("Hold"), asks(CommandKind::hold, "Hold")},
         new ActionButton{Action::resume, Words::tr("Resume"), asks(CommandKind::resume, "Resume")},
         new ActionButton{Action::stop, Words::tr("Stop"), [&machine] { machine.stop(); }}};

@@ -58,6 +58,10 @@ void NoticeBar::add_button(QAbstractButton* button) {
     buttons_->insertWidget(buttons_->count() - 1, button);
 }
 
+void NoticeBar::add_buttons(QLayout* group) {
+    buttons_->insertLayout(buttons_->count() - 1, group);
+}
+
 void NoticeBar::set_theme(const Tokens& tokens) {
     icon_->setPixmap(glyph_pixmap(glyph_, kNoticeIconSide, tokens.warn));
     refresh();

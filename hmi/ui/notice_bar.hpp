@@ -8,6 +8,7 @@
 
 class QAbstractButton;
 class QLabel;
+class QLayout;
 class QVBoxLayout;
 
 namespace psicarve::ui {
@@ -27,6 +28,8 @@ protected:
     /// One more below those that are there: NAME_PART.
     QLabel* add_text(const char* part);
     void add_button(QAbstractButton* button);
+    /// Several in one place; it is this one's now.
+    void add_buttons(QLayout* group);
     /// Does nothing when it is so already.
     void set_shown(bool is_shown);
     /// In full, whatever it looks like; without any the label goes.

@@ -134,8 +134,9 @@ int run(int argc, char** argv) {
     auto trial =
         std::make_unique<GlTrial>(session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME")));
     const Drawing drawing = drawing_for(options.opengl, *trial);
-    auto window = std::make_unique<MainWindow>(
-        session::SessionOptions{options.segment_name, options.group, {}}, drawing, std::move(settings));
+    session::SessionOptions session_options{options.segment_name, options.group, {}};
+    session_options.state_folder = options.state_folder;
+    auto window = std::make_unique<MainWindow>(session_options, drawing, std::move(settings));
     if (options.opengl == OpenGl::automatic && drawing == Drawing::painter) tell_of_crash(*window, *trial);
     const QuitSignals signals_to_quit{[&window] {
         if (window) window->leave();  // not while it is taken away

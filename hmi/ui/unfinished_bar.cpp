@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/ui/unfinished_bar.hpp"
 
+#include <QBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 
 #include <vector>
 
 #include "hmi/session/lost_core.hpp"
+#include "hmi/session/saved_piece.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/anew_dialog.hpp"
+#include "hmi/ui/disk_piece_dialog.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/long_names.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/machine_state.hpp"
+#include "shared/saved_checkpoint.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -29,23 +34,39 @@ UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
       bench_(bench),
       details_(add_text("details")),
       anew_(new ActionButton{session::Action::from_layer, tr("Start anew…"), [this] { begin_anew(); }}),
-      dismiss_(new QPushButton{tr("Dismiss")}) {
+      open_(new QPushButton{tr("Open its job")}),
+      forget_(new QPushButton{tr("Forget…")}),
+      dismiss_(new QPushButton{tr("Dismiss")}),
+      ways_out_(new QBoxLayout{QBoxLayout::LeftToRight}) {
     anew_->setObjectName("start_anew");
     anew_->set_hint(tr("Begins with layer 1 again; it asks first"));
+    open_->setObjectName("unfinished_open");
+    open_->setFocusPolicy(Qt::TabFocus);
+    open_->setToolTip(tr("Opens the copy of the job that the core has kept; it publishes and moves nothing"));
+    connect(open_, &QPushButton::clicked, this, [this] {
+        if (const FoundCheckpoint* found = saved_piece()) bench_.desk.open_job(found->job_path);
+    });
+    forget_->setObjectName("unfinished_forget");
+    forget_->setFocusPolicy(Qt::TabFocus);
+    forget_->setToolTip(tr("Forgets for good how far this piece is carved; it asks first and moves nothing"));
+    connect(forget_, &QPushButton::clicked, this, [this] { forget_when_asked(bench_, window()); });
     dismiss_->setObjectName("unfinished_dismiss");
     dismiss_->setFocusPolicy(Qt::TabFocus);
     dismiss_->setToolTip(tr("Takes this away until more is carved; it moves and forgets nothing"));
-    connect(dismiss_, &QPushButton::clicked, this, [this] {
-        dismissed_ = piece();
-        dismissed_job_ = job_generation();
-        refresh();
-    });
+    connect(dismiss_, &QPushButton::clicked, this, [this] { dismiss(); });
+    ways_out_->setSpacing(kSmallGap);
+    ways_out_->addWidget(forget_);
+    ways_out_->addWidget(dismiss_);
     add_button(anew_);
-    add_button(dismiss_);
+    add_button(open_);
+    add_buttons(ways_out_);
 }
 
 void UnfinishedBar::set_room(Room room) {
     is_small_ = room == Room::small;
+    // Below each other they leave the words more of a narrow window.
+    ways_out_->setDirection(is_small_ ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    open_->setText(is_small_ ? tr("Open") : tr("Open its job"));
     refresh();
 }
 
@@ -54,6 +75,21 @@ std::optional<session::UnfinishedPiece> UnfinishedBar::piece() const {
     const session::MachineSight& sight = bench_.machine.sight();
     if (bench_.replay.is_open() || session::loud_text(sight)) return std::nullopt;
     return session::unfinished_piece(sight, bench_.desk.sight());
+}
+
+const FoundCheckpoint* UnfinishedBar::saved_piece() const {
+    const session::MachineSight& sight = bench_.machine.sight();
+    if (bench_.replay.is_open() || session::loud_text(sight) || !sight.saved_piece) return nullptr;
+    if (!session::may_be_saved(sight)) return nullptr;
+    return bench_.desk.sight().state == session::DeskState::empty ? &*sight.saved_piece : nullptr;
+}
+
+void UnfinishedBar::dismiss() {
+    const FoundCheckpoint* const found = saved_piece();
+    dismissed_ = piece();
+    dismissed_job_ = job_generation();
+    if (!dismissed_ && found != nullptr) dismissed_saved_ = found->saved.checkpoint.check;
+    refresh();
 }
 
 std::uint64_t UnfinishedBar::job_generation() const {
@@ -77,18 +113,53 @@ void UnfinishedBar::refresh() {
     forget_dismissed();
     const auto shown = piece();
     if (shown && dismissed_ != shown) dismissed_.reset();
-    const bool is_there = shown && !dismissed_;
+    const FoundCheckpoint* found = shown ? nullptr : saved_piece();
+    if (found != nullptr && found->saved.checkpoint.check == dismissed_saved_) found = nullptr;
+    const bool is_piece = shown && !dismissed_;
+    const bool is_there = is_piece || found != nullptr;
     set_shown(is_there);
     if (!is_there) return;
+    if (anew_->isHidden() == is_piece) anew_->setVisible(is_piece);
+    const bool can_forget = found != nullptr || bench_.machine.sight().is_checkpoint_from_disk;
+    if (forget_->isHidden() == can_forget) forget_->setVisible(can_forget);
+    const bool can_open = found != nullptr && !found->job_path.empty();
+    if (open_->isHidden() == can_open) open_->setVisible(can_open);
+    if (is_piece) {
+        show_piece(*shown);
+    } else {
+        show_saved(*found);
+    }
+}
+
+void UnfinishedBar::show_piece(const session::UnfinishedPiece& piece) {
     const session::MachineSight& sight = bench_.machine.sight();
     const auto job = bench_.desk.core_job() ? bench_.desk.core_job() : bench_.desk.job();
-    const QString all = in_one_line(session::unfinished_details(*shown, sight, job.get()));
-    show_text(title(), words(session::unfinished_title(*shown)));
-    show_text(*details_, is_small_ ? in_one_line(session::unfinished_needs(*shown, sight)) : all);
-    for (QLabel* label : {&title(), details_}) set_plain_tip(*label, all);
-    setAccessibleName(title().text());
-    setAccessibleDescription(all);
+    const QString all = in_one_line(session::unfinished_details(piece, sight, job.get()));
+    show_texts(words(session::unfinished_title(piece)),
+               is_small_ ? in_one_line(session::unfinished_needs(piece, sight)) : all, all);
     anew_->refresh(bench_);
+}
+
+void UnfinishedBar::show_saved(const FoundCheckpoint& found) {
+    const Checkpoint& checkpoint = found.saved.checkpoint;
+    const QString all = in_one_line(session::saved_details(found, bench_.machine.sight()));
+    if (is_small_) {
+        const session::UnfinishedPiece piece{checkpoint.next_layer, checkpoint.earlier_layer,
+                                             checkpoint.layer_count};
+        return show_texts(words(session::unfinished_title(piece)),
+                          in_one_line(session::saved_needs(found, bench_.machine.sight())), all);
+    }
+    SavedCheckpoint titled = found.saved;
+    titled.source_name = short_file_name(titled.source_name).toStdString();
+    show_texts(breakable(words(session::saved_title(titled))), all, all);
+}
+
+void UnfinishedBar::show_texts(const QString& heading, const QString& details, const QString& all) {
+    show_text(title(), heading);
+    show_text(*details_, details);
+    for (QLabel* label : {&title(), details_}) set_plain_tip(*label, all);
+    setAccessibleName(heading);
+    setAccessibleDescription(all);
 }
 
 }  // namespace psicarve::ui

@@ -11,6 +11,7 @@
 #include "hmi/ui/notice_bar.hpp"
 #include "hmi/ui/side_panels.hpp"
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -18,9 +19,9 @@ namespace psicarve::ui {
 
 class ActionButton;
 
-/// Which piece is unfinished, where it goes on, on which way the heads come there and what has to be done
-/// first. Above all pages whenever there is one and nothing louder, until it goes on or somebody has
-/// dismissed it. Begins it anew, once asked.
+/// Which piece is unfinished, also one that only a disk knows after the computer was switched off, where it
+/// goes on, on which way the heads come there and what has to be done first. Above all pages whenever there
+/// is one and nothing louder, until it goes on or somebody has dismissed it. Begins it anew, once asked.
 class UnfinishedBar : public NoticeBar {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::UnfinishedBar)
 public:
@@ -32,6 +33,12 @@ public:
 
 private:
     std::optional<session::UnfinishedPiece> piece() const;
+    /// Only while nothing is open here: null else.
+    const FoundCheckpoint* saved_piece() const;
+    void show_piece(const session::UnfinishedPiece& piece);
+    void show_saved(const FoundCheckpoint& found);
+    void show_texts(const QString& heading, const QString& details, const QString& all);
+    void dismiss();
     std::uint64_t job_generation() const;
     void forget_dismissed();
     void begin_anew();
@@ -39,9 +46,13 @@ private:
     Bench& bench_;
     QLabel* details_;
     ActionButton* anew_;
+    QPushButton* open_;
+    QPushButton* forget_;
     QPushButton* dismiss_;
+    QBoxLayout* ways_out_;  ///< the two
     std::optional<session::UnfinishedPiece> dismissed_;
-    std::uint64_t dismissed_job_ = 0;  ///< generation
+    std::uint64_t dismissed_job_ = 0;    ///< generation
+    std::uint64_t dismissed_saved_ = 0;  ///< its checksum
     bool is_small_ = false;
 };
 

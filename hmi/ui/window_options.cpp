@@ -29,6 +29,7 @@ std::string* target_of(const std::string& name, WindowOptions& options) {
     if (name == "--segment") return &options.segment_name;
     if (name == "--profile") return &options.profile_path;
     if (name == "--group") return &options.group;
+    if (name == "--state") return &options.state_folder;
     if (name == "--language") return &options.language;
     return nullptr;
 }

@@ -22,6 +22,7 @@ struct WindowOptions {
     std::string path;  ///< model, job or recording to open; empty: none
     std::string segment_name;
     std::string group;
+    std::string state_folder;
     std::string profile_path;
     std::string language;  ///< a code of kLanguages; empty: as in the settings
     OpenGl opengl = OpenGl::automatic;

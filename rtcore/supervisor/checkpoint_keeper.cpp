@@ -2,17 +2,49 @@
 #include "rtcore/supervisor/checkpoint_keeper.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "shared/machine_state.hpp"
 #include "shared/shared_record.hpp"
 
 namespace psicarve::supervisor {
+namespace {
 
-void CheckpointKeeper::note(SegmentHeader& header, const cycle::Sample& sample,
-                            const LoadedJob* job) noexcept {
-    if (job == nullptr || !is_carving_of(sample, *job)) return;
+std::uint32_t origin_of(bool is_simulator) noexcept {
+    return is_simulator ? kCheckpointSimulated : 0;
+}
+
+}  // namespace
+
+bool CheckpointKeeper::clear_foreign(SegmentHeader& header) const noexcept {
+    const auto found = read_record(header.checkpoint);
+    if (!found || !is_checkpoint(*found) || found->is_simulated() == is_simulator_) return false;
+    write_record(header.checkpoint, Checkpoint{});
+    return true;
+}
+
+/// What the segment knows of this very job.
+std::optional<Checkpoint> CheckpointKeeper::known_of(const SegmentHeader& header,
+                                                     const LoadedJob& job) const noexcept {
+    const auto known = read_record(header.checkpoint);
+    const bool is_known = known && is_checkpoint(*known) && known->is_simulated() == is_simulator_ &&
+                          known->job_checksum == job.checksum && known->layer_count == job.view.layer_count();
+    return is_known ? known : std::nullopt;
+}
+
+Checkpoint CheckpointKeeper::own(const LoadedJob& job, std::uint32_t next_layer,
+                                 std::uint32_t earlier_layer) const noexcept {
+    return checkpoint_at(job.checksum, next_layer, job.view.layer_count(), earlier_layer,
+                         origin_of(is_simulator_));
+}
+
+std::optional<ToKeep> CheckpointKeeper::note(SegmentHeader& header, const cycle::Sample& sample,
+                                             const LoadedJob* job, std::uint32_t most_told) noexcept {
+    if (job == nullptr) return std::nullopt;
+    if (!is_carving_of(sample, *job)) return announce(header, sample, *job, most_told);
+    is_announced_ = false;
     if (begun_tick_ != run_start_tick_) begin_run(header, sample.first_layer, *job);
-    if (leaves_gap_) return;
+    if (leaves_gap_) return std::nullopt;
     const std::uint64_t layers_done =
         std::max<std::uint64_t>(carved_before_, sample.points_done / job->view.point_count());
     const auto next_layer =
@@ -20,10 +52,66 @@ void CheckpointKeeper::note(SegmentHeader& header, const cycle::Sample& sample,
     const std::uint32_t earlier = earlier_layer_ > next_layer ? earlier_layer_ : 0;
     if (written_job_ == job->generation && written_ && written_->next_layer == next_layer &&
         written_->earlier_layer == earlier)
-        return;
-    written_ = checkpoint_at(job->checksum, next_layer, job->view.layer_count(), earlier);
+        return std::nullopt;
+    written_ = own(*job, next_layer, earlier);
     written_job_ = job->generation;
     write_record(header.checkpoint, *written_);
+    return ToKeep{*written_, Keeping::carved};
+}
+
+std::optional<ToKeep> CheckpointKeeper::announce(const SegmentHeader& header, const cycle::Sample& sample,
+                                                 const LoadedJob& job, std::uint32_t most_told) noexcept {
+    const bool is_under_way = sample.job_generation == job.generation && runs_job(sample.state);
+    const auto before = known_of(header, job);
+    if (!is_under_way) {
+        // Nothing was carved: all is as it was.
+        if (!std::exchange(is_announced_, false)) return std::nullopt;
+        return ToKeep{before ? own(job, before->next_layer, before->earlier_layer) : Checkpoint{},
+                      Keeping::as_before};
+    }
+    if (is_announced_ || sample.is_dry != 0) return std::nullopt;
+    const std::uint64_t first_layer = sample.first_layer;
+    // One that begins later goes on with the piece that is known, or leaves it as it is.
+    if (before && first_layer != 0) return std::nullopt;
+    if (!before && most_told <= first_layer) return std::nullopt;
+    is_announced_ = true;
+    if (before) return ToKeep{own(job, 0, before->left_behind()), Keeping::announced};
+    const auto first =
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(first_layer, job.view.layer_count()));
+    return ToKeep{own(job, first, 0), Keeping::announced};
+}
+
+CheckpointKeeper::TakenOver CheckpointKeeper::take_over(SegmentHeader& header, const Checkpoint& left,
+                                                        const LoadedJob& job) const {
+    const auto place = [&] {
+        write_record(header.checkpoint,
+                     checkpoint_at(left.job_checksum, left.next_layer, left.layer_count, left.earlier_layer,
+                                   origin_of(is_simulator_) | kCheckpointFromDisk));
+    };
+    const auto before = read_record(header.checkpoint);
+    if (before && before->is_empty()) {
+        place();
+        return {};
+    }
+    const auto known = known_of(header, job);
+    if (!known) return {};
+    if (known->next_layer == left.next_layer) return {};
+    const std::string both = "segment: layer " + std::to_string(known->next_layer) +
+                             ", disk: " + std::to_string(left.next_layer) +
+                             "; where this piece goes on the two disagree, the lower one is taken";
+    if (left.next_layer > known->next_layer) return {own(job, known->next_layer, known->earlier_layer), both};
+    place();
+    return {std::nullopt, both};
+}
+
+void CheckpointKeeper::forget(SegmentHeader& header, std::uint64_t job_checksum) noexcept {
+    const auto known = read_record(header.checkpoint);
+    if (known && is_checkpoint(*known) && known->job_checksum != job_checksum) return;
+    if (written_ && written_->job_checksum != job_checksum) return;
+    write_record(header.checkpoint, Checkpoint{});
+    written_.reset();
+    begun_tick_ = run_start_tick_;
+    leaves_gap_ = true;  // what is told of the run that has ended is no news
 }
 
 void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t first_layer,
@@ -32,14 +120,10 @@ void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t firs
     carved_before_ = 0;
     earlier_layer_ = 0;
     leaves_gap_ = false;
-    const auto before = read_record(header.checkpoint);
-    const bool is_known = before && is_checkpoint(*before) && before->job_checksum == job.checksum &&
-                          before->layer_count == job.view.layer_count();
-    if (!is_known) return;  // whoever begins later than with the first knows of the layers before
-    const bool is_whole = before->next_layer == before->layer_count;
+    const auto before = known_of(header, job);
+    if (!before) return;  // whoever begins later than with the first knows of the layers before
     if (first_layer == 0) {
-        // The run before, and not whichever came furthest: where that has finished none, the one before it.
-        if (!is_whole) earlier_layer_ = before->next_layer != 0 ? before->next_layer : before->earlier_layer;
+        earlier_layer_ = before->left_behind();
         return;
     }
     if (before->next_layer == 0 && before->earlier_layer == 0) return;

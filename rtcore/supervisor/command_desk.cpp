@@ -71,6 +71,11 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
         answer_command(segment, received, AnswerKind::refused, refusal_for_all_);
         return;
     }
+    if (command.kind == CommandKind::forget_piece) {
+        const std::string refusal = try_to_forget(segment, command, sample);
+        answer_command(segment, received, refusal.empty() ? AnswerKind::done : AnswerKind::refused, refusal);
+        return;
+    }
     const bool leaves_alarm =
         command.kind == CommandKind::reset_alarm || command.kind == CommandKind::back_off;
     if (leaves_alarm && !refusal_in_alarm_.empty()) {
@@ -106,6 +111,20 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
     ear_->note_stops_seen(received, *request);
     requests.push(*request);
     waiting_.push_back({request->sequence, received, job != nullptr ? job->view.layer_count() : 0});
+}
+
+std::string CommandDesk::try_to_forget(Segment& segment, const Command& command,
+                                       const cycle::Sample& sample) {
+    if (!is_at_rest(sample.state) || runs_job(sample.state))
+        return "forget: the machine is not at rest; stop first";
+    const RecordName record = record_to_forget(command, segment.name());
+    if (record.job_checksum == 0) return {};  // of none: whether it may
+    forgotten_.push_back(record);
+    // Who is answered finds it gone.
+    const auto known = read_record(segment.header().checkpoint);
+    if (known && known->job_checksum == record.job_checksum && known->is_simulated() == record.is_simulator)
+        write_record(segment.header().checkpoint, Checkpoint{});
+    return {};
 }
 
 void CommandDesk::note_lease(const Command& command) noexcept {

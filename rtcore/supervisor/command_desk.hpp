@@ -4,12 +4,14 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/supervisor/loaded_job.hpp"
 #include "rtcore/supervisor/urgent_ear.hpp"
 #include "shared/profile.hpp"
+#include "shared/saved_checkpoint.hpp"
 #include "shared/segment.hpp"
 
 namespace psicarve::supervisor {
@@ -50,10 +52,14 @@ public:
     /// Some were left for the next round.
     bool has_more() const noexcept { return has_more_; }
     bool shutdown_requested() const noexcept { return shutdown_requested_; }
+    /// Which pieces are to be forgotten: gone from the segment, and to go from the disk.
+    std::vector<RecordName> take_forgotten() noexcept { return std::exchange(forgotten_, {}); }
 
 private:
     void take_one(Segment& segment, const ReceivedCommand& received, cycle::RequestRing& requests,
                   const cycle::Sample& sample, const LoadedJob* job);
+    /// Empty: it is done.
+    std::string try_to_forget(Segment& segment, const Command& command, const cycle::Sample& sample);
     void note_lease(const Command& command) noexcept;
 
     const Profile* profile_;
@@ -70,6 +76,7 @@ private:
     };
     std::vector<Waiting> waiting_;  ///< handed to the tick, not answered yet
     std::uint64_t last_sequence_ = 0;
+    std::vector<RecordName> forgotten_;
     std::string refusal_for_all_;
     std::string refusal_in_alarm_;
     std::uint64_t seen_generation_ = 0;

@@ -75,6 +75,7 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
     parts->period_ns = tick_period_ns(profile);
     parts->port_name = port::port_text(options.port);
     parts->layer_times_path = options.layer_times_path;
+    parts->state_folder = options.state_folder;
     const auto pin_map = PinMap::from_profile(profile);
     if (!pin_map) return pin_map.error();
     if (const auto made = make_port(*parts, *pin_map, request, options.piece_path); !made)

@@ -46,6 +46,7 @@ struct CoreParts {
     std::unique_ptr<plan::JobEstimator> estimator;  ///< null in a replay: nobody asks how long it will take
     TraceOutlet traces;                             ///< on the real clock one that loses what does not fit
     std::string layer_times_path;                   ///< empty: nobody asks
+    std::string state_folder;                       ///< for what outlasts the computer's end; empty: none
 };
 
 struct PartsRequest {

@@ -20,6 +20,7 @@
 #include "shared/printable.hpp"
 #include "shared/profile_place.hpp"
 #include "shared/segment.hpp"
+#include "shared/state_place.hpp"
 
 namespace psicarve::supervisor {
 namespace {
@@ -63,6 +64,7 @@ struct Texts {
     std::string clock;
     std::string capacity;
     std::string cpu;
+    bool keeps_no_state = false;
 };
 
 void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
@@ -147,6 +149,13 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
            "point (CSV); fd:N: into an open descriptor")
         ->type_name("FILE.csv")
         ->check(check_not_empty);
+    app.add_option("--state", options.state_folder,
+                   "Keep in this folder how far the piece is carved, and a copy of its job, for when the "
+                   "computer is switched off; without it in /var/lib/psicarve (root) or "
+                   "~/.local/state/psicarve, and on the virtual clock nowhere")
+        ->type_name("FOLDER")
+        ->check(check_not_empty);
+    app.add_flag("--no-state", texts.keeps_no_state, "Keep nothing of that");
     app.add_flag("--no-estimate", options.no_estimate,
                  "Do not plan a job ahead to know how long it takes; the time left stays unknown");
     app.add_flag("--measure-latency", options.measures_latency,
@@ -198,6 +207,10 @@ Result<void> check_meant(const CLI::App& app, const CoreOptions& options) {
     }
     if (options.assume_homed && options.replay_path.empty())
         return wrong("--assume-homed", "is for --replay on a real port; home the machine instead");
+    if (app.count("--state") > 0 && app.count("--no-state") > 0)
+        return wrong("--state", "and --no-state contradict each other");
+    if (!options.replay_path.empty() && app.count("--state") > 0)
+        return wrong("--state", "a replay carves no piece that anybody goes on with");
     if (options.measures_latency && app.count("--user") > 0)
         return wrong("--user", "--measure-latency has neither segment nor port, and is whose start it was");
     const long processors = sysconf(_SC_NPROCESSORS_CONF);
@@ -210,6 +223,14 @@ Result<void> check_meant(const CLI::App& app, const CoreOptions& options) {
             return wrong(option, "is for --measure-latency");
     }
     return {};
+}
+
+/// Where time is real, somebody's piece is, too. As whoever starts it: --user makes it the system's.
+void choose_state_folder(const Texts& texts, CoreOptions& options) {
+    const bool keeps_none = options.clock == ClockKind::virtual_time || !options.replay_path.empty() ||
+                            options.measures_latency || texts.keeps_no_state;
+    if (options.state_folder.empty() && !keeps_none)
+        options.state_folder = state_folder_of_core(geteuid() == 0);
 }
 
 Result<void> take_port(const std::string& text, CoreOptions& options) {
@@ -295,6 +316,7 @@ std::variant<CoreOptions, int> parse_options(int argc, char** argv) {
     options.cpu = cpu_from(texts.cpu);
     auto taken = take_port(texts.port, options);
     if (taken) taken = check_meant(app, options);
+    choose_state_folder(texts, options);
     if (options.profile_path.empty()) options.unnamed_profile_path = default_profile_path();
     if (taken) taken = check_files(options);
     if (!taken) return report_usage(taken.error().message);

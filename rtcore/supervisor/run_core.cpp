@@ -25,6 +25,7 @@
 #include "rtcore/supervisor/replay.hpp"
 #include "rtcore/supervisor/replay_script.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
+#include "rtcore/supervisor/state_folder.hpp"
 #include "rtcore/supervisor/supervisor.hpp"
 #include "shared/printable.hpp"
 #include "shared/segment_object.hpp"
@@ -169,6 +170,7 @@ Result<void> leave_root(const CoreOptions& options) {
     // What a core of root's has left when it ended is taken over, as every core takes it over.
     if (auto handed = Segment::hand_over(options.segment_name, account->user, account->group); !handed)
         return handed.error();
+    make_state_folder_for(options.state_folder, account->user, account->group);
     return rtcore::become_user(*account);
 }
 

@@ -55,6 +55,7 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
       ear_(segment_, parts.io->urgent),
       desk_(parts.profile, ear_, facts.is_virtual_clock),
       mirror_(facts),
+      piece_({parts.state_folder, segment_options.name, facts.is_simulator, profile_hash(parts.profile)}),
       is_virtual_clock_(facts.is_virtual_clock),
       promptness_(!facts.is_virtual_clock),
       sample_(read_sample()),
@@ -70,6 +71,7 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
 }
 
 void Supervisor::introduce() {
+    piece_.enter(segment_->header());
     PortName port{};
     text_into_field(port.text, parts_->port_name);
     write_record(segment_->header().port, port);
@@ -90,7 +92,7 @@ bool Supervisor::poll(Hearing hearing) {
     drain_reports();
     drain_increments();
     watch_recording();
-    keeper_.note(segment_->header(), sample_, job_.get());
+    note_checkpoint();
     publish_status();
     // Who raised something that was not taken wakes us at once.
     if (takes_requests) wake_seen_ = desk_.has_more() ? wake_count - 1 : wake_count;
@@ -198,10 +200,11 @@ void Supervisor::hand_out(const std::shared_ptr<const LoadedJob>& job) {
 void Supervisor::finish_job(const cycle::Report& report) {
     const bool accepted = report.refusal == cycle::Refusal::none;
     const std::uint64_t generation = loading_job_->generation;
-    const std::string remark = accepted ? loading_job_->remark : "the machine is busy; try again";
+    std::string remark = accepted ? loading_job_->remark : "the machine is busy; try again";
     if (accepted) {
         job_ = std::move(loading_job_);
-        keeper_.note_new_job();
+        const std::string more = piece_.take_job(segment_->header(), job_);
+        if (!more.empty()) remark += (remark.empty() ? "" : "; ") + more;
         if (parts_->estimator != nullptr)
             parts_->estimator->begin(std::shared_ptr<const JobView>{job_, &job_->view});
     } else if (job_ != nullptr) {
@@ -258,6 +261,11 @@ void Supervisor::watch_recording() {
     if (must_end_recording_ &&
         request(cycle::RequestKind::record, static_cast<std::uint64_t>(RecordingForm::none)))
         must_end_recording_ = false;
+}
+
+void Supervisor::note_checkpoint() {
+    for (const RecordName& record : desk_.take_forgotten()) piece_.forget(segment_->header(), record);
+    piece_.note(segment_->header(), sample_, job_);
 }
 
 PlannedTimes Supervisor::planned_times() {
@@ -347,7 +355,7 @@ void Supervisor::take_new_segment() {
     seen_generation_ = 0;
     is_look_stale_ = true;
     is_offer_stale_ = true;
-    keeper_.write_anew(segment_->header());
+    piece_.write_anew(segment_->header());
     is_segment_lost_ = false;
 }
 
@@ -355,7 +363,7 @@ void Supervisor::leave() {
     sample_ = read_sample();
     drain_reports();
     drain_increments();
-    keeper_.note(segment_->header(), sample_, job_.get());
+    note_checkpoint();
     publish_status();
     event_signal(segment_->header().status_changed);
     segment_->release_core();

@@ -7,13 +7,13 @@
 #include <string>
 
 #include "rtcore/promptness.hpp"
-#include "rtcore/supervisor/checkpoint_keeper.hpp"
 #include "rtcore/supervisor/command_desk.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/flight_log.hpp"
 #include "rtcore/supervisor/job_loader.hpp"
 #include "rtcore/supervisor/layer_times.hpp"
 #include "rtcore/supervisor/loaded_job.hpp"
+#include "rtcore/supervisor/piece_memory.hpp"
 #include "rtcore/supervisor/pin_recording.hpp"
 #include "rtcore/supervisor/status_mirror.hpp"
 #include "rtcore/supervisor/urgent_ear.hpp"
@@ -98,6 +98,7 @@ private:
     void drain_reports();
     void drain_increments();
     void watch_recording();
+    void note_checkpoint();
     PlannedTimes planned_times();
     void publish_status();
     void watch_guard();
@@ -117,7 +118,7 @@ private:
     CommandDesk desk_;
     StatusMirror mirror_;
     PinRecording recording_;
-    CheckpointKeeper keeper_;
+    PieceMemory piece_;
     FlightLog flight_log_;
     bool is_virtual_clock_;
     rtcore::Promptness promptness_;

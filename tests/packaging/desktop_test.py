@@ -16,6 +16,7 @@ import xml.etree.ElementTree as xml
 
 # No profile of whoever runs this has a say.
 os.environ["PSICARVE_PROFILE"] = ""
+os.environ["PSICARVE_STATE"] = ""
 SOURCE = pathlib.Path(sys.argv.pop(2)).resolve()
 BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
 ID = "org.psicarve.hmi"

@@ -13,6 +13,7 @@ import unittest
 
 # No profile of whoever runs this has a say.
 os.environ["PSICARVE_PROFILE"] = ""
+os.environ["PSICARVE_STATE"] = ""
 SOURCE = pathlib.Path(sys.argv.pop(2)).resolve()
 BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
 NAMES = ["psicarve", "psicarve-core", "psicarve-hmi"]
@@ -96,6 +97,9 @@ class Packages(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         pathlib.Path(f"/dev/shm/psicarve-packages-test-{os.getpid()}").unlink(missing_ok=True)
         self.look_at_the_computer_of_a_machine(root)
+        kept = root / "var/lib/psicarve/psicarve.checkpoint"
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        kept.touch()
         done = self.dpkg(root, "--purge", *NAMES)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         left = [str(path) for path in root.rglob("*psicarve*") if path.is_file()]

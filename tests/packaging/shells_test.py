@@ -15,6 +15,7 @@ import unittest
 
 # No profile, folder or shell of whoever runs this has a say.
 os.environ["PSICARVE_PROFILE"] = ""
+os.environ["PSICARVE_STATE"] = ""
 for place in ("XDG_CONFIG_HOME", "XDG_DATA_HOME"):
     os.environ.pop(place, None)
 BUILD = pathlib.Path(sys.argv.pop(1)).resolve()

@@ -38,7 +38,8 @@ ELSEWHERE = {"ExecStart", "ExitType", "KillMode", "TimeoutStopSec", "Restart", "
              "RemoveIPC", "SystemCallArchitectures"}
 IMITATED = {"SystemCallFilter", "SystemCallErrorNumber", "MemoryDenyWriteExecute", "RestrictNamespaces",
             "RestrictSUIDSGID", "RestrictAddressFamilies", "LockPersonality", "NoNewPrivileges", "UMask",
-            "CapabilityBoundingSet", "LimitRTPRIO", "LimitMEMLOCK", "ProtectSystem", "ReadWritePaths", *PROTECTED}
+            "CapabilityBoundingSet", "LimitRTPRIO", "LimitMEMLOCK", "ProtectSystem", "ReadWritePaths", "StateDirectory",
+            *PROTECTED}
 
 libc = ctypes.CDLL(None, use_errno=True)
 seccomp = ctypes.CDLL("libseccomp.so.2")
@@ -159,8 +160,10 @@ def arguments_filter(settings):
 class Sandbox:
     """Starts programs as a unit would."""
 
-    def __init__(self, unit):
+    def __init__(self, unit, state):
+        """`state`: a folder, which stands for the one that StateDirectory makes."""
         self.settings = settings_of(unit)
+        self.state = state if "StateDirectory" in self.settings else ""
         self.refused = set()
         self.left_out = set()
         self.error = getattr(errno, self.settings["SystemCallErrorNumber"][0])
@@ -236,6 +239,7 @@ class Sandbox:
             return libc.syscall(SYS_MOUNT_SETATTR, AT_FDCWD, path, AT_RECURSIVE, attributes, 32) == 0
 
         writable = [path.encode() for path in self.settings["ReadWritePaths"][0].split()]
+        writable += [self.state.encode()] if self.state else []
         done = libc.mount(None, b"/", None, MS_REC | MS_PRIVATE, None) == 0
         for path in writable:
             done = done and libc.mount(path, path, None, MS_BIND | MS_REC, None) == 0

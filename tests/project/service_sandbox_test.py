@@ -24,7 +24,10 @@ import sandbox
 
 # No profile of whoever runs this has a say.
 os.environ["PSICARVE_PROFILE"] = ""
+os.environ.pop("PSICARVE_STATE", None)
 UNIT, BUILD, EXAMPLES, WORK = sys.argv[1:5]
+STATE = os.path.join(WORK, "state")
+os.environ["STATE_DIRECTORY"] = STATE
 BIN = os.path.join(BUILD, "bin")
 PATIENCE_S = 120
 LIMITS = {"LimitRTPRIO", "LimitMEMLOCK"}
@@ -150,6 +153,9 @@ def carve(confined, profile, port):
     allowed = {"memory locked", "real-time scheduling"} if confined.left_out & LIMITS else set()
     refused = set(seen["realtime_refused"]) - allowed - {"processors kept awake"}
     expect(not refused, f"real-time treatment: {refused}")
+    kept = os.path.join(STATE, SEGMENT[1:] + ".checkpoint")
+    eventually(lambda: len(os.listdir(STATE)) == 2 and os.path.exists(kept), f"checkpoint and job: {os.listdir(STATE)}")
+    expect(os.stat(kept).st_mode & 0o777 == 0o644, f"everybody reads it: {os.stat(kept).st_mode:o}")
     core.guard.send_signal(signal.SIGTERM)
     expect(core.wait() == 0, f"it ends in order: {core.words()}")
 
@@ -162,8 +168,8 @@ def lose(confined, profile, port):
 
 def main():
     shutil.rmtree(WORK, ignore_errors=True)
-    os.makedirs(WORK)
-    confined = sandbox.Sandbox(UNIT)
+    os.makedirs(STATE)
+    confined = sandbox.Sandbox(UNIT, STATE)
     show_that_it_confines(confined)
     profile = quick_machine()
     # Where the unit lets the core write; the real port is a device, which no rule of folders is about.

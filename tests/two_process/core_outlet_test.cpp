@@ -9,6 +9,8 @@
 #include <fstream>
 #include <mutex>
 
+#include "shared/checkpoint.hpp"
+#include "shared/saved_checkpoint.hpp"
 #include "tests/places.hpp"
 #include "tests/two_process/port_rig.hpp"
 
@@ -262,6 +264,44 @@ TEST_F(CoreOutlet, AnEmergencyStopIsHeardWhileLayerTimesCannotBeWritten) {
     // Once more, and nobody ever answers: it ends in order all the same.
     hold_it();
     ASSERT_EQ(publish(coarse_job(20)), "");
+    core_->send_signal(SIGTERM);
+    EXPECT_TRUE(eventually([&] { return has_ended(); }, kHeardLimit));
+    if (!has_ended()) kill(core_pid_, SIGKILL);
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+    expect_safe_registers();
+}
+
+TEST_F(CoreOutlet, AnEmergencyStopIsHeardWhileTheCheckpointCannotBeWritten) {
+    start_core_that_can_be_held("PSICARVE_HELD_WRITE", {"--state", file("state")});
+    const StateNames names{file("state"), segment_name_, false};
+    hold_it();
+    home();
+    ASSERT_EQ(publish(coarse_job(40)), "");
+    start_carving();
+    const auto next_layer = [this] {
+        return read_record(segment_->header().checkpoint).value_or(Checkpoint{}).next_layer;
+    };
+    ASSERT_TRUE(eventually([&] { return next_layer() >= 1; })) << "the segment has it";
+    EXPECT_FALSE(load_saved_checkpoint(names.checkpoint())) << "it stands still";
+    const std::uint64_t heartbeat = status().heartbeat;
+    EXPECT_TRUE(eventually([&] { return status().heartbeat > heartbeat + 20; }, kHeardLimit));
+    request_emergency_stop(*segment_);
+    EXPECT_TRUE(eventually([&] { return status().state == MachineState::alarm; }, kHeardLimit));
+    EXPECT_EQ(status().alarm_cause, AlarmCause::emergency_stop) << name_of(status().alarm_cause);
+    EXPECT_FALSE(is_spindle_on());
+    // Once the disk answers it is written, and the newest.
+    let_it_go();
+    EXPECT_TRUE(eventually([&] {
+        const auto saved = load_saved_checkpoint(names.checkpoint());
+        return saved && saved->checkpoint.next_layer == next_layer();
+    }));
+    EXPECT_FALSE(load_saved_checkpoint(names.checkpoint())->is_simulator);
+    // Once more, and nobody ever answers: it ends in order all the same.
+    ASSERT_EQ(refusal_of(CommandKind::reset_alarm), "");
+    home();
+    hold_it();
+    start_carving();
+    ASSERT_TRUE(eventually([&] { return status().points_done > 3; }));
     core_->send_signal(SIGTERM);
     EXPECT_TRUE(eventually([&] { return has_ended(); }, kHeardLimit));
     if (!has_ended()) kill(core_pid_, SIGKILL);

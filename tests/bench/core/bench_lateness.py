@@ -77,7 +77,8 @@ class Core:
         profile = self.profile()
         lateness = os.path.join(self.folder, "late.csv")
         core = subprocess.Popen([os.path.join(self.bin, "psicarve-rtcore"), "--segment", self.segment, "--profile",
-                                 profile, "--cpu", str(self.cpu), "--priority", str(PRIORITY), "--lateness", lateness],
+                                 profile, "--cpu", str(self.cpu), "--priority", str(PRIORITY), "--lateness", lateness,
+                                 "--state", os.path.join(self.folder, "state")],
                                 stderr=subprocess.DEVNULL)
         try:
             time.sleep(0.5)

@@ -138,7 +138,7 @@ TEST_F(DistinctFilesOfACommand, AreOfNoOptionThatIsNotKnown) {
                                       "--piece",   "--deviation", "--csv",   "--model",   "MODEL",
                                       "MODEL|JOB", "JOB|TRACE",   "JOB_A",   "JOB_B",     "FILE",
                                       "A",         "B",           "TRACE"};
-    const std::set<std::string> no_files{"SIGNAL", "SHELL"};
+    const std::set<std::string> no_files{"SIGNAL", "SHELL", "--state"};
     const std::regex positional{"^  ([A-Z][A-Z_|]*)(?: REQUIRED)?(?: .*)?$"};
     const std::regex option{
         "^  (?:-[a-z],)?(--[a-z-]+) (?:[A-Za-z.]*\\.[a-z]+|FILE|JOB|MODEL|DIR|FOLDER|PATH)(?: .*)?$"};

@@ -53,6 +53,16 @@ TEST_F(CoreProcessTest, HasAProcessGroupOfItsOwn) {
     EXPECT_EQ(getpgid(sut->pid()), sut->pid());
 }
 
+TEST_F(CoreProcessTest, KeepsNoStateOfAPieceThatIsNobodys) {
+    launch_.on_real_clock = true;  // a core that somebody starts by hand would
+    auto sut = CoreProcess::start(launch_);
+    ASSERT_TRUE(sut.has_value()) << sut.error().message;
+    std::ifstream file{"/proc/" + std::to_string(sut->pid()) + "/cmdline"};
+    bool keeps_none = false;
+    for (std::string word; std::getline(file, word, '\0');) keeps_none = keeps_none || word == "--no-state";
+    EXPECT_TRUE(keeps_none);
+}
+
 TEST_F(CoreProcessTest, AFailedStartTellsWhatItSaid) {
     const std::string profile = testing::TempDir() + "bad-profile-" + std::to_string(getpid()) + ".toml";
     std::ofstream{profile} << "nonsense = 1\n";

@@ -1,120 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nothing is cut off, in any language, on a screen of 1280 x 720 and on one of 1920 x 1080 at 200 %.
-#include <gtest/gtest.h>
-
-#include <QDoubleSpinBox>
-#include <QImage>
-#include <QLabel>
-#include <QLineEdit>
-#include <QListWidget>
-#include <QStackedWidget>
-#include <QSysInfo>
-#include <QTabBar>
-#include <QTabWidget>
-#include <QVariantMap>
-
-#include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <tuple>
-#include <vector>
-
-#include "hmi/session/going_on.hpp"
-#include "hmi/ui/keys_dialog.hpp"
-#include "hmi/ui/language.hpp"
-#include "hmi/ui/side_panels.hpp"
-#include "hmi/ui/words.hpp"
-#include "hmi/ui/work_keeper.hpp"
-#include "tests/hmi/ui/fit_audit.hpp"
-#include "tests/hmi/ui/window_rig.hpp"
-#include "tests/places.hpp"
-#include "tests/thoroughness.hpp"
+// Nothing is cut off, in any language, on a screen of 1280 x 720 and on one of 1920 x 1080 at 200 %: whatever
+// the machine is at. Forms and lists are in fit_forms_test.cpp.
+#include "tests/hmi/ui/fit_rig.hpp"
 
 namespace psicarve::ui {
 namespace {
-
-using test::WindowRig;
-using S = MachineState;
-
-constexpr QSize kUsualScreen{1280, 690};  // less a desktop's bar
-constexpr QSize kScaledScreen{960, 515};
-constexpr QSize kLeastScreen{640, 360};
-constexpr const char* kLongName =
-    "a_name_without_a_space_as_programs_for_drawing_make_them_by_themselves_1234.stl";
-
-class Fit : public WindowRig, public ::testing::WithParamInterface<std::tuple<Language, QSize>> {
-protected:
-    Fit() { use_language(language()); }
-    ~Fit() override { use_language(Language::english); }
-
-    static Language language() { return std::get<0>(GetParam()); }
-    static QSize size() { return std::get<1>(GetParam()); }
-    static QString code() { return QLatin1String(kLanguages[static_cast<std::size_t>(language())].code); }
-
-    void open_small() {
-        start_core();
-        open_window();
-        window_->resize(size());
-        settle();
-    }
-    /// What was written anew takes its room with the second look.
-    void settle() {
-        for (int look = 0; look < 3; ++look) {
-            window_->refresh();
-            QApplication::processEvents();
-        }
-        // A figure may have grown since.
-        QApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-    }
-    /// 1280 x 720 at 200 % is half of what the window is made for: names of pages go on behind arrows there,
-    /// and drawn views and tables beside each other are wider.
-    static bool is_excused(const std::string& misfit) {
-        if (size() != kLeastScreen) return false;
-        for (const char* what :
-             {"tabs/QTabBar: tab out of sight", "ports_page", "layers_page", "messages: column"})
-            if (misfit.find(what) != std::string::npos) return true;
-        return false;
-    }
-    void expect_fit(const QString& where) {
-        settle();
-        EXPECT_EQ(window_->size(), size()) << where.toStdString();
-        for (const std::string& misfit : test::misfits(*window_)) {
-            if (!is_excused(misfit) && seen_.insert(misfit).second)
-                ADD_FAILURE() << where.toStdString() << ": " << misfit;
-        }
-        take_picture(QString{"fit_%1_%2_%3"}.arg(code(), QString::number(size().width()), where));
-    }
-    void expect_pages_fit(const QString& where) {
-        auto& tabs = part<QTabWidget>("tabs");
-        for (int i = 0; i < tabs.count(); ++i) {
-            tabs.setCurrentIndex(i);
-            expect_fit(where + "_" + QString::number(i + 1));
-        }
-    }
-    /// Position, Jog and Job, where they are pages of one column.
-    void expect_panels_fit(const QString& where) {
-        auto& names = part<QTabBar>("side_names");
-        if (!names.isVisible()) return;
-        for (int i = 0; i < names.count(); ++i) {
-            names.setCurrentIndex(i);
-            expect_fit(where + "_panel_" + QString::number(i + 1));
-        }
-        names.setCurrentIndex(0);
-    }
-    void start_core_anew() {
-        core_->send_signal(SIGKILL);
-        core_->wait_for_exit();
-        start_core();
-    }
-    void open_example(const char* name, session::DeskState state = session::DeskState::model) {
-        window_->open(QString::fromStdString(example("")) + name);
-        ASSERT_TRUE(comes_to(state));
-    }
-
-private:
-    std::set<std::string> seen_;
-};
 
 TEST_P(Fit, WithNothingOpen) {
     open_small();
@@ -161,12 +51,41 @@ TEST_P(Fit, WithAPieceThatIsUnfinished) {
     expect_fit("unfinished_piece_of_a_core_before");
     // What has to be done first, and the way back, are no matter of room.
     EXPECT_TRUE(part<QLabel>("unfinished_details").isVisible());
+    SharedRecord<Checkpoint>& record = segment_->header().checkpoint;
+    const Checkpoint own = read_record(record).value_or(Checkpoint{});
+    write_record(record, checkpoint_at(own.job_checksum, own.next_layer, own.layer_count, own.earlier_layer,
+                                       own.origin | kCheckpointFromDisk));
+    ASSERT_TRUE(comes_true([&] { return sight().is_checkpoint_from_disk; }));
+    EXPECT_TRUE(button("unfinished_forget").isVisible());
+    expect_fit("unfinished_piece_from_disk");
     const session::UnfinishedPiece piece{2, 4, 4000};
     const auto needs = session::unfinished_needs(piece, sight());
     EXPECT_EQ(needs.size(), 2U);
     for (const session::Phrase& need : room_in(size()) == Room::small ? needs : decltype(needs){})
         EXPECT_TRUE(part<QLabel>("unfinished_details").text().contains(words(need)))
             << words(need).toStdString();
+}
+
+TEST_P(Fit, WithAPieceThatOnlyADiskKnows) {
+    setenv("PSICARVE_STATE", file("").c_str(), 1);
+    SavedCheckpoint saved;
+    saved.checkpoint = checkpoint_at(1, 3131, 4000, 3999);
+    saved.segment_name = segment_name_;
+    saved.source_name = std::string(120, 'x') + ".stl";
+    saved.tool = "ball, 3.175 mm";
+    const StateNames names{file(""), segment_name_, false};
+    ASSERT_TRUE(save_checkpoint(saved, names.checkpoint()));
+    const bool has_copy = size().width() != 1280;
+    if (has_copy) {
+        ASSERT_TRUE(save_job_for_everybody(std::vector<std::byte>(64), names.job(1)));
+    }
+    open_window();
+    window_->resize(size());
+    ASSERT_TRUE(comes_true([&] { return part<QLabel>("unfinished_title").isVisible(); }));
+    setenv("PSICARVE_STATE", "", 1);
+    settle();
+    expect_fit("saved_piece");
+    EXPECT_EQ(button("unfinished_open").isVisible(), has_copy);
 }
 
 TEST_P(Fit, WithAJobBeforeAndWhileItIsCarved) {
@@ -277,103 +196,6 @@ TEST_P(Fit, WithOrdersThatWereRefused) {
     part<QTabWidget>("tabs").setCurrentIndex(3);
     ASSERT_TRUE(refused(CommandKind::drives_off));
     expect_fit("refused_outputs");
-}
-
-TEST_P(Fit, WithASlicedModel) {
-    open_small();
-    std::filesystem::copy_file(example("figurine.stl"), file(kLongName));
-    window_->open(QString::fromStdString(file(kLongName)));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
-    ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(session::DeskState::job));
-    expect_pages_fit("sliced");
-    expect_panels_fit("sliced");
-}
-
-TEST_P(Fit, WithUnfinishedWork) {
-    const QVariantMap left{{"host", QSysInfo::machineHostName()},
-                           {"pid", 0},
-                           {"start", "another start"},
-                           {"path", QString::fromStdString(file(kLongName))},
-                           {"sliced", true},
-                           {"fields", QVariantMap{{"layers", 1200}, {"points", 2400}}}};
-    test::KeptStore{}.store.set(WorkKeeper::kKey, QVariantMap{{"gone", left}});
-    open_small();
-    ASSERT_TRUE(comes_true([&] { return part<QWidget>("unfinished_work").isVisible(); }));
-    expect_fit("unfinished");
-    ASSERT_TRUE(click("work_forget"));
-}
-
-TEST_P(Fit, WithADrawingAndAPicture) {
-    open_small();
-    open_example("flower.svg");
-    expect_fit("drawing");
-    QImage picture{64, 64, QImage::Format_Grayscale8};
-    for (int y = 0; y < 64; ++y)
-        for (int x = 0; x < 64; ++x) picture.setPixel(x, y, qRgb(4 * x, 4 * x, 4 * x));
-    const QString path = QString::fromStdString(file("relief.png"));
-    ASSERT_TRUE(picture.save(path));
-    window_->open(path);
-    ASSERT_TRUE(comes_true([&] { return part<QWidget>("relief_gamma").isVisible(); }));
-    expect_fit("picture");
-}
-
-TEST_P(Fit, WithAllPartsOfTheProfile) {
-    open_window();
-    window_->resize(size());
-    part<QTabWidget>("tabs").setCurrentIndex(6);
-    auto& groups = part<QListWidget>("profile_groups");
-    for (int i = 0; i < groups.count(); ++i) {
-        groups.setCurrentRow(i);
-        expect_fit("profile_" + QString::number(i));
-    }
-    button("profile_compare").click();
-    expect_fit("profile_compared");
-    button("profile_compare").click();
-    part<QLineEdit>("profile_find").setText("_");  // every key, named with its table
-    expect_fit("profile_found");
-}
-
-TEST_P(Fit, WithKeysAndOutputsArmedAndAMeasurementShown) {
-    open_small();
-    ASSERT_TRUE(click("show_measurement"));
-    part<QTabWidget>("tabs").setCurrentIndex(4);
-    expect_fit("measurement");
-    ASSERT_TRUE(click("check_computer"));
-    expect_fit("computer");
-    part<QTabWidget>("tabs").setCurrentIndex(3);
-    ASSERT_TRUE(click("arm_wiring"));
-    expect_fit("wiring");
-    ASSERT_TRUE(click("arm_wiring"));
-    ASSERT_TRUE(click("home"));
-    ASSERT_TRUE(comes_to(S::ready));
-    ASSERT_TRUE(click("arm_keys"));
-    expect_panels_fit("armed");
-    expect_fit("armed");
-}
-
-TEST_P(Fit, InTheListOfKeys) {
-    open_window();
-    window_->resize(size());
-    QApplication::processEvents();
-    KeysDialog sut{window_.get()};
-    sut.show();
-    QApplication::processEvents();
-    EXPECT_LE(sut.width(), size().width());
-    EXPECT_LE(sut.height(), size().height());
-    for (const std::string& misfit : test::misfits(sut)) ADD_FAILURE() << misfit;
-    sut.grab().save(
-        QString::fromStdString(in_build("screenshots/fit_%1_%2_keys.png")).arg(code()).arg(size().width()));
-    const auto words_of = [&sut](const char* list) {
-        QStringList all;
-        for (const QLabel* label : sut.findChild<QWidget*>(list)->findChildren<QLabel*>())
-            all += label->text();
-        return all;
-    };
-    EXPECT_EQ(words_of("keys_always").size(), 2 * 15);
-    const QString jog = words_of("keys_jog").join(' ');
-    for (const char* key : {"PgUp", "PgDn", "Ctrl", "Shift", "Ψ", "R1", "R2"})
-        EXPECT_TRUE(jog.contains(QString::fromUtf8(key))) << key;
 }
 
 /// Every language on every screen. Where a sanitizer looks on, which counts no pixels, the window as it is

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace psicarve::supervisor {
@@ -66,6 +68,28 @@ std::string error_of(const std::vector<std::string>& arguments) {
     testing::internal::CaptureStderr();
     EXPECT_EQ(exit_code_of(arguments), 2);
     return testing::internal::GetCapturedStderr();
+}
+
+TEST(CoreOptions, KeepStateWhereTimeIsRealUnlessTheySayOtherwise) {
+    const auto folder = [](std::vector<std::string> arguments) {
+        const auto parsed = parse(std::move(arguments));
+        const auto* options = std::get_if<CoreOptions>(&parsed);
+        return options == nullptr ? "refused" : options->state_folder;
+    };
+    setenv("PSICARVE_STATE", "/srv", 1);
+    EXPECT_EQ(folder({}), "/srv");
+    EXPECT_EQ(folder({"--state", "here"}), "here");
+    EXPECT_EQ(folder({"--no-state"}), "");
+    EXPECT_EQ(folder({"--clock", "virtual"}), "");
+    EXPECT_EQ(folder({"--clock", "virtual", "--state", "here"}), "here");
+    EXPECT_EQ(folder({"--replay", "a.job"}), "");
+    EXPECT_EQ(folder({"--measure-latency"}), "");
+    setenv("PSICARVE_STATE", "", 1);
+    EXPECT_EQ(folder({}), "");
+    EXPECT_EQ(folder({"--state", "here"}), "here");
+    EXPECT_EQ(exit_code_of({"--state", "a", "--no-state"}), 2);
+    EXPECT_EQ(exit_code_of({"--state", "a", "--replay", "a.job"}), 2);
+    EXPECT_EQ(exit_code_of({"--state", ""}), 2);
 }
 
 TEST(CoreOptions, SayWhatAClockCanBe) {

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cli/unfinished_text.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
+
+#include "hmi/report/utc_text.hpp"
+#include "shared/segment.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+/// As a shell reads it back.
+std::string as_shell_word(const std::string& text) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+=:,@%";
+    if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+    std::string word = "'";
+    for (const char letter : text) word += letter == '\'' ? std::string{"'\\''"} : std::string{letter};
+    return word + "'";
+}
+
+std::vector<std::string> steps_of(const FoundCheckpoint& found, const WayBack& way) {
+    const Checkpoint& checkpoint = found.saved.checkpoint;
+    const std::string segment =
+        way.segment == kDefaultSegmentName ? std::string{} : " --segment " + as_shell_word(way.segment);
+    std::vector<std::string> steps;
+    if (!way.has_core) steps.push_back("psicarve-rtcore" + segment + " (with its options: start the core)");
+    if (!way.is_published) {
+        steps.push_back(found.job_path.empty()
+                            ? "psicarve publish JOB" + segment + " (that very job; there is no copy of it)"
+                            : "psicarve publish " + as_shell_word(found.job_path) + segment);
+    }
+    steps.push_back("psicarve home" + segment);
+    const std::string layer = std::to_string(checkpoint.earlier_layer);
+    steps.push_back(checkpoint.next_layer != 0
+                        ? "psicarve start --resume" + segment
+                        : "psicarve start --from-layer " + layer + segment + " (for the piece of before)");
+    return steps;
+}
+
+std::string progress_of(const Checkpoint& checkpoint) {
+    const std::string count = std::to_string(checkpoint.layer_count);
+    const std::string earlier = std::to_string(checkpoint.earlier_layer);
+    if (checkpoint.next_layer == 0)
+        return "none of " + count + " layers is carved; the run before it came to " + earlier;
+    return std::to_string(checkpoint.next_layer) + " of " + count + " layers are carved" +
+           (checkpoint.earlier_layer == 0
+                ? ""
+                : "; the run before it came to " + earlier + " (start --from-layer " + earlier + ")");
+}
+
+}  // namespace
+
+std::string disk_source_text(const FoundCheckpoint& found, bool is_other_core) {
+    const SavedCheckpoint& saved = found.saved;
+    return found.path + " of " + report::utc_text(saved.written_s) + ": " + saved.source_name + ", " +
+           progress_of(saved.checkpoint) + (saved.tool.empty() ? "" : ", tool " + saved.tool) +
+           (saved.is_simulator ? ", simulated machine" : "") +
+           (is_other_core ? ", carved with another profile of the machine" : "");
+}
+
+std::string unfinished_text(const FoundCheckpoint& found, const WayBack& way) {
+    const SavedCheckpoint& saved = found.saved;
+    std::string text = "unfinished " + saved.source_name + ": " + progress_of(saved.checkpoint) + "\n";
+    text += "since      " + report::utc_text(saved.written_s);
+    if (!saved.tool.empty()) text += "; tool " + saved.tool;
+    text += saved.is_simulator ? "; simulated machine\n" : "\n";
+    text += "kept in    " + found.path + "\n";
+    if (way.is_other_core) text += "mind       the core's profile is not the one that it was carved with\n";
+    int number = 0;
+    for (const std::string& step : steps_of(found, way)) {
+        text += number++ == 0 ? "go on      " : "           ";
+        text += std::to_string(number) + ". " + step + "\n";
+    }
+    return text;
+}
+
+nlohmann::ordered_json unfinished_json(const std::optional<FoundCheckpoint>& found, const WayBack& way) {
+    if (!found) return nullptr;
+    const SavedCheckpoint& saved = found->saved;
+    nlohmann::ordered_json object{{"source", saved.source_name},
+                                  {"next_layer", saved.checkpoint.next_layer},
+                                  {"layer_count", saved.checkpoint.layer_count}};
+    if (saved.checkpoint.earlier_layer != 0) object["earlier_layer"] = saved.checkpoint.earlier_layer;
+    object["written"] = report::utc_stamp(saved.written_s);
+    object["tool"] = saved.tool;
+    object["is_simulator"] = saved.is_simulator;
+    object["kept_in"] = found->path;
+    object["is_other_profile"] = way.is_other_core;
+    object["job"] =
+        found->job_path.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(found->job_path);
+    object["steps"] = steps_of(*found, way);
+    return object;
+}
+
+}  // namespace psicarve::cli

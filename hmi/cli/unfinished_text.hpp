@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "shared/saved_checkpoint.hpp"
+
+namespace psicarve::cli {
+
+/// What somebody finds who wants to go on with a piece that was not finished.
+struct WayBack {
+    std::string segment;  ///< its name
+    bool has_core = false;
+    bool is_published = false;   ///< the piece's job, in that segment
+    bool is_other_core = false;  ///< the core has another profile than the one that carved it
+};
+
+/// For a person, in some lines: which piece, how far it is, since when, and step by step how it goes on.
+std::string unfinished_text(const FoundCheckpoint& found, const WayBack& way);
+/// In one line whence it is known, of when, and what it says.
+std::string disk_source_text(const FoundCheckpoint& found, bool is_other_core);
+/// {"source": ..., "next_layer": ..., "layer_count": ..., "written": "2026-11-26T19:23:05Z", ..., "steps":
+/// [...]}; null where there is none.
+nlohmann::ordered_json unfinished_json(const std::optional<FoundCheckpoint>& found, const WayBack& way);
+
+}  // namespace psicarve::cli

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/saved_piece.hpp"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "hmi/report/utc_text.hpp"
+
+namespace psicarve::session {
+namespace {
+
+Phrase origin(const SavedCheckpoint& saved) {
+    const std::string since = report::utc_text(saved.written_s);
+    if (saved.tool.empty()) return phrase("Since %1.", since);
+    return phrase("Since %1, tool %2.", since, saved.tool);
+}
+
+/// With which the piece goes on, counted from 1.
+std::string layer_after(const Checkpoint& checkpoint) {
+    return std::to_string((checkpoint.next_layer != 0 ? checkpoint.next_layer : checkpoint.earlier_layer) +
+                          1);
+}
+
+Phrase steps(const FoundCheckpoint& found) {
+    const std::string layer = layer_after(found.saved.checkpoint);
+    if (found.job_path.empty()) {
+        return phrase(
+            "No copy of its job is there: open that very job, publish it, Home all, then go on from layer "
+            "%1.",
+            layer);
+    }
+    return phrase("Open its job, publish it, Home all, then go on from layer %1.", layer);
+}
+
+void add_run_before(std::vector<Phrase>& to, const Checkpoint& checkpoint) {
+    if (checkpoint.earlier_layer == 0) return;
+    to.push_back(phrase("Run before: to layer %1 (From layer %2).", std::to_string(checkpoint.earlier_layer),
+                        std::to_string(checkpoint.earlier_layer + 1)));
+}
+
+/// Nobody knows the profile of a core that is not there.
+bool is_other_profile(const SavedCheckpoint& saved, const MachineSight& machine) noexcept {
+    return machine.is_heard() && machine.core_profile_hash != 0 &&
+           machine.core_profile_hash != saved.profile_hash;
+}
+
+Phrase other_profile() {
+    return phrase("It was begun with another profile of the machine.");
+}
+
+}  // namespace
+
+bool is_from_disk_alone(const MachineSight& machine, std::uint32_t layer) noexcept {
+    return machine.is_heard() && machine.is_checkpoint_from_disk && machine.resumable_layer == layer;
+}
+
+std::vector<Phrase> disk_question(const MachineSight& machine) {
+    std::vector<Phrase> question;
+    const auto& found = machine.saved_piece;
+    const bool is_it = found && found->saved.checkpoint.job_checksum == machine.checkpoint_job_checksum;
+    if (is_it) {
+        question.push_back(saved_title(found->saved));
+        question.push_back(origin(found->saved));
+        if (is_other_profile(found->saved, machine)) question.push_back(other_profile());
+    } else {
+        question.push_back(
+            phrase("Since when, and with which tool, is not known: the disk does not answer."));
+    }
+    question.push_back(phrase(
+        "This is known from the disk alone. Go on only if this very piece is still mounted, as it was, "
+        "with this tool."));
+    return question;
+}
+
+bool may_be_saved(const MachineSight& machine) noexcept {
+    return !machine.is_heard() || !machine.status || machine.status->job_generation == 0;
+}
+
+Phrase saved_title(const SavedCheckpoint& saved) {
+    const std::string count = std::to_string(saved.checkpoint.layer_count);
+    if (saved.checkpoint.next_layer == 0)
+        return phrase("Begun anew: none of %1 layers of %2 is finished", count, saved.source_name);
+    return phrase("Unfinished: %1 of %2 layers of %3 are carved", std::to_string(saved.checkpoint.next_layer),
+                  count, saved.source_name);
+}
+
+std::vector<Phrase> saved_details(const FoundCheckpoint& found, const MachineSight& machine) {
+    std::vector<Phrase> details{origin(found.saved)};
+    if (is_other_profile(found.saved, machine)) details.push_back(other_profile());
+    if (!machine.is_heard()) details.push_back(phrase("First start psicarve-rtcore."));
+    details.push_back(steps(found));
+    add_run_before(details, found.saved.checkpoint);
+    return details;
+}
+
+std::vector<Phrase> saved_needs(const FoundCheckpoint& found, const MachineSight& machine) {
+    const Checkpoint& checkpoint = found.saved.checkpoint;
+    std::vector<Phrase> needs;
+    if (is_other_profile(found.saved, machine)) needs.push_back(other_profile());
+    needs.push_back(phrase("Open its job, then go on from layer %1.", layer_after(checkpoint)));
+    add_run_before(needs, checkpoint);
+    return needs;
+}
+
+}  // namespace psicarve::session

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/phrase.hpp"
+#include "shared/saved_checkpoint.hpp"
+
+namespace psicarve::session {
+
+/// Whether a piece is worth a look for that neither core nor segment knows, as after the computer was
+/// switched off: there is no core, or it has had no job.
+bool may_be_saved(const MachineSight& machine) noexcept;
+
+/// Whether whoever goes on with the published job's piece is to be asked first: how far it is carved is known
+/// from a disk alone.
+bool is_from_disk_alone(const MachineSight& machine, std::uint32_t layer) noexcept;
+/// Sentences that ask: which piece, since when, with which tool and profile.
+std::vector<Phrase> disk_question(const MachineSight& machine);
+
+/// "Unfinished: 131 of 200 layers of vase.stl are carved".
+Phrase saved_title(const SavedCheckpoint& saved);
+/// Sentences for the operator: since when, with which tool, what to do, and where the run before came to.
+std::vector<Phrase> saved_details(const FoundCheckpoint& found, const MachineSight& machine);
+/// In few words what nobody may miss.
+std::vector<Phrase> saved_needs(const FoundCheckpoint& found, const MachineSight& machine);
+
+}  // namespace psicarve::session

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/ui/disk_piece_dialog.hpp"
+
+#include <QCoreApplication>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStringList>
+
+#include "hmi/session/saved_piece.hpp"
+#include "hmi/ui/anew_dialog.hpp"
+#include "hmi/ui/bench.hpp"
+#include "hmi/ui/dialogs.hpp"
+#include "hmi/ui/words.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+struct DiskPieceWords {
+    Q_DECLARE_TR_FUNCTIONS(psicarve::ui::DiskPieceDialog)
+};
+
+}  // namespace
+
+bool asked_to_go_on_from_disk(Bench& bench, std::uint32_t layer, QWidget* window) {
+    if (!session::is_from_disk_alone(bench.machine.sight(), layer)) return true;
+    QStringList said;
+    for (const session::Phrase& each : session::disk_question(bench.machine.sight())) said << words(each);
+    QMessageBox box{QMessageBox::Question, DiskPieceWords::tr("Go on with an unfinished piece"),
+                    said.join(QStringLiteral("\n\n")), QMessageBox::NoButton, window};
+    box.setObjectName("disk_question");
+    QPushButton* go =
+        box.addButton(DiskPieceWords::tr("Continue from layer %1").arg(layer + 1), QMessageBox::AcceptRole);
+    go->setObjectName("disk_go");
+    QPushButton* forget =
+        box.addButton(DiskPieceWords::tr("Forget this piece…"), QMessageBox::DestructiveRole);
+    forget->setObjectName("disk_forget");
+    QPushButton* none = box.addButton(DiskPieceWords::tr("Cancel"), QMessageBox::RejectRole);
+    none->setObjectName("disk_cancel");
+    box.setDefaultButton(none);
+    const bool goes_on = asked_of_this_piece(bench, box, go);
+    if (box.clickedButton() == forget) forget_when_asked(bench, window);
+    return goes_on;
+}
+
+void forget_when_asked(Bench& bench, QWidget* window) {
+    QMessageBox box{
+        QMessageBox::Question, DiskPieceWords::tr("Forget this piece"),
+        DiskPieceWords::tr("How far the unfinished piece is carved is forgotten for good, and with it "
+                           "the core's copy of its job. Nothing moves."),
+        QMessageBox::NoButton, window};
+    box.setObjectName("forget_question");
+    QPushButton* go = box.addButton(DiskPieceWords::tr("Forget"), QMessageBox::AcceptRole);
+    go->setObjectName("forget_go");
+    QPushButton* none = box.addButton(DiskPieceWords::tr("Cancel"), QMessageBox::RejectRole);
+    none->setObjectName("forget_cancel");
+    box.setDefaultButton(none);
+    run_dialog(box);
+    if (box.clickedButton() == go) bench.machine.forget_piece();
+}
+
+}  // namespace psicarve::ui

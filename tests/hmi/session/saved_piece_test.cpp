@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/session/saved_piece.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/hmi/session/sights.hpp"
+
+namespace psicarve::session {
+namespace {
+
+FoundCheckpoint found_after(std::uint32_t layers, std::uint32_t earlier = 0) {
+    FoundCheckpoint found;
+    found.saved.checkpoint = checkpoint_at(1, layers, 200, earlier);
+    found.saved.written_s = 1'764'185'000;
+    found.saved.source_name = "vase.stl";
+    found.saved.tool = "ball, 3 mm";
+    found.job_path = "/srv/a.job";
+    return found;
+}
+
+std::vector<std::string> said_of(const FoundCheckpoint& found, const MachineSight& machine) {
+    std::vector<std::string> said{in_english(saved_title(found.saved))};
+    for (const Phrase& each : saved_details(found, machine)) said.push_back(in_english(each));
+    return said;
+}
+
+TEST(SavedPieceWords, SayWhichPieceHowFarSinceWhenAndWhatToDo) {
+    EXPECT_EQ(said_of(found_after(131), test::machine_in(MachineState::off)),
+              (std::vector<std::string>{"Unfinished: 131 of 200 layers of vase.stl are carved",
+                                        "Since 2025-11-26 19:23 UTC, tool ball, 3 mm.",
+                                        "Open its job, publish it, Home all, then go on from layer 132."}));
+    FoundCheckpoint without_copy = found_after(0, 50);
+    without_copy.job_path.clear();
+    without_copy.saved.tool.clear();
+    MachineSight dead;
+    EXPECT_EQ(
+        said_of(without_copy, dead),
+        (std::vector<std::string>{"Begun anew: none of 200 layers of vase.stl is finished",
+                                  "Since 2025-11-26 19:23 UTC.", "First start psicarve-rtcore.",
+                                  "No copy of its job is there: open that very job, publish it, Home all, "
+                                  "then go on from layer 51.",
+                                  "Run before: to layer 50 (From layer 51)."}));
+}
+
+TEST(SavedPieceWords, AreFewWhereThereIsNoRoom) {
+    const auto needs = saved_needs(found_after(3, 50), MachineSight{});
+    ASSERT_EQ(needs.size(), 2U);
+    EXPECT_EQ(in_english(needs[0]), "Open its job, then go on from layer 4.");
+    EXPECT_EQ(in_english(needs[1]), "Run before: to layer 50 (From layer 51).");
+}
+
+TEST(SavedPieceWords, SayThatThePieceWasBegunWithAnotherProfile) {
+    MachineSight machine = test::machine_in(MachineState::off);
+    FoundCheckpoint found = found_after(131);
+    found.saved.profile_hash = 5;
+    const std::string words = "It was begun with another profile of the machine.";
+    machine.core_profile_hash = 5;
+    EXPECT_THAT(said_of(found, machine), testing::Not(testing::Contains(words)));
+    machine.core_profile_hash = 6;
+    EXPECT_THAT(said_of(found, machine), testing::Contains(words));
+    EXPECT_EQ(in_english(saved_needs(found, machine).front()), words);
+    EXPECT_THAT(said_of(found, MachineSight{}), testing::Not(testing::Contains(words))) << "nobody knows it";
+}
+
+TEST(SavedPieceWords, AskBeforeADisksWordIsTaken) {
+    MachineSight machine = test::machine_in(MachineState::ready);
+    machine.resumable_layer = 131;
+    EXPECT_FALSE(is_from_disk_alone(machine, 131));
+    machine.is_checkpoint_from_disk = true;
+    EXPECT_TRUE(is_from_disk_alone(machine, 131));
+    EXPECT_FALSE(is_from_disk_alone(machine, 0)) << "the whole job, or another layer, is another question";
+    const auto asked = [&] {
+        std::vector<std::string> said;
+        for (const Phrase& each : disk_question(machine)) said.push_back(in_english(each));
+        return said;
+    };
+    machine.checkpoint_job_checksum = 1;
+    EXPECT_EQ(asked().front(), "Since when, and with which tool, is not known: the disk does not answer.");
+    machine.saved_piece = found_after(131);
+    EXPECT_EQ(asked()[0], "Unfinished: 131 of 200 layers of vase.stl are carved");
+    EXPECT_EQ(asked()[1], "Since 2025-11-26 19:23 UTC, tool ball, 3 mm.");
+}
+
+TEST(SavedPieceWords, AreForAMachineThatHasNoJob) {
+    MachineSight machine = test::machine_in(MachineState::off);
+    machine.status->job_generation = 0;
+    EXPECT_TRUE(may_be_saved(machine));
+    machine.status->job_generation = 1;
+    EXPECT_FALSE(may_be_saved(machine));
+    machine.life = CoreLife::none;
+    EXPECT_TRUE(may_be_saved(machine));
+    EXPECT_TRUE(may_be_saved(MachineSight{}));
+}
+
+}  // namespace
+}  // namespace psicarve::session

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// As fit_test.cpp: what is open, filled in and listed.
+#include "tests/hmi/ui/fit_rig.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+TEST_P(Fit, WithASlicedModel) {
+    open_small();
+    std::filesystem::copy_file(example("figurine.stl"), file(kLongName));
+    window_->open(QString::fromStdString(file(kLongName)));
+    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(click("slice"));
+    ASSERT_TRUE(comes_to(session::DeskState::job));
+    expect_pages_fit("sliced");
+    expect_panels_fit("sliced");
+}
+
+TEST_P(Fit, WithUnfinishedWork) {
+    const QVariantMap left{{"host", QSysInfo::machineHostName()},
+                           {"pid", 0},
+                           {"start", "another start"},
+                           {"path", QString::fromStdString(file(kLongName))},
+                           {"sliced", true},
+                           {"fields", QVariantMap{{"layers", 1200}, {"points", 2400}}}};
+    test::KeptStore{}.store.set(WorkKeeper::kKey, QVariantMap{{"gone", left}});
+    open_small();
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("unfinished_work").isVisible(); }));
+    expect_fit("unfinished");
+    ASSERT_TRUE(click("work_forget"));
+}
+
+TEST_P(Fit, WithADrawingAndAPicture) {
+    open_small();
+    open_example("flower.svg");
+    expect_fit("drawing");
+    QImage picture{64, 64, QImage::Format_Grayscale8};
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) picture.setPixel(x, y, qRgb(4 * x, 4 * x, 4 * x));
+    const QString path = QString::fromStdString(file("relief.png"));
+    ASSERT_TRUE(picture.save(path));
+    window_->open(path);
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("relief_gamma").isVisible(); }));
+    expect_fit("picture");
+}
+
+TEST_P(Fit, WithAllPartsOfTheProfile) {
+    open_window();
+    window_->resize(size());
+    part<QTabWidget>("tabs").setCurrentIndex(6);
+    auto& groups = part<QListWidget>("profile_groups");
+    for (int i = 0; i < groups.count(); ++i) {
+        groups.setCurrentRow(i);
+        expect_fit("profile_" + QString::number(i));
+    }
+    button("profile_compare").click();
+    expect_fit("profile_compared");
+    button("profile_compare").click();
+    part<QLineEdit>("profile_find").setText("_");  // every key, named with its table
+    expect_fit("profile_found");
+}
+
+TEST_P(Fit, WithKeysAndOutputsArmedAndAMeasurementShown) {
+    open_small();
+    ASSERT_TRUE(click("show_measurement"));
+    part<QTabWidget>("tabs").setCurrentIndex(4);
+    expect_fit("measurement");
+    ASSERT_TRUE(click("check_computer"));
+    expect_fit("computer");
+    part<QTabWidget>("tabs").setCurrentIndex(3);
+    ASSERT_TRUE(click("arm_wiring"));
+    expect_fit("wiring");
+    ASSERT_TRUE(click("arm_wiring"));
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(S::ready));
+    ASSERT_TRUE(click("arm_keys"));
+    expect_panels_fit("armed");
+    expect_fit("armed");
+}
+
+TEST_P(Fit, InTheListOfKeys) {
+    open_window();
+    window_->resize(size());
+    QApplication::processEvents();
+    KeysDialog sut{window_.get()};
+    sut.show();
+    QApplication::processEvents();
+    EXPECT_LE(sut.width(), size().width());
+    EXPECT_LE(sut.height(), size().height());
+    for (const std::string& misfit : test::misfits(sut)) ADD_FAILURE() << misfit;
+    sut.grab().save(
+        QString::fromStdString(in_build("screenshots/fit_%1_%2_keys.png")).arg(code()).arg(size().width()));
+    const auto words_of = [&sut](const char* list) {
+        QStringList all;
+        for (const QLabel* label : sut.findChild<QWidget*>(list)->findChildren<QLabel*>())
+            all += label->text();
+        return all;
+    };
+    EXPECT_EQ(words_of("keys_always").size(), 2 * 15);
+    const QString jog = words_of("keys_jog").join(' ');
+    for (const char* key : {"PgUp", "PgDn", "Ctrl", "Shift", "Ψ", "R1", "R2"})
+        EXPECT_TRUE(jog.contains(QString::fromUtf8(key))) << key;
+}
+
+}  // namespace
+}  // namespace psicarve::ui

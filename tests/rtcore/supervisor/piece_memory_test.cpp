@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/piece_memory.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "shared/shared_record.hpp"
+#include "tests/rtcore/supervisor/kept_job.hpp"
+#include "tests/shared/temporary_folder.hpp"
+
+namespace psicarve::supervisor {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::uint64_t kPieceProfile = 77;
+
+class PieceMemoryTest : public testing::Test {
+protected:
+    CheckpointPlace place(bool is_simulator = false) const {
+        return {folder_.path("state"), "/shop", is_simulator, kPieceProfile};
+    }
+    StateNames names() const { return {folder_.path("state"), "/shop", false}; }
+    Checkpoint after(std::uint32_t layers, std::uint32_t origin = 0) const {
+        return checkpoint_at(vase_->checksum, layers, vase_->view.layer_count(), 0, origin);
+    }
+    /// Of a core that has ended, of the real machine.
+    void leave_on_disk(std::uint32_t layers) const {
+        CheckpointFile file{place()};
+        file.keep({after(layers), Keeping::carved}, vase_);
+    }
+    void leave_in_segment(const Checkpoint& checkpoint) { write_record(header_->checkpoint, checkpoint); }
+    /// What a core finds that begins now and accepts the job.
+    std::string remark_of_new_core(bool is_simulator = false) {
+        PieceMemory sut{place(is_simulator)};
+        sut.enter(*header_);
+        return sut.take_job(*header_, vase_);
+    }
+    Checkpoint in_segment() const { return read_record(header_->checkpoint).value_or(Checkpoint{}); }
+    std::uint32_t layer_on_disk() const {
+        const auto saved = load_saved_checkpoint(names().checkpoint());
+        return saved ? saved->checkpoint.next_layer : 999;
+    }
+    cycle::Sample carving_from(std::uint64_t first_layer, MachineState state) const {
+        cycle::Sample sample{};
+        sample.state = state;
+        sample.first_layer = first_layer;
+        sample.job_generation = vase_->generation;
+        sample.job_start_tick = 100;
+        return sample;
+    }
+
+    psicarve::test::TemporaryFolder folder_;
+    std::shared_ptr<const LoadedJob> vase_ = test::job_called("vase.stl");
+    std::unique_ptr<SegmentHeader> header_ = std::make_unique<SegmentHeader>();
+};
+
+TEST_F(PieceMemoryTest, TakesTheDisksWordIntoAFreshSegmentAndMarksIt) {
+    leave_on_disk(2);
+    EXPECT_EQ(remark_of_new_core(), "");
+    EXPECT_EQ(in_segment().next_layer, 2U);
+    EXPECT_TRUE(in_segment().is_from_disk());
+    EXPECT_FALSE(in_segment().is_simulated());
+}
+
+TEST_F(PieceMemoryTest, LeavesADamagedRecordAsItIs) {
+    leave_on_disk(2);
+    Checkpoint damaged = after(1);
+    damaged.check ^= 1;
+    leave_in_segment(damaged);
+    remark_of_new_core();
+    EXPECT_FALSE(is_checkpoint(in_segment()));
+    EXPECT_FALSE(in_segment().is_empty());
+}
+
+TEST_F(PieceMemoryTest, ASimulatedCarvesRecordNeverStandsForTheRealPiece) {
+    leave_on_disk(1);
+    leave_in_segment(after(2, kCheckpointSimulated));
+    remark_of_new_core();
+    EXPECT_EQ(in_segment().next_layer, 1U);
+    EXPECT_FALSE(in_segment().is_simulated());
+    // Nor the other way round.
+    leave_in_segment(after(2));
+    remark_of_new_core(true);
+    EXPECT_TRUE(in_segment().is_empty());
+}
+
+TEST_F(PieceMemoryTest, WhereSegmentAndDiskDisagreeTheLowerLayerIsTakenAndThatIsSaid) {
+    leave_on_disk(1);
+    leave_in_segment(after(2));
+    EXPECT_THAT(remark_of_new_core(), HasSubstr("segment: layer 2, disk: 1"));
+    EXPECT_EQ(in_segment().next_layer, 1U);
+    EXPECT_TRUE(in_segment().is_from_disk());
+
+    leave_on_disk(2);
+    leave_in_segment(after(1));
+    EXPECT_THAT(remark_of_new_core(), HasSubstr("segment: layer 1, disk: 2"));
+    EXPECT_EQ(in_segment().next_layer, 1U);
+    EXPECT_FALSE(in_segment().is_from_disk());
+    EXPECT_EQ(layer_on_disk(), 1U) << "the disk learns it";
+}
+
+TEST_F(PieceMemoryTest, AStartOfWhichTheSegmentKnowsNothingIsAnnouncedWhereTheDiskTellsMore) {
+    leave_on_disk(2);
+    Checkpoint damaged = after(1);
+    damaged.check ^= 1;
+    leave_in_segment(damaged);
+    {
+        PieceMemory sut{place()};
+        sut.enter(*header_);
+        sut.take_job(*header_, vase_);
+        sut.note(*header_, carving_from(0, MachineState::positioning), vase_);
+    }
+    EXPECT_EQ(layer_on_disk(), 0U) << "before the first point is left";
+    leave_on_disk(2);
+    {
+        PieceMemory sut{place()};
+        sut.take_job(*header_, vase_);
+        sut.note(*header_, carving_from(1, MachineState::positioning), vase_);
+    }
+    EXPECT_EQ(layer_on_disk(), 1U);
+}
+
+TEST_F(PieceMemoryTest, AStartThatIsAbortedBeforeItCarvesLeavesTheDisksRecord) {
+    const auto cup = test::job_called("cup.stl");
+    const Checkpoint of_cup = checkpoint_at(cup->checksum, 1, cup->view.layer_count());
+    Checkpoint damaged = after(1);
+    damaged.check ^= 1;
+    for (const Checkpoint& in_segment_before : {damaged, of_cup}) {
+        leave_on_disk(2);
+        leave_in_segment(in_segment_before);
+        {
+            PieceMemory sut{place()};
+            sut.enter(*header_);
+            sut.take_job(*header_, vase_);
+            sut.note(*header_, carving_from(0, MachineState::positioning), vase_);
+            for (int i = 0; i < 60'000 && layer_on_disk() != 0; ++i)
+                std::this_thread::sleep_for(std::chrono::milliseconds{1});
+            ASSERT_EQ(layer_on_disk(), 0U);
+            sut.note(*header_, carving_from(0, MachineState::ready), vase_);
+        }
+        EXPECT_EQ(layer_on_disk(), 2U);
+        EXPECT_EQ(load_saved_checkpoint(names().checkpoint())->checkpoint.earlier_layer, 0U);
+    }
+}
+
+TEST_F(PieceMemoryTest, SaysInTheSegmentWhereItKeepsIt) {
+    PieceMemory sut{place()};
+    sut.enter(*header_);
+    EXPECT_EQ(CoreKeeping::unpack(header_->core.keeping.load()), CoreKeeping::in(folder_.path("state")));
+    PieceMemory nowhere{CheckpointPlace{}};
+    nowhere.enter(*header_);
+    EXPECT_EQ(CoreKeeping::unpack(header_->core.keeping.load()).how, CoreKeeping::How::nowhere);
+}
+
+TEST_F(PieceMemoryTest, WhatAStartHadAnnouncedIsTakenBackAlsoWhereAnotherRecordIsForgotten) {
+    leave_on_disk(2);
+    {
+        PieceMemory sut{place()};
+        sut.take_job(*header_, vase_);
+        sut.note(*header_, carving_from(0, MachineState::positioning), vase_);
+        for (int i = 0; i < 60'000 && layer_on_disk() != 0; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        sut.forget(*header_, {"/shop", false, vase_->checksum, 1});
+        sut.note(*header_, carving_from(0, MachineState::ready), vase_);
+    }
+    EXPECT_EQ(layer_on_disk(), 2U);
+}
+
+TEST_F(PieceMemoryTest, ForgetsNoOtherJobsRecord) {
+    leave_on_disk(2);
+    const auto of_vase = load_saved_checkpoint(names().checkpoint())->name();
+    const auto cup = test::job_called("cup.stl");
+    PieceMemory sut{place()};
+    leave_in_segment(checkpoint_at(cup->checksum, 1, cup->view.layer_count()));
+    sut.forget(*header_, of_vase);
+    EXPECT_EQ(in_segment().job_checksum, cup->checksum);
+}
+
+TEST_F(PieceMemoryTest, TakesNothingThatIsAnotherSegmentsOrTheOtherMachines) {
+    for (const bool is_simulator : {false, true}) {
+        leave_on_disk(2);
+        auto saved = *load_saved_checkpoint(names().checkpoint());
+        if (is_simulator) saved.is_simulator = true;
+        if (!is_simulator) saved.segment_name = "/other";
+        ASSERT_TRUE(save_checkpoint(saved, names().checkpoint()));
+        testing::internal::CaptureStderr();
+        remark_of_new_core();
+        EXPECT_TRUE(in_segment().is_empty());
+        EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("it is not taken"));
+    }
+}
+
+TEST_F(PieceMemoryTest, SaysThatThePieceWasBegunWithAnotherProfile) {
+    leave_on_disk(2);
+    CheckpointPlace other = place();
+    other.profile_hash = kPieceProfile + 1;
+    PieceMemory sut{other};
+    EXPECT_THAT(sut.take_job(*header_, vase_), HasSubstr("begun with another profile"));
+}
+
+TEST_F(PieceMemoryTest, ForgetsInSegmentAndOnDisk) {
+    leave_on_disk(2);
+    {
+        PieceMemory sut{place()};
+        sut.take_job(*header_, vase_);
+        ASSERT_EQ(in_segment().next_layer, 2U);
+        sut.forget(*header_, load_saved_checkpoint(names().checkpoint())->name());
+        EXPECT_TRUE(in_segment().is_empty());
+        sut.take_job(*header_, vase_);
+        EXPECT_TRUE(in_segment().is_empty());
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder_.path("state")));
+}
+
+}  // namespace
+}  // namespace psicarve::supervisor

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +47,10 @@ public:
     void note_seen(std::uint64_t generation) noexcept { seen_generation_ = generation; }
     void refuse_all(const std::string& reason) { refusal_for_all_ = reason; }
 
+    /// Is told of every answer just before its sender is.
+    using AnswerTaker = std::function<void(const ReceivedCommand&, AnswerKind, const std::string& reason)>;
+    void set_answer_taker(AnswerTaker taker) { answer_taker_ = std::move(taker); }
+
     /// Something is with the tick and not answered yet.
     bool awaits_answer() const noexcept { return !waiting_.empty(); }
     /// Some were left for the next round.
@@ -57,6 +62,8 @@ public:
 private:
     void take_one(Segment& segment, const ReceivedCommand& received, cycle::RequestRing& requests,
                   const cycle::Sample& sample, const LoadedJob* job);
+    void answer(Segment& segment, const ReceivedCommand& received, AnswerKind kind,
+                const std::string& reason) const;
     void note_lease(const Command& command) noexcept;
 
     const Profile* profile_;
@@ -73,6 +80,7 @@ private:
     };
     std::vector<Waiting> waiting_;  ///< handed to the tick, not answered yet
     std::uint64_t last_sequence_ = 0;
+    AnswerTaker answer_taker_;
     std::string refusal_for_all_;
     std::string refusal_in_alarm_;
     std::uint64_t seen_generation_ = 0;

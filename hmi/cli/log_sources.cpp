@@ -11,7 +11,7 @@
 namespace psicarve::cli {
 namespace {
 
-constexpr std::chrono::seconds kFirstPatience{10};
+constexpr std::chrono::seconds kFirstPatience{5};
 
 /// Those of one journal stay in their order, whatever its clock did.
 void merge_by_time(std::vector<LogEntry>& all, std::vector<LogEntry> more) {

@@ -20,6 +20,7 @@ void add_home(CommandSet& commands);
 void add_inspect(CommandSet& commands);
 void add_jog(CommandSet& commands);
 void add_latency(CommandSet& commands);
+void add_log(CommandSet& commands);
 void add_move(CommandSet& commands);
 void add_override(CommandSet& commands);
 void add_pins(CommandSet& commands);

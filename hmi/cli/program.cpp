@@ -32,6 +32,7 @@ void add_all_commands(CommandSet& commands) {
     add_estimate(commands);
     add_publish(commands);
     add_status(commands);
+    add_log(commands);
     add_home(commands);
     add_start(commands);
     add_start_interpolation(commands);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "hmi/cli/commands.hpp"
+#include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/simulated_run.hpp"
 #include "hmi/machine/private_segment.hpp"

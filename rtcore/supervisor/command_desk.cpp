@@ -57,54 +57,59 @@ void CommandDesk::take_commands(Segment& segment, cycle::RequestRing& requests, 
     take_some(SenderLook::asks);
 }
 
+void CommandDesk::answer(Segment& segment, const ReceivedCommand& received, AnswerKind kind,
+                         const std::string& reason) const {
+    if (answer_taker_) answer_taker_(received, kind, reason);
+    answer_command(segment, received, kind, reason);
+}
+
 void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cycle::RequestRing& requests,
                            const cycle::Sample& sample, const LoadedJob* job) {
     const Command& command = received.command;
     if (command.kind == CommandKind::shutdown) {
         const bool may_end = is_at_rest(sample.state) && sample.state != MachineState::held;
         shutdown_requested_ = shutdown_requested_ || may_end;
-        answer_command(segment, received, may_end ? AnswerKind::done : AnswerKind::refused,
-                       may_end ? "" : "the machine is not at rest; stop first");
+        answer(segment, received, may_end ? AnswerKind::done : AnswerKind::refused,
+               may_end ? "" : "the machine is not at rest; stop first");
         return;
     }
     if (!refusal_for_all_.empty()) {
-        answer_command(segment, received, AnswerKind::refused, refusal_for_all_);
+        answer(segment, received, AnswerKind::refused, refusal_for_all_);
         return;
     }
     if (command.kind == CommandKind::forget_piece) {
         const std::string refusal = try_to_forget(segment, command, sample);
-        answer_command(segment, received, refusal.empty() ? AnswerKind::done : AnswerKind::refused, refusal);
+        answer(segment, received, refusal.empty() ? AnswerKind::done : AnswerKind::refused, refusal);
         return;
     }
     const bool leaves_alarm =
         command.kind == CommandKind::reset_alarm || command.kind == CommandKind::back_off;
     if (leaves_alarm && !refusal_in_alarm_.empty()) {
-        answer_command(segment, received, AnswerKind::refused,
-                       std::string{name_of(command.kind)} + ": " + refusal_in_alarm_);
+        answer(segment, received, AnswerKind::refused,
+               std::string{name_of(command.kind)} + ": " + refusal_in_alarm_);
         return;
     }
     // Looked at once the command is ours: whoever sent it after a job finds that job, or is refused.
     const std::uint64_t published = published_generation(segment);
     if (command.kind == CommandKind::start && published != 0 && published != seen_generation_) {
-        answer_command(segment, received, AnswerKind::refused,
-                       "start: a published job is being looked at; start once it is accepted");
+        answer(segment, received, AnswerKind::refused,
+               "start: a published job is being looked at; start once it is accepted");
         return;
     }
     const auto kind = cycle::request_of(command.kind);
     if (!kind) {
-        answer_command(segment, received, AnswerKind::refused,
-                       "unknown command; is the sender another version?");
+        answer(segment, received, AnswerKind::refused, "unknown command; is the sender another version?");
         return;
     }
     if (command.kind == CommandKind::back_off && command.axis >= kAxisCount) {
-        answer_command(segment, received, AnswerKind::refused, "back-off: no such axis; r1, r2 or y");
+        answer(segment, received, AnswerKind::refused, "back-off: no such axis; r1, r2 or y");
         return;
     }
     const auto placed = with_layer(command, segment, job);
     auto request = placed ? motion_request(*placed, *kind, *profile_, is_virtual_clock_)
                           : Result<cycle::Request>{placed.error()};
     if (!request) {
-        answer_command(segment, received, AnswerKind::refused, request.error().message);
+        answer(segment, received, AnswerKind::refused, request.error().message);
         return;
     }
     request->sequence = ++last_sequence_;
@@ -142,9 +147,9 @@ void CommandDesk::deliver_answer(Segment& segment, const cycle::Report& report, 
     const bool is_done = report.refusal == cycle::Refusal::none;
     if (is_done) note_lease(found->received.command);
     const Command& command = found->received.command;
-    answer_command(segment, found->received, is_done ? AnswerKind::done : AnswerKind::refused,
-                   is_done ? speed_remark(command, *profile_)
-                           : refusal_text(report, command.kind, sample, *profile_, found->layer_count));
+    answer(segment, found->received, is_done ? AnswerKind::done : AnswerKind::refused,
+           is_done ? speed_remark(command, *profile_)
+                   : refusal_text(report, command.kind, sample, *profile_, found->layer_count));
     waiting_.erase(found);
 }
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +48,10 @@ public:
     void note_seen(std::uint64_t generation) noexcept { seen_generation_ = generation; }
     void refuse_all(const std::string& reason) { refusal_for_all_ = reason; }
 
+    /// Is told of every answer just before its sender is.
+    using AnswerTaker = std::function<void(const ReceivedCommand&, AnswerKind, const std::string& reason)>;
+    void set_answer_taker(AnswerTaker taker) { answer_taker_ = std::move(taker); }
+
     /// Something is with the tick and not answered yet.
     bool awaits_answer() const noexcept { return !waiting_.empty(); }
     /// Some were left for the next round.
@@ -60,6 +65,8 @@ private:
                   const cycle::Sample& sample, const LoadedJob* job);
     /// Empty: it is done.
     std::string try_to_forget(Segment& segment, const Command& command, const cycle::Sample& sample);
+    void answer(Segment& segment, const ReceivedCommand& received, AnswerKind kind,
+                const std::string& reason) const;
     void note_lease(const Command& command) noexcept;
 
     const Profile* profile_;
@@ -77,6 +84,7 @@ private:
     std::vector<Waiting> waiting_;  ///< handed to the tick, not answered yet
     std::uint64_t last_sequence_ = 0;
     std::vector<RecordName> forgotten_;
+    AnswerTaker answer_taker_;
     std::string refusal_for_all_;
     std::string refusal_in_alarm_;
     std::uint64_t seen_generation_ = 0;

@@ -149,10 +149,11 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
            "point (CSV); fd:N: into an open descriptor")
         ->type_name("FILE.csv")
         ->check(check_not_empty);
-    app.add_option("--state", options.state_folder,
-                   "Keep in this folder how far the piece is carved, and a copy of its job, for when the "
-                   "computer is switched off; without it in /var/lib/psicarve (root) or "
-                   "~/.local/state/psicarve, and on the virtual clock nowhere")
+    app.add_option(
+           "--state", options.state_folder,
+           "Keep in this folder how far the piece is carved, a copy of its job and what happens to "
+           "the machine, for when the computer is switched off; without it in /var/lib/psicarve (root) or "
+           "~/.local/state/psicarve, and on the virtual clock nowhere")
         ->type_name("FOLDER")
         ->check(check_not_empty);
     app.add_flag("--no-state", texts.keeps_no_state, "Keep nothing of that");

@@ -50,7 +50,7 @@ struct CoreOptions {
     int priority = 80;             ///< of the tick, SCHED_FIFO
     bool no_estimate = false;      ///< nobody asks how long a job takes
     std::string layer_times_path;  ///< when each job is planned: when its layers are over, CSV
-    std::string state_folder;      ///< for checkpoint and job; empty: nothing is kept there
+    std::string state_folder;      ///< for checkpoint, job and journal; empty: nothing is kept
 };
 
 /// The options, or the exit code of a run that is over (help and version were asked for, or the usage was

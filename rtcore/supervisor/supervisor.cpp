@@ -56,6 +56,10 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
       desk_(parts.profile, ear_, facts.is_virtual_clock),
       mirror_(facts),
       piece_({parts.state_folder, segment_options.name, facts.is_simulator, profile_hash(parts.profile)}),
+      journal_({{parts.state_folder, segment_options.name, facts.is_simulator},
+                profile_hash(parts.profile),
+                parts.port_name,
+                facts.is_virtual_clock}),
       is_virtual_clock_(facts.is_virtual_clock),
       promptness_(!facts.is_virtual_clock),
       sample_(read_sample()),
@@ -67,6 +71,10 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
     parts.traces.set_recording_taker([this](std::uint32_t token, std::span<const std::uint8_t> bytes) {
         recording_.put(segment_->header(), token, bytes, std::chrono::steady_clock::now());
     });
+    desk_.set_answer_taker(
+        [this](const ReceivedCommand& received, AnswerKind kind, const std::string& reason) {
+            journal_.note_answer(received, kind, reason, sample_.tick);
+        });
     publish_status();
 }
 
@@ -93,6 +101,7 @@ bool Supervisor::poll(Hearing hearing) {
     drain_increments();
     watch_recording();
     note_checkpoint();
+    journal_.note_round(sample_);
     publish_status();
     // Who raised something that was not taken wakes us at once.
     if (takes_requests) wake_seen_ = desk_.has_more() ? wake_count - 1 : wake_count;
@@ -172,6 +181,7 @@ void Supervisor::judge_job(JobLoader::Outcome outcome) {
             "a job runs (" + std::string{name_of(sample_.state)} + "); stop it or wait for its end";
     }
     if (outcome.job == nullptr) {
+        journal_.note_refused_job(outcome.refusal, sample_.tick);
         acknowledge_job(*segment_, outcome.generation, false, outcome.refusal);
     } else {
         offer_job(std::move(outcome.job));
@@ -203,6 +213,7 @@ void Supervisor::finish_job(const cycle::Report& report) {
     std::string remark = accepted ? loading_job_->remark : "the machine is busy; try again";
     if (accepted) {
         job_ = std::move(loading_job_);
+        journal_.note_job(*job_, sample_.tick);
         const std::string more = piece_.take_job(segment_->header(), job_);
         if (!more.empty()) remark += (remark.empty() ? "" : "; ") + more;
         if (parts_->estimator != nullptr)
@@ -237,6 +248,7 @@ void Supervisor::drain_reports() {
         if (record.kind != RecordKind::none) flight_log_.append(segment_->header().recorder, record);
         if (record.kind == RecordKind::alarm) mirror_.note_alarm(report);
         if (record.kind == RecordKind::alarm || record.kind == RecordKind::state_change) ++changes_;
+        journal_.note_report(report, sample_, job_.get());
         if (report.kind != cycle::Report::Kind::answer) continue;
         if (report.sequence == kOwnRequest) continue;
         if (report.sequence == kJobRequest) {
@@ -365,6 +377,7 @@ void Supervisor::leave() {
     drain_increments();
     note_checkpoint();
     publish_status();
+    journal_.note_end(sample_);
     event_signal(segment_->header().status_changed);
     segment_->release_core();
 }

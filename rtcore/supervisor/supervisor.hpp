@@ -11,6 +11,7 @@
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/flight_log.hpp"
 #include "rtcore/supervisor/job_loader.hpp"
+#include "rtcore/supervisor/journal.hpp"
 #include "rtcore/supervisor/layer_times.hpp"
 #include "rtcore/supervisor/loaded_job.hpp"
 #include "rtcore/supervisor/piece_memory.hpp"
@@ -119,6 +120,7 @@ private:
     StatusMirror mirror_;
     PinRecording recording_;
     PieceMemory piece_;
+    Journal journal_;
     FlightLog flight_log_;
     bool is_virtual_clock_;
     rtcore::Promptness promptness_;

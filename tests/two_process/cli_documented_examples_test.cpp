@@ -162,6 +162,8 @@ TEST_F(DocumentedExamples, RunInTheirOrder) {
         // Long enough to be disturbed by what follows.
         {.begins = "psicarve slice", .with = {"--layers", "1000", "--points", "100"}},
         {.begins = "psicarve status --watch", .goes_on = true},
+        {.begins = "psicarve log --follow", .with = {"--state", file("state")}, .goes_on = true},
+        {.begins = "psicarve log", .with = {"--state", file("state")}},
         {.begins = "psicarve start --resume", .before = stopped_behind_a_layer},
         {.begins = "psicarve start --from-layer", .before = stopped},
         {.begins = "psicarve start --dry-run", .before = stopped},
@@ -188,7 +190,7 @@ TEST_F(DocumentedExamples, RunInTheirOrder) {
         {.begins = "psicarve latency --period", .with = {"--seconds", "1", "--cpu", "0"}},
         {.begins = "psicarve latency", .with = {"--seconds", "1"}},
     };
-    start_core();
+    start_core({"--state", file("state")});
     const auto examples = documented_examples("docs/commands.md");
     ASSERT_GT(examples.size(), 50U);
     for (const std::string& line : examples) run_example(line);

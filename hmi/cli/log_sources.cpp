@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cli/log_sources.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <iterator>
+#include <utility>
+
+#include "shared/state_place.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+constexpr std::chrono::seconds kFirstPatience{5};
+
+/// Those of one journal stay in their order, whatever its clock did.
+void merge_by_time(std::vector<LogEntry>& all, std::vector<LogEntry> more) {
+    std::vector<LogEntry> merged;
+    merged.reserve(all.size() + more.size());
+    auto next = more.begin();
+    for (LogEntry& entry : all) {
+        for (; next != more.end() && next->record.time_ms < entry.record.time_ms; ++next)
+            merged.push_back(std::move(*next));
+        merged.push_back(std::move(entry));
+    }
+    std::move(next, more.end(), std::back_inserter(merged));
+    all = std::move(merged);
+}
+
+}  // namespace
+
+LogSources::LogSources(const std::string& segment, const std::string& folder)
+    : segment_(segment),
+      folders_(folder.empty() ? state_folders_to_read() : std::vector<std::string>{folder}),
+      sources_(std::make_shared<std::vector<Source>>()) {
+    for (const std::string& place : folders_) {
+        for (const bool is_simulator : {false, true}) {
+            const StateNames names{place, segment, is_simulator};
+            sources_->push_back({JournalTail{JournalFiles{names}}, is_simulator});
+        }
+    }
+}
+
+LogSources::Outcome LogSources::read(std::shared_ptr<std::vector<Source>> sources) {
+    std::vector<LogEntry> all;
+    for (Source& source : *sources) {
+        auto records = source.tail.read_more();
+        if (!records) return {std::move(sources), records.error()};
+        std::vector<LogEntry> entries;
+        for (JournalRecord& record : *records) entries.push_back({std::move(record), source.is_simulator});
+        merge_by_time(all, std::move(entries));
+    }
+    return {std::move(sources), std::move(all)};
+}
+
+std::optional<Result<std::vector<LogEntry>>> LogSources::take(std::chrono::milliseconds patience) {
+    if (!work_.is_under_way())
+        work_.begin([sources = std::exchange(sources_, nullptr)] { return read(sources); });
+    auto outcome = work_.take(patience);
+    if (!outcome) return std::nullopt;
+    sources_ = std::move(outcome->sources);
+    damaged_count_ = 0;
+    for (const Source& source : *sources_) {
+        has_found_file_ = has_found_file_ || source.tail.has_found_file();
+        damaged_count_ += source.tail.damaged_count();
+    }
+    return std::move(outcome->entries);
+}
+
+Result<std::vector<LogEntry>> LogSources::read_first() {
+    auto entries = take(kFirstPatience);
+    if (entries) return std::move(*entries);
+    return bad_input("the disk that keeps the journal does not answer");
+}
+
+Result<std::vector<LogEntry>> LogSources::read_more(std::chrono::milliseconds patience) {
+    auto entries = take(patience);
+    if (entries) return std::move(*entries);
+    return std::vector<LogEntry>{};
+}
+
+Error LogSources::nothing_found() const {
+    std::string places;
+    for (const std::string& folder : folders_) places += (places.empty() ? "" : " or ") + folder;
+    return bad_input("no journal of " + segment_ + (places.empty() ? "" : " in " + places) +
+                     "; cores on the real clock keep one, others with --state FOLDER");
+}
+
+void sleep_unless_asked(std::chrono::milliseconds limit) {
+    const timespec time{0, static_cast<long>(limit.count()) * 1'000'000};
+    // A signal's handler is called in this thread, and ends the sleep.
+    static_cast<void>(nanosleep(&time, nullptr));
+}
+
+}  // namespace psicarve::cli

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "shared/journal.hpp"
+
+namespace psicarve::cli {
+
+/// A record of a machine's journal, and of which kind of machine.
+struct LogEntry {
+    JournalRecord record;
+    bool is_simulator = false;
+};
+
+/// On one line, with its line feed: time, kind, machine, what happened. What files and senders call
+/// themselves stands in it as it is.
+std::string log_line(const LogEntry& entry);
+nlohmann::ordered_json log_json(const LogEntry& entry);
+
+}  // namespace psicarve::cli

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/supervisor/journal.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "rtcore/supervisor/journal_desk.hpp"
+#include "shared/process_identity.hpp"
+#include "tests/shared/temporary_folder.hpp"
+
+namespace psicarve::supervisor {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::seconds;
+
+JournalRecord core_record(const std::string& what) {
+    JournalRecord record;
+    record.time_ms = 1'764'204'185'123;
+    record.what = what;
+    return record;
+}
+
+class JournalDeskTest : public ::testing::Test {
+protected:
+    void write(JournalDesk& sut, const std::string& what) {
+        sut.note_given();
+        sut.write(core_record(what));
+    }
+    std::vector<JournalRecord> records() const {
+        auto read = read_journal(files_);
+        return read ? std::move(*read) : std::vector<JournalRecord>{};
+    }
+    std::vector<std::string> whats() const {
+        std::vector<std::string> words;
+        for (const JournalRecord& record : records()) words.push_back(record.what);
+        return words;
+    }
+    std::string before_of_last_start() const {
+        std::string before;
+        for (const JournalRecord& record : records())
+            if (record.what == "start") before = record.facts.text("before");
+        return before;
+    }
+
+    test::TemporaryFolder folder_;
+    JournalPlace place_{folder_.path("state"), "/shop", true};
+    JournalFiles files_{StateNames{folder_.path("state"), "/shop", true}};
+};
+using Words = std::vector<std::string>;
+
+TEST_F(JournalDeskTest, NumbersGoOnOverRestarts) {
+    for (int run = 0; run < 3; ++run) {
+        JournalDesk sut{place_};
+        write(sut, "start");
+        write(sut, "end");
+    }
+    const auto all = records();
+    ASSERT_EQ(all.size(), 6U);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_EQ(all[i].sequence, i + 1);
+        EXPECT_EQ(all[i].run, i / 2 + 1);
+    }
+}
+
+TEST_F(JournalDeskTest, AStartTellsHowTheRunBeforeEnded) {
+    {
+        JournalDesk sut{place_};
+        write(sut, "start");
+        EXPECT_EQ(before_of_last_start(), "none");
+    }
+    {
+        JournalDesk sut{place_};
+        write(sut, "start");
+        EXPECT_EQ(before_of_last_start(), "killed");
+        write(sut, "end");
+    }
+    JournalDesk sut{place_};
+    write(sut, "start");
+    EXPECT_EQ(before_of_last_start(), "in order");
+}
+
+TEST_F(JournalDeskTest, AnotherBootIsAComputerThatWasSwitchedOff) {
+    fs::create_directories(place_.folder);
+    JournalRecord start = core_record("start");
+    start.run = 4;
+    start.facts.add("boot", "another");
+    std::ofstream{files_.newer} << journal_line(start);
+    JournalDesk sut{place_};
+    write(sut, "start");
+    EXPECT_EQ(before_of_last_start(), "switched off");
+    EXPECT_EQ(records().back().run, 5U);
+}
+
+TEST_F(JournalDeskTest, ATornEndHidesNothing) {
+    {
+        JournalDesk sut{place_};
+        write(sut, "start");
+        write(sut, "missed ticks");
+    }
+    fs::resize_file(files_.newer, fs::file_size(files_.newer) - 3);
+    JournalDesk sut{place_};
+    write(sut, "start");
+    EXPECT_EQ(whats(), (Words{"start", "start"}));
+    EXPECT_EQ(before_of_last_start(), "killed");
+}
+
+TEST_F(JournalDeskTest, TwoFilesOfSoMuchAtMostAreKept) {
+    constexpr std::uint64_t kMost = 2000;
+    JournalDesk sut{place_, kMost};
+    for (int i = 0; i < 200; ++i) write(sut, "missed ticks");
+    EXPECT_LE(fs::file_size(files_.newer), kMost);
+    EXPECT_LE(fs::file_size(files_.older), kMost);
+    EXPECT_EQ(std::distance(fs::directory_iterator{place_.folder}, {}), 2);
+    const auto all = records();
+    ASSERT_GT(all.size(), 10U);
+    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].sequence, 200 - all.size() + 1 + i);
+}
+
+TEST_F(JournalDeskTest, EverybodyMayReadIt) {
+    const mode_t before = ::umask(0077);
+    JournalDesk sut{place_};
+    write(sut, "start");
+    ::umask(before);
+    struct stat facts {};
+    ASSERT_EQ(::stat(files_.newer.c_str(), &facts), 0);
+    EXPECT_EQ(facts.st_mode & 0777U, 0644U);
+    ASSERT_EQ(::stat(place_.folder.c_str(), &facts), 0);
+    EXPECT_EQ(facts.st_mode & 0777U, 0755U);
+}
+
+TEST_F(JournalDeskTest, WritesThroughNoLinkAndIntoNoPipe) {
+    fs::create_directories(place_.folder);
+    const std::string other = folder_.path("other");
+    std::ofstream{other} << "mine\n";
+    fs::create_symlink(other, files_.newer);
+    {
+        JournalDesk sut{place_};
+        write(sut, "start");
+    }
+    EXPECT_EQ(fs::file_size(other), 5U);
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(files_.newer)));
+    // A second name of it is another's, too.
+    fs::remove(files_.newer);
+    fs::create_hard_link(other, files_.newer);
+    JournalDesk linked{place_};
+    write(linked, "start");
+    EXPECT_EQ(fs::file_size(other), 5U);
+    fs::remove(files_.newer);
+    ASSERT_EQ(::mkfifo(files_.newer.c_str(), 0600), 0);
+    JournalDesk piped{place_};
+    write(piped, "start");
+    EXPECT_TRUE(fs::is_regular_file(files_.newer));
+}
+
+TEST_F(JournalDeskTest, AFullDiskIsCountedAndToldOfOnceThereIsRoom) {
+    JournalDesk sut{place_};
+    write(sut, "start");
+    signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    // At every byte of a record.
+    const std::uint64_t size = fs::file_size(files_.newer);
+    std::int64_t lost = 0;
+    for (std::uint64_t room = 0; room < 60; room += 7) {
+        const rlimit narrow{size + room, before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &narrow);
+        write(sut, "missed ticks");
+        ++lost;
+        EXPECT_EQ(fs::file_size(files_.newer), size) << room;
+    }
+    setrlimit(RLIMIT_FSIZE, &before);
+    sut.note_lost(false);
+    write(sut, "end");
+    EXPECT_EQ(whats(), (Words{"start", "not written", "end"}));
+    EXPECT_EQ(records()[1].facts.number("count"), lost + 1);
+    write(sut, "end");
+    EXPECT_EQ(whats(), (Words{"start", "not written", "end", "end"}));
+}
+
+TEST_F(JournalDeskTest, GoesOnWhereItsFilesWereTakenAway) {
+    JournalDesk sut{place_};
+    write(sut, "start");
+    fs::remove_all(place_.folder);
+    write(sut, "end");
+    ASSERT_EQ(whats(), (Words{"end"}));
+    EXPECT_EQ(records()[0].sequence, 2U);
+}
+
+TEST(JournalAllowance, LetsSoManyThroughAtOnceAndCountsTheOthers) {
+    JournalAllowance sut;
+    const JournalAllowance::Time begin{seconds{1000}};
+    int taken = 0;
+    for (int i = 0; i < 10'000; ++i) taken += sut.take(begin) ? 1 : 0;
+    EXPECT_EQ(taken, static_cast<int>(JournalAllowance::kMostAtOnce));
+    EXPECT_EQ(sut.take_left_out(begin), 10'000U - JournalAllowance::kMostAtOnce);
+    EXPECT_EQ(sut.take_left_out(begin), 0U);
+}
+
+TEST(JournalAllowance, AFloodOfADayIsAFewMegabytes) {
+    JournalAllowance sut;
+    const JournalAllowance::Time begin{seconds{1000}};
+    std::uint64_t written = 0;
+    std::uint64_t told = 0;
+    std::uint64_t left_out = 0;
+    std::uint64_t asked = 0;
+    for (int second = 0; second < 86'400; ++second) {
+        const auto now = begin + seconds{second};
+        for (int i = 0; i < 20; ++i, ++asked) written += sut.take(now) ? 1 : 0;
+        const std::uint64_t told_of = sut.take_left_out(now);
+        told += told_of > 0 ? 1 : 0;
+        left_out += told_of;
+    }
+    EXPECT_EQ(written, JournalAllowance::kMostAtOnce + 86'399 / 10);
+    EXPECT_LE(told, 86'400U / 60);
+    EXPECT_EQ(written + left_out + sut.take_rest(), asked);
+    // Two files hold it, and what was before it.
+    EXPECT_LT((written + told) * 300, kMostJournalBytes);
+}
+
+class JournalTest : public JournalDeskTest {
+protected:
+    JournalStart start() const { return {place_, 0x1234, "sim", true}; }
+};
+
+TEST_F(JournalTest, IsNoneWithoutAFolder) {
+    Journal sut{{{"", "/shop", true}, 0, "sim", true}};
+    sut.note_round({});
+    sut.note_end({});
+    EXPECT_FALSE(fs::exists(place_.folder));
+}
+
+TEST_F(JournalTest, MissedTicksAreToldOnceAMinuteAndAtTheEnd) {
+    {
+        Journal sut{start()};
+        cycle::Sample sample{};
+        for (int round = 0; round < 1000; ++round) {
+            ++sample.missed_ticks;
+            sut.note_round(sample);
+        }
+        sut.note_end(sample);
+    }
+    ASSERT_EQ(whats(), (Words{"start", "missed ticks", "missed ticks", "end"}));
+    EXPECT_EQ(records()[1].facts.number("count"), 1);
+    EXPECT_EQ(records()[2].facts.number("count"), 999);
+    EXPECT_EQ(records()[2].facts.number("total"), 1000);
+}
+
+TEST_F(JournalTest, AFloodOfCommandsIsCountedInOneRecord) {
+    {
+        Journal sut{start()};
+        ReceivedCommand received{};
+        received.command.kind = CommandKind::home;
+        received.sender_pid = static_cast<std::uint32_t>(::getpid());
+        for (int i = 0; i < 3000; ++i) sut.note_answer(received, AnswerKind::refused, "home: no", 5);
+        sut.note_end({});
+    }
+    const auto all = records();
+    ASSERT_EQ(all.size(), JournalAllowance::kMostAtOnce + 3);
+    EXPECT_EQ(all[1].what, "home");
+    EXPECT_EQ(all[1].facts.number("uid"), std::int64_t{::geteuid()});
+    EXPECT_EQ(all[all.size() - 2].what, "left out");
+    EXPECT_EQ(all[all.size() - 2].kind, JournalKind::command);
+    EXPECT_EQ(all[all.size() - 2].facts.number("count"), 3000 - JournalAllowance::kMostAtOnce);
+}
+
+}  // namespace
+}  // namespace psicarve::supervisor

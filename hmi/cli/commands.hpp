@@ -14,6 +14,7 @@ void add_doctor(CommandSet& commands);
 void add_drives_off(CommandSet& commands);
 void add_estimate(CommandSet& commands);
 void add_estop(CommandSet& commands);
+void add_gcode_check(CommandSet& commands);
 void add_hold(CommandSet& commands);
 void add_home(CommandSet& commands);
 void add_inspect(CommandSet& commands);

@@ -15,7 +15,7 @@ namespace {
 using report::signals_text;
 
 template <typename... Args>
-std::string formatted(const char* format, Args... args) {
+std::string status_words(const char* format, Args... args) {
     char text[256];
     std::snprintf(text, sizeof text, format, args...);
     return text;
@@ -33,27 +33,28 @@ std::string axes_in(std::uint8_t mask) {
 std::string position_text(const CoreStatus& status, const Profile* profile, Axis axis) {
     const std::int64_t pulses = status.position_pulses[index_of(axis)];
     const std::string name{name_of(axis)};
-    if (profile == nullptr) return formatted("%s %lld pulses", name.c_str(), static_cast<long long>(pulses));
+    if (profile == nullptr)
+        return status_words("%s %lld pulses", name.c_str(), static_cast<long long>(pulses));
     if (axis == Axis::psi) {
         const report::TableAngle angle = report::table_angle(pulses, *profile);
         const long long turns = static_cast<long long>(angle.turns);
-        return formatted("psi %.3f deg", angle.within_deg) +
-               (turns == 0 ? "" : formatted(" and %lld %s", turns, turns == 1 ? "turn" : "turns")) +
-               formatted(" (%lld)", static_cast<long long>(pulses));
+        return status_words("psi %.3f deg", angle.within_deg) +
+               (turns == 0 ? "" : status_words(" and %lld %s", turns, turns == 1 ? "turn" : "turns")) +
+               status_words(" (%lld)", static_cast<long long>(pulses));
     }
     const double value = static_cast<double>(pulses) / axis_motion(*profile, axis).pulses_per_unit;
-    return formatted("%s %.3f mm (%lld)", name.c_str(), value, static_cast<long long>(pulses));
+    return status_words("%s %.3f mm (%lld)", name.c_str(), value, static_cast<long long>(pulses));
 }
 
 std::string progress_text(const CoreStatus& status, const std::string& pass) {
     if (status.points_total == 0) return "none accepted";
-    std::string text =
-        formatted("generation %llu, %llu of %llu points (%.1f %%), layer %u, point %u",
-                  static_cast<unsigned long long>(status.job_generation),
-                  static_cast<unsigned long long>(status.points_done),
-                  static_cast<unsigned long long>(status.points_total),
-                  100.0 * static_cast<double>(status.points_done) / static_cast<double>(status.points_total),
-                  status.layer, status.point);
+    std::string text = status_words(
+        "generation %llu, %llu of %llu points (%.1f %%), layer %u, point %u",
+        static_cast<unsigned long long>(status.job_generation),
+        static_cast<unsigned long long>(status.points_done),
+        static_cast<unsigned long long>(status.points_total),
+        100.0 * static_cast<double>(status.points_done) / static_cast<double>(status.points_total),
+        status.layer, status.point);
     if (!pass.empty()) text += ", " + pass;
     if (status.is_dry != 0 && runs_job(status.state)) text += ", dry run";
     if (status.seconds_left >= 0.0)
@@ -66,9 +67,9 @@ std::string progress_text(const CoreStatus& status, const std::string& pass) {
 std::string realtime_text(const CoreStatus& status) {
     if (status.realtime_asked == 0) return {};
     std::string text = "real time  ";
-    text +=
-        status.tick_priority == 0 ? "ordinary scheduling" : formatted("SCHED_FIFO %u", status.tick_priority);
-    text += status.tick_cpu < 0 ? ", any processor" : formatted(", processor %d", status.tick_cpu);
+    text += status.tick_priority == 0 ? "ordinary scheduling"
+                                      : status_words("SCHED_FIFO %u", status.tick_priority);
+    text += status.tick_cpu < 0 ? ", any processor" : status_words(", processor %d", status.tick_cpu);
     const std::uint64_t faults = status.tick_minor_faults + status.tick_major_faults;
     text += "; page faults " + std::to_string(faults) + ", of them from disk " +
             std::to_string(status.tick_major_faults) + "; preempted " +
@@ -120,10 +121,10 @@ std::string status_text(const CoreStatus& status, const Profile* profile, const 
         text += (axis == Axis::r1 ? "" : ", ") + position_text(status, profile, axis);
     text += "\nhomed      " + axes_in(status.homed_mask) + "\n";
     text += "job        " + progress_text(status, pass) + "\n";
-    text += formatted("override   %u %% of the planned feed\n", status.override_percent);
+    text += status_words("override   %u %% of the planned feed\n", status.override_percent);
     text += outputs_text(status);
     text += "tripped    " + signals_text(status.signals, kInputMask) + "\n";
-    text += formatted(
+    text += status_words(
         "core       %s, %s clock, tick %.0f us, %llu ticks, %llu missed, at most %.1f us late\n",
         status.is_simulator != 0 ? "simulated machine" : "real port",
         status.is_virtual_clock != 0 ? "virtual" : "real",
@@ -131,8 +132,8 @@ std::string status_text(const CoreStatus& status, const Profile* profile, const 
         static_cast<unsigned long long>(status.tick), static_cast<unsigned long long>(status.missed_ticks),
         static_cast<double>(status.max_lateness_ns) / static_cast<double>(kNsPerUs));
     text += realtime_text(status);
-    text += formatted("alarms     %llu since the core started\n",
-                      static_cast<unsigned long long>(status.alarm_count));
+    text += status_words("alarms     %llu since the core started\n",
+                         static_cast<unsigned long long>(status.alarm_count));
     return text;
 }
 

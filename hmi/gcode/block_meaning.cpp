@@ -98,7 +98,11 @@ std::optional<Problem> BlockMeaning::read_code(const Word& word, Dialect dialect
 
 std::optional<Problem> BlockMeaning::enter(const Word& word, CodeGroup group, int code) {
     int& place = codes_[index_of(group)];
-    if (place != kNoCode)
+    // G80 only ends a cycle, as the motion beside it does.
+    const bool is_end_of_cycle =
+        group == CodeGroup::motion && place != kNoCode && code == 800 && place != 800;
+    if (is_end_of_cycle) return std::nullopt;
+    if (place != kNoCode && !(group == CodeGroup::motion && place == 800 && code != 800))
         return problem(word.column, ProblemCode::group_conflict,
                        code_name(word.letter, code) + " stands beside " + code_name(word.letter, place) +
                            " of its group");

@@ -55,7 +55,7 @@ Interpreter::Fault Interpreter::drill() {
     if (auto wrong = read_cycle_words()) return wrong;
     if (auto wrong = check_feed()) return wrong;
     const bool steps = modes_.is_incremental;
-    const double clear_mm = steps ? program_[plane.across] + cycle_.clear_mm : cycle_.clear_mm;
+    const double clear_mm = steps ? cycle_.initial_mm + cycle_.clear_mm : cycle_.clear_mm;
     const double depth_mm = steps ? clear_mm + cycle_.depth_mm : cycle_.depth_mm;
     if (clear_mm < depth_mm)
         return fault(column, ProblemCode::cycle_depth, "R is below the depth of the hole");
@@ -64,7 +64,8 @@ Interpreter::Fault Interpreter::drill() {
     const double retract_mm = modes_.retracts_to_start ? std::max(cycle_.initial_mm, clear_mm) : clear_mm;
     Position at = program_;
     if (!steps) note_places(mask_of(plane.across), false);
-    if (clear_mm > at[plane.across]) {
+    // As LinuxCNC has it: before every hole that lies above where the first one began.
+    if (clear_mm > cycle_.initial_mm) {
         at[plane.across] = clear_mm;
         rapid_to(at);
     }

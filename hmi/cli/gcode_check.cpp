@@ -10,6 +10,7 @@
 #include "hmi/gcode/canon_writer.hpp"
 #include "hmi/gcode/machine_check.hpp"
 #include "hmi/gcode/program_check.hpp"
+#include "hmi/model/source_name.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -99,7 +100,13 @@ void print_problems(const std::string& path, const gcode::ProblemList& problems)
         print_error(bad_input(path + ": and " + count_text(more, "error") + " more"));
 }
 
+/// As its user calls it.
+std::string program_name(const std::string& path) {
+    return path.starts_with(model::kDescriptorFolder) ? model::source_name_of(path) : path;
+}
+
 Result<int> check(const CommonOptions& common, const GcodeCheckOptions& options) {
+    const std::string name = program_name(options.path);
     gcode::InterpreterOptions how;
     how.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
     how.skips_deleted = options.skips_deleted;
@@ -119,11 +126,11 @@ Result<int> check(const CommonOptions& common, const GcodeCheckOptions& options)
     const auto facts = gcode::interpret_program(lines, how, motion, problems);
     motion.flush();
     if (!facts) return facts.error();
-    print_problems(options.path, problems);
-    if (common.json) print_json(options.path, *facts, problems);
+    print_problems(name, problems);
+    if (common.json) print_json(name, *facts, problems);
     if (problems.error_count() > 0) return kExitBadInput;
     if (!common.json && !options.prints_canon)
-        std::printf("%s: OK, %s, %s\n", options.path.c_str(), count_text(facts->line_count, "line").c_str(),
+        std::printf("%s: OK, %s, %s\n", name.c_str(), count_text(facts->line_count, "line").c_str(),
                     count_text(facts->motion_count, "motion").c_str());
     return kExitDone;
 }

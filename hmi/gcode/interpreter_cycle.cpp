@@ -59,8 +59,10 @@ Interpreter::Fault Interpreter::drill() {
     const double depth_mm = steps ? clear_mm + cycle_.depth_mm : cycle_.depth_mm;
     if (clear_mm < depth_mm)
         return fault(column, ProblemCode::cycle_depth, "R is below the depth of the hole");
-    if (motion_to_be_ == 830 && (clear_mm - depth_mm) / cycle_.peck_mm > kMostPecks)
-        return fault(column, ProblemCode::out_of_range, "a hole of more than 100000 pecks");
+    const double holes = words_.has('L') ? words_.value('L') : 1.0;
+    const double pecks = motion_to_be_ == 830 ? (clear_mm - depth_mm) / cycle_.peck_mm : 1.0;
+    if (holes * pecks > kMostPecks)
+        return fault(column, ProblemCode::out_of_range, "a block of more than 100000 holes and pecks");
     const double retract_mm = modes_.retracts_to_start ? std::max(cycle_.initial_mm, clear_mm) : clear_mm;
     Position at = program_;
     if (!steps) note_places(mask_of(plane.across), false);
@@ -69,14 +71,15 @@ Interpreter::Fault Interpreter::drill() {
         at[plane.across] = clear_mm;
         rapid_to(at);
     }
+    // A series that changes to G98 rises on the way to its next hole.
+    if (modes_.retracts_to_start) at[plane.across] = retract_mm;
     note_places(words_.axes(), false);
     const Position first_end = target();
     const double step_first_mm = steps ? first_end[plane.first] - at[plane.first] : 0.0;
     const double step_second_mm = steps ? first_end[plane.second] - at[plane.second] : 0.0;
     if (!steps) at[plane.first] = first_end[plane.first];
     if (!steps) at[plane.second] = first_end[plane.second];
-    const int holes = words_.has('L') ? static_cast<int>(words_.value('L')) : 1;
-    for (int hole = 0; hole < holes; ++hole) {
+    for (int hole = 0; hole < static_cast<int>(holes); ++hole) {
         at[plane.first] += step_first_mm;
         at[plane.second] += step_second_mm;
         drill_hole(at, clear_mm, depth_mm, retract_mm);

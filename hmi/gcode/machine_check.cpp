@@ -54,6 +54,12 @@ ArcExtents extents_of(const CanonRecord& record) noexcept {
     return found;
 }
 
+/// Whether the record brings the axis to where it has not been judged yet.
+bool is_new_place(const CanonRecord& record, std::size_t letter) noexcept {
+    if ((record.placed & mask_of(letter)) == 0) return false;
+    return (record.start_placed & mask_of(letter)) == 0 || record.start[letter] != record.end[letter];
+}
+
 }  // namespace
 
 MachineCheck::MachineCheck(const Profile& profile, ProblemList& problems)
@@ -140,6 +146,7 @@ void MachineCheck::judge_extents(const CanonRecord& record, const LinearAxis& ax
 void MachineCheck::judge_tips(const CanonRecord& record) {
     const AxisMask both = static_cast<AxisMask>(mask_of(kLetterX) | mask_of(kLetterZ));
     if ((record.placed & both) != both) return;
+    if (!is_new_place(record, kLetterX) && !is_new_place(record, kLetterZ)) return;
     const double apart_mm = record.end[kLetterX] + record.end[kLetterZ] + tips_mm_;
     // Half a micrometre, less than a pulse: sums of decimal numbers are not exact.
     if (apart_mm >= clearance_mm_ - 0.0005) return;
@@ -151,7 +158,7 @@ void MachineCheck::judge_tips(const CanonRecord& record) {
 void MachineCheck::judge_motion(const CanonRecord& record) {
     if (!has_only_our_letters(record)) return;
     for (const LinearAxis& axis : axes_) {
-        if ((record.placed & mask_of(axis.letter)) == 0) continue;
+        if (!is_new_place(record, axis.letter)) continue;
         judge_extents(record, axis, record.end[axis.letter], record.end[axis.letter]);
     }
     judge_tips(record);
@@ -168,7 +175,7 @@ void MachineCheck::judge_arc(const CanonRecord& record) {
         judge_extents(record, axis_of_letter(plane.first), found.least_mm[0], found.most_mm[0]);
         judge_extents(record, axis_of_letter(plane.second), found.least_mm[1], found.most_mm[1]);
     }
-    if ((record.placed & mask_of(plane.across)) != 0) {
+    if (is_new_place(record, plane.across)) {
         const double end_mm = record.end[plane.across];
         judge_extents(record, axis_of_letter(plane.across), end_mm, end_mm);
     }

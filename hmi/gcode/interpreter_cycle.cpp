@@ -37,9 +37,11 @@ Interpreter::Fault Interpreter::read_cycle_words() {
     if (words_.has('P')) cycle_.dwell_s = words_.value('P');
     if (words_.has('Q')) cycle_.peck_mm = words_.value('Q') * scale;
     if (motion_to_be_ == 820 && cycle_.dwell_s < 0.0)
-        return fault(words_.column('P'), ProblemCode::out_of_range, "a dwell of less than 0 s");
+        return fault(words_.has('P') ? words_.column('P') : column, ProblemCode::out_of_range,
+                     "a dwell of less than 0 s");
     if (motion_to_be_ == 830 && cycle_.peck_mm <= 0.0)
-        return fault(words_.column('Q'), ProblemCode::out_of_range, "a peck is more than 0 deep");
+        return fault(words_.has('Q') ? words_.column('Q') : column, ProblemCode::out_of_range,
+                     "a peck is more than 0 deep");
     if (words_.has('L') && (words_.value('L') < 1.0 || words_.value('L') > kMostHoles))
         return fault(words_.column('L'), ProblemCode::out_of_range, "a cycle is done 1 to 100000 times");
     return std::nullopt;

@@ -86,6 +86,13 @@ TEST(Interpreter, RefusesABlockThatWouldDrillWithoutEnd) {
               (Faults{"2:5 out_of_range", "3:5 out_of_range"}));
 }
 
+TEST(Interpreter, HasAPlaceForACycleThatGoesOnFromAWrongOne) {
+    EXPECT_EQ(read_program("F9\nG83\nG83 X3\nM2\n")->faults(),
+              (Faults{"2:1 axes_missing", "3:5 out_of_range"}));
+    EXPECT_EQ(read_program("F9\nG82 X1 Z-1 R1 P-1\nG82 X3\nM2\n")->faults(),
+              (Faults{"2:15 out_of_range", "3:5 out_of_range"}));
+}
+
 TEST(Canon, WritesEveryKindAsOneObject) {
     const auto read = read_program(
         "F60 S9\nG64 P.1\nG2 X2 Y0 I1\nG4 P.5\nM3\nM8\nM9\nT2 M6\nM50 P0\nM62 P1\nM65 P2\nM66 "

@@ -15,7 +15,7 @@ namespace {
 constexpr int kBarWidth = 40;
 
 template <typename... Args>
-std::string formatted(const char* format, Args... args) {
+std::string latency_words(const char* format, Args... args) {
     char text[160];
     (void)std::snprintf(text, sizeof text, format, args...);
     return text;
@@ -41,7 +41,7 @@ std::string picture_of(const machine::LatencyResult& result) {
         const double share = std::log1p(static_cast<double>(ticks)) / std::log1p(static_cast<double>(most));
         const auto length = static_cast<std::size_t>(std::ceil(share * kBarWidth));
         const unsigned from_us = row == 0 ? 0 : 1U << (row - 1);
-        text += formatted("%5u-%-5u %9llu ", from_us, 1U << row, static_cast<unsigned long long>(ticks)) +
+        text += latency_words("%5u-%-5u %9llu ", from_us, 1U << row, static_cast<unsigned long long>(ticks)) +
                 std::string(length, '#') + "\n";
     }
     return text;
@@ -55,17 +55,17 @@ double max_us(const machine::LatencyResult& result) {
 
 std::string latency_text(const machine::LatencyResult& result, const machine::LatencyWish& wish) {
     std::string text = picture_of(result);
-    text += formatted("late       median %.1f us, 99 %% %.1f us, 99.9 %% %.1f us, at most %.1f us\n",
-                      result.late_us(0.5), result.late_us(0.99), result.late_us(0.999), max_us(result));
-    text +=
-        formatted("ticks      %llu of %u us, %llu missed\n", static_cast<unsigned long long>(result.ticks),
-                  wish.period_us, static_cast<unsigned long long>(result.missed));
-    text += result.priority > 0 ? formatted("thread     SCHED_FIFO %d", result.priority)
+    text += latency_words("late       median %.1f us, 99 %% %.1f us, 99.9 %% %.1f us, at most %.1f us\n",
+                          result.late_us(0.5), result.late_us(0.99), result.late_us(0.999), max_us(result));
+    text += latency_words("ticks      %llu of %u us, %llu missed\n",
+                          static_cast<unsigned long long>(result.ticks), wish.period_us,
+                          static_cast<unsigned long long>(result.missed));
+    text += result.priority > 0 ? latency_words("thread     SCHED_FIFO %d", result.priority)
                                 : "thread     ordinary scheduling";
-    text += result.cpu < 0 ? ", any processor" : formatted(", processor %d", result.cpu);
-    text += formatted(", %llu page faults, preempted %llu times\n",
-                      static_cast<unsigned long long>(result.page_faults),
-                      static_cast<unsigned long long>(result.preemptions));
+    text += result.cpu < 0 ? ", any processor" : latency_words(", processor %d", result.cpu);
+    text += latency_words(", %llu page faults, preempted %llu times\n",
+                          static_cast<unsigned long long>(result.page_faults),
+                          static_cast<unsigned long long>(result.preemptions));
     for (const std::string& step : result.refused)
         text += "refused    " + step + " (psicarve doctor says more)\n";
     return text;

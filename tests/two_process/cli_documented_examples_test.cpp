@@ -56,6 +56,7 @@ protected:
             std::filesystem::create_directories(folder_ / folder);
         for (const char* name : {"figurine.stl", "letter.stl"})
             std::filesystem::copy_file(example(name), folder_ / name);
+        write("pocket.ngc", "G0 X20 Y30 Z40\nG1 X18 F200\nG2 Y40 J5\nM2\n");
     }
     ~DocumentedExamples() override {
         std::filesystem::current_path(folder_before_);

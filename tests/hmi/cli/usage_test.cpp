@@ -36,6 +36,7 @@ const std::vector<std::string> kCommands{"carve",
                                          "snapshot info",
                                          "snapshot export",
                                          "snapshot diff",
+                                         "gcode check",
                                          "replay",
                                          "verify",
                                          "calibrate",
@@ -106,6 +107,7 @@ TEST(Commands, AreExactlyThoseOfTheList) {
     }
     EXPECT_EQ(listed({"--help"}), expected);
     EXPECT_EQ(listed({"snapshot", "--help"}), (std::vector<std::string>{"save", "info", "export", "diff"}));
+    EXPECT_EQ(listed({"gcode", "--help"}), std::vector<std::string>{"check"});
     EXPECT_EQ(listed({"profile", "--help"}),
               (std::vector<std::string>{"check", "show", "path", "diff", "set"}));
 }

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "hmi/cli/commands.hpp"
+#include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/job_source.hpp"
+#include "hmi/gcode/canon_writer.hpp"
+#include "hmi/gcode/machine_check.hpp"
+#include "hmi/gcode/program_check.hpp"
+#include "hmi/model/source_name.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr CommandText kGcodeCheckText{"check",
+                                      "Whether a program in G-code is right, and can be run on the machine",
+                                      "All of a program is read, and everything that is wrong is told with "
+                                      "line and column. The machine's letters "
+                                      "are\nX (r1), Z (r2), Y and C (psi).",
+                                      "psicarve gcode check pocket.ngc"};
+
+struct GcodeCheckOptions {
+    std::string path;
+    std::string dialect = "ngc";
+    bool prints_canon = false;
+    bool leaves_out_machine = false;
+    bool skips_deleted = false;
+};
+
+constexpr std::size_t kCanonPieceBytes = std::size_t{1} << 16U;
+
+/// Motion to standard output and to the machine's check, as far as either is wanted.
+class CheckedMotion : public gcode::CanonSink {
+public:
+    CheckedMotion(gcode::MachineCheck* machine, bool prints) : machine_(machine), prints_(prints) {}
+
+    void take(const gcode::CanonRecord& record) override {
+        if (machine_ != nullptr) machine_->take(record);
+        if (!prints_) return;
+        gcode::append_canon_line(record, text_);
+        if (text_.size() >= kCanonPieceBytes) flush();
+    }
+    void flush() {
+        std::fwrite(text_.data(), 1, text_.size(), stdout);
+        text_.clear();
+    }
+
+private:
+    gcode::MachineCheck* machine_;
+    bool prints_;
+    std::string text_;
+};
+
+Json problems_json(const std::vector<gcode::Problem>& problems) {
+    auto list = Json::array();
+    for (const gcode::Problem& problem : problems) {
+        list.push_back({{"line", problem.line},
+                        {"column", problem.column},
+                        {"code", gcode::name_of(problem.code)},
+                        {"what", problem.what},
+                        {"remedy", gcode::remedy_of(problem.code)}});
+    }
+    return list;
+}
+
+std::string count_text(std::uint64_t count, const char* one) {
+    return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+}
+
+void print_json(const std::string& path, const gcode::ProgramFacts& facts,
+                const gcode::ProblemList& problems) {
+    Json object{{"file", path},
+                {"ok", problems.error_count() == 0},
+                {"lines", facts.line_count},
+                {"motions", facts.motion_count},
+                {"error_count", problems.error_count()},
+                {"errors", problems_json(problems.errors())},
+                {"warning_count", problems.warning_count()},
+                {"warnings", problems_json(problems.warnings())}};
+    if (problems.error_count() > 0) {
+        const std::string message = gcode::problem_text(problems.errors().front(), path);
+        object["error"] = Json::parse(error_json(bad_input(message)));
+    }
+    std::printf("%s\n", object.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+void print_problems(const std::string& path, const gcode::ProblemList& problems) {
+    for (const gcode::Problem& problem : problems.warnings())
+        print_warning(gcode::problem_text(problem, path));
+    if (const auto more = problems.warning_count() - problems.warnings().size(); more > 0)
+        print_warning(path + ": and " + count_text(more, "warning") + " more");
+    for (const gcode::Problem& problem : problems.errors())
+        print_error(bad_input(gcode::problem_text(problem, path)));
+    if (const auto more = problems.error_count() - problems.errors().size(); more > 0)
+        print_error(bad_input(path + ": and " + count_text(more, "error") + " more"));
+}
+
+/// As its user calls it.
+std::string program_name(const std::string& path) {
+    return path.starts_with(model::kDescriptorFolder) ? model::source_name_of(path) : path;
+}
+
+Result<int> check(const CommonOptions& common, const GcodeCheckOptions& options) {
+    const std::string name = program_name(options.path);
+    gcode::InterpreterOptions how;
+    how.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
+    how.skips_deleted = options.skips_deleted;
+    gcode::ProblemList problems;
+    std::unique_ptr<gcode::MachineCheck> machine;
+    if (!options.leaves_out_machine) {
+        const auto profile = chosen_profile(common);
+        if (!profile) return profile.error();
+        machine = std::make_unique<gcode::MachineCheck>(*profile, problems);
+        how.reference = gcode::MachineCheck::reference_of(*profile);
+        how.is_start_known = false;
+    }
+    auto bytes = gcode::open_program(options.path);
+    if (!bytes) return bytes.error();
+    gcode::LineSource lines{std::move(bytes).value()};
+    CheckedMotion motion{machine.get(), options.prints_canon};
+    const auto facts = gcode::interpret_program(lines, how, motion, problems);
+    motion.flush();
+    if (!facts) return facts.error();
+    print_problems(name, problems);
+    if (common.json) print_json(name, *facts, problems);
+    if (problems.error_count() > 0) return kExitBadInput;
+    if (!common.json && !options.prints_canon)
+        std::printf("%s: OK, %s, %s\n", name.c_str(), count_text(facts->line_count, "line").c_str(),
+                    count_text(facts->motion_count, "motion").c_str());
+    return kExitDone;
+}
+
+}  // namespace
+
+void add_gcode_check(CommandSet& commands) {
+    const auto options = std::make_shared<GcodeCheckOptions>();
+    commands.add(kGcodeCheckText, [options](const CommonOptions& common) { return check(common, *options); })
+        .input("FILE", options->path, "A program in G-code")
+        .flag("--canon", options->prints_canon, "Print canonical motion, one JSON object a line")
+        .flag("--no-machine", options->leaves_out_machine, "Judge the language alone, with all letters")
+        .flag("--block-delete", options->skips_deleted, "Leave out blocks that begin with /")
+        .choice("--dialect", options->dialect, {"ngc", "iso"},
+                "Where controls differ: with iso G70 and G71 are the units (default ngc)")
+        .excludes("--canon", "--json");
+}
+
+}  // namespace psicarve::cli

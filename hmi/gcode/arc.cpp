@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/gcode/arc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "shared/units.hpp"
+
+namespace psicarve::gcode {
+namespace {
+
+constexpr double kLeastRadiusMm = 1e-4;
+constexpr double kAnyDifferenceMm = 0.005;
+constexpr double kMostDifferenceMm = 0.5;
+constexpr double kMostDifferenceRatio = 0.001;
+
+double distance_mm(const PlanePoint& a, const PlanePoint& b) noexcept {
+    return std::hypot(a.first_mm - b.first_mm, a.second_mm - b.second_mm);
+}
+
+std::string told(const char* format, double a_mm, double b_mm) {
+    char text[160];
+    std::snprintf(text, sizeof text, format, a_mm, b_mm);
+    return text;
+}
+
+}  // namespace
+
+std::optional<ArcFault> centre_fault(const PlanePoint& start, const PlanePoint& end,
+                                     const PlanePoint& centre) {
+    const double start_mm = distance_mm(start, centre);
+    const double end_mm = distance_mm(end, centre);
+    if (std::min(start_mm, end_mm) < kLeastRadiusMm)
+        return ArcFault{ProblemCode::arc_radius_zero, "the arc's centre lies on one of its ends"};
+    const double difference_mm = std::abs(start_mm - end_mm);
+    const double allowed_mm =
+        std::min(kMostDifferenceMm, std::max(kAnyDifferenceMm, kMostDifferenceRatio * start_mm));
+    if (difference_mm > allowed_mm)
+        return ArcFault{
+            ProblemCode::arc_radius_differs,
+            told("the arc's radius is %.4f mm at its begin and %.4f mm at its end", start_mm, end_mm)};
+    return std::nullopt;
+}
+
+std::optional<PlanePoint> centre_of_radius(const PlanePoint& start, const PlanePoint& end, double radius_mm,
+                                           bool is_clockwise, std::optional<ArcFault>& fault) {
+    const double chord_mm = distance_mm(start, end);
+    if (chord_mm < kSamePlaceMm) {
+        fault = ArcFault{ProblemCode::arc_whole_by_radius, "the arc ends where it begins"};
+        return std::nullopt;
+    }
+    const double half_mm = chord_mm / 2.0;
+    const double magnitude_mm = std::abs(radius_mm);
+    if (half_mm - magnitude_mm > kAnyDifferenceMm || magnitude_mm < kLeastRadiusMm) {
+        fault = ArcFault{ProblemCode::arc_radius_small,
+                         told("a radius of %.4f mm does not reach the end, which is %.4f mm away",
+                              magnitude_mm, chord_mm)};
+        return std::nullopt;
+    }
+    const double inside = (magnitude_mm - half_mm) * (magnitude_mm + half_mm);
+    const double off_mm = inside > 0.0 ? std::sqrt(inside) : 0.0;
+    const bool is_right = is_clockwise == (radius_mm > 0.0);
+    const double side = is_right ? off_mm : -off_mm;
+    const double along_first = (end.first_mm - start.first_mm) / chord_mm;
+    const double along_second = (end.second_mm - start.second_mm) / chord_mm;
+    return PlanePoint{(start.first_mm + end.first_mm) / 2.0 + side * along_second,
+                      (start.second_mm + end.second_mm) / 2.0 - side * along_first};
+}
+
+double sweep_rad(const PlanePoint& start, const PlanePoint& end, const PlanePoint& centre,
+                 int turns) noexcept {
+    constexpr double kWholeRad = 2.0 * kPi;
+    const double others_rad = kWholeRad * static_cast<double>(std::abs(turns) - 1);
+    double sweep = std::atan2(end.second_mm - centre.second_mm, end.first_mm - centre.first_mm) -
+                   std::atan2(start.second_mm - centre.second_mm, start.first_mm - centre.first_mm);
+    if (turns < 0) sweep = -sweep;
+    if (distance_mm(start, end) < kSamePlaceMm) {
+        sweep = kWholeRad;
+    } else if (sweep <= 0.0) {
+        sweep += kWholeRad;
+    }
+    return turns < 0 ? -(sweep + others_rad) : sweep + others_rad;
+}
+
+}  // namespace psicarve::gcode

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "hmi/gcode/problem.hpp"
+
+namespace psicarve::gcode {
+
+/// In the plane's two axes [mm].
+struct PlanePoint {
+    double first_mm = 0.0;
+    double second_mm = 0.0;
+};
+
+struct ArcFault {
+    ProblemCode code;
+    std::string what;
+};
+
+/// An arc whose ends are this close is a whole circle.
+inline constexpr double kSamePlaceMm = 1e-6;
+
+/// What is wrong with a centre: none of the radii may be zero, nor may they differ by more than 0.5 mm, or by
+/// more than both 0.005 mm and a thousandth. Source: grbl 1.1, gcode.c.
+std::optional<ArcFault> centre_fault(const PlanePoint& start, const PlanePoint& end,
+                                     const PlanePoint& centre);
+
+/// Centre of an arc of a radius; of more than half a turn where it is negative. Nothing: `fault` says why.
+std::optional<PlanePoint> centre_of_radius(const PlanePoint& start, const PlanePoint& end, double radius_mm,
+                                           bool is_clockwise, std::optional<ArcFault>& fault);
+
+/// How far it turns, > 0 counterclockwise, with `turns` begun turns (their sign the direction).
+double sweep_rad(const PlanePoint& start, const PlanePoint& end, const PlanePoint& centre,
+                 int turns) noexcept;
+
+}  // namespace psicarve::gcode

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "hmi/gcode/position.hpp"
+
+namespace psicarve::gcode {
+
+enum class CanonKind : std::uint8_t {
+    rapid,
+    feed,
+    arc,
+    dwell,         ///< value: seconds
+    speed,         ///< value: revolutions a minute
+    spindle,       ///< code: 3, 4 or 5, as M has it
+    coolant,       ///< code: 7, 8 or 9
+    tool_select,   ///< value: number
+    tool_change,   ///< value: number of the selected one
+    path,          ///< code: 610, 611 or 640; value: tolerance in mm, 0: none is given
+    override_set,  ///< code: 48 to 53; value: P, 1 where none is given
+    output,        ///< code: 62 to 65; value: number
+    input,         ///< code: 66; value: number
+    stop,          ///< code: 0, 1 or 60
+    end,           ///< code: 2 or 30, 0: by %
+};
+
+/// What a machine is to do next, in machine coordinates.
+struct CanonRecord {
+    CanonKind kind = CanonKind::end;
+    std::uint64_t line = 0;
+    std::uint32_t column = 0;
+    int code = 0;
+    double value = 0.0;
+    Position start{};
+    Position end{};
+    AxisMask placed = 0;           ///< axes whose place the program itself has told by now
+    AxisMask start_placed = 0;     ///< the same before
+    double feed_per_min = 0.0;     ///< mm, or degrees where only rotary axes move; 0: rapid
+    const Plane* plane = nullptr;  ///< of an arc
+    double centre_first_mm = 0.0;
+    double centre_second_mm = 0.0;
+    int turns = 0;  ///< begun, > 0 counterclockwise
+};
+
+/// Takes records in the order of their execution.
+class CanonSink {
+public:
+    virtual ~CanonSink() = default;
+    virtual void take(const CanonRecord& record) = 0;
+};
+
+}  // namespace psicarve::gcode

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/gcode/interpreter.hpp"
+
+#include <utility>
+
+namespace psicarve::gcode {
+
+Interpreter::Interpreter(const InterpreterOptions& options, CanonSink& sink, ProblemList& problems)
+    : options_(options),
+      sink_(sink),
+      problems_(problems),
+      references_{options.reference, options.reference},
+      placed_(options.is_start_known ? kAllLetters : AxisMask{0}) {}
+
+void Interpreter::run(const Block& block) {
+    if (has_ended_ || (block.is_deleted() && options_.skips_deleted)) return;
+    Fault wrong = words_.read(block, options_.dialect);
+    if (!wrong && words_.is_empty()) return;
+    if (!wrong) wrong = judge();
+    if (!wrong) wrong = execute();
+    if (!wrong) return;
+    problems_.add(std::move(*wrong));
+    pass_unreadable();
+    // A program that is wrong in its last block has an end all the same.
+    const int stop_code = words_.code(CodeGroup::stop);
+    if (stop_code == 2 || stop_code == 30) has_ended_ = true;
+}
+
+void Interpreter::pass_unreadable() noexcept {
+    doubtful_ = kAllLetters;
+    placed_ = 0;
+    is_feed_doubtful_ = true;
+    is_motion_doubtful_ = true;
+}
+
+void Interpreter::end_by_percent(std::uint64_t line) {
+    CanonRecord ended;
+    ended.line = line;
+    ended.column = 1;
+    sink_.take(ended);
+    has_ended_ = true;
+}
+
+Problem Interpreter::fault(std::uint32_t column, ProblemCode code, std::string what) const {
+    return words_.problem(column, code, std::move(what));
+}
+
+Interpreter::Fault Interpreter::judge() {
+    if (auto wrong = judge_motion()) return wrong;
+    if (auto wrong = judge_claims()) return wrong;
+    return words_.left_over();
+}
+
+/// Whom the axis words belong to, and which motion there is to be.
+Interpreter::Fault Interpreter::judge_motion() {
+    const int once = words_.code(CodeGroup::once);
+    const int motion = words_.code(CodeGroup::motion);
+    const bool has_axes = words_.axes() != 0;
+    const bool is_length = words_.code(CodeGroup::length) == 431;
+    const bool is_claimed = once == 100 || once == 280 || once == 300 || once == 920 || is_length;
+    motion_to_be_ = motion == 800 ? kNoCode : motion;
+    if (is_claimed) {
+        const CodeGroup claimant = is_length ? CodeGroup::length : CodeGroup::once;
+        if (has_axes && motion_to_be_ != kNoCode)
+            return fault(words_.column(CodeGroup::motion), ProblemCode::claimed_twice,
+                         code_name('G', motion) + " and " + code_name('G', words_.code(claimant)) +
+                             " both use axis words");
+        if (!has_axes && (is_length || once == 920))
+            return fault(words_.column(claimant), ProblemCode::axes_missing,
+                         code_name('G', words_.code(claimant)) + " has no axis word");
+        words_.take_axes();
+        motion_to_be_ = kNoCode;
+    } else if (motion == kNoCode && has_axes) {
+        motion_to_be_ = modes_.motion == 800 ? kNoCode : modes_.motion;
+        if (is_motion_doubtful_) words_.take_axes();
+    }
+    if (motion_to_be_ != kNoCode) words_.take_axes();
+    if (once != 530) return std::nullopt;
+    if (motion_to_be_ != 0 && motion_to_be_ != 10 && !is_motion_doubtful_)
+        return fault(words_.column(CodeGroup::once), ProblemCode::g53_motion,
+                     "G53 without a straight motion");
+    const int distance = words_.code(CodeGroup::distance);
+    if (distance == 910 || (distance == kNoCode && modes_.is_incremental))
+        return fault(words_.column(CodeGroup::once), ProblemCode::g53_incremental, "G53 while G91 holds");
+    return std::nullopt;
+}
+
+/// Whom the other words belong to; P may belong to one code only.
+Interpreter::Fault Interpreter::judge_claims() {
+    const int once = words_.code(CodeGroup::once);
+    const int outputs = words_.code(CodeGroup::outputs);
+    const bool is_arc = motion_to_be_ == 20 || motion_to_be_ == 30;
+    int claims = 0;
+    if (is_arc)
+        for (const char letter : {'I', 'J', 'K', 'R'}) words_.take(letter);
+    if (is_cycle(motion_to_be_))
+        for (const char letter : {'R', 'L'}) words_.take(letter);
+    if (motion_to_be_ == 830 || words_.code(CodeGroup::path) == 640) words_.take('Q');
+    if (once == 100)
+        for (const char letter : {'L', 'R'}) words_.take(letter);
+    if (outputs == 66)
+        for (const char letter : {'L', 'Q'}) words_.take(letter);
+    for (const bool claims_p : {is_arc, motion_to_be_ == 820, once == 40, once == 100, outputs != kNoCode,
+                                words_.code(CodeGroup::path) == 640, words_.code(CodeGroup::overrides) >= 50})
+        claims += claims_p ? 1 : 0;
+    if (claims > 0) words_.take('P');
+    if (claims > 1 && words_.has('P'))
+        return fault(words_.column('P'), ProblemCode::claimed_twice, "two codes of the block use P");
+    if (is_motion_doubtful_ && words_.code(CodeGroup::motion) == kNoCode)
+        for (const char letter : {'I', 'J', 'K', 'R', 'P', 'Q', 'L'}) words_.take(letter);
+    return std::nullopt;
+}
+
+Interpreter::Fault Interpreter::execute() {
+    set_units();
+    if (auto wrong = set_feed()) return wrong;
+    if (words_.has('S')) {
+        modes_.spindle_rpm = words_.value('S');
+        emit(CanonKind::speed, 0, modes_.spindle_rpm);
+    }
+    if (auto wrong = set_outputs()) return wrong;
+    set_tool();
+    set_spindle();
+    set_switches();
+    if (auto wrong = dwell()) return wrong;
+    set_plane();
+    if (auto wrong = set_length()) return wrong;
+    set_system();
+    set_path();
+    set_distances();
+    if (auto wrong = do_once()) return wrong;
+    if (auto wrong = move()) return wrong;
+    stop();
+    return std::nullopt;
+}
+
+CanonRecord Interpreter::record(CanonKind kind) const {
+    CanonRecord made;
+    made.kind = kind;
+    made.line = words_.line();
+    made.column = words_.first_column();
+    return made;
+}
+
+void Interpreter::emit(CanonKind kind, int code, double value) {
+    CanonRecord made = record(kind);
+    made.code = code;
+    made.value = value;
+    sink_.take(made);
+}
+
+void Interpreter::refresh_program() noexcept {
+    program_ = offsets_.to_program(machine_);
+}
+
+}  // namespace psicarve::gcode

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "hmi/gcode/arc.hpp"
+#include "hmi/gcode/block.hpp"
+#include "hmi/gcode/block_meaning.hpp"
+#include "hmi/gcode/canon.hpp"
+#include "hmi/gcode/modal_state.hpp"
+#include "hmi/gcode/problem.hpp"
+#include "hmi/gcode/work_offsets.hpp"
+
+namespace psicarve::gcode {
+
+struct InterpreterOptions {
+    Dialect dialect = Dialect::ngc;
+    bool skips_deleted = false;  ///< blocks that begin with / are left out
+    Position reference{};        ///< where G28 and G30 go until G28.1 or G30.1 sets it, machine coordinates
+    bool is_start_known = true;  ///< the program begins at the machine's zero
+};
+
+/// Executes blocks in the order of RS274/NGC, one after the other, and gives what they mean to a sink. A
+/// wrong block is told, and what depends on it is not told again.
+class Interpreter {
+public:
+    /// Sink and list outlive the interpreter.
+    Interpreter(const InterpreterOptions& options, CanonSink& sink, ProblemList& problems);
+
+    void run(const Block& block);
+    /// In place of run() for a block that could not be read.
+    void pass_unreadable() noexcept;
+    /// By the second % of a program.
+    void end_by_percent(std::uint64_t line);
+    /// What follows is not the program's.
+    bool has_ended() const noexcept { return has_ended_; }
+    std::uint64_t motion_count() const noexcept { return motion_count_; }
+
+private:
+    using Fault = std::optional<Problem>;
+
+    Fault judge();
+    Fault judge_motion();
+    Fault judge_claims();
+    Fault execute();
+
+    void set_units();
+    Fault set_feed();
+    Fault set_outputs();
+    void set_tool();
+    void set_spindle();
+    void set_switches();
+    Fault dwell();
+    void set_plane() noexcept;
+    void set_distances() noexcept;
+    void set_path();
+    Fault set_length();
+    void set_system();
+    Fault do_once();
+    Fault set_coordinates();
+    void set_shift();
+    void go_to_reference(std::size_t which);
+    void stop();
+
+    Fault move();
+    Fault move_straight(bool is_rapid);
+    Fault move_on_arc(bool is_clockwise);
+    Fault find_centre(const PlanePoint& start, const PlanePoint& end, bool is_clockwise, PlanePoint& centre);
+    Fault read_centre_words(const PlanePoint& start, PlanePoint& centre) const;
+    Fault read_turns(int& turns) const;
+    Fault drill();
+    Fault read_cycle_words();
+    void drill_hole(Position& at, double clear_mm, double depth_mm, double retract_mm);
+
+    Fault check_feed();
+    double feed_of_line(const Position& from, const Position& to) const noexcept;
+    double feed_of_length(double length) const noexcept;
+    Position target() const noexcept;
+    double axis_mm(std::size_t axis) const noexcept;
+    void note_places(AxisMask axes, bool is_machine) noexcept;
+
+    CanonRecord record(CanonKind kind) const;
+    void emit(CanonKind kind, int code, double value);
+    void emit_move(CanonRecord& record, const Position& program, double feed_per_min);
+    void rapid_to(const Position& program);
+    void feed_to(const Position& program);
+    void refresh_program() noexcept;
+    Problem fault(std::uint32_t column, ProblemCode code, std::string what) const;
+    bool is_cycle(int motion) const noexcept { return motion >= 810; }
+
+    InterpreterOptions options_;
+    CanonSink& sink_;
+    ProblemList& problems_;
+    BlockMeaning words_;
+    ModalState modes_;
+    CycleWords cycle_;
+    WorkOffsets offsets_;
+    std::array<Position, 2> references_;
+    Position program_{};  ///< where the machine stands, in program coordinates
+    Position machine_{};
+    int motion_to_be_ = kNoCode;
+    AxisMask placed_ = 0;    ///< machine axes whose place the program has told
+    AxisMask doubtful_ = 0;  ///< axes that a wrong block may have meant to move
+    bool is_feed_doubtful_ = false;
+    bool is_motion_doubtful_ = false;
+    bool has_ended_ = false;
+    std::uint64_t motion_count_ = 0;
+};
+
+}  // namespace psicarve::gcode

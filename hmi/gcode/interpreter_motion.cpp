@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <string>
+
+#include "hmi/gcode/interpreter.hpp"
+
+namespace psicarve::gcode {
+namespace {
+
+constexpr double kMostTurns = 1e6;
+
+double length_of(const Position& from, const Position& to, std::size_t begin) noexcept {
+    const double a = to[begin] - from[begin];
+    const double b = to[begin + 1] - from[begin + 1];
+    const double c = to[begin + 2] - from[begin + 2];
+    return std::sqrt(a * a + b * b + c * c);
+}
+
+PlanePoint in_plane(const Position& position, const Plane& plane) noexcept {
+    return {position[plane.first], position[plane.second]};
+}
+
+}  // namespace
+
+Interpreter::Fault Interpreter::move() {
+    const int before = modes_.motion;
+    if (words_.has(CodeGroup::motion)) {
+        modes_.motion = words_.code(CodeGroup::motion);
+        is_motion_doubtful_ = false;
+    }
+    if (is_motion_doubtful_) return std::nullopt;
+    if (motion_to_be_ == kNoCode) return std::nullopt;
+    const bool is_arc = motion_to_be_ == 20 || motion_to_be_ == 30;
+    if (!is_arc && !is_cycle(motion_to_be_) && words_.axes() == 0) return std::nullopt;
+    if (is_cycle(motion_to_be_)) {
+        if (words_.axes() == 0)
+            return fault(words_.column(CodeGroup::motion), ProblemCode::axes_missing,
+                         code_name('G', motion_to_be_) + " has no axis word");
+        // What one cycle was told does not hold for another.
+        if (!is_cycle(before)) cycle_.initial_mm = program_[modes_.plane->across];
+        modes_.motion = before;
+        const Fault wrong = drill();
+        modes_.motion = motion_to_be_;
+        return wrong;
+    }
+    return is_arc ? move_on_arc(motion_to_be_ == 20) : move_straight(motion_to_be_ == 0);
+}
+
+double Interpreter::axis_mm(std::size_t axis) const noexcept {
+    return is_rotary(axis) ? words_.axis_value(axis) : words_.axis_value(axis) * modes_.mm_per_unit;
+}
+
+Position Interpreter::target() const noexcept {
+    const AxisMask axes = words_.axes();
+    const bool is_machine = words_.code(CodeGroup::once) == 530;
+    Position end = is_machine ? machine_ : program_;
+    for (std::size_t axis = 0; axis < kLetterCount; ++axis) {
+        if ((axes & mask_of(axis)) == 0) continue;
+        end[axis] = modes_.is_incremental ? end[axis] + axis_mm(axis) : axis_mm(axis);
+    }
+    return is_machine ? offsets_.to_program(end) : end;
+}
+
+void Interpreter::note_places(AxisMask axes, bool is_machine) noexcept {
+    if (modes_.is_incremental && !is_machine) return;
+    doubtful_ = static_cast<AxisMask>(doubtful_ & ~axes);
+    const AxisMask both = 3;
+    if (is_machine || !offsets_.is_turned() || (axes & both) == 0 || (axes & both) == both) {
+        placed_ |= axes;
+        return;
+    }
+    // One word moves both axes of the machine, from where it stands.
+    if ((placed_ & both) != both) placed_ = static_cast<AxisMask>(placed_ & ~both);
+    placed_ |= static_cast<AxisMask>(axes & ~both);
+}
+
+Interpreter::Fault Interpreter::check_feed() {
+    if (is_feed_doubtful_) return std::nullopt;
+    const std::uint32_t column = words_.axis_column();
+    if (modes_.feed_mode == FeedMode::inverse_time) {
+        if (words_.has('F') && modes_.feed_number > 0.0) return std::nullopt;
+        return fault(column, ProblemCode::inverse_feed_missing, "a move under G93 without F");
+    }
+    if (modes_.feed_number <= 0.0)
+        return fault(column, ProblemCode::feed_missing, "a move that cuts, and the feed is 0");
+    if (modes_.feed_mode == FeedMode::per_revolution && modes_.spindle_rpm <= 0.0)
+        return fault(column, ProblemCode::no_spindle_speed, "a move under G95, and no spindle speed");
+    return std::nullopt;
+}
+
+double Interpreter::feed_of_length(double length) const noexcept {
+    switch (modes_.feed_mode) {
+        case FeedMode::inverse_time:
+            return modes_.feed_number * length;
+        case FeedMode::per_revolution:
+            return modes_.feed_mm * modes_.spindle_rpm;
+        case FeedMode::per_minute:
+            break;
+    }
+    return modes_.feed_mm;
+}
+
+double Interpreter::feed_of_line(const Position& from, const Position& to) const noexcept {
+    double length = length_of(from, to, 0);
+    if (length == 0.0) length = length_of(from, to, 6);
+    if (length > 0.0) return feed_of_length(length);
+    const double turned_deg = length_of(from, to, 3);
+    if (turned_deg == 0.0 || modes_.feed_mode == FeedMode::inverse_time) return feed_of_length(turned_deg);
+    // Degrees, whatever the unit of length.
+    return modes_.feed_mode == FeedMode::per_minute ? modes_.feed_number
+                                                    : modes_.feed_number * modes_.spindle_rpm;
+}
+
+void Interpreter::emit_move(CanonRecord& moved, const Position& program, double feed_per_min) {
+    moved.start = machine_;
+    moved.column = words_.axis_column();
+    moved.feed_per_min = feed_per_min;
+    moved.placed = placed_;
+    program_ = program;
+    machine_ = offsets_.to_machine(program);
+    moved.end = machine_;
+    ++motion_count_;
+    sink_.take(moved);
+}
+
+void Interpreter::rapid_to(const Position& program) {
+    CanonRecord moved = record(CanonKind::rapid);
+    moved.start_placed = placed_;
+    emit_move(moved, program, 0.0);
+}
+
+void Interpreter::feed_to(const Position& program) {
+    CanonRecord moved = record(CanonKind::feed);
+    moved.start_placed = placed_;
+    emit_move(moved, program, feed_of_line(program_, program));
+}
+
+Interpreter::Fault Interpreter::move_straight(bool is_rapid) {
+    if (!is_rapid)
+        if (auto wrong = check_feed()) return wrong;
+    const Position end = target();
+    note_places(words_.axes(), words_.code(CodeGroup::once) == 530);
+    is_rapid ? rapid_to(end) : feed_to(end);
+    return std::nullopt;
+}
+
+Interpreter::Fault Interpreter::read_centre_words(const PlanePoint& start, PlanePoint& centre) const {
+    const Plane& plane = *modes_.plane;
+    const bool has_first = words_.has(plane.first_centre);
+    const bool has_second = words_.has(plane.second_centre);
+    if (modes_.has_absolute_centres && !(has_first && has_second))
+        return fault(
+            words_.first_column(), ProblemCode::word_missing,
+            std::string{"under G90.1 an arc has both "} + plane.first_centre + " and " + plane.second_centre);
+    const double scale = modes_.mm_per_unit;
+    const double first_mm = has_first ? words_.value(plane.first_centre) * scale : 0.0;
+    const double second_mm = has_second ? words_.value(plane.second_centre) * scale : 0.0;
+    centre = modes_.has_absolute_centres ? PlanePoint{first_mm, second_mm}
+                                         : PlanePoint{start.first_mm + first_mm, start.second_mm + second_mm};
+    return std::nullopt;
+}
+
+Interpreter::Fault Interpreter::find_centre(const PlanePoint& start, const PlanePoint& end, bool is_clockwise,
+                                            PlanePoint& centre) {
+    const Plane& plane = *modes_.plane;
+    const bool has_centre = words_.has(plane.first_centre) || words_.has(plane.second_centre);
+    const std::uint32_t column = words_.axis_column();
+    if (words_.has(plane.other_centre))
+        return fault(words_.column(plane.other_centre), ProblemCode::arc_words_mixed,
+                     std::string{plane.other_centre} + " is no word of an arc in " + std::string{plane.name});
+    if (words_.has('R') && has_centre)
+        return fault(words_.column('R'), ProblemCode::arc_words_mixed, "the arc has a centre and a radius");
+    if (!words_.has('R') && !has_centre)
+        return fault(column, ProblemCode::arc_centre_missing, "the arc has no centre and no radius");
+    const AxisMask axes = static_cast<AxisMask>(mask_of(plane.first) | mask_of(plane.second));
+    std::optional<ArcFault> wrong;
+    if (words_.has('R')) {
+        const double radius_mm = words_.value('R') * modes_.mm_per_unit;
+        if (const auto found = centre_of_radius(start, end, radius_mm, is_clockwise, wrong)) centre = *found;
+    } else {
+        if (auto missing = read_centre_words(start, centre)) return missing;
+        wrong = centre_fault(start, end, centre);
+    }
+    if (!wrong || (doubtful_ & axes) != 0) return std::nullopt;
+    return fault(column, wrong->code, std::move(wrong->what));
+}
+
+Interpreter::Fault Interpreter::read_turns(int& turns) const {
+    turns = 1;
+    if (!words_.has('P')) return std::nullopt;
+    const double value = words_.value('P');
+    if (value != std::floor(value))
+        return fault(words_.column('P'), ProblemCode::not_whole, "P of an arc counts its turns");
+    if (value < 1.0 || value > kMostTurns)
+        return fault(words_.column('P'), ProblemCode::out_of_range, "an arc has 1 to 1000000 turns");
+    turns = static_cast<int>(value);
+    return std::nullopt;
+}
+
+Interpreter::Fault Interpreter::move_on_arc(bool is_clockwise) {
+    const Plane& plane = *modes_.plane;
+    if (auto wrong = check_feed()) return wrong;
+    if (offsets_.is_turned() && plane.across != 2)
+        return fault(words_.axis_column(), ProblemCode::arc_rotated,
+                     "an arc in " + std::string{plane.name} + " of a system that is rotated");
+    const Position end = target();
+    const PlanePoint from = in_plane(program_, plane);
+    const PlanePoint to = in_plane(end, plane);
+    PlanePoint centre = from;
+    int turns = 1;
+    if (auto wrong = find_centre(from, to, is_clockwise, centre)) return wrong;
+    if (auto wrong = read_turns(turns)) return wrong;
+    CanonRecord moved = record(CanonKind::arc);
+    moved.start_placed = placed_;
+    note_places(words_.axes(), false);
+    Position middle = end;
+    middle[plane.first] = centre.first_mm;
+    middle[plane.second] = centre.second_mm;
+    middle = offsets_.to_machine(middle);
+    moved.plane = &plane;
+    moved.centre_first_mm = middle[plane.first];
+    moved.centre_second_mm = middle[plane.second];
+    moved.turns = is_clockwise ? -turns : turns;
+    double feed_per_min = feed_of_length(0.0);
+    if (modes_.feed_mode == FeedMode::inverse_time) {
+        const double radius_mm =
+            std::hypot(from.first_mm - centre.first_mm, from.second_mm - centre.second_mm);
+        const double round_mm = radius_mm * sweep_rad(from, to, centre, moved.turns);
+        feed_per_min = feed_of_length(std::hypot(round_mm, end[plane.across] - program_[plane.across]));
+    }
+    emit_move(moved, end, feed_per_min);
+    return std::nullopt;
+}
+
+}  // namespace psicarve::gcode

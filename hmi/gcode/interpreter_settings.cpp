@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What blocks set, in the order of their execution.
+#include <cmath>
+
+#include "hmi/gcode/interpreter.hpp"
+
+namespace psicarve::gcode {
+namespace {
+
+constexpr double kMostOutputs = 64.0;
+
+FeedMode feed_mode_of(int code) noexcept {
+    return code == 930 ? FeedMode::inverse_time
+                       : (code == 940 ? FeedMode::per_minute : FeedMode::per_revolution);
+}
+
+bool is_whole(double value) noexcept {
+    return value == std::floor(value);
+}
+
+}  // namespace
+
+void Interpreter::set_units() {
+    const int code = words_.code(CodeGroup::units);
+    if (code == kNoCode) return;
+    const double mm_per_unit = code == 200 ? kMmPerInch : 1.0;
+    if (words_.has('F') && mm_per_unit != modes_.mm_per_unit)
+        problems_.add(fault(words_.column('F'), ProblemCode::feed_beside_units,
+                            "F stands beside new units, and counts in these"));
+    modes_.mm_per_unit = mm_per_unit;
+}
+
+Interpreter::Fault Interpreter::set_feed() {
+    if (words_.has(CodeGroup::feed_mode)) {
+        const FeedMode mode = feed_mode_of(words_.code(CodeGroup::feed_mode));
+        // A number that was per minute means nothing per turn.
+        if (mode != modes_.feed_mode) modes_.feed_number = modes_.feed_mm = 0.0;
+        modes_.feed_mode = mode;
+    }
+    if (!words_.has('F')) return std::nullopt;
+    modes_.feed_number = words_.value('F');
+    modes_.feed_mm = modes_.feed_number * modes_.mm_per_unit;
+    is_feed_doubtful_ = false;
+    return std::nullopt;
+}
+
+Interpreter::Fault Interpreter::set_outputs() {
+    const int code = words_.code(CodeGroup::outputs);
+    if (code == kNoCode) return std::nullopt;
+    if (!words_.has('P'))
+        return fault(words_.column(CodeGroup::outputs), ProblemCode::word_missing,
+                     code_name('M', code) + " has no P, the number");
+    const double number = words_.value('P');
+    if (!is_whole(number))
+        return fault(words_.column('P'), ProblemCode::not_whole, "P is a number of an output");
+    if (number < 0.0 || number >= kMostOutputs)
+        return fault(words_.column('P'), ProblemCode::out_of_range,
+                     "outputs and inputs have numbers 0 to 63");
+    emit(code == 66 ? CanonKind::input : CanonKind::output, code, number);
+    return std::nullopt;
+}
+
+void Interpreter::set_tool() {
+    if (words_.has('T')) {
+        modes_.tool = words_.value('T');
+        emit(CanonKind::tool_select, 0, modes_.tool);
+    }
+    if (!words_.has(CodeGroup::tool)) return;
+    if (modes_.is_spindle_on) emit(CanonKind::spindle, 5, 0.0);
+    modes_.is_spindle_on = false;
+    emit(CanonKind::tool_change, 6, modes_.tool);
+}
+
+void Interpreter::set_spindle() {
+    const int code = words_.code(CodeGroup::spindle);
+    if (code == kNoCode) return;
+    modes_.is_spindle_on = code != 5;
+    emit(CanonKind::spindle, code, modes_.spindle_rpm);
+}
+
+void Interpreter::set_switches() {
+    if (words_.has(CodeGroup::coolant)) emit(CanonKind::coolant, words_.code(CodeGroup::coolant), 0.0);
+    if (words_.has(CodeGroup::overrides))
+        emit(CanonKind::override_set, words_.code(CodeGroup::overrides),
+             words_.has('P') ? words_.value('P') : 1.0);
+}
+
+Interpreter::Fault Interpreter::dwell() {
+    if (words_.code(CodeGroup::once) != 40) return std::nullopt;
+    if (!words_.has('P'))
+        return fault(words_.column(CodeGroup::once), ProblemCode::word_missing, "G4 has no P, the seconds");
+    if (words_.value('P') < 0.0)
+        return fault(words_.column('P'), ProblemCode::out_of_range, "a dwell of less than 0 s");
+    emit(CanonKind::dwell, 40, words_.value('P'));
+    return std::nullopt;
+}
+
+void Interpreter::set_plane() noexcept {
+    const int code = words_.code(CodeGroup::plane);
+    if (code == kNoCode) return;
+    modes_.plane = code == 170 ? &kPlaneXy : (code == 180 ? &kPlaneZx : &kPlaneYz);
+}
+
+void Interpreter::set_distances() noexcept {
+    if (words_.has(CodeGroup::distance)) modes_.is_incremental = words_.code(CodeGroup::distance) == 910;
+    if (words_.has(CodeGroup::arc_distance))
+        modes_.has_absolute_centres = words_.code(CodeGroup::arc_distance) == 901;
+    if (words_.has(CodeGroup::retract)) modes_.retracts_to_start = words_.code(CodeGroup::retract) == 980;
+}
+
+void Interpreter::set_path() {
+    const int code = words_.code(CodeGroup::path);
+    if (code == kNoCode) return;
+    const bool has_tolerance = code == 640 && words_.has('P');
+    emit(CanonKind::path, code, has_tolerance ? words_.value('P') * modes_.mm_per_unit : 0.0);
+}
+
+Interpreter::Fault Interpreter::set_length() {
+    const int code = words_.code(CodeGroup::length);
+    if (code == kNoCode) return std::nullopt;
+    if (code == 490) {
+        offsets_.clear_tool();
+    } else {
+        Position length{};
+        for (std::size_t axis = 0; axis < kLetterCount; ++axis)
+            if ((words_.axes() & mask_of(axis)) != 0) length[axis] = axis_mm(axis);
+        offsets_.set_tool(words_.axes(), length);
+    }
+    refresh_program();
+    return std::nullopt;
+}
+
+void Interpreter::set_system() {
+    const int code = words_.code(CodeGroup::system);
+    if (code == kNoCode) return;
+    const int system = code <= 590 ? (code - 540) / 10 : 5 + (code - 590);
+    offsets_.select(static_cast<std::size_t>(system));
+    refresh_program();
+}
+
+Interpreter::Fault Interpreter::do_once() {
+    switch (words_.code(CodeGroup::once)) {
+        case 100:
+            return set_coordinates();
+        case 280:
+            go_to_reference(0);
+            break;
+        case 300:
+            go_to_reference(1);
+            break;
+        case 281:
+            references_[0] = machine_;
+            break;
+        case 301:
+            references_[1] = machine_;
+            break;
+        case 920:
+            set_shift();
+            break;
+        case 921:
+            offsets_.clear_shift();
+            break;
+        case 922:
+            offsets_.suspend_shift();
+            break;
+        case 923:
+            offsets_.restore_shift();
+            break;
+        default:
+            return std::nullopt;
+    }
+    refresh_program();
+    return std::nullopt;
+}
+
+Interpreter::Fault Interpreter::set_coordinates() {
+    const std::uint32_t column = words_.column(CodeGroup::once);
+    if (!words_.has('L')) return fault(column, ProblemCode::word_missing, "G10 has no L");
+    const double kind = words_.value('L');
+    if (kind != 2.0 && kind != 20.0)
+        return fault(words_.column('L'), ProblemCode::out_of_range, "G10 is read with L2 and L20");
+    if (!words_.has('P')) return fault(column, ProblemCode::word_missing, "G10 has no P, the system");
+    const double number = words_.value('P');
+    if (!is_whole(number)) return fault(words_.column('P'), ProblemCode::not_whole, "P is a system's number");
+    if (number < 0.0 || number > 9.0)
+        return fault(words_.column('P'), ProblemCode::out_of_range, "systems have numbers 0 to 9");
+    const std::size_t system = number == 0.0 ? offsets_.active() : static_cast<std::size_t>(number) - 1;
+    if (words_.has('R') && kind == 20.0)
+        return fault(words_.column('R'), ProblemCode::word_unused, "G10 L20 sets no rotation");
+    if (words_.has('R')) offsets_.set_rotation(system, words_.value('R'));
+    Position given{};
+    for (std::size_t axis = 0; axis < kLetterCount; ++axis) {
+        if ((words_.axes() & mask_of(axis)) == 0) continue;
+        given[axis] = axis_mm(axis);
+        if (kind == 2.0) offsets_.set_origin(system, axis, given[axis]);
+    }
+    if (kind == 20.0) offsets_.set_current(system, machine_, words_.axes(), given);
+    refresh_program();
+    return std::nullopt;
+}
+
+void Interpreter::set_shift() {
+    Position given{};
+    for (std::size_t axis = 0; axis < kLetterCount; ++axis)
+        if ((words_.axes() & mask_of(axis)) != 0) given[axis] = axis_mm(axis);
+    offsets_.set_shift(machine_, words_.axes(), given);
+}
+
+void Interpreter::go_to_reference(std::size_t which) {
+    const AxisMask axes = words_.axes() != 0 ? words_.axes() : kAllLetters;
+    const Position between = target();
+    note_places(words_.axes(), false);
+    rapid_to(between);
+    Position home = machine_;
+    for (std::size_t axis = 0; axis < kLetterCount; ++axis)
+        if ((axes & mask_of(axis)) != 0) home[axis] = references_[which][axis];
+    note_places(axes, true);
+    rapid_to(offsets_.to_program(home));
+}
+
+void Interpreter::stop() {
+    const int code = words_.code(CodeGroup::stop);
+    if (code == kNoCode) return;
+    if (code != 2 && code != 30) return emit(CanonKind::stop, code, 0.0);
+    emit(CanonKind::end, code, 0.0);
+    has_ended_ = true;
+}
+
+}  // namespace psicarve::gcode

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/gcode/line_source.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+namespace psicarve::gcode {
+namespace {
+
+constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
+
+/// A file's descriptor, closed at the end.
+class OpenProgram {
+public:
+    explicit OpenProgram(int descriptor) noexcept : descriptor_(descriptor) {}
+    ~OpenProgram() {
+        if (descriptor_ >= 0) close(descriptor_);
+    }
+    OpenProgram(const OpenProgram&) = delete;
+    OpenProgram& operator=(const OpenProgram&) = delete;
+
+    int descriptor() const noexcept { return descriptor_; }
+
+private:
+    int descriptor_;
+};
+
+Error wrong_program(const std::string& path) {
+    return bad_input(path + ": cannot be read: " + std::strerror(errno));
+}
+
+}  // namespace
+
+LineSource::LineSource(ByteSource bytes) : bytes_(std::move(bytes)), buffer_(kBufferBytes, '\0') {}
+
+Result<bool> LineSource::fill() {
+    const auto got = bytes_(std::span<char>{buffer_.data(), buffer_.size()});
+    if (!got) return got.error();
+    begin_ = 0;
+    end_ = *got;
+    return *got > 0;
+}
+
+Result<bool> LineSource::next(std::string_view& line) {
+    joined_.clear();
+    bool has_some = false;
+    for (;;) {
+        if (begin_ == end_) {
+            const auto filled = fill();
+            if (!filled) return filled.error();
+            if (!*filled) {
+                if (!has_some) return false;
+                break;
+            }
+        }
+        has_some = true;
+        const std::string_view rest{buffer_.data() + begin_, end_ - begin_};
+        const std::size_t length = rest.find('\n');
+        const std::string_view piece = rest.substr(0, length);
+        begin_ += piece.size();
+        if (length != std::string_view::npos) ++begin_;
+        if (length != std::string_view::npos && joined_.empty()) {
+            ++number_;
+            line = piece.substr(0, kMostLineBytes + 1);
+            return true;
+        }
+        const std::size_t room = kMostLineBytes + 1 - joined_.size();
+        joined_.append(piece.substr(0, room));
+        if (length != std::string_view::npos) break;
+    }
+    ++number_;
+    line = joined_;
+    return true;
+}
+
+Result<ByteSource> open_program(const std::string& path) {
+    const auto program = std::make_shared<OpenProgram>(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat facts {};
+    if (program->descriptor() < 0 || fstat(program->descriptor(), &facts) != 0) return wrong_program(path);
+    if (S_ISDIR(facts.st_mode)) return bad_input(path + ": is a folder; name a program");
+    return ByteSource{[program, path](std::span<char> room) -> Result<std::size_t> {
+        for (;;) {
+            const ssize_t got = read(program->descriptor(), room.data(), room.size());
+            if (got >= 0) return static_cast<std::size_t>(got);
+            if (errno != EINTR) return wrong_program(path);
+        }
+    }};
+}
+
+}  // namespace psicarve::gcode

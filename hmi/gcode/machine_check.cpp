@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/gcode/machine_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "hmi/gcode/arc.hpp"
+#include "shared/units.hpp"
+
+namespace psicarve::gcode {
+namespace {
+
+constexpr std::size_t kLetterX = 0;
+constexpr std::size_t kLetterY = 1;
+constexpr std::size_t kLetterZ = 2;
+constexpr std::size_t kLetterC = 5;
+/// A B U V W.
+constexpr AxisMask kForeignLetters = 0x1D8;
+
+std::string length_text(double length_mm) {
+    char text[48];
+    std::snprintf(text, sizeof text, "%.4f mm", length_mm);
+    return text;
+}
+
+/// Least and greatest of both axes of an arc.
+struct ArcExtents {
+    double least_mm[2];
+    double most_mm[2];
+};
+
+ArcExtents extents_of(const CanonRecord& record) noexcept {
+    const Plane& plane = *record.plane;
+    const PlanePoint from{record.start[plane.first], record.start[plane.second]};
+    const PlanePoint to{record.end[plane.first], record.end[plane.second]};
+    const PlanePoint centre{record.centre_first_mm, record.centre_second_mm};
+    const double radius_mm = std::hypot(from.first_mm - centre.first_mm, from.second_mm - centre.second_mm);
+    const double start_rad = std::atan2(from.second_mm - centre.second_mm, from.first_mm - centre.first_mm);
+    const double sweep = sweep_rad(from, to, centre, record.turns);
+    const double begin_rad = std::min(start_rad, start_rad + sweep);
+    const double end_rad = std::max(start_rad, start_rad + sweep);
+    const auto passes = [&](double angle_rad) {
+        const double next = angle_rad + 2.0 * kPi * std::ceil((begin_rad - angle_rad) / (2.0 * kPi));
+        return next <= end_rad;
+    };
+    ArcExtents found{{std::min(from.first_mm, to.first_mm), std::min(from.second_mm, to.second_mm)},
+                     {std::max(from.first_mm, to.first_mm), std::max(from.second_mm, to.second_mm)}};
+    if (passes(0.0)) found.most_mm[0] = centre.first_mm + radius_mm;
+    if (passes(kPi / 2.0)) found.most_mm[1] = centre.second_mm + radius_mm;
+    if (passes(kPi)) found.least_mm[0] = centre.first_mm - radius_mm;
+    if (passes(-kPi / 2.0)) found.least_mm[1] = centre.second_mm - radius_mm;
+    return found;
+}
+
+/// Whether the record brings the axis to where it has not been judged yet.
+bool is_new_place(const CanonRecord& record, std::size_t letter) noexcept {
+    if ((record.placed & mask_of(letter)) == 0) return false;
+    return (record.start_placed & mask_of(letter)) == 0 || record.start[letter] != record.end[letter];
+}
+
+}  // namespace
+
+MachineCheck::MachineCheck(const Profile& profile, ProblemList& problems)
+    : problems_(problems),
+      axes_{
+          {{kLetterX, Axis::r1, axis_motion(profile, Axis::r1), core_radius_pulses(profile, Axis::r1), "r1"},
+           {kLetterY, Axis::y, axis_motion(profile, Axis::y), 0, "y"},
+           {kLetterZ, Axis::r2, axis_motion(profile, Axis::r2), core_radius_pulses(profile, Axis::r2),
+            "r2"}}},
+      tips_mm_(profile.r1.tip_mm() + profile.r2.tip_mm()),
+      clearance_mm_(profile.head_clearance_mm) {}
+
+Position MachineCheck::reference_of(const Profile& profile) noexcept {
+    Position reference{};
+    reference[kLetterX] = profile.r1.home_position_mm;
+    reference[kLetterY] = profile.y.home_position_mm;
+    reference[kLetterZ] = profile.r2.home_position_mm;
+    reference[kLetterC] = profile.psi.home_position_deg;
+    return reference;
+}
+
+void MachineCheck::refuse(const CanonRecord& record, ProblemCode code, std::string what) {
+    problems_.add({record.line, record.column, code, std::move(what)});
+}
+
+void MachineCheck::take(const CanonRecord& record) {
+    switch (record.kind) {
+        case CanonKind::rapid:
+        case CanonKind::feed:
+            return judge_motion(record);
+        case CanonKind::arc:
+            return judge_arc(record);
+        default:
+            return judge_switches(record);
+    }
+}
+
+void MachineCheck::judge_switches(const CanonRecord& record) {
+    if (record.kind == CanonKind::spindle && record.code == 4)
+        refuse(record, ProblemCode::spindle_reverse, "M4: the machine's spindle does not turn back");
+    if (record.kind == CanonKind::speed)
+        refuse(record, ProblemCode::speed_unused, "S: the machine's spindle is only switched");
+    if (record.kind == CanonKind::coolant && record.code != 9)
+        refuse(record, ProblemCode::coolant_unused, "the machine has no output for coolant");
+    if (record.kind == CanonKind::output || record.kind == CanonKind::input)
+        refuse(record, ProblemCode::output_missing,
+               "M" + std::to_string(record.code) + ": the machine has no such output or input");
+}
+
+bool MachineCheck::has_only_our_letters(const CanonRecord& record) {
+    for (std::size_t letter = 0; letter < kLetterCount; ++letter) {
+        const bool is_foreign = (kForeignLetters & mask_of(letter)) != 0;
+        if (!is_foreign || record.start[letter] == record.end[letter]) continue;
+        refuse(record, ProblemCode::axis_missing,
+               "the machine has no axis " + std::string{kAxisLetters[letter]});
+        return false;
+    }
+    return true;
+}
+
+const MachineCheck::LinearAxis& MachineCheck::axis_of_letter(std::size_t letter) const noexcept {
+    return axes_[letter];
+}
+
+void MachineCheck::judge_extents(const CanonRecord& record, const LinearAxis& axis, double least_mm,
+                                 double most_mm) {
+    const double per_mm = axis.motion.pulses_per_unit;
+    const std::int64_t least = pulses_from_mm(least_mm, per_mm);
+    const std::int64_t most = pulses_from_mm(most_mm, per_mm);
+    if (least < axis.motion.travel_min_pulses || most > axis.motion.travel_max_pulses) {
+        const bool is_low = least < axis.motion.travel_min_pulses;
+        refuse(record, ProblemCode::outside_travel,
+               axis.name + " comes to " + length_text(is_low ? least_mm : most_mm) + ", its travel is " +
+                   length_text(mm_from_pulses(axis.motion.travel_min_pulses, per_mm)) + " to " +
+                   length_text(mm_from_pulses(axis.motion.travel_max_pulses, per_mm)));
+    } else if (axis.axis != Axis::y && least < axis.core_pulses) {
+        refuse(record, ProblemCode::core_radius,
+               axis.name + " comes to " + length_text(least_mm) +
+                   ", and the core that it must not reach ends at " +
+                   length_text(mm_from_pulses(axis.core_pulses, per_mm)));
+    }
+}
+
+void MachineCheck::judge_tips(const CanonRecord& record) {
+    const AxisMask both = static_cast<AxisMask>(mask_of(kLetterX) | mask_of(kLetterZ));
+    if ((record.placed & both) != both) return;
+    if (!is_new_place(record, kLetterX) && !is_new_place(record, kLetterZ)) return;
+    const double apart_mm = record.end[kLetterX] + record.end[kLetterZ] + tips_mm_;
+    // Half a micrometre, less than a pulse: sums of decimal numbers are not exact.
+    if (apart_mm >= clearance_mm_ - 0.0005) return;
+    refuse(record, ProblemCode::heads_meet,
+           "the tips of r1 and r2 are " + length_text(apart_mm) +
+               " apart, closer than head_clearance_mm = " + length_text(clearance_mm_));
+}
+
+void MachineCheck::judge_motion(const CanonRecord& record) {
+    if (!has_only_our_letters(record)) return;
+    for (const LinearAxis& axis : axes_) {
+        if (!is_new_place(record, axis.letter)) continue;
+        judge_extents(record, axis, record.end[axis.letter], record.end[axis.letter]);
+    }
+    judge_tips(record);
+}
+
+void MachineCheck::judge_arc(const CanonRecord& record) {
+    if (!has_only_our_letters(record)) return;
+    const Plane& plane = *record.plane;
+    if (plane.across == kLetterY)
+        return refuse(record, ProblemCode::arc_axes, "an arc in ZX moves both heads");
+    const AxisMask both = static_cast<AxisMask>(mask_of(plane.first) | mask_of(plane.second));
+    if ((record.start_placed & record.placed & both) == both) {
+        const ArcExtents found = extents_of(record);
+        judge_extents(record, axis_of_letter(plane.first), found.least_mm[0], found.most_mm[0]);
+        judge_extents(record, axis_of_letter(plane.second), found.least_mm[1], found.most_mm[1]);
+    }
+    if (is_new_place(record, plane.across)) {
+        const double end_mm = record.end[plane.across];
+        judge_extents(record, axis_of_letter(plane.across), end_mm, end_mm);
+    }
+    judge_tips(record);
+}
+
+}  // namespace psicarve::gcode

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "hmi/gcode/canon.hpp"
+#include "hmi/gcode/problem.hpp"
+#include "shared/profile.hpp"
+
+namespace psicarve::gcode {
+
+/// Judges motion by a machine with the letters X = R1, Z = R2, Y and C = Psi, as far as it can be told
+/// without planning: letters, arcs, travel of ends and arcs, core radius, the tips' distance at ends,
+/// outputs. Axes whose place the program has not told yet are not judged.
+class MachineCheck : public CanonSink {
+public:
+    /// The list outlives the check.
+    MachineCheck(const Profile& profile, ProblemList& problems);
+
+    void take(const CanonRecord& record) override;
+    /// Where G28 goes: the axes' home positions.
+    static Position reference_of(const Profile& profile) noexcept;
+
+private:
+    struct LinearAxis {
+        std::size_t letter;
+        Axis axis;
+        AxisMotion motion;
+        std::int64_t core_pulses;  ///< of a head
+        std::string name;
+    };
+
+    void refuse(const CanonRecord& record, ProblemCode code, std::string what);
+    void judge_switches(const CanonRecord& record);
+    bool has_only_our_letters(const CanonRecord& record);
+    void judge_motion(const CanonRecord& record);
+    void judge_arc(const CanonRecord& record);
+    void judge_extents(const CanonRecord& record, const LinearAxis& axis, double least_mm, double most_mm);
+    void judge_tips(const CanonRecord& record);
+    const LinearAxis& axis_of_letter(std::size_t letter) const noexcept;
+
+    ProblemList& problems_;
+    std::array<LinearAxis, 3> axes_;
+    double tips_mm_;  ///< what both heads' tips stand further out than counted, together
+    double clearance_mm_;
+};
+
+}  // namespace psicarve::gcode

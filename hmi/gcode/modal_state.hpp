@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "hmi/gcode/position.hpp"
+
+namespace psicarve::gcode {
+
+enum class FeedMode : std::uint8_t { inverse_time, per_minute, per_revolution };
+
+inline constexpr double kMmPerInch = 25.4;
+
+/// What holds from block to block; as it is when a program begins.
+struct ModalState {
+    int motion = 800;
+    const Plane* plane = &kPlaneXy;
+    bool is_incremental = false;
+    bool has_absolute_centres = false;
+    FeedMode feed_mode = FeedMode::per_minute;
+    double mm_per_unit = 1.0;
+    /// As it was written, per minute, turn or move; 0: none is given.
+    double feed_number = 0.0;
+    double feed_mm = 0.0;  ///< the same, were it a length in the units of its time
+    bool retracts_to_start = false;
+    double spindle_rpm = 0.0;
+    bool is_spindle_on = false;
+    double tool = 0.0;
+};
+
+/// Of a drilling cycle, kept while the same one goes on [mm, s].
+struct CycleWords {
+    double clear_mm = 0.0;    ///< R
+    double depth_mm = 0.0;    ///< the word of the axis across the plane
+    double peck_mm = 0.0;     ///< Q
+    double dwell_s = 0.0;     ///< P
+    double initial_mm = 0.0;  ///< where the axis stood before the first hole
+};
+
+}  // namespace psicarve::gcode

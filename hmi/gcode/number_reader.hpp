@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace psicarve::gcode {
+
+/// What stands behind a letter.
+struct NumberReading {
+    std::size_t end = 0;  ///< index of the first byte that is not the number's
+    bool has_digits = false;
+    std::optional<double> value;  ///< nothing: it is too large, or has no digits
+};
+
+/// Reads a number as RS274/NGC writes it: a sign, digits and a point, blanks anywhere between them; no
+/// exponent. The value is the nearest one that there is.
+NumberReading read_number(std::string_view line, std::size_t begin) noexcept;
+
+}  // namespace psicarve::gcode

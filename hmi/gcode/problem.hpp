@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace psicarve::gcode {
+
+/// What can be wrong with a program. Names are stable; docs/gcode.md lists them.
+enum class ProblemCode : std::uint8_t {
+    line_too_long,
+    bad_character,
+    open_comment,
+    nested_comment,
+    number_missing,
+    bad_number,
+    word_repeated,
+    not_whole,
+    out_of_range,
+    not_read,
+    unknown_g,
+    unknown_m,
+    group_conflict,
+    claimed_twice,
+    axes_missing,
+    axes_unused,
+    word_unused,
+    word_missing,
+    feed_missing,
+    inverse_feed_missing,
+    no_spindle_speed,
+    arc_centre_missing,
+    arc_radius_differs,
+    arc_radius_zero,
+    arc_radius_small,
+    arc_whole_by_radius,
+    arc_words_mixed,
+    arc_rotated,
+    cycle_depth,
+    cycle_feed_mode,
+    cycle_rotary,
+    g53_motion,
+    g53_incremental,
+    compensation,
+    tool_table,
+    percent_place,
+    no_end,
+    axis_missing,
+    arc_axes,
+    outside_travel,
+    core_radius,
+    heads_meet,
+    spindle_reverse,
+    output_missing,
+    feed_beside_units,
+    speed_unused,
+    coolant_unused,
+};
+inline constexpr std::size_t kProblemCodeCount = 47;
+
+std::string_view name_of(ProblemCode code) noexcept;
+/// What to do about it, one clause.
+std::string_view remedy_of(ProblemCode code) noexcept;
+/// Told, and the program is good all the same.
+bool is_warning(ProblemCode code) noexcept;
+
+struct Problem {
+    std::uint64_t line = 0;    ///< from 1
+    std::uint32_t column = 0;  ///< from 1, in bytes
+    ProblemCode code = ProblemCode::bad_character;
+    std::string what;
+};
+/// "FILE:LINE:COLUMN: code: what is wrong; remedy"
+std::string problem_text(const Problem& problem, std::string_view file_name);
+
+/// All problems of a program are counted, the first ones of each kind kept.
+class ProblemList {
+public:
+    static constexpr std::size_t kMostKept = 100;
+
+    void add(Problem problem);
+    const std::vector<Problem>& errors() const noexcept { return errors_; }
+    const std::vector<Problem>& warnings() const noexcept { return warnings_; }
+    std::uint64_t error_count() const noexcept { return error_count_; }
+    std::uint64_t warning_count() const noexcept { return warning_count_; }
+
+private:
+    std::vector<Problem> errors_;
+    std::vector<Problem> warnings_;
+    std::uint64_t error_count_ = 0;
+    std::uint64_t warning_count_ = 0;
+};
+
+}  // namespace psicarve::gcode

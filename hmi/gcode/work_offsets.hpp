@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "hmi/gcode/position.hpp"
+
+namespace psicarve::gcode {
+
+/// Where a program's zero is: machine = system + turned(program + G92) + tool length. The turn is that of the
+/// work coordinate system, about its zero, in X and Y.
+class WorkOffsets {
+public:
+    static constexpr std::size_t kSystemCount = 9;
+
+    Position to_machine(const Position& program) const noexcept;
+    Position to_program(const Position& machine) const noexcept;
+    /// In machine coordinates, of a pair of X and Y in program coordinates that `to_machine` would place.
+    bool is_turned() const noexcept { return systems_[active_].rotation_deg != 0.0; }
+
+    std::size_t active() const noexcept { return active_; }
+    void select(std::size_t system) noexcept;
+    void set_origin(std::size_t system, std::size_t axis, double origin) noexcept;
+    void set_rotation(std::size_t system, double rotation_deg) noexcept;
+    /// G10 L20: sets the system so that the machine stands at `program` in it.
+    void set_current(std::size_t system, const Position& machine, AxisMask axes,
+                     const Position& program) noexcept;
+
+    /// G92: the machine's place gets these coordinates.
+    void set_shift(const Position& machine, AxisMask axes, const Position& program) noexcept;
+    void clear_shift() noexcept;    ///< G92.1
+    void suspend_shift() noexcept;  ///< G92.2
+    void restore_shift() noexcept;  ///< G92.3
+
+    void set_tool(AxisMask axes, const Position& length) noexcept;  ///< G43.1
+    void clear_tool() noexcept;                                     ///< G49
+
+private:
+    struct System {
+        Position origin{};
+        double rotation_deg = 0.0;
+    };
+
+    void refresh() noexcept;
+    Position unturned(const Position& machine, const System& system) const noexcept;
+
+    std::array<System, kSystemCount> systems_{};
+    std::size_t active_ = 0;
+    Position shift_{};
+    Position kept_shift_{};
+    Position tool_{};
+    // Worked out of them.
+    Position sum_{};
+    double sine_ = 0.0;
+    double cosine_ = 1.0;
+};
+
+}  // namespace psicarve::gcode

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <set>
+#include <sstream>
+
+#include "tests/hmi/gcode/read_program.hpp"
+#include "tests/places.hpp"
+
+namespace psicarve::gcode {
+namespace {
+
+struct BadProgram {
+    std::string name;
+    std::uint64_t line = 0;
+    std::uint32_t column = 0;
+    std::string code;
+    bool is_of_machine = false;
+};
+
+std::vector<BadProgram> bad_programs() {
+    std::vector<BadProgram> programs;
+    std::istringstream lines{file_text(in_source("tests/data/gcode/bad/expected.txt"))};
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words{line};
+        BadProgram program;
+        std::string machine;
+        words >> program.name >> program.line >> program.column >> program.code >> machine;
+        program.is_of_machine = machine == "machine";
+        programs.push_back(program);
+    }
+    return programs;
+}
+
+class BadPrograms : public ::testing::TestWithParam<BadProgram> {};
+
+TEST_P(BadPrograms, AreToldByTheirPlaceAndCodeAlone) {
+    const BadProgram& bad = GetParam();
+    Profile profile;
+    profile.head_clearance_mm = 4.0;
+    const auto read = read_program(file_text(in_source("tests/data/gcode/bad/" + bad.name + ".ngc")), {},
+                                   bad.is_of_machine ? &profile : nullptr);
+    EXPECT_EQ(read->faults(),
+              Faults{std::to_string(bad.line) + ":" + std::to_string(bad.column) + " " + bad.code});
+    ASSERT_FALSE(read->problems.errors().empty());
+    EXPECT_FALSE(read->problems.errors().front().what.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Gcode, BadPrograms, ::testing::ValuesIn(bad_programs()),
+                         [](const auto& program) { return program.param.name; });
+
+TEST(ProblemCodes, HaveEachABadProgram) {
+    std::set<std::string> shown;
+    for (const BadProgram& program : bad_programs()) shown.insert(program.code);
+    for (std::size_t i = 0; i < kProblemCodeCount; ++i) {
+        const auto code = static_cast<ProblemCode>(i);
+        EXPECT_EQ(shown.contains(std::string{name_of(code)}), !is_warning(code)) << name_of(code);
+    }
+}
+
+TEST(ProblemCodes, StandInTheDocumentation) {
+    const std::string page = file_text(in_source("docs/gcode.md"));
+    for (std::size_t i = 0; i < kProblemCodeCount; ++i) {
+        const std::string name{name_of(static_cast<ProblemCode>(i))};
+        EXPECT_NE(page.find("| `" + name + "` |"), std::string::npos) << name;
+    }
+}
+
+TEST(Problems, AreOneLineWithPlaceCodeAndRemedy) {
+    EXPECT_EQ(problem_text({3, 7, ProblemCode::feed_missing, "no feed"}, "a.ngc"),
+              "a.ngc:3:7: feed_missing: no feed; give F before the first move that cuts");
+}
+
+TEST(Problems, AreAllCountedAndAHundredKept) {
+    std::string text;
+    for (int i = 0; i < 250; ++i) text += "G123\n";
+    const auto read = read_program(text + "M2\n");
+    EXPECT_EQ(read->problems.error_count(), 250U);
+    EXPECT_EQ(read->problems.errors().size(), 100U);
+}
+
+TEST(Problems, AreNotToldAgainOfWhatDependsOnThem) {
+    // Without the first line there is no feed, no motion, and no place where the arc begins.
+    EXPECT_EQ(read_program("G1 X5 Y5 F1OO\nX6\nG2 X8 I1\nM2\n")->faults(), Faults{"1:12 not_read"});
+    EXPECT_EQ(read_program("F100 G0 X5 &\nG2 X8 Y0 I1\nG0 X0 Y0\nG2 X9 I1\nM2\n")->faults(),
+              (Faults{"1:12 bad_character", "4:4 arc_radius_differs"}));
+}
+
+}  // namespace
+}  // namespace psicarve::gcode

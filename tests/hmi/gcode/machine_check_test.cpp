@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/gcode/machine_check.hpp"
+
+#include "tests/hmi/gcode/read_program.hpp"
+
+namespace psicarve::gcode {
+namespace {
+
+Faults faults_of(const std::string& text, const Profile& profile = {}) {
+    return read_program(text, {}, &profile)->faults();
+}
+
+TEST(MachineCheck, TakesWhatTheMachineCanDo) {
+    EXPECT_EQ(faults_of("G21 F100\nG0 X60 Y0 Z1.5 C720\nG1 X1.5 Y150 Z60\nG0 X20 Y50\nG3 Y60 J5\nG28\nM2\n"),
+              Faults{});
+}
+
+TEST(MachineCheck, JudgesTravelToThePulse) {
+    // 400 pulses a mm: less than half a pulse is none.
+    EXPECT_EQ(faults_of("G0 X60.001 Y150.001\nM2\n"), Faults{});
+    EXPECT_EQ(faults_of("G0 X60.002\nG0 Y150.002\nG0 Y-.002\nM2\n"),
+              (Faults{"1:4 outside_travel", "2:4 outside_travel", "3:4 outside_travel"}));
+}
+
+TEST(MachineCheck, DoesNotJudgeAnAxisBeforeTheProgramPlacesIt) {
+    EXPECT_EQ(faults_of("G91 G0 X-500\nG90 Y20\nM2\n"), Faults{});
+    EXPECT_EQ(faults_of("G91 G0 X-500\nG90 G0 X20\nG91 X-500\nM2\n"), Faults{"3:5 outside_travel"});
+}
+
+TEST(MachineCheck, FindsHowFarAnArcReaches) {
+    // From the left to the right of a circle of 10 mm about (51, 40), over its top and below it.
+    const std::string begin = "F100\nG0 X41 Y40\n";
+    EXPECT_EQ(faults_of(begin + "G2 X61 I10\nM2\n"), Faults{"3:4 outside_travel"});
+    EXPECT_EQ(faults_of("F100\nG0 X55 Y10\nG3 X55 Y30 J10\nM2\n"), Faults{"3:4 outside_travel"});
+    EXPECT_EQ(faults_of("F100\nG0 X55 Y10\nG2 X55 Y30 J10\nM2\n"), Faults{});
+    EXPECT_EQ(faults_of("F100\nG0 Z55 Y10\nG19 G2 Z55 Y10 J10\nM2\n"), Faults{"3:8 outside_travel"});
+    EXPECT_EQ(faults_of("F100\nG0 X5 Y10\nG2 X5 Y20 J5\nM2\n"), Faults{"3:4 core_radius"});
+}
+
+TEST(MachineCheck, WarnsOfWhatTheMachineCannotSwitchAndTheProgramIsRight) {
+    const Profile profile;
+    const auto read = read_program("S100 M3\nM8\nM9\nM2\n", {}, &profile);
+    EXPECT_EQ(read->problems.error_count(), 0U);
+    EXPECT_EQ(read->faults(), (Faults{"1:1 speed_unused", "2:1 coolant_unused"}));
+}
+
+TEST(MachineCheck, SendsTheHeadsHomeByG28) {
+    const Profile profile;
+    const auto read = read_program("G28\nM2\n", {}, &profile);
+    EXPECT_EQ(read->faults(), Faults{});
+    EXPECT_EQ(read->records[1].end[0], profile.r1.home_position_mm);
+}
+
+}  // namespace
+}  // namespace psicarve::gcode

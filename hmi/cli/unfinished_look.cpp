@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/cli/unfinished_look.hpp"
 
+#include <algorithm>
+
 namespace psicarve::cli {
 namespace {
 
@@ -18,7 +20,8 @@ const std::optional<FoundCheckpoint>& UnfinishedLook::look(const std::string& se
             return find_unfinished(segment, is_simulator, folder);
         });
     }
-    if (auto seen = work_.take(patience)) {
+    const auto least = std::exchange(has_waited_, true) ? std::chrono::milliseconds{0} : kDiskPatience;
+    if (auto seen = work_.take(std::max(patience, least))) {
         found_ = std::move(*seen);
         has_answered_ = true;
     }

@@ -20,7 +20,8 @@ public:
     /// `folder`: where cores keep it; empty: where they do by themselves.
     explicit UnfinishedLook(std::string folder) : folder_(std::move(folder)) {}
 
-    /// Of a core's kind of machine; nothing: of any. Waits at most so long; what was seen a while ago is
+    /// Of a core's kind of machine; nothing: of any. Waits at most so long, and the first time at least
+    /// kDiskPatience, or it would say that nothing is known before it has asked; what was seen a while ago is
     /// looked at anew meanwhile.
     const std::optional<FoundCheckpoint>& look(const std::string& segment, std::optional<bool> is_simulator,
                                                std::chrono::milliseconds patience);
@@ -33,6 +34,7 @@ private:
     std::optional<FoundCheckpoint> found_;
     std::chrono::steady_clock::time_point next_look_{};
     bool has_answered_ = false;
+    bool has_waited_ = false;
 };
 
 }  // namespace psicarve::cli

@@ -168,6 +168,7 @@ void MachineSession::look_for_checkpoint() {
     sight_.resumable_layer.reset();
     sight_.earlier_layer.reset();
     sight_.is_checkpoint_from_disk = false;
+    sight_.job_remark = sight_.is_heard() ? link_->job_remark() : std::string{};
     const auto checkpoint = link_->checkpoint();
     if (!checkpoint || !link_->is_of_published_job(*checkpoint)) return;
     if (checkpoint->next_layer > 0 && checkpoint->next_layer < checkpoint->layer_count)

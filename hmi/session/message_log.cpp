@@ -9,6 +9,7 @@
 #include "hmi/session/alarm_history.hpp"
 #include "hmi/session/alarm_text.hpp"
 #include "hmi/session/lost_core.hpp"
+#include "hmi/session/saved_piece.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -102,6 +103,14 @@ void tell_profile(const MachineSight& before, const MachineSight& after, std::ve
                 phrase("Start psicarve-rtcore with that profile, or the window without it")));
 }
 
+/// When the core accepts the job, or a window begins to look.
+void tell_disagreement(const MachineSight& before, const MachineSight& after, std::vector<Message>& told) {
+    auto both = disagreement(after);
+    if (both && disagreement(before) != both)
+        told.push_back(message(Severity::warning, *std::move(both),
+                               phrase("See how far the piece is carved before it goes on.")));
+}
+
 }  // namespace
 
 std::vector<Message> changes_between(const MachineSight& before, const MachineSight& after) {
@@ -115,6 +124,7 @@ std::vector<Message> changes_between(const MachineSight& before, const MachineSi
     if (!after.status || !after.is_heard()) return told;
     tell_profile(before, after, told);
     std::move(news, alarms.end(), std::back_inserter(told));
+    tell_disagreement(before, after, told);
     if (!before.status || !before.is_heard()) return told;
     const bool is_alarm = after.state() == MachineState::alarm;
     if (!is_alarm && before.state() != after.state())

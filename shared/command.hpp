@@ -33,7 +33,8 @@ enum class CommandKind : std::uint32_t {
     test_pin = 16,    ///< drives off: axis: an output's Signal, active alone while value is 1, lease; value2:
                       ///< so many pulses instead, speed: in a second; value 0: the test ends
     drives_off = 17,  ///< at rest: positions are lost
-    forget_piece = 18,  ///< at rest: the checkpoint goes, in the segment and on the disk
+    forget_piece = 18,  ///< at rest: the one record that it names (saved_checkpoint.hpp), in the segment and
+                        ///< on the disk
 };
 inline constexpr std::uint32_t kCommandKindCount = 19;
 std::string_view name_of(CommandKind kind) noexcept;  ///< as on the command line: "start-interpolation"

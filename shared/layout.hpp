@@ -139,7 +139,7 @@ using FlightRecorder = SharedRing<FlightRecord, kFlightRecords>;
 struct ProcessIdentity {
     AtomicWord64 start_time;
     AtomicWord32 pid;
-    std::uint32_t reserved;
+    AtomicWord32 keeping;  ///< of a core: CoreKeeping, packed (state_place.hpp); 0: not known
 };
 
 /// What the core drives, as its --port says it: "sim", "ppdev:/dev/parport0", "io:0x378".

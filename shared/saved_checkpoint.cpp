@@ -4,10 +4,13 @@
 #include <unistd.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 
@@ -128,38 +131,84 @@ Result<void> save_checkpoint(const SavedCheckpoint& saved, const std::string& pa
     return write_parts_atomically(path, parts, FileRights{kForEverybody, {}});
 }
 
+std::optional<FoundCheckpoint> find_in(const std::string& folder, const std::string& segment_name,
+                                       bool is_simulator) {
+    const StateNames names{folder, segment_name, is_simulator};
+    auto saved = load_saved_checkpoint(names.checkpoint());
+    if (!saved || !saved->is_of(segment_name, is_simulator)) return std::nullopt;
+    const std::string job = names.job(saved->checkpoint.job_checksum);
+    return FoundCheckpoint{std::move(*saved), names.checkpoint(),
+                           is_snapshot_file(job) ? job : std::string{}};
+}
+
 std::optional<FoundCheckpoint> find_newest(const std::string& segment_name, bool is_simulator,
-                                           const std::vector<std::string>& folders) {
-    std::optional<FoundCheckpoint> found;
+                                           const std::vector<std::string>& folders, const CoreKeeping& core) {
+    std::vector<FoundCheckpoint> all;
     for (const std::string& folder : folders) {
-        const StateNames names{folder, segment_name, is_simulator};
-        auto saved = load_saved_checkpoint(names.checkpoint());
-        if (!saved || !saved->is_of(segment_name, is_simulator)) continue;
-        if (found && found->saved.sequence >= saved->sequence) continue;
-        const std::string job = names.job(saved->checkpoint.job_checksum);
-        found = FoundCheckpoint{std::move(*saved), names.checkpoint(),
-                                is_snapshot_file(job) ? job : std::string{}};
+        auto found = find_in(folder, segment_name, is_simulator);
+        if (core.is_in(folder)) {
+            if (found) found->keeper = Keeper::this_core;
+            return found;
+        }
+        if (found) all.push_back(std::move(*found));
     }
+    if (all.empty()) return std::nullopt;
+    const auto is_older = [](const FoundCheckpoint& one, const FoundCheckpoint& other) {
+        return one.saved.written_s < other.saved.written_s;
+    };
+    const auto newest = std::ranges::max_element(all, is_older);
+    FoundCheckpoint found = *newest;
+    if (core.how != CoreKeeping::How::unknown) found.keeper = Keeper::other_core;
+    for (const FoundCheckpoint& other : all)
+        if (other.path != found.path && other.saved.is_unfinished()) found.other_paths.push_back(other.path);
     return found;
 }
 
 std::optional<FoundCheckpoint> find_unfinished(const std::string& segment_name,
-                                               std::optional<bool> is_simulator, const std::string& folder) {
+                                               std::optional<bool> is_simulator, const std::string& folder,
+                                               const CoreKeeping& core) {
     const std::vector<std::string> folders =
         folder.empty() ? state_folders_to_read() : std::vector<std::string>{folder};
     for (const bool is_simulated : {false, true}) {
         if (is_simulator && *is_simulator != is_simulated) continue;
-        auto found = find_newest(segment_name, is_simulated, folders);
+        auto found = find_newest(segment_name, is_simulated, folders, core);
         if (found && found->saved.is_unfinished()) return found;
     }
     return std::nullopt;
 }
 
 Result<void> forget_piece(const FoundCheckpoint& found) {
-    if (auto withdrawn = withdraw_file(found.path); !withdrawn) return withdrawn.error();
+    if (auto gone = withdraw_record(found.path, found.saved.name()); !gone) return gone.error();
     // Without its checkpoint it is a job like others: harmless where it stays.
     if (!found.job_path.empty()) ::unlink(found.job_path.c_str());
     return {};
+}
+
+Result<void> withdraw_record(const std::string& path, const RecordName& record) {
+    const auto standing = load_saved_checkpoint(path);
+    std::error_code error;
+    if (!standing && !std::filesystem::exists(path, error) && !error) return {};
+    if (!standing) return standing.error();  // another program's, or a disk's that does not say
+    if (standing->name() != record)
+        return Error{ErrorCode::machine_refused, path + ": another record has come meanwhile; it is left"};
+    return withdraw_file(path);
+}
+
+Command command_to_forget(const RecordName& record) noexcept {
+    constexpr unsigned kHalfBits = 32;
+    Command command{};
+    command.kind = CommandKind::forget_piece;
+    command.axis = record.is_simulator ? 1 : 0;
+    command.value2 = record.sequence;
+    command.lease_token = static_cast<std::uint32_t>(record.job_checksum);
+    command.lease_ms = static_cast<std::uint32_t>(record.job_checksum >> kHalfBits);
+    return command;
+}
+
+RecordName record_to_forget(const Command& command, const std::string& segment_name) {
+    constexpr unsigned kHalfBits = 32;
+    const std::uint64_t high = command.lease_ms;
+    return {segment_name, command.axis != 0, (high << kHalfBits) | command.lease_token, command.value2};
 }
 
 }  // namespace psicarve

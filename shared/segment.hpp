@@ -12,6 +12,7 @@
 
 #include "shared/layout.hpp"
 #include "shared/result.hpp"
+#include "shared/state_place.hpp"
 
 namespace psicarve {
 
@@ -107,6 +108,8 @@ public:
     std::optional<std::uint32_t> core_pid() const noexcept;
     /// The same for whoever must not wait; nothing when nobody has the lock.
     std::optional<CoreGlance> glance_at_core() const noexcept;
+    /// What a living core says of its disk; unknown where there is none. Waits for nothing.
+    CoreKeeping core_keeping() const noexcept;
 
     struct Mapping;  ///< segment_mapping.hpp, for the segment's own sources
 

@@ -30,6 +30,7 @@ Result<void> Segment::take_core_lock() {
     SegmentHeader& shared = header();
     if (auto whole = RobustMutex::make_whole(shared.mutex); !whole) return whole;
     shared.core.pid.store(0);
+    shared.core.keeping.store(0);
     shared.core_profile_hash.store(0);
     write_record(shared.port, PortName{});
     write_record(shared.verdict, JobVerdict{});
@@ -72,6 +73,11 @@ std::optional<std::uint32_t> Segment::core_pid() const noexcept {
         std::this_thread::sleep_for(std::chrono::milliseconds{1});
     }
     return std::nullopt;
+}
+
+CoreKeeping Segment::core_keeping() const noexcept {
+    const auto core = glance_at_core();
+    return core && core->is_signed ? CoreKeeping::unpack(header().core.keeping.load()) : CoreKeeping{};
 }
 
 }  // namespace psicarve

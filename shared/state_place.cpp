@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/state_place.hpp"
 
+#include <xxhash.h>
+
 #include <array>
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
 namespace psicarve {
 namespace {
@@ -34,7 +38,36 @@ std::string state_folder_of_user() {
     return home.starts_with("/") ? home + "/.local/state/psicarve" : std::string{};
 }
 
+constexpr unsigned kMarkBits = 30;
+constexpr std::uint32_t kMarkMask = (std::uint32_t{1} << kMarkBits) - 1;
+
+/// No disk is asked: it may hang. Never 0.
+std::uint32_t mark_of(const std::string& folder) {
+    std::error_code error;
+    const auto from_root = std::filesystem::absolute(folder, error);
+    std::string path = (error ? std::filesystem::path{folder} : from_root).lexically_normal().string();
+    while (path.size() > 1 && path.ends_with('/')) path.pop_back();
+    const auto mark = static_cast<std::uint32_t>(XXH3_64bits(path.data(), path.size())) & kMarkMask;
+    return mark == 0 ? 1 : mark;
+}
+
 }  // namespace
+
+CoreKeeping CoreKeeping::in(const std::string& folder, How how) {
+    return folder.empty() ? CoreKeeping{How::nowhere, 0} : CoreKeeping{how, mark_of(folder)};
+}
+
+CoreKeeping CoreKeeping::unpack(std::uint32_t word) noexcept {
+    return {static_cast<How>(word >> kMarkBits), word & kMarkMask};
+}
+
+std::uint32_t CoreKeeping::pack() const noexcept {
+    return (static_cast<std::uint32_t>(how) << kMarkBits) | (folder_mark & kMarkMask);
+}
+
+bool CoreKeeping::is_in(const std::string& folder) const {
+    return is_somewhere() && folder_mark == mark_of(folder);
+}
 
 std::string state_folder_of_core(bool is_of_system) {
     if (is_set(kStateVariable)) return text_of_variable(kStateVariable);

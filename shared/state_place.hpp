@@ -20,6 +20,28 @@ std::string state_folder_of_core(bool is_of_system);
 /// else both, their own and kSystemStateFolder.
 std::vector<std::string> state_folders_to_read();
 
+/// How a core keeps its checkpoint on a disk, as its segment tells it. A path has no room there: it is known
+/// by a mark, for whoever has a folder in mind.
+struct CoreKeeping {
+    enum class How : std::uint8_t {
+        unknown = 0,  ///< no core, or it has not said
+        nowhere = 1,
+        kept = 2,
+        refused = 3,  ///< what stands there is not to be believed: the disk has not taken the newest
+    };
+    How how = How::unknown;
+    std::uint32_t folder_mark = 0;  ///< 0 where none is kept
+
+    static CoreKeeping in(const std::string& folder, How how = How::kept);
+    static CoreKeeping unpack(std::uint32_t word) noexcept;
+    std::uint32_t pack() const noexcept;
+
+    bool is_somewhere() const noexcept { return how == How::kept || how == How::refused; }
+    /// Whether that is its folder, by its path from the root: one path, one mark; links are other paths.
+    bool is_in(const std::string& folder) const;
+    bool operator==(const CoreKeeping&) const = default;
+};
+
 /// Names of what a core keeps in such a folder: one set for each segment, and another, with other endings,
 /// for its simulated machine: no segment's name makes the one the other.
 struct StateNames {

@@ -20,21 +20,37 @@ Error still_there(const FoundCheckpoint& found) {
                  found.path + ": is still there; see what psicarve-rtcore says, and remove it"};
 }
 
+bool is_still_there(const FoundCheckpoint& found) {
+    const auto standing = load_saved_checkpoint(found.path);
+    return standing && standing->name() == found.saved.name();
+}
+
+/// The record on the disk, or what the segment alone knows. Nothing: there is none.
+std::optional<RecordName> record_of(MachineLink& link, const std::optional<FoundCheckpoint>& found,
+                                    bool is_simulator) {
+    if (found) return found->saved.name();
+    const auto checkpoint = link.checkpoint();
+    if (!checkpoint || !is_checkpoint(*checkpoint)) return std::nullopt;
+    return RecordName{link.segment_name(), is_simulator, checkpoint->job_checksum, 0};
+}
+
 /// The core's thread takes the file away, or says why it cannot.
 Result<void> forget_by_core(MachineLink& link, const std::string& folder) {
     const auto status = link.last_status();
     const bool is_simulator = status && status->is_simulator != 0;
-    if (auto sent = link.send(CommandKind::forget_piece); !sent) return sent.error();
+    const auto found =
+        find_unfinished(link.segment_name(), is_simulator, folder, link.segment().core_keeping());
+    const auto record = record_of(link, found, is_simulator);
+    if (!record) return bad_input("no unfinished piece is known of segment " + link.segment_name());
+    if (auto sent = link.send(command_to_forget(*record)); !sent) return sent.error();
+    if (!found) return {};
+    if (found->keeper == Keeper::other_core) return psicarve::forget_piece(*found);
     const auto give_up = std::chrono::steady_clock::now() + kForgettingLimit;
-    for (;;) {
-        const auto found = find_unfinished(link.segment_name(), is_simulator, folder);
-        if (!found) return {};
-        if (std::chrono::steady_clock::now() >= give_up) {
-            // Not where that core keeps it: another's.
-            return psicarve::forget_piece(*found) ? Result<void>{} : Result<void>{still_there(*found)};
-        }
+    while (is_still_there(*found)) {
+        if (std::chrono::steady_clock::now() >= give_up) return still_there(*found);
         std::this_thread::sleep_for(kForgettingLook);
     }
+    return {};
 }
 
 /// As a core would, for as long as it takes: none can begin meanwhile.

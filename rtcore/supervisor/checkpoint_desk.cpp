@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -35,18 +36,16 @@ Result<void> check_room_for(std::uint64_t job_bytes, const std::string& folder) 
                                              " is not copied there, with " + megabytes(free_bytes) + " free"};
 }
 
-/// Readers take the largest of all folders.
-std::uint64_t newest_sequence(const CheckpointPlace& place) {
-    std::vector<std::string> folders = state_folders_to_read();
-    folders.push_back(place.folder);
-    const auto newest = find_newest(place.segment_name, place.is_simulator, folders);
-    return newest ? newest->saved.sequence : 0;
+/// What no record before had, also where all that told of them is gone.
+std::uint64_t first_sequence() {
+    using std::chrono::system_clock;
+    return static_cast<std::uint64_t>(system_clock::now().time_since_epoch() / std::chrono::nanoseconds{1});
 }
 
 }  // namespace
 
 std::optional<SavedCheckpoint> CheckpointDesk::read_left() {
-    sequence_ = newest_sequence(place_);
+    sequence_ = first_sequence();
     const std::string path = names_.checkpoint();
     auto left = load_saved_checkpoint(path);
     if (!left) {
@@ -61,6 +60,7 @@ std::optional<SavedCheckpoint> CheckpointDesk::read_left() {
         return std::nullopt;
     }
     written_ = left->checkpoint;
+    sequence_ = std::max(sequence_, left->sequence);
     return std::move(*left);
 }
 
@@ -92,7 +92,6 @@ bool CheckpointDesk::may_stay(const Checkpoint& now) const noexcept {
 void CheckpointDesk::write_newest() {
     const auto state = states.take();
     if (state == nullptr) return;
-    if (state->job == nullptr) return forget();
     auto done = make_state_folder(place_.folder);
     if (done) done = save_checkpoint(facts_of(*state), names_.checkpoint());
     if (!done) return mend(*state, done.error());
@@ -120,11 +119,11 @@ void CheckpointDesk::mend(const KeptState& state, const Error& why) {
     }
 }
 
-void CheckpointDesk::forget() {
-    if (const auto gone = withdraw_file(names_.checkpoint()); !gone)
+void CheckpointDesk::forget(const RecordName& record) {
+    if (const auto gone = withdraw_record(names_.checkpoint(), record); !gone)
         return rtcore::try_to_say(gone.error().message + ": the piece is not forgotten");
-    written_.reset();
-    remove_other_jobs({});
+    if (written_ && written_->job_checksum == record.job_checksum) written_.reset();
+    ::unlink(names_.job(record.job_checksum).c_str());
 }
 
 void CheckpointDesk::copy_newest() {

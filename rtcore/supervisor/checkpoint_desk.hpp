@@ -42,6 +42,7 @@ public:
     /// What an earlier core has left, of this segment and this kind of machine. Before anything is written.
     std::optional<SavedCheckpoint> read_left();
     void write_newest();
+    void forget(const RecordName& record);
 
     // --- the thread of the jobs
     void copy_newest();
@@ -53,7 +54,6 @@ private:
     const SavedCheckpoint& facts_of(const KeptState& state);
     bool may_stay(const Checkpoint& now) const noexcept;
     void mend(const KeptState& state, const Error& why);
-    void forget();
     Result<void> copy(const LoadedJob& job) const;
     void remove_other_jobs(const std::string& path) const;
 

@@ -68,13 +68,13 @@ std::uint32_t CheckpointFile::most_told_of(const LoadedJob& job) {
     return told == told_.end() ? 0 : told->second;
 }
 
-void CheckpointFile::forget() {
+void CheckpointFile::forget(const RecordName& record) {
     if (desk_ == nullptr) return;
     look_at_left();
-    left_.reset();
-    is_left_past_ = true;
-    copied_job_ = 0;  // its copy goes, too
-    if (desk_->states.put({{}, nullptr, 0})) checkpoints_->do_later([desk = desk_] { desk->write_newest(); });
+    if (left_ && left_->name() == record) left_.reset();
+    if (copied_job_ == record.job_checksum) copied_job_ = 0;  // its copy goes, too
+    // Behind whatever waits to be written: what that is has another sequence.
+    checkpoints_->do_later([desk = desk_, record] { desk->forget(record); });
 }
 
 }  // namespace psicarve::supervisor

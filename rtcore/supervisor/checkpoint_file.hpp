@@ -33,8 +33,8 @@ public:
     /// Behind the most layers that a file on the disk may say are carved of this job, whatever the disk has
     /// done of what was wanted; 0: of none.
     std::uint32_t most_told_of(const LoadedJob& job);
-    /// All that is kept, whoever left it.
-    void forget();
+    /// This record, if it stands there, and the copy of its job; whoever left it.
+    void forget(const RecordName& record);
 
 private:
     void look_at_left();

@@ -109,7 +109,10 @@ CheckpointKeeper::TakenOver CheckpointKeeper::take_over(SegmentHeader& header, c
     return {std::nullopt, both};
 }
 
-void CheckpointKeeper::forget(SegmentHeader& header) noexcept {
+void CheckpointKeeper::forget(SegmentHeader& header, std::uint64_t job_checksum) noexcept {
+    const auto known = read_record(header.checkpoint);
+    if (known && is_checkpoint(*known) && known->job_checksum != job_checksum) return;
+    if (written_ && written_->job_checksum != job_checksum) return;
     write_record(header.checkpoint, Checkpoint{});
     written_.reset();
     is_announced_ = false;

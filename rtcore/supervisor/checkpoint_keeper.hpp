@@ -40,8 +40,8 @@ public:
     /// Into a segment that never had a record, never into one that is damaged. Where the segment knows of
     /// this job itself and the two disagree, it is the lower layer.
     TakenOver take_over(SegmentHeader& header, const Checkpoint& left, const LoadedJob& job) const;
-    /// Nothing is known of any piece from here on, until the next run.
-    void forget(SegmentHeader& header) noexcept;
+    /// Nothing is known of a piece of this job from here on, until the next run.
+    void forget(SegmentHeader& header, std::uint64_t job_checksum) noexcept;
     /// Another job is at hand: a new segment gives generations that were given before.
     void note_new_job() noexcept { run_generation_ = 0; }
     /// The segment was replaced: the new one holds no checkpoint yet.

@@ -72,14 +72,8 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
         return;
     }
     if (command.kind == CommandKind::forget_piece) {
-        const bool may_forget = is_at_rest(sample.state) && !runs_job(sample.state);
-        if (may_forget) {
-            forgets_piece_ = true;
-            // Who is answered finds it gone.
-            write_record(segment.header().checkpoint, Checkpoint{});
-        }
-        answer_command(segment, received, may_forget ? AnswerKind::done : AnswerKind::refused,
-                       may_forget ? "" : "forget: the machine is not at rest; stop first");
+        const std::string refusal = try_to_forget(segment, command, sample);
+        answer_command(segment, received, refusal.empty() ? AnswerKind::done : AnswerKind::refused, refusal);
         return;
     }
     const bool leaves_alarm =
@@ -117,6 +111,18 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
     ear_->note_stops_seen(received, *request);
     requests.push(*request);
     waiting_.push_back({request->sequence, received, job != nullptr ? job->view.layer_count() : 0});
+}
+
+std::string CommandDesk::try_to_forget(Segment& segment, const Command& command,
+                                       const cycle::Sample& sample) {
+    if (!is_at_rest(sample.state) || runs_job(sample.state))
+        return "forget: the machine is not at rest; stop first";
+    const RecordName& record = forgotten_.emplace_back(record_to_forget(command, segment.name()));
+    // Who is answered finds it gone.
+    const auto known = read_record(segment.header().checkpoint);
+    if (known && known->job_checksum == record.job_checksum && known->is_simulated() == record.is_simulator)
+        write_record(segment.header().checkpoint, Checkpoint{});
+    return {};
 }
 
 void CommandDesk::note_lease(const Command& command) noexcept {

@@ -11,6 +11,7 @@
 #include "rtcore/supervisor/loaded_job.hpp"
 #include "rtcore/supervisor/urgent_ear.hpp"
 #include "shared/profile.hpp"
+#include "shared/saved_checkpoint.hpp"
 #include "shared/segment.hpp"
 
 namespace psicarve::supervisor {
@@ -51,12 +52,14 @@ public:
     /// Some were left for the next round.
     bool has_more() const noexcept { return has_more_; }
     bool shutdown_requested() const noexcept { return shutdown_requested_; }
-    /// True once for each order to forget the piece: it is gone from the segment, and to go from the disk.
-    bool take_forgetting() noexcept { return std::exchange(forgets_piece_, false); }
+    /// Which pieces are to be forgotten: gone from the segment, and to go from the disk.
+    std::vector<RecordName> take_forgotten() noexcept { return std::exchange(forgotten_, {}); }
 
 private:
     void take_one(Segment& segment, const ReceivedCommand& received, cycle::RequestRing& requests,
                   const cycle::Sample& sample, const LoadedJob* job);
+    /// Empty: it is done.
+    std::string try_to_forget(Segment& segment, const Command& command, const cycle::Sample& sample);
     void note_lease(const Command& command) noexcept;
 
     const Profile* profile_;
@@ -73,11 +76,11 @@ private:
     };
     std::vector<Waiting> waiting_;  ///< handed to the tick, not answered yet
     std::uint64_t last_sequence_ = 0;
+    std::vector<RecordName> forgotten_;
     std::string refusal_for_all_;
     std::string refusal_in_alarm_;
     std::uint64_t seen_generation_ = 0;
     bool shutdown_requested_ = false;
-    bool forgets_piece_ = false;
     bool has_more_ = false;
 };
 

@@ -31,9 +31,9 @@ void PieceMemory::note(SegmentHeader& header, const cycle::Sample& sample,
     if (to_keep) file_.keep(*to_keep, job);
 }
 
-void PieceMemory::forget(SegmentHeader& header) {
-    keeper_.forget(header);
-    file_.forget();
+void PieceMemory::forget(SegmentHeader& header, const RecordName& record) {
+    keeper_.forget(header, record.job_checksum);
+    file_.forget(record);
 }
 
 }  // namespace psicarve::supervisor

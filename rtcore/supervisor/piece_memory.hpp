@@ -28,7 +28,8 @@ public:
     /// Every round. Null: there is no job.
     void note(SegmentHeader& header, const cycle::Sample& sample,
               const std::shared_ptr<const LoadedJob>& job);
-    void forget(SegmentHeader& header);
+    /// This record and no other.
+    void forget(SegmentHeader& header, const RecordName& record);
 
 private:
     std::uint64_t profile_hash_;

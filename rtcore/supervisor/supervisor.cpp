@@ -76,6 +76,7 @@ void Supervisor::introduce() {
     text_into_field(port.text, parts_->port_name);
     write_record(segment_->header().port, port);
     segment_->header().core_profile_hash.store(profile_hash(parts_->profile));
+    segment_->header().core.keeping.store(CoreKeeping::in(parts_->state_folder).pack());
 }
 
 bool Supervisor::poll(Hearing hearing) {
@@ -264,7 +265,7 @@ void Supervisor::watch_recording() {
 }
 
 void Supervisor::note_checkpoint() {
-    if (desk_.take_forgetting()) piece_.forget(segment_->header());
+    for (const RecordName& record : desk_.take_forgotten()) piece_.forget(segment_->header(), record);
     piece_.note(segment_->header(), sample_, job_);
 }
 

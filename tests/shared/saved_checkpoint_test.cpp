@@ -177,18 +177,101 @@ TEST(SavedCheckpoint, IsOfThatVerySegmentAndMachine) {
     EXPECT_FALSE(find_unfinished("/shop"));
 }
 
-TEST(SavedCheckpoint, OfSeveralTheOneWrittenLastCountsWhateverTheClockSaid) {
+/// Two folders that readers know, each with a record of the same segment.
+class TwoFolders : public testing::Test {
+protected:
+    TwoFolders() {
+        for (const std::string& folder : {one_, two_}) std::filesystem::create_directory(folder);
+        // Sequences of two folders say nothing of each other.
+        put(one_, 20, 1'000'000'000, 700);
+        put(two_, 131, 2'000'000'000, 3);
+    }
+    static void put(const std::string& folder, std::uint32_t layer, std::int64_t written_s,
+                    std::uint64_t sequence) {
+        SavedCheckpoint saved = saved_at(layer, written_s);
+        saved.sequence = sequence;
+        ASSERT_TRUE(save_checkpoint(saved, StateNames(folder, "/shop", false).checkpoint()));
+    }
+    std::optional<FoundCheckpoint> found(const CoreKeeping& core = {}) const {
+        const auto found = find_newest("/shop", false, {one_, two_}, core);
+        const auto backward = find_newest("/shop", false, {two_, one_}, core);
+        EXPECT_EQ(found.has_value(), backward.has_value());
+        EXPECT_EQ(found ? found->path : "", backward ? backward->path : "");
+        return found;
+    }
+
+    test::TemporaryFolder folder_;
+    std::string one_ = folder_.path("one");
+    std::string two_ = folder_.path("two");
+};
+
+TEST_F(TwoFolders, WithoutACoreTheDateDecidesAndTheOtherPieceIsNamed) {
+    const auto sut = found();
+    ASSERT_TRUE(sut);
+    EXPECT_EQ(sut->saved.checkpoint.next_layer, 131U);
+    EXPECT_EQ(sut->keeper, Keeper::unknown);
+    EXPECT_THAT(sut->other_paths, ElementsAre(StateNames(one_, "/shop", false).checkpoint()));
+    put(one_, 400, 1'000'000'000, 701);
+    EXPECT_THAT(found()->other_paths, ElementsAre()) << "one that is carved to its end";
+}
+
+TEST_F(TwoFolders, WhereTheCoreKeepsItHasTheLastWord) {
+    const auto sut = found(CoreKeeping::in(one_));
+    ASSERT_TRUE(sut);
+    EXPECT_EQ(sut->saved.checkpoint.next_layer, 20U);
+    EXPECT_EQ(sut->keeper, Keeper::this_core);
+    EXPECT_EQ(found(CoreKeeping::in(one_, CoreKeeping::How::refused))->saved.checkpoint.next_layer, 20U);
+    std::filesystem::remove(StateNames(one_, "/shop", false).checkpoint());
+    EXPECT_FALSE(found(CoreKeeping::in(one_))) << "also that there is none";
+}
+
+TEST_F(TwoFolders, WhatIsNotTheCoresIsSaidToBeAnothers) {
+    for (const CoreKeeping& core : {CoreKeeping::in(""), CoreKeeping::in(folder_.path("elsewhere"))}) {
+        const auto sut = found(core);
+        ASSERT_TRUE(sut);
+        EXPECT_EQ(sut->saved.checkpoint.next_layer, 131U);
+        EXPECT_EQ(sut->keeper, Keeper::other_core);
+    }
+}
+
+TEST(CoreKeeping, KnowsItsFolderByAnyNameOfIt) {
+    const auto sut = CoreKeeping::in("/srv/state");
+    for (const char* folder : {"/srv/state", "/srv/state/", "/srv//state", "/srv/x/../state"})
+        EXPECT_TRUE(sut.is_in(folder)) << folder;
+    EXPECT_FALSE(sut.is_in("/srv/state2"));
+    EXPECT_TRUE(CoreKeeping::in("state").is_in(std::filesystem::current_path() / "state"));
+    EXPECT_FALSE(CoreKeeping{}.is_in(""));
+    EXPECT_EQ(CoreKeeping::in("").how, CoreKeeping::How::nowhere);
+    for (const CoreKeeping& one :
+         {CoreKeeping{}, CoreKeeping::in(""), sut, CoreKeeping::in("/srv", CoreKeeping::How::refused)})
+        EXPECT_EQ(CoreKeeping::unpack(one.pack()), one);
+    EXPECT_EQ(CoreKeeping{}.pack(), 0U);
+}
+
+TEST(SavedCheckpoint, NoneButTheOneThatIsNamedIsForgotten) {
     test::TemporaryFolder folder;
-    const std::string one = folder.path("one");
-    const std::string two = folder.path("two");
-    std::filesystem::create_directory(one);
-    std::filesystem::create_directory(two);
-    SavedCheckpoint older = saved_at(20, 2'000'000'000);
-    const SavedCheckpoint newer = saved_at(131, 1'000'000'000);
-    ASSERT_TRUE(save_checkpoint(older, StateNames(one, "/shop", false).checkpoint()));
-    ASSERT_TRUE(save_checkpoint(newer, StateNames(two, "/shop", false).checkpoint()));
-    for (const auto& folders : {std::vector{one, two}, std::vector{two, one}})
-        EXPECT_EQ(find_newest("/shop", false, folders)->saved.checkpoint.next_layer, 131U);
+    const StateNames names{folder.path(""), "/shop", false};
+    ASSERT_TRUE(save_checkpoint(saved_at(131), names.checkpoint()));
+    const auto found = find_unfinished("/shop", false, folder.path(""));
+    ASSERT_TRUE(found);
+    // Meanwhile the same job has come further.
+    ASSERT_TRUE(save_checkpoint(saved_at(132), names.checkpoint()));
+    const auto left = forget_piece(*found);
+    ASSERT_FALSE(left);
+    EXPECT_THAT(left.error().message, HasSubstr("another record has come meanwhile"));
+    EXPECT_EQ(load_saved_checkpoint(names.checkpoint())->checkpoint.next_layer, 132U);
+    // What cannot be told is not taken away either.
+    const std::string foreign = "PSCKEPT1 of a newer program";
+    ASSERT_TRUE(write_file_atomically(names.checkpoint(), std::as_bytes(std::span{foreign})));
+    EXPECT_FALSE(forget_piece(*found));
+    EXPECT_TRUE(std::filesystem::exists(names.checkpoint()));
+    std::filesystem::remove(names.checkpoint());
+    EXPECT_TRUE(forget_piece(*found)) << "it is gone";
+}
+
+TEST(SavedCheckpoint, ACommandToForgetItNamesItWhole) {
+    const RecordName record{"/shop", true, 0xFEDC'BA98'7654'3210ULL, 0x8000'0000'0000'0001ULL};
+    EXPECT_EQ(record_to_forget(command_to_forget(record), "/shop"), record);
 }
 
 TEST(SavedCheckpoint, IsForgottenWithItsJob) {

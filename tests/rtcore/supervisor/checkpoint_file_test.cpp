@@ -111,22 +111,41 @@ TEST_F(CheckpointFileTest, WhatWasLeftIsPastOnceSomethingIsKept) {
     EXPECT_EQ(sut.most_told_of(*vase_), 2U) << "until the disk has done it";
 }
 
-TEST_F(CheckpointFileTest, EachIsNewerThanAllThatWereThereWhateverTheClockSays) {
+TEST_F(CheckpointFileTest, EachIsNewerThanAllThatStoodThereWhateverTheClockSays) {
     keep(after(1), vase_);
     auto before = *load_saved_checkpoint(names().checkpoint());
     EXPECT_GT(before.sequence, 0U);
-    // In another folder that readers know, by a clock that went ahead.
-    before.sequence = 700;
+    before.sequence = std::uint64_t{1} << 63;
     before.written_s += 1'000'000;
-    setenv("PSICARVE_STATE", folder_.path("other").c_str(), 1);
-    std::filesystem::create_directory(folder_.path("other"));
-    ASSERT_TRUE(save_checkpoint(before, StateNames{folder_.path("other"), "/shop", false}.checkpoint()));
+    ASSERT_TRUE(save_checkpoint(before, names().checkpoint()));
     keep(after(2), vase_);
-    setenv("PSICARVE_STATE", "", 1);
-    EXPECT_GT(load_saved_checkpoint(names().checkpoint())->sequence, 700U);
-    const auto newest = find_newest("/shop", false, {folder_.path("other"), folder_.path("state")});
-    ASSERT_TRUE(newest);
-    EXPECT_EQ(newest->saved.checkpoint.next_layer, 2U);
+    EXPECT_EQ(load_saved_checkpoint(names().checkpoint())->sequence, before.sequence + 1);
+}
+
+TEST_F(CheckpointFileTest, ASequenceNeverComesAgainAlsoWhereAllWasForgotten) {
+    keep(after(1), vase_);
+    const auto first = *load_saved_checkpoint(names().checkpoint());
+    std::filesystem::remove_all(folder_.path("state"));
+    keep(after(1), vase_);
+    EXPECT_FALSE(load_saved_checkpoint(names().checkpoint())->name() == first.name());
+}
+
+TEST_F(CheckpointFileTest, ForgetsTheNamedRecordAndNoOtherThatHasComeMeanwhile) {
+    keep(after(1), vase_);
+    const RecordName seen = load_saved_checkpoint(names().checkpoint())->name();
+    {
+        CheckpointFile sut{place()};
+        sut.keep(after(2), vase_);
+        sut.forget(seen);
+    }
+    EXPECT_EQ(layer_on_disk(), 2U);
+    EXPECT_EQ(files(), 2U);
+    {
+        CheckpointFile sut{place()};
+        sut.forget(load_saved_checkpoint(names().checkpoint())->name());
+        EXPECT_FALSE(sut.left_of(*vase_));
+    }
+    EXPECT_EQ(files(), 0U);
 }
 
 TEST_F(CheckpointFileTest, OfAnotherJobItIsAnotherFileAndTheOldCopyGoes) {

@@ -153,7 +153,7 @@ TEST_F(PieceMemoryTest, ForgetsInSegmentAndOnDisk) {
         PieceMemory sut{place()};
         sut.take_job(*header_, vase_);
         ASSERT_EQ(in_segment().next_layer, 2U);
-        sut.forget(*header_);
+        sut.forget(*header_, load_saved_checkpoint(names().checkpoint())->name());
         EXPECT_TRUE(in_segment().is_empty());
         sut.take_job(*header_, vase_);
         EXPECT_TRUE(in_segment().is_empty());

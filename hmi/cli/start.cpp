@@ -42,7 +42,8 @@ void tell_disk_source(machine::MachineLink& link, const StartOptions& options) {
         options.resume || (options.from_layer != 0 && options.from_layer == checkpoint->earlier_layer);
     if (!is_by_it || options.dry_run) return;
     UnfinishedLook look{options.state_folder};
-    const auto& found = look.look(link.segment_name(), checkpoint->is_simulated(), kDiskPatience);
+    const auto& found = look.look(link.segment_name(), checkpoint->is_simulated(),
+                                  link.segment().core_keeping(), kDiskPatience);
     const std::string unknown = "where the piece goes on is known from a disk that ";
     if (!found) return print_warning(unknown + "does not answer now: of when is not known");
     if (!is_same_place(found->saved.checkpoint, *checkpoint))

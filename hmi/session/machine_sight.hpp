@@ -65,6 +65,7 @@ struct MachineSight {
     std::string job_remark{};  ///< of the core, on the published job
     /// It comes from a disk, and nothing was carved by it since: it may be of a piece of long ago.
     bool is_checkpoint_from_disk = false;
+    bool is_disk_refusing = false;  ///< the core's disk has not taken how far the piece has come
     /// What a core has kept on a disk of a piece that is not finished, while no core has a job or its piece
     /// is known from there.
     std::optional<FoundCheckpoint> saved_piece{};

@@ -57,6 +57,14 @@ bool is_other_profile(const SavedCheckpoint& saved, const MachineSight& machine)
            machine.core_profile_hash != saved.profile_hash;
 }
 
+/// Whether it is the piece that lies on the table, only who mounted it knows.
+void add_doubts(std::vector<Phrase>& to, const FoundCheckpoint& found) {
+    if (found.keeper == Keeper::other_core)
+        to.push_back(phrase("This core keeps pieces elsewhere, or nowhere: it is another core's."));
+    for (const std::string& other : found.other_paths)
+        to.push_back(phrase("%1 tells of another piece: see which of them is mounted.", other));
+}
+
 Phrase other_profile() {
     return phrase("It was begun with another profile of the machine.");
 }
@@ -118,6 +126,7 @@ Phrase saved_title(const SavedCheckpoint& saved) {
 std::vector<Phrase> saved_details(const FoundCheckpoint& found, const MachineSight& machine) {
     std::vector<Phrase> details{origin(found.saved)};
     if (is_other_profile(found.saved, machine)) details.push_back(other_profile());
+    add_doubts(details, found);
     if (!machine.is_heard()) details.push_back(phrase("First start psicarve-rtcore."));
     details.push_back(steps(found));
     add_run_before(details, found.saved.checkpoint);
@@ -128,6 +137,7 @@ std::vector<Phrase> saved_needs(const FoundCheckpoint& found, const MachineSight
     const Checkpoint& checkpoint = found.saved.checkpoint;
     std::vector<Phrase> needs;
     if (is_other_profile(found.saved, machine)) needs.push_back(other_profile());
+    add_doubts(needs, found);
     needs.push_back(phrase("Open its job, then go on from layer %1.", layer_after(checkpoint)));
     add_run_before(needs, checkpoint);
     return needs;

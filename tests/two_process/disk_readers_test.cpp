@@ -121,5 +121,26 @@ TEST_F(DiskReaders, WhoForgetsWhereThereIsNothingIsToldSo) {
     EXPECT_NE(with_core.error.find("no unfinished piece is known of segment"), std::string::npos);
 }
 
+TEST_F(DiskReaders, AnotherCoresPieceIsSaidToBeItsOwn) {
+    ASSERT_NO_FATAL_FAILURE(carve_some(6));
+    cut_power();
+    start_core();  // which keeps nothing
+    const auto told = psicarve({"status", "--state", state()});
+    EXPECT_NE(told.out.find("unfinished lobed: 6 of 40"), std::string::npos) << told.out;
+    EXPECT_NE(told.out.find("mind       this core keeps pieces elsewhere, or nowhere"), std::string::npos)
+        << told.out;
+    EXPECT_EQ(psicarve({"status", "--json", "--state", state()}).json()["unfinished"]["is_other_cores"],
+              true);
+}
+
+TEST_F(DiskReaders, ADiskThatTakesNothingIsSaid) {
+    start_core({"--state", state()});
+    EXPECT_EQ(psicarve({"status", "--state", state()}).out.find("mind "), std::string::npos);
+    segment_->header().core.keeping.store(CoreKeeping::in(state(), CoreKeeping::How::refused).pack());
+    EXPECT_NE(psicarve({"status", "--state", state()}).out.find("mind       the disk does not take"),
+              std::string::npos);
+    EXPECT_EQ(psicarve({"status", "--json", "--state", state()}).json()["is_disk_refusing"], true);
+}
+
 }  // namespace
 }  // namespace psicarve::two_process

@@ -240,5 +240,14 @@ TEST(Messages, TellOnceThatMemoryAndDiskDisagree) {
         << "to a window that is opened then";
 }
 
+TEST(Messages, TellOfADiskThatTakesNothing) {
+    const MachineSight before = machine_in(S::carving);
+    MachineSight after = before;
+    after.is_disk_refusing = true;
+    EXPECT_EQ(told(before, after), "The disk does not take how far the piece has come; ");
+    EXPECT_EQ(told(after, after), "");
+    EXPECT_EQ(told(after, before), "");
+}
+
 }  // namespace
 }  // namespace psicarve::session

@@ -67,6 +67,21 @@ TEST(SavedPieceWords, SayThatThePieceWasBegunWithAnotherProfile) {
     EXPECT_THAT(said_of(found, MachineSight{}), testing::Not(testing::Contains(words))) << "nobody knows it";
 }
 
+TEST(SavedPieceWords, SayThatItMayBeAnotherPiece) {
+    const MachineSight machine = test::machine_in(MachineState::off);
+    FoundCheckpoint found = found_after(131);
+    found.keeper = Keeper::this_core;
+    EXPECT_EQ(said_of(found, machine).size(), 3U);
+    found.keeper = Keeper::other_core;
+    found.other_paths = {"/srv/psicarve.checkpoint"};
+    EXPECT_THAT(
+        said_of(found, machine),
+        testing::IsSupersetOf({"This core keeps pieces elsewhere, or nowhere: it is another core's.",
+                               "/srv/psicarve.checkpoint tells of another piece: see which of them is "
+                               "mounted."}));
+    EXPECT_EQ(saved_needs(found, machine).size(), 3U);
+}
+
 TEST(SavedPieceWords, AskBeforeADisksWordIsTaken) {
     MachineSight machine = test::machine_in(MachineState::ready);
     machine.resumable_layer = 131;

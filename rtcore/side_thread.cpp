@@ -4,15 +4,28 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <exception>
 #include <utility>
 
 #include "rtcore/handler_stack.hpp"
+#include "rtcore/words.hpp"
 
 namespace psicarve::rtcore {
 namespace {
 
 constexpr std::chrono::seconds kPatience{2};
 constexpr std::chrono::hours kUntilSomethingHappens{24};
+
+/// Whatever a disk or a want of memory does to it: the machine is at work.
+void do_one(const std::function<void()>& work) noexcept {
+    try {
+        work();
+    } catch (const std::exception& problem) {
+        try_to_say(problem.what());
+    } catch (...) {
+        try_to_say("a task beside the tick was not done");
+    }
+}
 
 }  // namespace
 
@@ -63,7 +76,7 @@ void SideThread::do_all(Shared& shared) {
     while (oldest != nullptr) {
         const std::unique_ptr<Task> task{std::exchange(oldest, oldest->next)};
         shared.waiting.fetch_sub(1);
-        task->work();
+        do_one(task->work);
     }
 }
 

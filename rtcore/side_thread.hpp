@@ -27,8 +27,8 @@ public:
     SideThread(const SideThread&) = delete;
     SideThread& operator=(const SideThread&) = delete;
 
-    /// Each task after the last. It owns what it uses, or shares it: it may outlive this object. False: too
-    /// much waits already; it will not be done.
+    /// Each task after the last; one that throws is said, and ends nothing. It owns what it uses, or shares
+    /// it: it may outlive this object. False: too much waits already; it will not be done.
     bool do_later(std::function<void()> task);
 
 private:

@@ -27,6 +27,12 @@ struct Checkpoint {
 
     bool is_simulated() const noexcept { return (origin & kCheckpointSimulated) != 0; }
     bool is_from_disk() const noexcept { return (origin & kCheckpointFromDisk) != 0; }
+    /// Layers of the piece that a run of the whole job leaves behind: of this run, and not of whichever came
+    /// furthest; where it has finished none, of the one before it. 0: none, or all.
+    std::uint32_t left_behind() const noexcept {
+        if (next_layer == layer_count) return 0;
+        return next_layer != 0 ? next_layer : earlier_layer;
+    }
     /// Nothing was ever written there; one that is damaged is not empty.
     bool is_empty() const noexcept;
 };

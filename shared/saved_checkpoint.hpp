@@ -110,7 +110,7 @@ Result<void> forget_piece(const FoundCheckpoint& found);
 
 /// Asks a core for the same (CommandKind::forget_piece), to be sent to the record's segment. It is refused
 /// while the machine is not at rest. Done: the segment knows nothing of that job any more, and what stands on
-/// the core's disk goes soon, if it is that record.
+/// the core's disk goes soon, if it is that record. Of no job (checksum 0) nothing goes.
 Command command_to_forget(const RecordName& record) noexcept;
 /// Whose record such a command means, in the segment that it came to.
 RecordName record_to_forget(const Command& command, const std::string& segment_name);

@@ -41,8 +41,9 @@ Result<void> forget_by_core(MachineLink& link, const std::string& folder) {
     const auto found =
         find_unfinished(link.segment_name(), is_simulator, folder, link.segment().core_keeping());
     const auto record = record_of(link, found, is_simulator);
+    // That the machine is not at rest comes before that there is none.
+    if (auto sent = link.send(command_to_forget(record.value_or(RecordName{}))); !sent) return sent.error();
     if (!record) return bad_input("no unfinished piece is known of segment " + link.segment_name());
-    if (auto sent = link.send(command_to_forget(*record)); !sent) return sent.error();
     if (!found) return {};
     if (found->keeper == Keeper::other_core) return psicarve::forget_piece(*found);
     const auto give_up = std::chrono::steady_clock::now() + kForgettingLimit;

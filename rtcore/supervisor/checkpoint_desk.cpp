@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -44,30 +45,42 @@ std::uint64_t first_sequence() {
 
 }  // namespace
 
-std::optional<SavedCheckpoint> CheckpointDesk::read_left() {
-    sequence_ = first_sequence();
+LeftCheckpoint CheckpointDesk::read_left() noexcept {
+    try {
+        sequence_ = first_sequence();
+        LeftCheckpoint left = look();
+        if (left.is_unknown) is_unread_ = true;
+        return left;
+    } catch (const std::exception& problem) {
+        rtcore::try_to_say(problem.what());
+        is_unread_ = true;
+        return {std::nullopt, true};
+    }
+}
+
+LeftCheckpoint CheckpointDesk::look() {
     const std::string path = names_.checkpoint();
     auto left = load_saved_checkpoint(path);
     if (!left) {
         std::error_code error;
-        if (std::filesystem::exists(path, error))
-            rtcore::try_to_say(left.error().message + ": nothing is known of an unfinished piece");
-        return std::nullopt;
+        // A folder that does not say whether it is there may have it as well.
+        if (!std::filesystem::exists(path, error) && !error) return {};
+        rtcore::try_to_say(left.error().message + ": nothing is known of an unfinished piece");
+        return {std::nullopt, true};
     }
     if (!left->is_of(place_.segment_name, place_.is_simulator)) {
         rtcore::try_to_say(path + ": is of segment " + left->segment_name +
                            (left->is_simulator ? ", a simulated machine's" : "") + ": it is not taken");
-        return std::nullopt;
+        return {};
     }
-    written_ = left->checkpoint;
+    note_standing(*left);
     sequence_ = std::max(sequence_, left->sequence);
-    return std::move(*left);
+    return {std::move(*left), false};
 }
 
 /// What the file says is the job's, and the same for all its layers.
-const SavedCheckpoint& CheckpointDesk::facts_of(const KeptState& state) {
-    if (facts_generation_ != state.job->generation) {
-        facts_generation_ = state.job->generation;
+SavedCheckpoint CheckpointDesk::saved_of(const KeptState& state) {
+    if (facts_.checkpoint.job_checksum != state.job->checksum) {
         const auto profile = job_profile(state.job->view);
         facts_.job_bytes = state.job->blob.size();
         facts_.profile_hash = place_.profile_hash;
@@ -75,36 +88,95 @@ const SavedCheckpoint& CheckpointDesk::facts_of(const KeptState& state) {
         facts_.segment_name = place_.segment_name;
         facts_.source_name = std::string{state.job->view.source_name()};
         facts_.tool = profile ? tool_text(profile->tool) : std::string{};
+        facts_.checkpoint.job_checksum = state.job->checksum;
     }
-    facts_.checkpoint = state.checkpoint;
-    facts_.written_s = state.written_s;
-    facts_.sequence = ++sequence_;
-    return facts_;
+    SavedCheckpoint saved = facts_;
+    saved.checkpoint = state.checkpoint;
+    saved.written_s = state.written_s;
+    return saved;
 }
 
-/// Less than what is carved is safe to go on with; more, or of a piece that lies on the table no more, is
-/// not.
+/// A lower layer of the piece at hand is safe to go on with, and so is what the run before it has carved
+/// where this one came as far. More is not, nor is anything of a piece that lies on the table no more, or is
+/// carved to its end.
 bool CheckpointDesk::may_stay(const Checkpoint& now) const noexcept {
-    return written_ && written_->job_checksum == now.job_checksum && written_->next_layer <= now.next_layer &&
-           written_->earlier_layer == now.earlier_layer;
+    if (is_unread_ || now.next_layer == now.layer_count) return false;
+    return std::ranges::all_of(may_stand_, [&](const Checkpoint& standing) {
+        return standing.job_checksum == now.job_checksum && standing.next_layer <= now.next_layer &&
+               (standing.earlier_layer == now.earlier_layer || standing.earlier_layer <= now.next_layer);
+    });
+}
+
+bool CheckpointDesk::tells_of(std::uint64_t job_checksum) const noexcept {
+    return is_unread_ || std::ranges::any_of(may_stand_, [&](const Checkpoint& standing) {
+               return standing.job_checksum == job_checksum;
+           });
+}
+
+void CheckpointDesk::note_standing(const SavedCheckpoint& saved) {
+    standing_ = saved;
+    may_stand_.assign(1, saved.checkpoint);
+    is_unread_ = false;
 }
 
 void CheckpointDesk::write_newest() {
     const auto state = states.take();
     if (state == nullptr) return;
-    auto done = make_state_folder(place_.folder);
-    if (done) done = save_checkpoint(facts_of(*state), names_.checkpoint());
-    if (!done) return mend(*state, done.error());
-    written_ = state->checkpoint;
-    has_failed_ = false;
-    has_lied_ = false;
+    // A disk that could not be read then may say now what it has.
+    if (is_unread_) look();
+    if (state->why == Keeping::as_before) return take_back(*state);
+    SavedCheckpoint wanted = saved_of(*state);
+    if (state->why == Keeping::announced) {
+        Checkpoint& announced = wanted.checkpoint;
+        // What is no record of this job stays true.
+        if (announced.earlier_layer == 0 && !tells_of(announced.job_checksum)) return;
+        if (!std::exchange(is_announced_, true)) stood_ = standing_;
+        const bool is_of_it = stood_ && stood_->checkpoint.job_checksum == announced.job_checksum;
+        if (is_of_it && announced.next_layer == 0 && announced.earlier_layer == 0)
+            announced = checkpoint_at(announced.job_checksum, 0, announced.layer_count,
+                                      stood_->checkpoint.left_behind(), announced.origin);
+    } else {
+        is_announced_ = false;
+        stood_.reset();
+    }
+    put(wanted);
 }
 
-/// It could not be written: what stands there may stay, or must go.
-void CheckpointDesk::mend(const KeptState& state, const Error& why) {
-    if (!may_stay(state.checkpoint)) {
+/// Nothing was carved. What the segment knows of the job may be newer than what stood there: an announcement
+/// takes the place of whatever waits.
+void CheckpointDesk::take_back(const KeptState& state) {
+    const bool was_announced = std::exchange(is_announced_, false);
+    const auto stood = was_announced ? std::exchange(stood_, std::nullopt) : standing_;
+    const Checkpoint& known = state.checkpoint;
+    const bool is_known = is_checkpoint(known);
+    const bool is_of_it = stood && is_known && stood->checkpoint.job_checksum == known.job_checksum;
+    const bool is_same = is_of_it && stood->checkpoint.next_layer == known.next_layer &&
+                         stood->checkpoint.earlier_layer == known.earlier_layer;
+    if (is_known && !is_same && (is_of_it || !stood)) return put(saved_of(state));
+    if (was_announced && stood) put(*stood);
+}
+
+void CheckpointDesk::put(const SavedCheckpoint& saved) {
+    SavedCheckpoint numbered = saved;
+    numbered.sequence = ++sequence_;
+    auto done = make_state_folder(place_.folder);
+    if (done) done = save_checkpoint(numbered, names_.checkpoint());
+    if (!done) return mend(numbered, done.error());
+    note_standing(numbered);
+    has_failed_ = false;
+    has_lied_ = false;
+    is_refused.store(false);
+}
+
+/// It could not be written, or not for certain: what stands there may stay, or must go.
+void CheckpointDesk::mend(const SavedCheckpoint& wanted, const Error& why) {
+    is_refused.store(true);
+    const Checkpoint& now = wanted.checkpoint;
+    if (!may_stay(now)) {
         if (const auto gone = withdraw_file(names_.checkpoint()); gone) {
-            written_.reset();
+            standing_.reset();
+            may_stand_.clear();
+            is_unread_ = false;
         } else if (!std::exchange(has_lied_, true)) {
             has_failed_ = true;
             return rtcore::try_to_say(
@@ -112,6 +184,11 @@ void CheckpointDesk::mend(const KeptState& state, const Error& why) {
                 "; what it tells is not of the piece that is being carved: if the computer is switched "
                 "off, do not go on by it");
         }
+    } else {
+        // It may stand there all the same, without its folder's sync. Those between are lower.
+        const bool is_of_last = may_stand_.size() > 1 && may_stand_.back().earlier_layer == now.earlier_layer;
+        if (is_of_last) may_stand_.pop_back();
+        may_stand_.push_back(now);
     }
     if (!std::exchange(has_failed_, true)) {
         rtcore::try_to_say(why.message +
@@ -122,19 +199,26 @@ void CheckpointDesk::mend(const KeptState& state, const Error& why) {
 void CheckpointDesk::forget(const RecordName& record) {
     if (const auto gone = withdraw_record(names_.checkpoint(), record); !gone)
         return rtcore::try_to_say(gone.error().message + ": the piece is not forgotten");
-    if (written_ && written_->job_checksum == record.job_checksum) written_.reset();
+    if (standing_ && standing_->name() == record) {
+        standing_.reset();
+        may_stand_.clear();
+    }
+    if (stood_ && stood_->name() == record) stood_.reset();
     ::unlink(names_.job(record.job_checksum).c_str());
 }
 
 void CheckpointDesk::copy_newest() {
     const auto job = jobs.take();
     if (job == nullptr) return;
+    const std::uint64_t checksum = (*job)->checksum;
     const auto copied = copy(**job);
-    if (!copied) {
+    const std::uint64_t failed_before = uncopied_job.exchange(copied ? 0 : checksum);
+    // Once a job: it is tried again.
+    if (!copied && failed_before != checksum) {
         rtcore::try_to_say(copied.error().message +
                            "; after the computer was switched off publish it from its own file");
     }
-    remove_other_jobs(names_.job((*job)->checksum));
+    remove_other_jobs(names_.job(checksum));
 }
 
 Result<void> CheckpointDesk::copy(const LoadedJob& job) const {
@@ -146,12 +230,14 @@ Result<void> CheckpointDesk::copy(const LoadedJob& job) const {
     return save_job_for_everybody(job.blob, path);
 }
 
-/// Empty: all of them.
+/// As far as the folder can be read.
 void CheckpointDesk::remove_other_jobs(const std::string& path) const {
     std::error_code error;
     std::vector<std::string> others;
-    for (const auto& entry : std::filesystem::directory_iterator{place_.folder, error}) {
-        const std::string other = place_.folder + "/" + entry.path().filename().string();
+    // Not by a loop over the range: that throws where the disk fails.
+    for (std::filesystem::directory_iterator entry{place_.folder, error}, end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string other = place_.folder + "/" + entry->path().filename().string();
         if (other != path && names_.is_job(other)) others.push_back(other);
     }
     for (const std::string& other : others) ::unlink(other.c_str());

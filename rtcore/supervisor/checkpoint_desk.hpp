@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "rtcore/newest.hpp"
+#include "rtcore/supervisor/checkpoint_keeper.hpp"
 #include "rtcore/supervisor/loaded_job.hpp"
 #include "shared/checkpoint.hpp"
 #include "shared/saved_checkpoint.hpp"
@@ -22,6 +26,12 @@ struct CheckpointPlace {
     std::uint64_t profile_hash = 0;
 };
 
+/// What stood on the disk when a core began.
+struct LeftCheckpoint {
+    std::optional<SavedCheckpoint> saved;
+    bool is_unknown = false;  ///< something stands there that cannot be read, or only now
+};
+
 /// A job is copied beside the checkpoint up to this size, and where the disk keeps as much room again.
 inline constexpr std::uint64_t kMostCopiedBytes = std::uint64_t{512} << 20;
 
@@ -34,34 +44,48 @@ public:
 
     struct KeptState {
         Checkpoint checkpoint;
-        std::shared_ptr<const LoadedJob> job;  ///< null: all that is kept is to be forgotten
+        std::shared_ptr<const LoadedJob> job;
         std::int64_t written_s;
+        Keeping why;
     };
 
     // --- the thread of the checkpoint
     /// What an earlier core has left, of this segment and this kind of machine. Before anything is written.
-    std::optional<SavedCheckpoint> read_left();
+    LeftCheckpoint read_left() noexcept;
     void write_newest();
     void forget(const RecordName& record);
 
     // --- the thread of the jobs
     void copy_newest();
 
+    // --- any thread
     rtcore::Newest<KeptState> states;
     rtcore::Newest<std::shared_ptr<const LoadedJob>> jobs;
+    std::atomic<bool> is_refused{false};         ///< the disk has not taken the newest
+    std::atomic<std::uint64_t> uncopied_job{0};  ///< its checksum: copying it has failed
 
 private:
-    const SavedCheckpoint& facts_of(const KeptState& state);
+    LeftCheckpoint look();
+    bool tells_of(std::uint64_t job_checksum) const noexcept;
+    void take_back(const KeptState& state);
+    void put(const SavedCheckpoint& saved);
+    void note_standing(const SavedCheckpoint& saved);
+    SavedCheckpoint saved_of(const KeptState& state);
     bool may_stay(const Checkpoint& now) const noexcept;
-    void mend(const KeptState& state, const Error& why);
+    void mend(const SavedCheckpoint& wanted, const Error& why);
     Result<void> copy(const LoadedJob& job) const;
     void remove_other_jobs(const std::string& path) const;
 
     CheckpointPlace place_;
     StateNames names_;
-    SavedCheckpoint facts_;  ///< of the job, and of the state written last
-    std::optional<Checkpoint> written_;
-    std::uint64_t facts_generation_ = 0;
+    SavedCheckpoint facts_;  ///< of the job that was written last
+    std::optional<SavedCheckpoint> standing_;
+    /// All that a reader may find there, now or after a power cut: of those that were not taken whole, the
+    /// furthest of each run.
+    std::vector<Checkpoint> may_stand_;
+    std::optional<SavedCheckpoint> stood_;  ///< before what was announced
+    bool is_announced_ = false;
+    bool is_unread_ = false;
     std::uint64_t sequence_ = 0;  ///< of the newest file
     bool has_failed_ = false;
     bool has_lied_ = false;  ///< what cannot be taken away was told of

@@ -17,37 +17,62 @@ std::int64_t seconds_now() {
 
 }  // namespace
 
-CheckpointFile::CheckpointFile(CheckpointPlace place) {
+CheckpointFile::CheckpointFile(CheckpointPlace place) : place_(CoreKeeping::in(place.folder)) {
     if (place.folder.empty()) return;
     desk_ = std::make_shared<CheckpointDesk>(std::move(place));
     checkpoints_ = std::make_unique<rtcore::SideThread>();
     jobs_ = std::make_unique<rtcore::SideThread>();
-    auto left = std::make_shared<std::promise<std::optional<SavedCheckpoint>>>();
+    auto left = std::make_shared<std::promise<LeftCheckpoint>>();
     reading_ = left->get_future();
     checkpoints_->do_later([desk = desk_, left] { left->set_value(desk->read_left()); });
-    static_cast<void>(reading_.wait_for(kReadingPatience));
+    is_late_ = reading_.wait_for(kReadingPatience) != std::future_status::ready;
+    look_at_left();
 }
 
 void CheckpointFile::look_at_left() {
     if (!reading_.valid() || reading_.wait_for(std::chrono::seconds{0}) != std::future_status::ready) return;
-    auto left = reading_.get();
-    if (!left) return;
-    std::uint32_t& told = told_[left->checkpoint.job_checksum];
-    told = std::max(told, left->checkpoint.next_layer);
-    if (!is_left_past_) left_ = std::move(left);
+    LeftCheckpoint left = reading_.get();
+    is_left_unknown_ = left.is_unknown;
+    if (!left.saved) return;
+    std::uint32_t& told = told_[left.saved->checkpoint.job_checksum];
+    told = std::max(told, left.saved->checkpoint.next_layer);
+    if (!is_left_past_) left_ = std::move(left.saved);
 }
 
-void CheckpointFile::keep(const Checkpoint& checkpoint, const std::shared_ptr<const LoadedJob>& job) {
+bool CheckpointFile::has_answered_late() {
+    look_at_left();
+    return !reading_.valid() && std::exchange(is_late_, false);
+}
+
+CoreKeeping CheckpointFile::keeping() const noexcept {
+    if (desk_ == nullptr) return place_;
+    const bool is_refused = reading_.valid() || desk_->is_refused.load();
+    return {is_refused ? CoreKeeping::How::refused : CoreKeeping::How::kept, place_.folder_mark};
+}
+
+void CheckpointFile::keep(const ToKeep& what, const std::shared_ptr<const LoadedJob>& job) {
     if (desk_ == nullptr) return;
     look_at_left();
+    std::uint32_t& told = told_[job->checksum];
+    told = std::max(told, what.checkpoint.next_layer);
+    if (desk_->states.put({what.checkpoint, job, seconds_now(), what.why}))
+        checkpoints_->do_later([desk = desk_] { desk->write_newest(); });
+    if (what.why != Keeping::carved) return;
     left_.reset();
     is_left_past_ = true;
-    std::uint32_t& told = told_[job->checksum];
-    told = std::max(told, checkpoint.next_layer);
-    if (desk_->states.put({checkpoint, job, seconds_now()}))
-        checkpoints_->do_later([desk = desk_] { desk->write_newest(); });
-    if (copied_job_ == job->checksum) return;
-    copied_job_ = job->checksum;
+    copy(job);
+}
+
+void CheckpointFile::copy(const std::shared_ptr<const LoadedJob>& job) {
+    if (copied_job_ != job->checksum) {
+        copied_job_ = job->checksum;
+        copy_pause_layers_ = 1;
+        layers_to_next_copy_ = 1;
+    } else {
+        if (desk_->uncopied_job.load() != job->checksum || --layers_to_next_copy_ != 0) return;
+        copy_pause_layers_ *= 2;
+        layers_to_next_copy_ = copy_pause_layers_;
+    }
     if (desk_->jobs.put(job)) jobs_->do_later([desk = desk_] { desk->copy_newest(); });
 }
 
@@ -63,7 +88,7 @@ std::uint32_t CheckpointFile::most_told_of(const LoadedJob& job) {
     if (desk_ == nullptr) return 0;
     look_at_left();
     // A disk that has not said yet what is on it may say anything.
-    if (reading_.valid()) return job.view.layer_count();
+    if (reading_.valid() || is_left_unknown_) return job.view.layer_count();
     const auto told = told_.find(job.checksum);
     return told == told_.end() ? 0 : told->second;
 }

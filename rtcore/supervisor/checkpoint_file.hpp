@@ -9,9 +9,11 @@
 
 #include "rtcore/side_thread.hpp"
 #include "rtcore/supervisor/checkpoint_desk.hpp"
+#include "rtcore/supervisor/checkpoint_keeper.hpp"
 #include "rtcore/supervisor/loaded_job.hpp"
 #include "shared/checkpoint.hpp"
 #include "shared/saved_checkpoint.hpp"
+#include "shared/state_place.hpp"
 
 namespace psicarve::supervisor {
 
@@ -24,9 +26,14 @@ public:
     /// Reads what an earlier core has left; a disk that hangs is waited for, but not for long.
     explicit CheckpointFile(CheckpointPlace place);
 
-    /// Again and again while it is carved. The job is copied when it is another than before. What an earlier
-    /// core has left is past then.
-    void keep(const Checkpoint& checkpoint, const std::shared_ptr<const LoadedJob>& job);
+    /// Again and again while it is carved. The job is copied when it is another than before; where that
+    /// fails, again after one more layer, two, four. What an earlier core has left is past once something is
+    /// carved.
+    void keep(const ToKeep& what, const std::shared_ptr<const LoadedJob>& job);
+    /// True once: a disk that did not answer in time has said what was left there.
+    bool has_answered_late();
+    /// Where it is, and whether it is to be believed.
+    CoreKeeping keeping() const noexcept;
     /// What an earlier core has left of this very job, unless something was kept since; nothing: nothing, or
     /// of another.
     std::optional<SavedCheckpoint> left_of(const LoadedJob& job);
@@ -38,12 +45,18 @@ public:
 
 private:
     void look_at_left();
+    void copy(const std::shared_ptr<const LoadedJob>& job);
 
     std::shared_ptr<CheckpointDesk> desk_;  ///< with the threads, which may outlive this; null: none is kept
+    CoreKeeping place_;
     std::uint64_t copied_job_ = 0;
-    std::future<std::optional<SavedCheckpoint>> reading_;
+    std::uint32_t layers_to_next_copy_ = 0;
+    std::uint32_t copy_pause_layers_ = 1;
+    std::future<LeftCheckpoint> reading_;
+    bool is_late_ = false;
     std::optional<SavedCheckpoint> left_;
     bool is_left_past_ = false;
+    bool is_left_unknown_ = false;                 ///< something stands there and cannot be read
     std::map<std::uint64_t, std::uint32_t> told_;  ///< most layers, by the job's checksum
     std::unique_ptr<rtcore::SideThread> checkpoints_;
     std::unique_ptr<rtcore::SideThread> jobs_;

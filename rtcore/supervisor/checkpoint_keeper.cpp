@@ -14,13 +14,6 @@ std::uint32_t origin_of(bool is_simulator) noexcept {
     return is_simulator ? kCheckpointSimulated : 0;
 }
 
-/// Layers of the piece that a run of the whole job leaves behind: of the run before, and not of whichever
-/// came furthest; where that has finished none, of the one before it.
-std::uint32_t left_behind(const Checkpoint& before) noexcept {
-    if (before.next_layer == before.layer_count) return 0;
-    return before.next_layer != 0 ? before.next_layer : before.earlier_layer;
-}
-
 }  // namespace
 
 bool CheckpointKeeper::clear_foreign(SegmentHeader& header) const noexcept {
@@ -45,8 +38,8 @@ Checkpoint CheckpointKeeper::own(const LoadedJob& job, std::uint32_t next_layer,
                          origin_of(is_simulator_));
 }
 
-std::optional<Checkpoint> CheckpointKeeper::note(SegmentHeader& header, const cycle::Sample& sample,
-                                                 const LoadedJob* job, std::uint32_t most_told) noexcept {
+std::optional<ToKeep> CheckpointKeeper::note(SegmentHeader& header, const cycle::Sample& sample,
+                                             const LoadedJob* job, std::uint32_t most_told) noexcept {
     if (job == nullptr) return std::nullopt;
     if (!is_carving_of(sample, *job)) return announce(header, sample, *job, most_told);
     is_announced_ = false;
@@ -63,17 +56,18 @@ std::optional<Checkpoint> CheckpointKeeper::note(SegmentHeader& header, const cy
     written_ = own(*job, next_layer, earlier);
     written_job_ = job->generation;
     write_record(header.checkpoint, *written_);
-    return written_;
+    return ToKeep{*written_, Keeping::carved};
 }
 
-std::optional<Checkpoint> CheckpointKeeper::announce(const SegmentHeader& header, const cycle::Sample& sample,
-                                                     const LoadedJob& job, std::uint32_t most_told) noexcept {
+std::optional<ToKeep> CheckpointKeeper::announce(const SegmentHeader& header, const cycle::Sample& sample,
+                                                 const LoadedJob& job, std::uint32_t most_told) noexcept {
     const bool is_under_way = sample.job_generation == job.generation && runs_job(sample.state);
     const auto before = known_of(header, job);
     if (!is_under_way) {
         // Nothing was carved: all is as it was.
-        if (!std::exchange(is_announced_, false) || !before) return std::nullopt;
-        return own(job, before->next_layer, before->earlier_layer);
+        if (!std::exchange(is_announced_, false)) return std::nullopt;
+        return ToKeep{before ? own(job, before->next_layer, before->earlier_layer) : Checkpoint{},
+                      Keeping::as_before};
     }
     if (is_announced_ || sample.is_dry != 0) return std::nullopt;
     const std::uint64_t first_layer = sample.first_layer;
@@ -81,9 +75,10 @@ std::optional<Checkpoint> CheckpointKeeper::announce(const SegmentHeader& header
     if (before && first_layer != 0) return std::nullopt;
     if (!before && most_told <= first_layer) return std::nullopt;
     is_announced_ = true;
-    if (before) return own(job, 0, left_behind(*before));
-    return own(job, static_cast<std::uint32_t>(std::min<std::uint64_t>(first_layer, job.view.layer_count())),
-               0);
+    if (before) return ToKeep{own(job, 0, before->left_behind()), Keeping::announced};
+    const auto first =
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(first_layer, job.view.layer_count()));
+    return ToKeep{own(job, first, 0), Keeping::announced};
 }
 
 CheckpointKeeper::TakenOver CheckpointKeeper::take_over(SegmentHeader& header, const Checkpoint& left,
@@ -115,7 +110,6 @@ void CheckpointKeeper::forget(SegmentHeader& header, std::uint64_t job_checksum)
     if (written_ && written_->job_checksum != job_checksum) return;
     write_record(header.checkpoint, Checkpoint{});
     written_.reset();
-    is_announced_ = false;
     begun_tick_ = run_start_tick_;
     leaves_gap_ = true;  // what is told of the run that has ended is no news
 }
@@ -129,7 +123,7 @@ void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t firs
     const auto before = known_of(header, job);
     if (!before) return;  // whoever begins later than with the first knows of the layers before
     if (first_layer == 0) {
-        earlier_layer_ = left_behind(*before);
+        earlier_layer_ = before->left_behind();
         return;
     }
     if (before->next_layer == 0 && before->earlier_layer == 0) return;

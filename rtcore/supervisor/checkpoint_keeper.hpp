@@ -12,6 +12,17 @@
 
 namespace psicarve::supervisor {
 
+/// What a checkpoint that goes to the disk is there for.
+enum class Keeping : std::uint8_t {
+    carved,     ///< so far it is carved
+    announced,  ///< a run begins that will make the record of its job false, and has carved nothing yet
+    as_before,  ///< it came to nothing: what stood there stands again
+};
+struct ToKeep {
+    Checkpoint checkpoint;  ///< as_before: what the segment knows of the job; empty: nothing
+    Keeping why;
+};
+
 /// Writes into the segment how far a carving has come, a layer at a time, while it carves and as it ends in
 /// whatever way. A run of the whole job begins anew: what was carved before it may be another piece's. How
 /// far that was stands beside it until it is passed, so that a start by mistake leaves a way back. One that
@@ -29,8 +40,8 @@ public:
     /// the same job anew what will be, from its start on. A disk is slower than the first point is left, and
     /// whoever goes on by what it said before would plunge into a fresh blank. `most_told`: behind the most
     /// layers that the disk may say are carved of this job, whatever the segment knows.
-    std::optional<Checkpoint> note(SegmentHeader& header, const cycle::Sample& sample, const LoadedJob* job,
-                                   std::uint32_t most_told) noexcept;
+    std::optional<ToKeep> note(SegmentHeader& header, const cycle::Sample& sample, const LoadedJob* job,
+                               std::uint32_t most_told) noexcept;
 
     /// What came of what a disk has of the job at hand.
     struct TakenOver {
@@ -51,8 +62,8 @@ private:
     std::optional<Checkpoint> known_of(const SegmentHeader& header, const LoadedJob& job) const noexcept;
     Checkpoint own(const LoadedJob& job, std::uint32_t next_layer,
                    std::uint32_t earlier_layer) const noexcept;
-    std::optional<Checkpoint> announce(const SegmentHeader& header, const cycle::Sample& sample,
-                                       const LoadedJob& job, std::uint32_t most_told) noexcept;
+    std::optional<ToKeep> announce(const SegmentHeader& header, const cycle::Sample& sample,
+                                   const LoadedJob& job, std::uint32_t most_told) noexcept;
     bool is_carving_of(const cycle::Sample& sample, const LoadedJob& job) noexcept;
     void begin_run(const SegmentHeader& header, std::uint64_t first_layer, const LoadedJob& job) noexcept;
 

@@ -117,7 +117,9 @@ std::string CommandDesk::try_to_forget(Segment& segment, const Command& command,
                                        const cycle::Sample& sample) {
     if (!is_at_rest(sample.state) || runs_job(sample.state))
         return "forget: the machine is not at rest; stop first";
-    const RecordName& record = forgotten_.emplace_back(record_to_forget(command, segment.name()));
+    const RecordName record = record_to_forget(command, segment.name());
+    if (record.job_checksum == 0) return {};  // of none: whether it may
+    forgotten_.push_back(record);
     // Who is answered finds it gone.
     const auto known = read_record(segment.header().checkpoint);
     if (known && known->job_checksum == record.job_checksum && known->is_simulated() == record.is_simulator)

@@ -6,16 +6,21 @@
 namespace psicarve::supervisor {
 
 void PieceMemory::enter(SegmentHeader& header) const {
+    header.core.keeping.store(file_.keeping().pack());
     if (keeper_.clear_foreign(header))
         rtcore::try_to_say("the segment's checkpoint is of another kind of machine: it is not taken");
 }
 
 std::string PieceMemory::take_job(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job) {
     keeper_.note_new_job();
+    return take_left(header, job);
+}
+
+std::string PieceMemory::take_left(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job) {
     const auto left = file_.left_of(*job);
     if (!left) return {};
     const auto taken = keeper_.take_over(header, left->checkpoint, *job);
-    if (taken.to_keep) file_.keep(*taken.to_keep, job);
+    if (taken.to_keep) file_.keep({*taken.to_keep, Keeping::carved}, job);
     std::string remark = taken.remark;
     if (left->profile_hash != profile_hash_ && left->is_unfinished()) {
         remark += (remark.empty() ? "" : "; ");
@@ -26,7 +31,13 @@ std::string PieceMemory::take_job(SegmentHeader& header, const std::shared_ptr<c
 
 void PieceMemory::note(SegmentHeader& header, const cycle::Sample& sample,
                        const std::shared_ptr<const LoadedJob>& job) {
+    header.core.keeping.store(file_.keeping().pack());
     if (job == nullptr) return;
+    if (file_.has_answered_late()) {
+        // Whoever published the job has his answer already.
+        const std::string remark = take_left(header, job);
+        if (!remark.empty()) rtcore::try_to_say(remark);
+    }
     const auto to_keep = keeper_.note(header, sample, job.get(), file_.most_told_of(*job));
     if (to_keep) file_.keep(*to_keep, job);
 }

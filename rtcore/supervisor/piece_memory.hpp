@@ -32,6 +32,8 @@ public:
     void forget(SegmentHeader& header, const RecordName& record);
 
 private:
+    std::string take_left(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job);
+
     std::uint64_t profile_hash_;
     CheckpointKeeper keeper_;
     CheckpointFile file_;

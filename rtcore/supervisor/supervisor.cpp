@@ -76,7 +76,6 @@ void Supervisor::introduce() {
     text_into_field(port.text, parts_->port_name);
     write_record(segment_->header().port, port);
     segment_->header().core_profile_hash.store(profile_hash(parts_->profile));
-    segment_->header().core.keeping.store(CoreKeeping::in(parts_->state_folder).pack());
 }
 
 bool Supervisor::poll(Hearing hearing) {

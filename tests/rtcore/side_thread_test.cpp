@@ -6,6 +6,7 @@
 #include <atomic>
 #include <future>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 namespace psicarve::rtcore {
@@ -44,6 +45,19 @@ TEST(SideThread, RefusesWhatIsTooMuchAndWaitsForNoTaskThatHangs) {
     may_go_on->set_value();
     ended->get_future().wait();
     EXPECT_EQ(others->load(), 2);
+}
+
+TEST(SideThread, ATaskThatThrowsIsSaidAndEndsNothing) {
+    std::atomic<bool> is_done{false};
+    testing::internal::CaptureStderr();
+    {
+        SideThread sut;
+        sut.do_later([] { throw std::runtime_error{"the disk burns"}; });
+        sut.do_later([] { throw 4; });
+        sut.do_later([&] { is_done.store(true); });
+    }
+    EXPECT_TRUE(is_done.load());
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("the disk burns"), std::string::npos);
 }
 
 }  // namespace

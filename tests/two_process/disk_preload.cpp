@@ -2,8 +2,10 @@
 // Loaded into a program, it stands for the disk below the folder that PSICARVE_DISK names. What was done
 // there is written, a line each with its thread, to the file that PSICARVE_DISK_LOG names. The file that
 // PSICARVE_DISK_RULES names says how the disk is, in words, and may change at any time: "hangs": whoever
-// opens something there never comes back; "takes_nothing": nothing is written or gets a name; "keeps_names":
-// no name is taken away; "keeps_contents": no file is emptied; "forgets_names": a folder cannot be synced.
+// opens something there waits until it does no more; "lists_one": a folder fails behind its first entry;
+// "takes_nothing": nothing is written or gets a name; "keeps_names": no name is taken away; "keeps_contents":
+// no file is emptied; "forgets_names": a folder cannot be synced.
+#include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -66,7 +68,7 @@ int refuse(int error) {
 }
 
 int opened(const char* name, const char* path, int flags, mode_t mode) {
-    while (is_there(path) && is_rule("hangs")) pause();
+    while (is_there(path) && is_rule("hangs")) usleep(10'000);
     const bool writes = (flags & (O_CREAT | O_TMPFILE)) != 0;
     if (is_there(path) && writes && is_rule("takes_nothing")) return refuse(EROFS);
     return next_of<int(const char*, int, ...)>(name)(path, flags, mode);
@@ -79,6 +81,19 @@ mode_t mode_of(int flags, va_list arguments) {
 }  // namespace
 
 extern "C" {
+dirent* readdir(DIR* folder) {
+    static thread_local DIR* begun = nullptr;
+    char path[512];
+    if (begun == folder && is_file_there(dirfd(folder), path, sizeof path) && is_rule("lists_one")) {
+        note("list", path);
+        begun = nullptr;
+        errno = EIO;
+        return nullptr;
+    }
+    dirent* const entry = next_of<dirent*(DIR*)>("readdir")(folder);
+    if (entry != nullptr && entry->d_name[0] != '.') begun = folder;
+    return entry;
+}
 int open(const char* path, int flags, ...) {
     va_list arguments;
     va_start(arguments, flags);

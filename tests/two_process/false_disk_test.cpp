@@ -138,9 +138,11 @@ TEST_F(FalseDiskTest, WhatTellsMoreThanIsCarvedIsEmptiedWhereItsNameStays) {
     home();
     ASSERT_NO_FATAL_FAILURE(carve_layers(4));
     ASSERT_TRUE(eventually([&] { return layer_on_disk() == 4; }));
+    EXPECT_EQ(segment_->core_keeping(), CoreKeeping::in(state()));
     disk_is("takes_nothing keeps_names");
     ASSERT_EQ(refusal_of(CommandKind::start), "");
     EXPECT_TRUE(eventually([&] { return layer_on_disk() == 999; }));
+    EXPECT_TRUE(eventually([&] { return segment_->core_keeping().how == CoreKeeping::How::refused; }));
     EXPECT_EQ(fs::file_size(names().checkpoint()), 0U);
     EXPECT_TRUE(eventually([&] {
         return said().find("nobody knows how far the piece has come") != std::string::npos;
@@ -171,6 +173,52 @@ TEST_F(FalseDiskTest, ANameThatAPowerCutMayBringBackLeavesNothingBehindIt) {
     disk_is("takes_nothing forgets_names");
     ASSERT_EQ(refusal_of(CommandKind::start), "");
     EXPECT_TRUE(eventually([&] { return fs::file_size(file("brought_back")) == 0; })) << said();
+}
+
+TEST_F(FalseDiskTest, AFolderThatCannotBeReadEndsNoCore) {
+    fs::create_directory(state());
+    start_core_on_it();
+    disk_is("lists_one");
+    ASSERT_EQ(publish(lobed_job(8, 33)), "");
+    home();
+    ASSERT_NO_FATAL_FAILURE(carve_layers(4));
+    ASSERT_TRUE(eventually([&] { return layer_on_disk() == 4; }));
+    ASSERT_TRUE(eventually([&] { return text_of(file("log")).find(" list ") != std::string::npos; }));
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    EXPECT_EQ(core_->wait_for_exit(), 0);
+}
+
+TEST_F(FalseDiskTest, OneThatAnswersLateIsLookedAtAgainAndLosesNothing) {
+    start_core_on_it();
+    ASSERT_EQ(publish(lobed_job(8, 33)), "");
+    home();
+    ASSERT_NO_FATAL_FAILURE(carve_layers(4));
+    ASSERT_TRUE(eventually([&] { return layer_on_disk() == 4; }));
+    const std::string copy = names().job(job_checksum(job_blob_from_table(lobed_job(8, 33))));
+    ASSERT_TRUE(eventually([&] { return fs::exists(copy); }));
+    core_->send_signal(SIGKILL);
+    core_->wait_for_exit();
+    segment_.reset();
+    ASSERT_TRUE(Segment::remove(segment_name_));
+
+    disk_is("hangs");
+    start_core_on_it();
+    EXPECT_EQ(segment_->core_keeping().how, CoreKeeping::How::refused);
+    ASSERT_EQ(publish(lobed_job(8, 33)), "");
+    home();
+    ASSERT_EQ(refusal_of(CommandKind::start), "");
+    ASSERT_TRUE(reaches(MachineState::waiting));
+    request_stop(*segment_);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    disk_is("");
+    const auto in_segment = [&] { return read_record(segment_->header().checkpoint).value_or(Checkpoint{}); };
+    EXPECT_TRUE(eventually([&] { return in_segment().next_layer == 4; })) << said();
+    EXPECT_TRUE(in_segment().is_from_disk());
+    EXPECT_TRUE(eventually([&] { return segment_->core_keeping().how == CoreKeeping::How::kept; }));
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    ASSERT_EQ(core_->wait_for_exit(), 0);
+    EXPECT_EQ(layer_on_disk(), 4U);
+    EXPECT_TRUE(fs::exists(copy));
 }
 
 TEST_F(FalseDiskTest, StatusWaitsForNoneThatHangs) {

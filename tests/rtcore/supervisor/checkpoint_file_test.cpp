@@ -56,7 +56,11 @@ protected:
     /// Of a core that has ended.
     void keep(const Checkpoint& checkpoint, const std::shared_ptr<const LoadedJob>& job) const {
         CheckpointFile sut{place()};
-        sut.keep(checkpoint, job);
+        sut.keep({checkpoint, Keeping::carved}, job);
+    }
+    void keep_as(const Checkpoint& checkpoint, Keeping why) const {
+        CheckpointFile sut{place()};
+        sut.keep({checkpoint, why}, vase_);
     }
     std::uint32_t layer_on_disk() const {
         const auto saved = load_saved_checkpoint(names().checkpoint());
@@ -106,7 +110,7 @@ TEST_F(CheckpointFileTest, WhatWasLeftIsPastOnceSomethingIsKept) {
     CheckpointFile sut{place()};
     ASSERT_TRUE(sut.left_of(*vase_));
     EXPECT_EQ(sut.most_told_of(*vase_), 2U);
-    sut.keep(after(1), vase_);
+    sut.keep({after(1), Keeping::carved}, vase_);
     EXPECT_FALSE(sut.left_of(*vase_));
     EXPECT_EQ(sut.most_told_of(*vase_), 2U) << "until the disk has done it";
 }
@@ -135,7 +139,7 @@ TEST_F(CheckpointFileTest, ForgetsTheNamedRecordAndNoOtherThatHasComeMeanwhile) 
     const RecordName seen = load_saved_checkpoint(names().checkpoint())->name();
     {
         CheckpointFile sut{place()};
-        sut.keep(after(2), vase_);
+        sut.keep({after(2), Keeping::carved}, vase_);
         sut.forget(seen);
     }
     EXPECT_EQ(layer_on_disk(), 2U);
@@ -163,8 +167,9 @@ TEST_F(CheckpointFileTest, OfAnotherJobItIsAnotherFileAndTheOldCopyGoes) {
 TEST_F(CheckpointFileTest, TheNewestWinsWhenThereAreMany) {
     {
         CheckpointFile sut{place()};
-        for (int i = 0; i < 5000; ++i) sut.keep(after(static_cast<std::uint32_t>(i) % 3), vase_);
-        sut.keep(after(2), vase_);
+        for (int i = 0; i < 5000; ++i)
+            sut.keep({after(static_cast<std::uint32_t>(i) % 3), Keeping::carved}, vase_);
+        sut.keep({after(2), Keeping::carved}, vase_);
     }
     EXPECT_EQ(layer_on_disk(), 2U);
 }
@@ -184,7 +189,7 @@ TEST_F(CheckpointFileTest, ADamagedOneIsNone) {
 
 TEST_F(CheckpointFileTest, WithoutAPlaceThereIsNone) {
     CheckpointFile sut{CheckpointPlace{}};
-    sut.keep(after(1), vase_);
+    sut.keep({after(1), Keeping::carved}, vase_);
     EXPECT_FALSE(sut.left_of(*vase_));
     EXPECT_EQ(folder_.file_count(), 0U);
 }
@@ -197,8 +202,8 @@ TEST_F(CheckpointFileTest, WhatCannotBeWrittenIsSaidOnceAndLeavesNoFileOfAnother
         // A folder in its place, for tests are run as root, too.
         std::filesystem::remove(names().checkpoint());
         std::filesystem::create_directory(names().checkpoint());
-        sut.keep(after(0), vase_);
-        sut.keep(after(1), vase_);
+        sut.keep({after(0), Keeping::carved}, vase_);
+        sut.keep({after(1), Keeping::carved}, vase_);
     }
     const std::string said = testing::internal::GetCapturedStderr();
     EXPECT_THAT(said, HasSubstr("shop.checkpoint: is a folder"));
@@ -218,15 +223,107 @@ TEST_F(CheckpointFileTest, AFileThatToldMoreThanIsCarvedNowGoesWhenItCannotBeRep
 
 TEST_F(CheckpointFileTest, AFileThatToldLessStaysWhenItCannotBeReplaced) {
     auto sut = std::make_unique<CheckpointFile>(place());
-    sut->keep(after(1), vase_);
+    sut->keep({after(1), Keeping::carved}, vase_);
     for (int i = 0; i < 60'000 && layer_on_disk() != 1; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds{1});
     {
         const FullDisk full;
-        sut->keep(after(2), vase_);
+        sut->keep({after(2), Keeping::carved}, vase_);
         sut.reset();
     }
     EXPECT_EQ(layer_on_disk(), 1U);
+}
+
+TEST_F(CheckpointFileTest, OfAPieceThatIsCarvedToItsEndNothingStaysThatSaysLess) {
+    keep(after(1), vase_);
+    {
+        const FullDisk full;
+        keep(after(vase_->view.layer_count()), vase_);
+    }
+    EXPECT_FALSE(std::filesystem::exists(names().checkpoint())) << "it would be offered again";
+}
+
+TEST_F(CheckpointFileTest, SaysThatTheDiskHasNotTakenTheNewest) {
+    CheckpointFile sut{place()};
+    EXPECT_EQ(sut.keeping(), CoreKeeping::in(folder_.path("state")));
+    const auto is_told = [&](CoreKeeping::How how) {
+        for (int i = 0; i < 60'000 && sut.keeping().how != how; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        return sut.keeping().how == how;
+    };
+    {
+        const FullDisk full;
+        sut.keep({after(1), Keeping::carved}, vase_);
+        EXPECT_TRUE(is_told(CoreKeeping::How::refused));
+    }
+    sut.keep({after(2), Keeping::carved}, vase_);
+    EXPECT_TRUE(is_told(CoreKeeping::How::kept));
+    EXPECT_EQ(CheckpointFile{CheckpointPlace{}}.keeping().how, CoreKeeping::How::nowhere);
+}
+
+TEST_F(CheckpointFileTest, AStartThatCarvedNothingLeavesAnotherJobsRecordAndCopyAsTheyWere) {
+    keep(after(2), vase_);
+    const auto stood = *load_saved_checkpoint(names().checkpoint());
+    const auto cup = job_called("cup.stl");
+    const auto of_cup = [&](std::uint32_t layers, std::uint32_t earlier = 0) {
+        return checkpoint_at(cup->checksum, layers, cup->view.layer_count(), earlier);
+    };
+    {
+        // The segment knows that a layer of the cup was carved.
+        CheckpointFile sut{place()};
+        sut.keep({of_cup(0, 1), Keeping::announced}, cup);
+        for (int i = 0; i < 60'000 && layer_on_disk() != 0; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        ASSERT_EQ(layer_on_disk(), 0U);
+        sut.keep({of_cup(1), Keeping::as_before}, cup);
+    }
+    const auto now = *load_saved_checkpoint(names().checkpoint());
+    EXPECT_EQ(now.checkpoint.job_checksum, vase_->checksum);
+    EXPECT_EQ(now.checkpoint.next_layer, 2U);
+    EXPECT_EQ(now.source_name, "vase.stl");
+    EXPECT_EQ(now.written_s, stood.written_s);
+    EXPECT_TRUE(std::filesystem::exists(names().job(vase_->checksum)));
+    {
+        // Of nothing but the vase does the disk tell: that stays true until something is carved.
+        CheckpointFile sut{place()};
+        sut.keep({of_cup(0), Keeping::announced}, cup);
+    }
+    EXPECT_EQ(load_saved_checkpoint(names().checkpoint())->name(), now.name());
+}
+
+TEST_F(CheckpointFileTest, AnAnnouncementTellsOfTheRunBefore) {
+    keep(after(2), vase_);
+    keep_as(after(0), Keeping::announced);
+    const auto saved = load_saved_checkpoint(names().checkpoint());
+    EXPECT_EQ(saved->checkpoint.next_layer, 0U);
+    EXPECT_EQ(saved->checkpoint.earlier_layer, 2U) << "of which the segment knew nothing";
+}
+
+TEST_F(CheckpointFileTest, FactsAreThoseOfTheJobWhateverItsGeneration) {
+    const auto cup = job_called("cup.stl", vase_->generation);
+    CheckpointFile sut{place()};
+    sut.keep({after(1), Keeping::carved}, vase_);
+    for (int i = 0; i < 60'000 && layer_on_disk() != 1; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    sut.keep({checkpoint_at(cup->checksum, 2, cup->view.layer_count()), Keeping::carved}, cup);
+    for (int i = 0; i < 60'000 && layer_on_disk() != 2; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    EXPECT_EQ(load_saved_checkpoint(names().checkpoint())->source_name, "cup.stl");
+}
+
+TEST_F(CheckpointFileTest, AJobThatDidNotFitIsCopiedOnceThereIsRoom) {
+    CheckpointFile sut{place()};
+    {
+        const FullDisk full{2000};
+        sut.keep({after(1), Keeping::carved}, vase_);
+        for (int i = 0; i < 60'000 && layer_on_disk() != 1; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    }
+    for (int i = 0; i < 60'000 && !std::filesystem::exists(names().job(vase_->checksum)); ++i) {
+        sut.keep({after(1 + static_cast<std::uint32_t>(i) % 2), Keeping::carved}, vase_);
+        std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    }
+    EXPECT_TRUE(load_snapshot(names().job(vase_->checksum)));
 }
 
 TEST_F(CheckpointFileTest, AJobThatDoesNotFitIsNotCopiedAndTheCheckpointIsThere) {

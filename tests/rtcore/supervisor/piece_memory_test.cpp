@@ -4,9 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <thread>
 
 #include "shared/shared_record.hpp"
 #include "tests/rtcore/supervisor/kept_job.hpp"
@@ -31,7 +33,7 @@ protected:
     /// Of a core that has ended, of the real machine.
     void leave_on_disk(std::uint32_t layers) const {
         CheckpointFile file{place()};
-        file.keep(after(layers), vase_);
+        file.keep({after(layers), Keeping::carved}, vase_);
     }
     void leave_in_segment(const Checkpoint& checkpoint) { write_record(header_->checkpoint, checkpoint); }
     /// What a core finds that begins now and accepts the job.
@@ -123,6 +125,62 @@ TEST_F(PieceMemoryTest, AStartOfWhichTheSegmentKnowsNothingIsAnnouncedWhereTheDi
         sut.note(*header_, carving_from(1, MachineState::positioning), vase_);
     }
     EXPECT_EQ(layer_on_disk(), 1U);
+}
+
+TEST_F(PieceMemoryTest, AStartThatIsAbortedBeforeItCarvesLeavesTheDisksRecord) {
+    const auto cup = test::job_called("cup.stl");
+    const Checkpoint of_cup = checkpoint_at(cup->checksum, 1, cup->view.layer_count());
+    Checkpoint damaged = after(1);
+    damaged.check ^= 1;
+    for (const Checkpoint& in_segment_before : {damaged, of_cup}) {
+        leave_on_disk(2);
+        leave_in_segment(in_segment_before);
+        {
+            PieceMemory sut{place()};
+            sut.enter(*header_);
+            sut.take_job(*header_, vase_);
+            sut.note(*header_, carving_from(0, MachineState::positioning), vase_);
+            for (int i = 0; i < 60'000 && layer_on_disk() != 0; ++i)
+                std::this_thread::sleep_for(std::chrono::milliseconds{1});
+            ASSERT_EQ(layer_on_disk(), 0U);
+            sut.note(*header_, carving_from(0, MachineState::ready), vase_);
+        }
+        EXPECT_EQ(layer_on_disk(), 2U);
+        EXPECT_EQ(load_saved_checkpoint(names().checkpoint())->checkpoint.earlier_layer, 0U);
+    }
+}
+
+TEST_F(PieceMemoryTest, SaysInTheSegmentWhereItKeepsIt) {
+    PieceMemory sut{place()};
+    sut.enter(*header_);
+    EXPECT_EQ(CoreKeeping::unpack(header_->core.keeping.load()), CoreKeeping::in(folder_.path("state")));
+    PieceMemory nowhere{CheckpointPlace{}};
+    nowhere.enter(*header_);
+    EXPECT_EQ(CoreKeeping::unpack(header_->core.keeping.load()).how, CoreKeeping::How::nowhere);
+}
+
+TEST_F(PieceMemoryTest, WhatAStartHadAnnouncedIsTakenBackAlsoWhereAnotherRecordIsForgotten) {
+    leave_on_disk(2);
+    {
+        PieceMemory sut{place()};
+        sut.take_job(*header_, vase_);
+        sut.note(*header_, carving_from(0, MachineState::positioning), vase_);
+        for (int i = 0; i < 60'000 && layer_on_disk() != 0; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        sut.forget(*header_, {"/shop", false, vase_->checksum, 1});
+        sut.note(*header_, carving_from(0, MachineState::ready), vase_);
+    }
+    EXPECT_EQ(layer_on_disk(), 2U);
+}
+
+TEST_F(PieceMemoryTest, ForgetsNoOtherJobsRecord) {
+    leave_on_disk(2);
+    const auto of_vase = load_saved_checkpoint(names().checkpoint())->name();
+    const auto cup = test::job_called("cup.stl");
+    PieceMemory sut{place()};
+    leave_in_segment(checkpoint_at(cup->checksum, 1, cup->view.layer_count()));
+    sut.forget(*header_, of_vase);
+    EXPECT_EQ(in_segment().job_checksum, cup->checksum);
 }
 
 TEST_F(PieceMemoryTest, TakesNothingThatIsAnotherSegmentsOrTheOtherMachines) {

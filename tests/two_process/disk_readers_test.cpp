@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What psicarve says of the pieces that a disk knows.
-#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -134,9 +135,13 @@ TEST_F(DiskReaders, AnotherCoresPieceIsSaidToBeItsOwn) {
 }
 
 TEST_F(DiskReaders, ADiskThatTakesNothingIsSaid) {
-    start_core({"--state", state()});
+    ASSERT_NO_FATAL_FAILURE(carve_some(4));
     EXPECT_EQ(psicarve({"status", "--state", state()}).out.find("mind "), std::string::npos);
-    segment_->header().core.keeping.store(CoreKeeping::in(state(), CoreKeeping::How::refused).pack());
+    // No folder is a file.
+    std::filesystem::rename(state(), file("moved"));
+    { std::ofstream{state()} << "a file"; }
+    ASSERT_EQ(refusal_of(CommandKind::start), "");
+    ASSERT_TRUE(eventually([&] { return segment_->core_keeping().how == CoreKeeping::How::refused; }));
     EXPECT_NE(psicarve({"status", "--state", state()}).out.find("mind       the disk does not take"),
               std::string::npos);
     EXPECT_EQ(psicarve({"status", "--json", "--state", state()}).json()["is_disk_refusing"], true);

@@ -45,6 +45,11 @@ bool is_checkpoint(const Checkpoint& checkpoint) noexcept {
            checkpoint.earlier_layer < checkpoint.layer_count;
 }
 
+bool is_same_place(const Checkpoint& one, const Checkpoint& other) noexcept {
+    return one.job_checksum == other.job_checksum && one.layer_count == other.layer_count &&
+           one.next_layer == other.next_layer && one.earlier_layer == other.earlier_layer;
+}
+
 Result<std::uint32_t> layer_to_resume(const std::optional<Checkpoint>& copied, std::uint64_t job_checksum,
                                       std::uint32_t layer_count) {
     if (copied && copied->is_empty()) return refused("nothing was carved yet; there is nothing to resume");

@@ -44,6 +44,9 @@ Checkpoint checkpoint_at(std::uint64_t job_checksum, std::uint32_t next_layer, s
 /// Whether it is one at all: neither empty nor damaged.
 bool is_checkpoint(const Checkpoint& checkpoint) noexcept;
 
+/// Whether both tell the same of the same job, whencever they came.
+bool is_same_place(const Checkpoint& one, const Checkpoint& other) noexcept;
+
 /// The layer with which this job goes on. Refused (machine_refused) with the reason: nothing was carved,
 /// damaged, of another job, no layer finished, all finished. Where the run before came further, that is said,
 /// and not taken. `copied` is a copy nobody else can change;

@@ -34,14 +34,20 @@ struct StartOptions {
 };
 
 /// Nothing was carved since: who goes on by it is to see that it is this piece, and not one of last month.
-void tell_disk_source(machine::MachineLink& link, const std::string& folder) {
+void tell_disk_source(machine::MachineLink& link, const StartOptions& options) {
     const auto checkpoint = link.checkpoint();
     if (!checkpoint || !checkpoint->is_from_disk()) return;
-    UnfinishedLook look{folder};
-    const auto& found = look.look(link.segment_name(), checkpoint->is_simulated(), kDiskPatience);
-    if (!found || found->saved.checkpoint.job_checksum != checkpoint->job_checksum)
-        return print_warning(
-            "where the piece goes on is known from a disk that does not answer now: of when is not known");
+    // The run before's end is a disk's word, too.
+    const bool is_by_it =
+        options.resume || (options.from_layer != 0 && options.from_layer == checkpoint->earlier_layer);
+    if (!is_by_it || options.dry_run) return;
+    UnfinishedLook look{options.state_folder};
+    const auto& found = look.look(link.segment_name(), checkpoint->is_simulated(),
+                                  link.segment().core_keeping(), kDiskPatience);
+    const std::string unknown = "where the piece goes on is known from a disk that ";
+    if (!found) return print_warning(unknown + "does not answer now: of when is not known");
+    if (!is_same_place(found->saved.checkpoint, *checkpoint))
+        return print_warning(unknown + "tells of another piece or layer by now: of when is not known");
     const bool is_other_core = link.segment().header().core_profile_hash.load() != found->saved.profile_hash;
     const std::string source = "goes on by " + disk_source_text(*found, is_other_core);
     if (is_other_core) return print_warning(source);
@@ -52,7 +58,7 @@ Result<int> start(const CommonOptions& common, const StartOptions& options) {
     auto link = link_to_core(common);
     if (!link) return link.error();
     if (const std::string remark = link->job_remark(); !remark.empty()) print_warning(remark);
-    if (options.resume) tell_disk_source(*link, options.state_folder);
+    tell_disk_source(*link, options);
     MotionCommand command{CommandKind::start, {}, {MachineState::waiting}};
     command.details.value = options.from_layer;
     command.details.value2 = options.layers;

@@ -82,6 +82,11 @@ std::string head_line(const machine::MachineLink& link) {
            "\n";
 }
 
+/// What the disk of a living core tells is false, or may be.
+bool is_disk_refusing(const machine::MachineLink& link) {
+    return link.segment().core_keeping().how == CoreKeeping::How::refused;
+}
+
 /// A piece that was begun before this core was there, while it has no other to do.
 struct Unfinished {
     std::optional<FoundCheckpoint> found;
@@ -92,7 +97,7 @@ struct Unfinished {
 /// Looked for without ever waiting for a disk that hangs.
 class UnfinishedPieces {
 public:
-    explicit UnfinishedPieces(const std::string& folder) : look_(folder) {}
+    explicit UnfinishedPieces(const std::string& folder) : folder_(folder), look_(folder) {}
 
     Unfinished beside(machine::MachineLink& link, const CoreStatus& status,
                       std::chrono::milliseconds patience) {
@@ -100,7 +105,8 @@ public:
         unfinished.way.segment = link.segment_name();
         unfinished.way.has_core = true;
         if (status.job_generation != 0) return unfinished;
-        unfinished.found = look_.look(link.segment_name(), status.is_simulator != 0, patience);
+        unfinished.found = look_.look(link.segment_name(), status.is_simulator != 0,
+                                      link.segment().core_keeping(), patience);
         unfinished.is_silent = look_.is_silent();
         if (unfinished.found)
             unfinished.way.is_other_core =
@@ -111,7 +117,8 @@ public:
     Unfinished without_core(const machine::MachineLink* link, const std::string& segment) {
         Unfinished unfinished;
         unfinished.way.segment = segment;
-        unfinished.found = look_.look(segment, {}, kDiskPatience);
+        look_ = UnfinishedLook{folder_};  // what was seen while the core lived is past
+        unfinished.found = look_.look(segment, {}, {}, kDiskPatience);
         unfinished.is_silent = look_.is_silent();
         unfinished.way.is_published = link != nullptr && unfinished.found &&
                                       link->is_of_published_job(unfinished.found->saved.checkpoint);
@@ -119,6 +126,7 @@ public:
     }
 
 private:
+    std::string folder_;
     UnfinishedLook look_;
 };
 
@@ -163,6 +171,8 @@ std::string json_line(machine::MachineLink& link, const CoreStatus& status, cons
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
+    if (const std::string remark = link.job_remark(); !remark.empty()) object["job_remark"] = remark;
+    if (is_disk_refusing(link)) object["is_disk_refusing"] = true;
     put_into(object, unfinished);
     return object.dump() + "\n";
 }
@@ -191,7 +201,7 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         if (!status) return with_last_state(*link, status.error());
         const std::string pass = running.name(*link, *status);
         const auto profile = known_profile(*link, *chosen);
-        // What is shown again soon waits for no disk.
+        // What is shown again soon waits for no disk, but once.
         const auto patience = options.watch ? std::chrono::milliseconds{0} : kDiskPatience;
         if (common.json)
             return json_line(*link, *status, pass, profile, pieces.beside(*link, *status, patience));
@@ -199,6 +209,12 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         const auto checkpoint = link->checkpoint();
         std::string text = head_line(*link) + status_text(*status, profile ? &*profile : nullptr, pass) +
                            checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));
+        if (const std::string remark = link->job_remark(); !remark.empty())
+            text += "mind       " + remark + "\n";
+        if (is_disk_refusing(*link))
+            text +=
+                "mind       the disk does not take how far the piece has come: if the power fails, do not go "
+                "on by it\n";
         if (!options.watch) {
             // The machine first: its disk may hang.
             std::fputs(std::exchange(text, {}).c_str(), stdout);

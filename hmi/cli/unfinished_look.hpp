@@ -20,10 +20,12 @@ public:
     /// `folder`: where cores keep it; empty: where they do by themselves.
     explicit UnfinishedLook(std::string folder) : folder_(std::move(folder)) {}
 
-    /// Of a core's kind of machine; nothing: of any. Waits at most so long; what was seen a while ago is
+    /// Of a core's kind of machine; nothing: of any. `core`: where that keeps it, which goes before all else
+    /// (Segment::core_keeping). Waits at most so long, and the first time at least
+    /// kDiskPatience, or it would say that nothing is known before it has asked; what was seen a while ago is
     /// looked at anew meanwhile.
     const std::optional<FoundCheckpoint>& look(const std::string& segment, std::optional<bool> is_simulator,
-                                               std::chrono::milliseconds patience);
+                                               const CoreKeeping& core, std::chrono::milliseconds patience);
     /// It has not answered yet: nothing is known.
     bool is_silent() const noexcept { return !has_answered_; }
 
@@ -33,6 +35,7 @@ private:
     std::optional<FoundCheckpoint> found_;
     std::chrono::steady_clock::time_point next_look_{};
     bool has_answered_ = false;
+    bool has_waited_ = false;
 };
 
 }  // namespace psicarve::cli

@@ -69,6 +69,10 @@ std::string unfinished_text(const FoundCheckpoint& found, const WayBack& way) {
     text += saved.is_simulator ? "; simulated machine\n" : "\n";
     text += "kept in    " + found.path + "\n";
     if (way.is_other_core) text += "mind       the core's profile is not the one that it was carved with\n";
+    if (found.keeper == Keeper::other_core)
+        text += "mind       this core keeps pieces elsewhere, or nowhere: this one is another core's\n";
+    for (const std::string& other : found.other_paths)
+        text += "mind       " + other + " tells of another piece: see which of them is mounted\n";
     int number = 0;
     for (const std::string& step : steps_of(found, way)) {
         text += number++ == 0 ? "go on      " : "           ";
@@ -89,6 +93,8 @@ nlohmann::ordered_json unfinished_json(const std::optional<FoundCheckpoint>& fou
     object["is_simulator"] = saved.is_simulator;
     object["kept_in"] = found->path;
     object["is_other_profile"] = way.is_other_core;
+    if (found->keeper == Keeper::other_core) object["is_other_cores"] = true;
+    if (!found->other_paths.empty()) object["others_kept_in"] = found->other_paths;
     object["job"] =
         found->job_path.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(found->job_path);
     object["steps"] = steps_of(*found, way);

@@ -40,6 +40,7 @@ public:
     static Result<MachineLink> create_or_attach(const SegmentOptions& options);
 
     Segment& segment() noexcept { return segment_; }
+    const Segment& segment() const noexcept { return segment_; }
     const std::string& segment_name() const noexcept { return segment_.name(); }
     std::optional<std::uint32_t> core_pid() const noexcept { return segment_.core_pid(); }
     /// Success when a living core serves the segment.

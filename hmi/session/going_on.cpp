@@ -7,6 +7,7 @@
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/radius_map.hpp"
+#include "hmi/session/saved_piece.hpp"
 #include "shared/machine_state.hpp"
 #include "shared/units.hpp"
 
@@ -111,6 +112,7 @@ std::vector<Phrase> unfinished_details(const UnfinishedPiece& piece, const Machi
                                        const cam::PreparedJob* job) {
     std::vector<Phrase> details;
     if (piece.carved_layers != 0) details.push_back(last_good(piece, job));
+    if (auto both = disagreement(machine)) details.push_back(*std::move(both));
     if (auto end = ended_at(machine)) details.push_back(*std::move(end));
     if (auto first = to_do_first(machine)) details.push_back(*std::move(first));
     if (piece.carved_layers != 0 && job != nullptr && piece.carved_layers < job->view.layer_count())
@@ -121,6 +123,7 @@ std::vector<Phrase> unfinished_details(const UnfinishedPiece& piece, const Machi
 
 std::vector<Phrase> unfinished_needs(const UnfinishedPiece& piece, const MachineSight& machine) {
     std::vector<Phrase> needs;
+    if (auto both = disagreement(machine)) needs.push_back(*std::move(both));
     if (auto first = to_do_first(machine))
         needs.push_back(machine.is_heard() ? phrase("First Home all.") : *std::move(first));
     if (piece.earlier_layers != 0) {

@@ -168,6 +168,8 @@ void MachineSession::look_for_checkpoint() {
     sight_.resumable_layer.reset();
     sight_.earlier_layer.reset();
     sight_.is_checkpoint_from_disk = false;
+    sight_.is_disk_refusing = link_->segment().core_keeping().how == CoreKeeping::How::refused;
+    sight_.job_remark = sight_.is_heard() ? link_->job_remark() : std::string{};
     const auto checkpoint = link_->checkpoint();
     if (!checkpoint || !link_->is_of_published_job(*checkpoint)) return;
     if (checkpoint->next_layer > 0 && checkpoint->next_layer < checkpoint->layer_count)
@@ -181,14 +183,18 @@ void MachineSession::look_for_checkpoint() {
 void MachineSession::look_for_saved_piece() {
     auto found = disk_.take();
     const bool is_wanted = may_be_saved(sight_) || sight_.is_checkpoint_from_disk;
-    if (!is_wanted) return sight_.saved_piece.reset();
+    if (!is_wanted) {
+        saved_looked_ = {};  // whoever wants it then asks at once
+        return sight_.saved_piece.reset();
+    }
     if (found) sight_.saved_piece = std::move(*found);
     const auto now = Clock::now();
     if (disk_.is_under_way() || now - saved_looked_ < kDiskPause) return;
     saved_looked_ = now;
     const auto kind = sight_.is_heard() ? std::optional{sight_.is_simulator()} : std::nullopt;
-    disk_.begin([name = options_.segment_name, kind, folder = options_.state_folder] {
-        return find_unfinished(name, kind, folder);
+    const CoreKeeping core = link_ ? link_->segment().core_keeping() : CoreKeeping{};
+    disk_.begin([name = options_.segment_name, kind, folder = options_.state_folder, core] {
+        return find_unfinished(name, kind, folder, core);
     });
 }
 

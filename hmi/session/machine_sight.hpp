@@ -62,8 +62,10 @@ struct MachineSight {
     std::optional<std::uint32_t> earlier_layer;
     std::uint32_t checkpoint_layer_count = 0;  ///< of that job, where one of the two is known
     std::uint64_t checkpoint_job_checksum = 0;
+    std::string job_remark{};  ///< of the core, on the published job
     /// It comes from a disk, and nothing was carved by it since: it may be of a piece of long ago.
     bool is_checkpoint_from_disk = false;
+    bool is_disk_refusing = false;  ///< the core's disk has not taken how far the piece has come
     /// What a core has kept on a disk of a piece that is not finished, while no core has a job or its piece
     /// is known from there.
     std::optional<FoundCheckpoint> saved_piece{};

@@ -9,6 +9,7 @@
 #include "hmi/session/alarm_history.hpp"
 #include "hmi/session/alarm_text.hpp"
 #include "hmi/session/lost_core.hpp"
+#include "hmi/session/saved_piece.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -102,6 +103,21 @@ void tell_profile(const MachineSight& before, const MachineSight& after, std::ve
                 phrase("Start psicarve-rtcore with that profile, or the window without it")));
 }
 
+/// Every time that it begins to.
+void tell_refusing_disk(const MachineSight& before, const MachineSight& after, std::vector<Message>& told) {
+    if (!after.is_disk_refusing || before.is_disk_refusing) return;
+    told.push_back(message(Severity::warning, phrase("The disk does not take how far the piece has come"),
+                           phrase("If the power fails, do not go on by it; see to the disk.")));
+}
+
+/// When the core accepts the job, or a window begins to look.
+void tell_disagreement(const MachineSight& before, const MachineSight& after, std::vector<Message>& told) {
+    auto both = disagreement(after);
+    if (both && disagreement(before) != both)
+        told.push_back(message(Severity::warning, *std::move(both),
+                               phrase("See how far the piece is carved before it goes on.")));
+}
+
 }  // namespace
 
 std::vector<Message> changes_between(const MachineSight& before, const MachineSight& after) {
@@ -115,6 +131,8 @@ std::vector<Message> changes_between(const MachineSight& before, const MachineSi
     if (!after.status || !after.is_heard()) return told;
     tell_profile(before, after, told);
     std::move(news, alarms.end(), std::back_inserter(told));
+    tell_disagreement(before, after, told);
+    tell_refusing_disk(before, after, told);
     if (!before.status || !before.is_heard()) return told;
     const bool is_alarm = after.state() == MachineState::alarm;
     if (!is_alarm && before.state() != after.state())

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/session/saved_piece.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "hmi/report/utc_text.hpp"
+#include "hmi/session/sentence.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -39,10 +42,27 @@ void add_run_before(std::vector<Phrase>& to, const Checkpoint& checkpoint) {
                         std::to_string(checkpoint.earlier_layer + 1)));
 }
 
+/// What is asked about is what the disk tells of, and not another piece or run that has come there since.
+bool is_of_checkpoint(const SavedCheckpoint& saved, const MachineSight& machine) noexcept {
+    const Checkpoint& checkpoint = saved.checkpoint;
+    return checkpoint.job_checksum == machine.checkpoint_job_checksum &&
+           checkpoint.layer_count == machine.checkpoint_layer_count &&
+           checkpoint.next_layer == machine.resumable_layer.value_or(0) &&
+           checkpoint.earlier_layer == machine.earlier_layer.value_or(0);
+}
+
 /// Nobody knows the profile of a core that is not there.
 bool is_other_profile(const SavedCheckpoint& saved, const MachineSight& machine) noexcept {
     return machine.is_heard() && machine.core_profile_hash != 0 &&
            machine.core_profile_hash != saved.profile_hash;
+}
+
+/// Whether it is the piece that lies on the table, only who mounted it knows.
+void add_doubts(std::vector<Phrase>& to, const FoundCheckpoint& found) {
+    if (found.keeper == Keeper::other_core)
+        to.push_back(phrase("This core keeps pieces elsewhere, or nowhere: it is another core's."));
+    for (const std::string& other : found.other_paths)
+        to.push_back(phrase("%1 tells of another piece: see which of them is mounted.", other));
 }
 
 Phrase other_profile() {
@@ -52,21 +72,39 @@ Phrase other_profile() {
 }  // namespace
 
 bool is_from_disk_alone(const MachineSight& machine, std::uint32_t layer) noexcept {
-    return machine.is_heard() && machine.is_checkpoint_from_disk && machine.resumable_layer == layer;
+    return machine.is_heard() && machine.is_checkpoint_from_disk &&
+           (machine.resumable_layer == layer || machine.earlier_layer == layer);
+}
+
+std::optional<Phrase> disagreement(const MachineSight& machine) {
+    const std::size_t at = machine.job_remark.find("segment: layer ");
+    if (at == std::string::npos) return std::nullopt;
+    auto both = phrase_for(
+        {{"segment: layer %1, disk: %2; where this piece goes on%3",
+          phrase("The computer's memory says %1 layers, its disk %2: the lower number is taken.")}},
+        std::string_view{machine.job_remark}.substr(at));
+    // What was carved since is known.
+    if (!both || !machine.status || machine.status->points_done != 0) return std::nullopt;
+    both->arguments.pop_back();
+    return both;
 }
 
 std::vector<Phrase> disk_question(const MachineSight& machine) {
     std::vector<Phrase> question;
     const auto& found = machine.saved_piece;
-    const bool is_it = found && found->saved.checkpoint.job_checksum == machine.checkpoint_job_checksum;
-    if (is_it) {
+    if (found && is_of_checkpoint(found->saved, machine)) {
         question.push_back(saved_title(found->saved));
         question.push_back(origin(found->saved));
         if (is_other_profile(found->saved, machine)) question.push_back(other_profile());
+    } else if (found) {
+        question.push_back(phrase(
+            "Since when, and with which tool, is not known: the disk tells of another piece or layer by "
+            "now."));
     } else {
         question.push_back(
             phrase("Since when, and with which tool, is not known: the disk does not answer."));
     }
+    if (auto both = disagreement(machine)) question.push_back(*std::move(both));
     question.push_back(phrase(
         "This is known from the disk alone. Go on only if this very piece is still mounted, as it was, "
         "with this tool."));
@@ -88,6 +126,7 @@ Phrase saved_title(const SavedCheckpoint& saved) {
 std::vector<Phrase> saved_details(const FoundCheckpoint& found, const MachineSight& machine) {
     std::vector<Phrase> details{origin(found.saved)};
     if (is_other_profile(found.saved, machine)) details.push_back(other_profile());
+    add_doubts(details, found);
     if (!machine.is_heard()) details.push_back(phrase("First start psicarve-rtcore."));
     details.push_back(steps(found));
     add_run_before(details, found.saved.checkpoint);
@@ -98,6 +137,7 @@ std::vector<Phrase> saved_needs(const FoundCheckpoint& found, const MachineSight
     const Checkpoint& checkpoint = found.saved.checkpoint;
     std::vector<Phrase> needs;
     if (is_other_profile(found.saved, machine)) needs.push_back(other_profile());
+    add_doubts(needs, found);
     needs.push_back(phrase("Open its job, then go on from layer %1.", layer_after(checkpoint)));
     add_run_before(needs, checkpoint);
     return needs;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hmi/session/machine_sight.hpp"
@@ -17,6 +18,8 @@ bool may_be_saved(const MachineSight& machine) noexcept;
 /// Whether whoever goes on with the published job's piece is to be asked first: how far it is carved is known
 /// from a disk alone.
 bool is_from_disk_alone(const MachineSight& machine, std::uint32_t layer) noexcept;
+/// Memory and disk said different layers when the core accepted the job, and nothing was carved since.
+std::optional<Phrase> disagreement(const MachineSight& machine);
 /// Sentences that ask: which piece, since when, with which tool and profile.
 std::vector<Phrase> disk_question(const MachineSight& machine);
 

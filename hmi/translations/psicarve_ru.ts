@@ -388,6 +388,10 @@
             <translation>Незамкнутых линий: %1, они пропущены; первая от %2 до %3 mm.</translation>
         </message>
         <message>
+            <source>%1 tells of another piece: see which of them is mounted.</source>
+            <translation>%1 говорит о другой заготовке: посмотрите, какая из них установлена.</translation>
+        </message>
+        <message>
             <source>%1 ticks missed</source>
             <translation>Пропущено тактов: %1</translation>
         </message>
@@ -1875,6 +1879,10 @@ F12  этот список</translation>
         <message>
             <source>If anything still moves, use the wired emergency stop</source>
             <translation>Если что-то ещё движется, нажмите проводной аварийный останов</translation>
+        </message>
+        <message>
+            <source>If the power fails, do not go on by it; see to the disk.</source>
+            <translation>Если пропадёт питание, не продолжайте по этим данным; проверьте диск.</translation>
         </message>
         <message>
             <source>In the file</source>
@@ -3461,6 +3469,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Сечение слоя, вид сверху</translation>
         </message>
         <message>
+            <source>See how far the piece is carved before it goes on.</source>
+            <translation>Прежде чем продолжить, посмотрите, докуда вырезана деталь.</translation>
+        </message>
+        <message>
             <source>See to the port's card, cable and driver</source>
             <translation>Проверьте плату порта, кабель и драйвер</translation>
         </message>
@@ -3531,6 +3543,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Since when, and with which tool, is not known: the disk does not answer.</source>
             <translation>С каких пор и каким инструментом, неизвестно: диск не отвечает.</translation>
+        </message>
+        <message>
+            <source>Since when, and with which tool, is not known: the disk tells of another piece or layer by now.</source>
+            <translation>С какого времени и каким инструментом — неизвестно: диск говорит уже о другой детали или другом слое.</translation>
         </message>
         <message>
             <source>Size</source>
@@ -3957,6 +3973,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Компьютер был слишком занят для станка</translation>
         </message>
         <message>
+            <source>The computer's memory says %1 layers, its disk %2: the lower number is taken.</source>
+            <translation>В памяти компьютера слоёв: %1, на диске: %2; берётся меньшее число.</translation>
+        </message>
+        <message>
             <source>The connector's pins and their levels</source>
             <translation>Выводы разъёма и их уровни</translation>
         </message>
@@ -4035,6 +4055,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The desktop's bell, once at each new alarm; not for recordings, nor for what was there before the window</source>
             <translation>Сигнал рабочего стола, один раз при каждой новой аварии; не для записей и не для того, что было до этого окна</translation>
+        </message>
+        <message>
+            <source>The disk does not take how far the piece has come</source>
+            <translation>Диск не принимает запись о том, докуда вырезана деталь</translation>
         </message>
         <message>
             <source>The drawing does not say how large it is: its units are taken as 1/96 inch (0.26 mm).</source>
@@ -4327,6 +4351,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>This computer</source>
             <translation>Этот компьютер</translation>
+        </message>
+        <message>
+            <source>This core keeps pieces elsewhere, or nowhere: it is another core's.</source>
+            <translation>Это ядро хранит записи в другом месте или нигде: эта — другого ядра.</translation>
         </message>
         <message>
             <source>This is known from the disk alone. Go on only if this very piece is still mounted, as it was, with this tool.</source>

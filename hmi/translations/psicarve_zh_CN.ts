@@ -388,6 +388,10 @@
             <translation>%1 条线未闭合，已略去；第一条从 %2 到 %3 mm。</translation>
         </message>
         <message>
+            <source>%1 tells of another piece: see which of them is mounted.</source>
+            <translation>%1 记录的是另一个工件：请看安装的是哪一个。</translation>
+        </message>
+        <message>
             <source>%1 ticks missed</source>
             <translation>漏掉 %1 个节拍</translation>
         </message>
@@ -1874,6 +1878,10 @@ F12  本列表</translation>
         <message>
             <source>If anything still moves, use the wired emergency stop</source>
             <translation>如仍有运动，请按硬接线急停</translation>
+        </message>
+        <message>
+            <source>If the power fails, do not go on by it; see to the disk.</source>
+            <translation>若断电，请勿据此继续；请检查磁盘。</translation>
         </message>
         <message>
             <source>In the file</source>
@@ -3456,6 +3464,10 @@ N、Shift+N  下一条、上一条记录
             <translation>层截面，俯视</translation>
         </message>
         <message>
+            <source>See how far the piece is carved before it goes on.</source>
+            <translation>继续之前，请查看工件雕到了哪里。</translation>
+        </message>
+        <message>
             <source>See to the port's card, cable and driver</source>
             <translation>检查端口的板卡、电缆和驱动程序</translation>
         </message>
@@ -3526,6 +3538,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Since when, and with which tool, is not known: the disk does not answer.</source>
             <translation>从何时开始、用何刀具未知：磁盘没有响应。</translation>
+        </message>
+        <message>
+            <source>Since when, and with which tool, is not known: the disk tells of another piece or layer by now.</source>
+            <translation>自何时起、用哪把刀具不得而知：磁盘现在记录的是另一个工件或另一层。</translation>
         </message>
         <message>
             <source>Size</source>
@@ -3952,6 +3968,10 @@ N、Shift+N  下一条、上一条记录
             <translation>计算机太忙，顾不上机床</translation>
         </message>
         <message>
+            <source>The computer's memory says %1 layers, its disk %2: the lower number is taken.</source>
+            <translation>计算机内存记录 %1 层，磁盘记录 %2 层：取较小者。</translation>
+        </message>
+        <message>
             <source>The connector's pins and their levels</source>
             <translation>接口引脚及其电平</translation>
         </message>
@@ -4030,6 +4050,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The desktop's bell, once at each new alarm; not for recordings, nor for what was there before the window</source>
             <translation>桌面提示音，每次新报警响一次；回放以及窗口打开之前的报警不响</translation>
+        </message>
+        <message>
+            <source>The disk does not take how far the piece has come</source>
+            <translation>磁盘无法记录工件的进度</translation>
         </message>
         <message>
             <source>The drawing does not say how large it is: its units are taken as 1/96 inch (0.26 mm).</source>
@@ -4322,6 +4346,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>This computer</source>
             <translation>本机</translation>
+        </message>
+        <message>
+            <source>This core keeps pieces elsewhere, or nowhere: it is another core's.</source>
+            <translation>此内核把工件记录在别处或不记录：这是另一个内核的。</translation>
         </message>
         <message>
             <source>This is known from the disk alone. Go on only if this very piece is still mounted, as it was, with this tool.</source>

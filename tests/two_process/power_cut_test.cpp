@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The computer was switched off in mid-job: no process, no shared memory, only what stands on the disk.
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -9,11 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "hmi/verify/trace_reader.hpp"
-#include "hmi/verify/verifier.hpp"
 #include "shared/checkpoint.hpp"
 #include "shared/saved_checkpoint.hpp"
 #include "tests/hmi/cli/program_run.hpp"
+#include "tests/two_process/carved_trace.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::two_process {
@@ -64,32 +62,6 @@ protected:
     bool is_carved_to_its_end() {
         return eventually([&] { return status().job_end_tick != 0; });
     }
-};
-
-/// The piece as a trace's pins carve it; one that breaks off, too.
-class Carved {
-public:
-    Carved(const std::vector<std::byte>& blob, const std::string& trace_path)
-        : job_(JobView::check(blob).value()), verifier_(verify::Verifier::make(job_, Profile{}).value()) {
-        auto trace = verify::open_trace(trace_path);
-        EXPECT_TRUE(trace.has_value()) << trace_path;
-        if (!trace) return;
-        verifier_.begin((*trace)->start());
-        std::array<verify::TraceEvent, 1024> events;
-        for (;;) {
-            const auto count = (*trace)->read(events);
-            if (!count || *count == 0) return;
-            verifier_.feed(std::span{events}.first(*count));
-        }
-    }
-    std::vector<float> layer(std::uint32_t number) const {
-        const auto radii = verifier_.surface().radii_mm(number);
-        return {radii.begin(), radii.end()};
-    }
-
-private:
-    JobView job_;
-    verify::Verifier verifier_;
 };
 
 class PowerCutAnywhere : public PowerCut, public testing::WithParamInterface<unsigned> {};

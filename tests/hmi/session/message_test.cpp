@@ -228,5 +228,26 @@ TEST(Messages, NameTheAxesThatTheyAreOf) {
     EXPECT_EQ(told[0].axes, "R2");
 }
 
+TEST(Messages, TellOnceThatMemoryAndDiskDisagree) {
+    const MachineSight before = machine_in(S::off);
+    MachineSight after = before;
+    after.job_remark =
+        "segment: layer 7, disk: 4; where this piece goes on the two disagree, the lower one is taken";
+    EXPECT_EQ(told(before, after),
+              "The computer's memory says 7 layers, its disk 4: the lower number is taken.; ");
+    EXPECT_EQ(told(after, after), "");
+    EXPECT_NE(told(MachineSight{}, after).find("memory says 7"), std::string::npos)
+        << "to a window that is opened then";
+}
+
+TEST(Messages, TellOfADiskThatTakesNothing) {
+    const MachineSight before = machine_in(S::carving);
+    MachineSight after = before;
+    after.is_disk_refusing = true;
+    EXPECT_EQ(told(before, after), "The disk does not take how far the piece has come; ");
+    EXPECT_EQ(told(after, after), "");
+    EXPECT_EQ(told(after, before), "");
+}
+
 }  // namespace
 }  // namespace psicarve::session

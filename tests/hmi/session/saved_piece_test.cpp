@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hmi/session/going_on.hpp"
 #include "tests/hmi/session/sights.hpp"
 
 namespace psicarve::session {
@@ -66,6 +67,21 @@ TEST(SavedPieceWords, SayThatThePieceWasBegunWithAnotherProfile) {
     EXPECT_THAT(said_of(found, MachineSight{}), testing::Not(testing::Contains(words))) << "nobody knows it";
 }
 
+TEST(SavedPieceWords, SayThatItMayBeAnotherPiece) {
+    const MachineSight machine = test::machine_in(MachineState::off);
+    FoundCheckpoint found = found_after(131);
+    found.keeper = Keeper::this_core;
+    EXPECT_EQ(said_of(found, machine).size(), 3U);
+    found.keeper = Keeper::other_core;
+    found.other_paths = {"/srv/psicarve.checkpoint"};
+    EXPECT_THAT(
+        said_of(found, machine),
+        testing::IsSupersetOf({"This core keeps pieces elsewhere, or nowhere: it is another core's.",
+                               "/srv/psicarve.checkpoint tells of another piece: see which of them is "
+                               "mounted."}));
+    EXPECT_EQ(saved_needs(found, machine).size(), 3U);
+}
+
 TEST(SavedPieceWords, AskBeforeADisksWordIsTaken) {
     MachineSight machine = test::machine_in(MachineState::ready);
     machine.resumable_layer = 131;
@@ -78,11 +94,48 @@ TEST(SavedPieceWords, AskBeforeADisksWordIsTaken) {
         for (const Phrase& each : disk_question(machine)) said.push_back(in_english(each));
         return said;
     };
+    machine.earlier_layer = 140;
+    EXPECT_TRUE(is_from_disk_alone(machine, 140)) << "so far the run before came, says the disk";
+    machine.earlier_layer.reset();
     machine.checkpoint_job_checksum = 1;
+    machine.checkpoint_layer_count = 200;
     EXPECT_EQ(asked().front(), "Since when, and with which tool, is not known: the disk does not answer.");
     machine.saved_piece = found_after(131);
     EXPECT_EQ(asked()[0], "Unfinished: 131 of 200 layers of vase.stl are carved");
     EXPECT_EQ(asked()[1], "Since 2025-11-26 19:23 UTC, tool ball, 3 mm.");
+    // Date and tool of another record are not this one's, though it is of the same job.
+    const std::string other =
+        "Since when, and with which tool, is not known: the disk tells of another piece or layer by now.";
+    machine.saved_piece = found_after(132);
+    EXPECT_EQ(asked().front(), other);
+    machine.saved_piece = found_after(131, 150);
+    EXPECT_EQ(asked().front(), other);
+    machine.saved_piece->saved.checkpoint = checkpoint_at(2, 131, 200);
+    EXPECT_EQ(asked().front(), other);
+    machine.saved_piece->saved.checkpoint = checkpoint_at(1, 131, 300);
+    EXPECT_EQ(asked().front(), other);
+}
+
+TEST(SavedPieceWords, SayThatMemoryAndDiskDisagreed) {
+    MachineSight machine = test::machine_in(MachineState::ready);
+    EXPECT_FALSE(disagreement(machine));
+    machine.job_remark =
+        "the job was made for another blank; segment: layer 3, disk: 0; where this piece goes on the two "
+        "disagree, the lower one is taken; this piece was begun with another profile of the machine";
+    machine.earlier_layer = 5;
+    machine.is_checkpoint_from_disk = true;
+    const std::string words = "The computer's memory says 3 layers, its disk 0: the lower number is taken.";
+    ASSERT_TRUE(disagreement(machine));
+    EXPECT_EQ(in_english(*disagreement(machine)), words);
+    std::vector<std::string> asked;
+    for (const Phrase& each : disk_question(machine)) asked.push_back(in_english(each));
+    EXPECT_THAT(asked, testing::Contains(words));
+    std::vector<std::string> details;
+    for (const Phrase& each : unfinished_details({0, 5, 40}, machine, nullptr))
+        details.push_back(in_english(each));
+    EXPECT_THAT(details, testing::Contains(words));
+    machine.status->points_done = 7;
+    EXPECT_FALSE(disagreement(machine)) << "it was carved since";
 }
 
 TEST(SavedPieceWords, AreForAMachineThatHasNoJob) {

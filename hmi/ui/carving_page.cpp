@@ -68,6 +68,7 @@ CarvingPage::CarvingPage(Bench& bench, Drawing drawing, QWidget* parent)
     point_->setObjectName("carving_point");
     done_->setObjectName("carving_done");
     blank_->setObjectName("carving_blank");
+    for (QLabel* label : {done_, blank_}) label->setTextFormat(Qt::RichText);  // squares of colour; no names
     behind_->setObjectName("carving_behind");
     feed_->setObjectName("carving_feed");
     feed_->setToolTip(tr("Of the faster head's tool over the surface, in the last second"));

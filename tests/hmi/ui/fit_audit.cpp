@@ -113,6 +113,9 @@ private:
 
     void look_at_label(const QLabel& label) {
         if (label.text().isEmpty()) return;
+        const bool has_marks = label.text().contains("</") || label.text().contains("&nbsp;");
+        if (label.textFormat() == Qt::PlainText && has_marks)
+            add(label, "marks instead of colours", label.text());
         const QRect room = label.contentsRect();
         if (!label.wordWrap()) {
             need(label, "label", label.minimumSizeHint().width(), label.width(), label.text());

@@ -210,8 +210,11 @@ TEST(States, ASecondJobDropsWholeTurnsAndVisitsItsPoints) {
     const JobTable job = random_job(7, 40, 5);
     ASSERT_TRUE(sut.prepare(job));
     for (int round = 0; round < 2; ++round) {
+        const std::uint64_t begin = sut.cycle->next_tick();
         ASSERT_EQ(sut.ask(RequestKind::start_interpolation), Refusal::none);
         ASSERT_TRUE(sut.run_until(MachineState::ready));
+        EXPECT_GE(sut.cycle->sample().carve_first_tick, begin) << "its own, not that of the job before";
+        EXPECT_GT(sut.cycle->sample().carve_last_tick, sut.cycle->sample().carve_first_tick);
         ASSERT_EQ(sut.ask(RequestKind::start), Refusal::none);
         ASSERT_TRUE(sut.run_until(MachineState::waiting));
         EXPECT_EQ(sut.positions(), points_of(job).front());

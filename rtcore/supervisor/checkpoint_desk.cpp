@@ -119,14 +119,26 @@ void CheckpointDesk::note_standing(const SavedCheckpoint& saved) {
     is_unread_ = false;
 }
 
-void CheckpointDesk::write_newest() {
-    const auto state = states.take();
-    if (state == nullptr) return;
+void CheckpointDesk::do_given() {
+    is_asked_for.store(false);
+    const std::uint64_t seen = given_order.load();
+    // In this order: what was carved before a run that waits is taken with it, or was before.
+    auto run = runs.take();
+    const auto newest = carved.take();
+    if (newest != nullptr && run != nullptr && newest->order > run->order) run.reset();
+    if (newest != nullptr) write(*newest);
+    if (run != nullptr) write(*run);
+    if (const auto named = forgets.take(); named != nullptr)
+        for (const RecordName& record : *named) forget(record);
+    done_order.store(seen);
+}
+
+void CheckpointDesk::write(const KeptState& state) {
     // A disk that could not be read then may say now what it has.
     if (is_unread_) look();
-    if (state->why == Keeping::as_before) return take_back(*state);
-    SavedCheckpoint wanted = saved_of(*state);
-    if (state->why == Keeping::announced) {
+    if (state.why == Keeping::as_before) return take_back(state);
+    SavedCheckpoint wanted = saved_of(state);
+    if (state.why == Keeping::announced) {
         Checkpoint& announced = wanted.checkpoint;
         // What is no record of this job stays true.
         if (announced.earlier_layer == 0 && !tells_of(announced.job_checksum)) return;
@@ -142,8 +154,8 @@ void CheckpointDesk::write_newest() {
     put(wanted);
 }
 
-/// Nothing was carved. What the segment knows of the job may be newer than what stood there: an announcement
-/// takes the place of whatever waits.
+/// Nothing was carved. What the segment knows of the job may be newer than what stood there: that may not
+/// have been written.
 void CheckpointDesk::take_back(const KeptState& state) {
     const bool was_announced = std::exchange(is_announced_, false);
     const auto stood = was_announced ? std::exchange(stood_, std::nullopt) : standing_;

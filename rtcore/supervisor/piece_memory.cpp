@@ -31,6 +31,7 @@ std::string PieceMemory::take_left(SegmentHeader& header, const std::shared_ptr<
 
 void PieceMemory::note(SegmentHeader& header, const cycle::Sample& sample,
                        const std::shared_ptr<const LoadedJob>& job) {
+    file_.tend();
     header.core.keeping.store(file_.keeping().pack());
     if (job == nullptr) return;
     if (file_.has_answered_late()) {

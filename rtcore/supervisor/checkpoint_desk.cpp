@@ -117,6 +117,16 @@ void CheckpointDesk::note_standing(const SavedCheckpoint& saved) {
     standing_ = saved;
     may_stand_.assign(1, saved.checkpoint);
     is_unread_ = false;
+    standing_sequence.store(saved.sequence);
+    standing_job.store(saved.checkpoint.job_checksum);
+}
+
+void CheckpointDesk::note_gone() {
+    standing_.reset();
+    may_stand_.clear();
+    is_unread_ = false;
+    standing_job.store(0);
+    standing_sequence.store(0);
 }
 
 void CheckpointDesk::do_given() {
@@ -134,6 +144,7 @@ void CheckpointDesk::do_given() {
 }
 
 void CheckpointDesk::write(const KeptState& state) {
+    order_ = state.order;
     // A disk that could not be read then may say now what it has.
     if (is_unread_) look();
     if (state.why == Keeping::as_before) return take_back(state);
@@ -171,6 +182,8 @@ void CheckpointDesk::take_back(const KeptState& state) {
 void CheckpointDesk::put(const SavedCheckpoint& saved) {
     SavedCheckpoint numbered = saved;
     numbered.sequence = ++sequence_;
+    tried_order.store(order_);
+    tried_sequence.store(sequence_);
     auto done = make_state_folder(place_.folder);
     if (done) done = save_checkpoint(numbered, names_.checkpoint());
     if (!done) return mend(numbered, done.error());
@@ -186,9 +199,7 @@ void CheckpointDesk::mend(const SavedCheckpoint& wanted, const Error& why) {
     const Checkpoint& now = wanted.checkpoint;
     if (!may_stay(now)) {
         if (const auto gone = withdraw_file(names_.checkpoint()); gone) {
-            standing_.reset();
-            may_stand_.clear();
-            is_unread_ = false;
+            note_gone();
         } else if (!std::exchange(has_lied_, true)) {
             has_failed_ = true;
             return rtcore::try_to_say(
@@ -211,10 +222,7 @@ void CheckpointDesk::mend(const SavedCheckpoint& wanted, const Error& why) {
 void CheckpointDesk::forget(const RecordName& record) {
     if (const auto gone = withdraw_record(names_.checkpoint(), record); !gone)
         return rtcore::try_to_say(gone.error().message + ": the piece is not forgotten");
-    if (standing_ && standing_->name() == record) {
-        standing_.reset();
-        may_stand_.clear();
-    }
+    if (standing_ && standing_->name() == record) note_gone();
     if (stood_ && stood_->name() == record) stood_.reset();
     ::unlink(names_.job(record.job_checksum).c_str());
 }

@@ -63,9 +63,13 @@ public:
     rtcore::Newest<KeptState> carved;  ///< of each of them the newest alone
     rtcore::Newest<KeptState> runs;    ///< announced, or as before: never in the place of what is carved
     rtcore::Newest<std::vector<RecordName>> forgets;
-    std::atomic<std::uint64_t> given_order{0};  ///< order of what was given last
-    std::atomic<std::uint64_t> done_order{0};   ///< all that was given before and with it is done
-    std::atomic<bool> is_asked_for{false};      ///< do_given() will be called
+    std::atomic<std::uint64_t> given_order{0};        ///< order of what was given last
+    std::atomic<std::uint64_t> done_order{0};         ///< all that was given before and with it is done
+    std::atomic<std::uint64_t> standing_job{0};       ///< its checksum; 0: no record is known to stand there
+    std::atomic<std::uint64_t> standing_sequence{0};  ///< of that record
+    std::atomic<std::uint64_t> tried_sequence{0};     ///< of the newest, whether it was taken or not
+    std::atomic<std::uint64_t> tried_order{0};        ///< of what that is of
+    std::atomic<bool> is_asked_for{false};            ///< do_given() will be called
     rtcore::Newest<std::shared_ptr<const LoadedJob>> jobs;
     std::atomic<bool> is_refused{false};         ///< the disk has not taken the newest
     std::atomic<std::uint64_t> uncopied_job{0};  ///< its checksum: copying it has failed
@@ -78,6 +82,7 @@ private:
     void take_back(const KeptState& state);
     void put(const SavedCheckpoint& saved);
     void note_standing(const SavedCheckpoint& saved);
+    void note_gone();
     SavedCheckpoint saved_of(const KeptState& state);
     bool may_stay(const Checkpoint& now) const noexcept;
     void mend(const SavedCheckpoint& wanted, const Error& why);
@@ -94,6 +99,7 @@ private:
     std::optional<SavedCheckpoint> stood_;  ///< before what was announced
     bool is_announced_ = false;
     bool is_unread_ = false;
+    std::uint64_t order_ = 0;     ///< of what is being written
     std::uint64_t sequence_ = 0;  ///< of the newest file
     bool has_failed_ = false;
     bool has_lied_ = false;  ///< what cannot be taken away was told of

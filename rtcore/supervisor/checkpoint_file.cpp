@@ -67,6 +67,8 @@ void CheckpointFile::keep(const ToKeep& what, const std::shared_ptr<const Loaded
     place.put({what.checkpoint, job, seconds_now(), what.why, ++given_});
     ask();
     if (what.why != Keeping::carved) return;
+    carved_job_ = job->checksum;
+    carved_order_ = given_;
     left_.reset();
     is_left_past_ = true;
     copy(job);
@@ -133,6 +135,16 @@ std::uint32_t CheckpointFile::most_told_of(const LoadedJob& job) {
     if (reading_.valid() || is_left_unknown_) return job.view.layer_count();
     const auto told = told_.find(job.checksum);
     return told == told_.end() ? 0 : told->second;
+}
+
+bool CheckpointFile::is_newest(const RecordName& record) const noexcept {
+    if (desk_ == nullptr) return true;
+    const bool is_carved_now = carved_job_ == record.job_checksum;
+    const auto holds_newest = [&](std::uint64_t order) { return !is_carved_now || order >= carved_order_; };
+    const bool is_done = holds_newest(desk_->done_order.load());
+    if (record.sequence == 0) return is_done && desk_->standing_job.load() != record.job_checksum;
+    if (record.sequence == desk_->standing_sequence.load() && is_done) return true;
+    return record.sequence == desk_->tried_sequence.load() && holds_newest(desk_->tried_order.load());
 }
 
 bool CheckpointFile::forget(const RecordName& record) {

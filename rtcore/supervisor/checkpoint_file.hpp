@@ -44,6 +44,9 @@ public:
     /// Behind the most layers that a file on the disk may say are carved of this job, whatever the disk has
     /// done of what was wanted; 0: of none.
     std::uint32_t most_told_of(const LoadedJob& job);
+    /// Whether nothing newer is known of this job than the record of this name: it is the newest that was
+    /// written, or, for sequence 0, there is none of the job on the disk. Where none is kept, whichever.
+    bool is_newest(const RecordName& record) const noexcept;
     /// This record, if it stands there, and the copy of its job; whoever left it. False: too many wait for a
     /// disk that does not answer; it is not forgotten.
     bool forget(const RecordName& record);
@@ -66,6 +69,8 @@ private:
     bool is_left_unknown_ = false;                 ///< something stands there and cannot be read
     std::map<std::uint64_t, std::uint32_t> told_;  ///< most layers, by the job's checksum
     std::uint64_t given_ = 0;                      ///< order of what the desk was given last
+    std::uint64_t carved_job_ = 0;                 ///< checksum of what was carved last, and its order
+    std::uint64_t carved_order_ = 0;
     std::uint64_t done_seen_ = 0;
     std::optional<std::chrono::steady_clock::time_point> waiting_since_;  ///< for the disk to answer
     bool must_ask_ = false;

@@ -111,12 +111,30 @@ TEST_F(SlowDiskTest, ManyThatAreToBeForgottenSwitchNothingOff) {
         carve(cup_, 2, 50);
         slow.wait_for_somebody();
         testing::internal::CaptureStderr();
-        for (int i = 0; i < 300; ++i) sut_->forget(*header_, {"/shop", false, 4711, 1});
+        std::string last;
+        for (std::uint64_t i = 0; i < 300; ++i) last = sut_->forget(*header_, {"/shop", false, 4711, i});
+        EXPECT_THAT(last, HasSubstr("too much waits"));
     }
     carve(cup_, 3, 50);
     EXPECT_TRUE(comes([&] { return told() == "cup.stl 3"; })) << told();
     end_core();
     testing::internal::GetCapturedStderr();
+}
+
+TEST_F(SlowDiskTest, WhatIsNamedByAnOlderRecordThanIsCarvedStays) {
+    carve(cup_, 1, 50);
+    ASSERT_TRUE(comes([&] { return told() == "cup.stl 1"; }));
+    {
+        const SlowDisk slow;
+        carve(cup_, 2, 50);
+        EXPECT_THAT(sut_->forget(*header_, on_disk()->name()), HasSubstr("another record"));
+    }
+    EXPECT_EQ(read_record(header_->checkpoint)->next_layer, 2U);
+    ASSERT_TRUE(comes([&] { return told() == "cup.stl 2"; }));
+    EXPECT_EQ(sut_->forget(*header_, on_disk()->name()), "");
+    EXPECT_TRUE(read_record(header_->checkpoint)->is_empty());
+    end_core();
+    EXPECT_EQ(told(), "nothing");
 }
 
 TEST_F(SlowDiskTest, OneThatDoesNotAnswerIsSaidToRefuseUntilItDoes) {

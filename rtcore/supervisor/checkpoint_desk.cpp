@@ -65,12 +65,14 @@ LeftCheckpoint CheckpointDesk::look() {
         std::error_code error;
         // A folder that does not say whether it is there may have it as well.
         if (!std::filesystem::exists(path, error) && !error) return {};
-        rtcore::try_to_say(left.error().message + ": nothing is known of an unfinished piece");
+        if (!std::exchange(has_told_unread_, true))
+            rtcore::try_to_say(left.error().message + ": nothing is known of an unfinished piece");
         return {std::nullopt, true};
     }
     if (!left->is_of(place_.segment_name, place_.is_simulator)) {
-        rtcore::try_to_say(path + ": is of segment " + left->segment_name +
-                           (left->is_simulator ? ", a simulated machine's" : "") + ": it is not taken");
+        if (!std::exchange(has_told_unread_, true))
+            rtcore::try_to_say(path + ": is of segment " + left->segment_name +
+                               (left->is_simulator ? ", a simulated machine's" : "") + ": it is not taken");
         return {};
     }
     note_standing(*left);
@@ -220,8 +222,12 @@ void CheckpointDesk::mend(const SavedCheckpoint& wanted, const Error& why) {
 }
 
 void CheckpointDesk::forget(const RecordName& record) {
-    if (const auto gone = withdraw_record(names_.checkpoint(), record); !gone)
-        return rtcore::try_to_say(gone.error().message + ": the piece is not forgotten");
+    if (const auto gone = withdraw_record(names_.checkpoint(), record); !gone) {
+        if (!std::exchange(has_told_unforgotten_, true))
+            rtcore::try_to_say(gone.error().message + ": the piece is not forgotten");
+        return;
+    }
+    has_told_unforgotten_ = false;
     if (standing_ && standing_->name() == record) note_gone();
     if (stood_ && stood_->name() == record) stood_.reset();
     ::unlink(names_.job(record.job_checksum).c_str());

@@ -102,6 +102,8 @@ private:
     std::uint64_t order_ = 0;     ///< of what is being written
     std::uint64_t sequence_ = 0;  ///< of the newest file
     bool has_failed_ = false;
+    bool has_told_unread_ = false;
+    bool has_told_unforgotten_ = false;
     bool has_lied_ = false;  ///< what cannot be taken away was told of
 };
 

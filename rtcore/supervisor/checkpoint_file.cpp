@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::chrono::seconds kReadingPatience{2};
 constexpr std::chrono::seconds kWritingPatience{2};
+constexpr std::chrono::seconds kPauseBeforeNextTry{2};
 constexpr std::size_t kMostForgets = 16;
 
 std::int64_t seconds_now() {
@@ -42,7 +43,14 @@ void CheckpointFile::look_at_left() {
     if (!left.saved) return;
     std::uint32_t& told = told_[left.saved->checkpoint.job_checksum];
     told = std::max(told, left.saved->checkpoint.next_layer);
-    if (!is_left_past_) left_ = std::move(left.saved);
+    if (!is_left_past_ && !is_forgotten(left.saved->name())) left_ = std::move(left.saved);
+    forgotten_.clear();
+}
+
+bool CheckpointFile::is_forgotten(const RecordName& left) const noexcept {
+    return std::ranges::any_of(forgotten_, [&](const RecordName& record) {
+        return record == left || (record.sequence == 0 && record.job_checksum == left.job_checksum);
+    });
 }
 
 bool CheckpointFile::has_answered_late() {
@@ -64,9 +72,13 @@ void CheckpointFile::keep(const ToKeep& what, const std::shared_ptr<const Loaded
     auto& place = what.why == Keeping::carved ? desk_->carved : desk_->runs;
     // Of a run that carves nothing more is to be told.
     if (what.why == Keeping::carved) desk_->runs.take();
-    place.put({what.checkpoint, job, seconds_now(), what.why, ++given_});
+    const CheckpointDesk::KeptState state{what.checkpoint, job, seconds_now(), what.why, ++given_};
+    place.put(state);
     ask();
+    last_carved_.reset();
     if (what.why != Keeping::carved) return;
+    last_carved_ = state;
+    next_try_ = std::chrono::steady_clock::now() + kPauseBeforeNextTry;
     carved_job_ = job->checksum;
     carved_order_ = given_;
     left_.reset();
@@ -90,7 +102,7 @@ void CheckpointFile::tend() {
         waiting_since_.reset();
         is_silent_ = false;
         has_said_silent_ = false;
-        return;
+        return try_again();
     }
     const auto now = std::chrono::steady_clock::now();
     if (!waiting_since_ || std::exchange(done_seen_, done) != done) {
@@ -105,6 +117,19 @@ void CheckpointFile::tend() {
                            ": the disk does not answer; if the computer is switched off now, do not go on by "
                            "what it tells of an unfinished piece");
     }
+}
+
+/// What a disk has refused, which may take it now, though nothing more is carved.
+void CheckpointFile::try_again() {
+    if (!desk_->is_refused.load()) last_carved_.reset();
+    if (!last_carved_) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_try_) return;
+    next_try_ = now + kPauseBeforeNextTry;
+    last_carved_->order = ++given_;
+    carved_order_ = given_;
+    desk_->carved.put(*last_carved_);
+    ask();
 }
 
 void CheckpointFile::copy(const std::shared_ptr<const LoadedJob>& job) {
@@ -160,6 +185,8 @@ bool CheckpointFile::forget(const RecordName& record) {
     ++given_;
     ask();
     if (is_full) return false;
+    if (reading_.valid() && is_new) forgotten_.push_back(record);
+    if (last_carved_ && last_carved_->job->checksum == record.job_checksum) last_carved_.reset();
     if (left_ && left_->name() == record) left_.reset();
     if (copied_job_ == record.job_checksum) copied_job_ = 0;  // its copy goes, too
     return true;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rtcore/side_thread.hpp"
 #include "rtcore/supervisor/checkpoint_desk.hpp"
@@ -53,6 +54,8 @@ public:
 
 private:
     void look_at_left();
+    bool is_forgotten(const RecordName& left) const noexcept;
+    void try_again();
     void ask();
     void copy(const std::shared_ptr<const LoadedJob>& job);
 
@@ -65,6 +68,7 @@ private:
     std::future<LeftCheckpoint> reading_;
     bool is_late_ = false;
     std::optional<SavedCheckpoint> left_;
+    std::vector<RecordName> forgotten_;  ///< before the disk has said what is there; of 0 the whole job
     bool is_left_past_ = false;
     bool is_left_unknown_ = false;                 ///< something stands there and cannot be read
     std::map<std::uint64_t, std::uint32_t> told_;  ///< most layers, by the job's checksum
@@ -73,6 +77,8 @@ private:
     std::uint64_t carved_order_ = 0;
     std::uint64_t done_seen_ = 0;
     std::optional<std::chrono::steady_clock::time_point> waiting_since_;  ///< for the disk to answer
+    std::optional<CheckpointDesk::KeptState> last_carved_;                ///< nothing was given since
+    std::chrono::steady_clock::time_point next_try_{};
     bool must_ask_ = false;
     bool is_silent_ = false;  ///< the disk
     bool has_said_silent_ = false;

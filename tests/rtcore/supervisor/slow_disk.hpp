@@ -3,7 +3,8 @@
 
 namespace psicarve::supervisor::test {
 
-/// While this lives nothing that this program writes gets onto a disk: whoever syncs it waits. One at a time.
+/// While this lives the disk answers no other thread of this program: whoever looks what an open file is, or
+/// syncs it, waits. One at a time.
 class SlowDisk {
 public:
     SlowDisk() noexcept;

@@ -137,6 +137,32 @@ TEST_F(SlowDiskTest, WhatIsNamedByAnOlderRecordThanIsCarvedStays) {
     EXPECT_EQ(told(), "nothing");
 }
 
+TEST_F(SlowDiskTest, WhatIsForgottenBeforeTheDiskAnswersDoesNotComeBack) {
+    carve(cup_, 2, 50);
+    end_core();
+    for (const bool is_by_job : {false, true}) {
+        write_record(header_->checkpoint, Checkpoint{});
+        RecordName named = on_disk()->name();
+        if (is_by_job) named.sequence = 0;
+        {
+            const SlowDisk slow;
+            sut_ = std::make_unique<PieceMemory>(place());
+            sut_->take_job(*header_, cup_);
+            EXPECT_EQ(sut_->forget(*header_, named), "");
+        }
+        EXPECT_TRUE(comes([&] {
+            note(cup_, MachineState::ready, 0);
+            return how() == CoreKeeping::How::kept;
+        }));
+        EXPECT_TRUE(read_record(header_->checkpoint)->is_empty());
+        end_core();
+        EXPECT_EQ(told(), is_by_job ? "cup.stl 2" : "nothing");
+        sut_ = std::make_unique<PieceMemory>(place());
+        carve(cup_, 2, 50);
+        end_core();
+    }
+}
+
 TEST_F(SlowDiskTest, OneThatDoesNotAnswerIsSaidToRefuseUntilItDoes) {
     carve(cup_, 1, 50);
     ASSERT_TRUE(comes([&] { return told() == "cup.stl 1"; }));

@@ -109,8 +109,9 @@ Result<void> withdraw_record(const std::string& path, const RecordName& record);
 Result<void> forget_piece(const FoundCheckpoint& found);
 
 /// Asks a core for the same (CommandKind::forget_piece), to be sent to the record's segment. It is refused
-/// while the machine is not at rest. Done: the segment knows nothing of that job any more, and what stands on
-/// the core's disk goes soon, if it is that record. Of no job (checksum 0) nothing goes.
+/// while the machine is not at rest, where the core has another record of this job (for sequence 0: one on
+/// its disk), and where too many wait for its disk. Done: the segment knows nothing of that job any more, and
+/// what stands on the core's disk goes soon, if it is that record. Of no job (checksum 0) nothing goes.
 Command command_to_forget(const RecordName& record) noexcept;
 /// Whose record such a command means, in the segment that it came to.
 RecordName record_to_forget(const Command& command, const std::string& segment_name);

@@ -42,10 +42,14 @@ Result<void> forget_by_core(MachineLink& link, const std::string& folder) {
         find_unfinished(link.segment_name(), is_simulator, folder, link.segment().core_keeping());
     const auto record = record_of(link, found, is_simulator);
     // That the machine is not at rest comes before that there is none.
-    if (auto sent = link.send(command_to_forget(record.value_or(RecordName{}))); !sent) return sent.error();
+    // Nor does this core know another folder's records: it only says whether one may be forgotten.
+    const bool is_elsewhere = found && found->keeper == Keeper::other_core;
+    const bool is_asked_only = !record || (is_elsewhere && link.segment().core_keeping().is_somewhere());
+    const RecordName asked = is_asked_only ? RecordName{} : *record;
+    if (auto sent = link.send(command_to_forget(asked)); !sent) return sent.error();
     if (!record) return bad_input("no unfinished piece is known of segment " + link.segment_name());
     if (!found) return {};
-    if (found->keeper == Keeper::other_core) return psicarve::forget_piece(*found);
+    if (is_elsewhere) return psicarve::forget_piece(*found);
     const auto give_up = std::chrono::steady_clock::now() + kForgettingLimit;
     while (is_still_there(*found)) {
         if (std::chrono::steady_clock::now() >= give_up) return still_there(*found);

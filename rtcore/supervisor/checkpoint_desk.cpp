@@ -65,12 +65,14 @@ LeftCheckpoint CheckpointDesk::look() {
         std::error_code error;
         // A folder that does not say whether it is there may have it as well.
         if (!std::filesystem::exists(path, error) && !error) return {};
-        rtcore::try_to_say(left.error().message + ": nothing is known of an unfinished piece");
+        if (!std::exchange(has_told_unread_, true))
+            rtcore::try_to_say(left.error().message + ": nothing is known of an unfinished piece");
         return {std::nullopt, true};
     }
     if (!left->is_of(place_.segment_name, place_.is_simulator)) {
-        rtcore::try_to_say(path + ": is of segment " + left->segment_name +
-                           (left->is_simulator ? ", a simulated machine's" : "") + ": it is not taken");
+        if (!std::exchange(has_told_unread_, true))
+            rtcore::try_to_say(path + ": is of segment " + left->segment_name +
+                               (left->is_simulator ? ", a simulated machine's" : "") + ": it is not taken");
         return {};
     }
     note_standing(*left);
@@ -117,16 +119,39 @@ void CheckpointDesk::note_standing(const SavedCheckpoint& saved) {
     standing_ = saved;
     may_stand_.assign(1, saved.checkpoint);
     is_unread_ = false;
+    standing_sequence.store(saved.sequence);
+    standing_job.store(saved.checkpoint.job_checksum);
 }
 
-void CheckpointDesk::write_newest() {
-    const auto state = states.take();
-    if (state == nullptr) return;
+void CheckpointDesk::note_gone() {
+    standing_.reset();
+    may_stand_.clear();
+    is_unread_ = false;
+    standing_job.store(0);
+    standing_sequence.store(0);
+}
+
+void CheckpointDesk::do_given() {
+    is_asked_for.store(false);
+    const std::uint64_t seen = given_order.load();
+    // In this order: what was carved before a run that waits is taken with it, or was before.
+    auto run = runs.take();
+    const auto newest = carved.take();
+    if (newest != nullptr && run != nullptr && newest->order > run->order) run.reset();
+    if (newest != nullptr) write(*newest);
+    if (run != nullptr) write(*run);
+    if (const auto named = forgets.take(); named != nullptr)
+        for (const RecordName& record : *named) forget(record);
+    done_order.store(seen);
+}
+
+void CheckpointDesk::write(const KeptState& state) {
+    order_ = state.order;
     // A disk that could not be read then may say now what it has.
     if (is_unread_) look();
-    if (state->why == Keeping::as_before) return take_back(*state);
-    SavedCheckpoint wanted = saved_of(*state);
-    if (state->why == Keeping::announced) {
+    if (state.why == Keeping::as_before) return take_back(state);
+    SavedCheckpoint wanted = saved_of(state);
+    if (state.why == Keeping::announced) {
         Checkpoint& announced = wanted.checkpoint;
         // What is no record of this job stays true.
         if (announced.earlier_layer == 0 && !tells_of(announced.job_checksum)) return;
@@ -142,8 +167,8 @@ void CheckpointDesk::write_newest() {
     put(wanted);
 }
 
-/// Nothing was carved. What the segment knows of the job may be newer than what stood there: an announcement
-/// takes the place of whatever waits.
+/// Nothing was carved. What the segment knows of the job may be newer than what stood there: that may not
+/// have been written.
 void CheckpointDesk::take_back(const KeptState& state) {
     const bool was_announced = std::exchange(is_announced_, false);
     const auto stood = was_announced ? std::exchange(stood_, std::nullopt) : standing_;
@@ -159,6 +184,8 @@ void CheckpointDesk::take_back(const KeptState& state) {
 void CheckpointDesk::put(const SavedCheckpoint& saved) {
     SavedCheckpoint numbered = saved;
     numbered.sequence = ++sequence_;
+    tried_order.store(order_);
+    tried_sequence.store(sequence_);
     auto done = make_state_folder(place_.folder);
     if (done) done = save_checkpoint(numbered, names_.checkpoint());
     if (!done) return mend(numbered, done.error());
@@ -174,9 +201,7 @@ void CheckpointDesk::mend(const SavedCheckpoint& wanted, const Error& why) {
     const Checkpoint& now = wanted.checkpoint;
     if (!may_stay(now)) {
         if (const auto gone = withdraw_file(names_.checkpoint()); gone) {
-            standing_.reset();
-            may_stand_.clear();
-            is_unread_ = false;
+            note_gone();
         } else if (!std::exchange(has_lied_, true)) {
             has_failed_ = true;
             return rtcore::try_to_say(
@@ -197,12 +222,13 @@ void CheckpointDesk::mend(const SavedCheckpoint& wanted, const Error& why) {
 }
 
 void CheckpointDesk::forget(const RecordName& record) {
-    if (const auto gone = withdraw_record(names_.checkpoint(), record); !gone)
-        return rtcore::try_to_say(gone.error().message + ": the piece is not forgotten");
-    if (standing_ && standing_->name() == record) {
-        standing_.reset();
-        may_stand_.clear();
+    if (const auto gone = withdraw_record(names_.checkpoint(), record); !gone) {
+        if (!std::exchange(has_told_unforgotten_, true))
+            rtcore::try_to_say(gone.error().message + ": the piece is not forgotten");
+        return;
     }
+    has_told_unforgotten_ = false;
+    if (standing_ && standing_->name() == record) note_gone();
     if (stood_ && stood_->name() == record) stood_.reset();
     ::unlink(names_.job(record.job_checksum).c_str());
 }

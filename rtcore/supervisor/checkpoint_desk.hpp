@@ -47,29 +47,42 @@ public:
         std::shared_ptr<const LoadedJob> job;
         std::int64_t written_s;
         Keeping why;
+        std::uint64_t order;  ///< larger than that of what was given before
     };
 
     // --- the thread of the checkpoint
     /// What an earlier core has left, of this segment and this kind of machine. Before anything is written.
     LeftCheckpoint read_left() noexcept;
-    void write_newest();
-    void forget(const RecordName& record);
+    /// All that was given: what is carved, what became of a run, what is to be forgotten.
+    void do_given();
 
     // --- the thread of the jobs
     void copy_newest();
 
     // --- any thread
-    rtcore::Newest<KeptState> states;
+    rtcore::Newest<KeptState> carved;  ///< of each of them the newest alone
+    rtcore::Newest<KeptState> runs;    ///< announced, or as before: never in the place of what is carved
+    rtcore::Newest<std::vector<RecordName>> forgets;
+    std::atomic<std::uint64_t> given_order{0};        ///< order of what was given last
+    std::atomic<std::uint64_t> done_order{0};         ///< all that was given before and with it is done
+    std::atomic<std::uint64_t> standing_job{0};       ///< its checksum; 0: no record is known to stand there
+    std::atomic<std::uint64_t> standing_sequence{0};  ///< of that record
+    std::atomic<std::uint64_t> tried_sequence{0};     ///< of the newest, whether it was taken or not
+    std::atomic<std::uint64_t> tried_order{0};        ///< of what that is of
+    std::atomic<bool> is_asked_for{false};            ///< do_given() will be called
     rtcore::Newest<std::shared_ptr<const LoadedJob>> jobs;
     std::atomic<bool> is_refused{false};         ///< the disk has not taken the newest
     std::atomic<std::uint64_t> uncopied_job{0};  ///< its checksum: copying it has failed
 
 private:
     LeftCheckpoint look();
+    void write(const KeptState& state);
+    void forget(const RecordName& record);
     bool tells_of(std::uint64_t job_checksum) const noexcept;
     void take_back(const KeptState& state);
     void put(const SavedCheckpoint& saved);
     void note_standing(const SavedCheckpoint& saved);
+    void note_gone();
     SavedCheckpoint saved_of(const KeptState& state);
     bool may_stay(const Checkpoint& now) const noexcept;
     void mend(const SavedCheckpoint& wanted, const Error& why);
@@ -86,8 +99,11 @@ private:
     std::optional<SavedCheckpoint> stood_;  ///< before what was announced
     bool is_announced_ = false;
     bool is_unread_ = false;
+    std::uint64_t order_ = 0;     ///< of what is being written
     std::uint64_t sequence_ = 0;  ///< of the newest file
     bool has_failed_ = false;
+    bool has_told_unread_ = false;
+    bool has_told_unforgotten_ = false;
     bool has_lied_ = false;  ///< what cannot be taken away was told of
 };
 

@@ -104,10 +104,17 @@ CheckpointKeeper::TakenOver CheckpointKeeper::take_over(SegmentHeader& header, c
     return {std::nullopt, both};
 }
 
-void CheckpointKeeper::forget(SegmentHeader& header, std::uint64_t job_checksum) noexcept {
+bool CheckpointKeeper::knows(const SegmentHeader& header, const RecordName& record) const noexcept {
     const auto known = read_record(header.checkpoint);
-    if (known && is_checkpoint(*known) && known->job_checksum != job_checksum) return;
-    if (written_ && written_->job_checksum != job_checksum) return;
+    return known && is_checkpoint(*known) && known->job_checksum == record.job_checksum &&
+           known->is_simulated() == record.is_simulator;
+}
+
+void CheckpointKeeper::forget(SegmentHeader& header, const RecordName& record) noexcept {
+    if (record.is_simulator != is_simulator_) return;
+    const auto known = read_record(header.checkpoint);
+    if (known && is_checkpoint(*known) && known->job_checksum != record.job_checksum) return;
+    if (written_ && written_->job_checksum != record.job_checksum) return;
     write_record(header.checkpoint, Checkpoint{});
     written_.reset();
     begun_tick_ = run_start_tick_;

@@ -9,6 +9,7 @@
 #include "rtcore/supervisor/loaded_job.hpp"
 #include "shared/checkpoint.hpp"
 #include "shared/layout.hpp"
+#include "shared/saved_checkpoint.hpp"
 
 namespace psicarve::supervisor {
 
@@ -52,7 +53,9 @@ public:
     /// this job itself and the two disagree, it is the lower layer.
     TakenOver take_over(SegmentHeader& header, const Checkpoint& left, const LoadedJob& job) const;
     /// Nothing is known of a piece of this job from here on, until the next run.
-    void forget(SegmentHeader& header, std::uint64_t job_checksum) noexcept;
+    void forget(SegmentHeader& header, const RecordName& record) noexcept;
+    /// Whether the segment knows of this job and that kind of machine, whatever the sequence.
+    bool knows(const SegmentHeader& header, const RecordName& record) const noexcept;
     /// Another job is at hand: a new segment gives generations that were given before.
     void note_new_job() noexcept { run_generation_ = 0; }
     /// The segment was replaced: the new one holds no checkpoint yet.

@@ -9,6 +9,7 @@
 #include "rtcore/supervisor/refusal_text.hpp"
 #include "shared/checkpoint.hpp"
 #include "shared/jog_lease.hpp"
+#include "shared/saved_checkpoint.hpp"
 #include "shared/shared_record.hpp"
 
 namespace psicarve::supervisor {
@@ -124,12 +125,7 @@ std::string CommandDesk::try_to_forget(Segment& segment, const Command& command,
         return "forget: the machine is not at rest; stop first";
     const RecordName record = record_to_forget(command, segment.name());
     if (record.job_checksum == 0) return {};  // of none: whether it may
-    forgotten_.push_back(record);
-    // Who is answered finds it gone.
-    const auto known = read_record(segment.header().checkpoint);
-    if (known && known->job_checksum == record.job_checksum && known->is_simulated() == record.is_simulator)
-        write_record(segment.header().checkpoint, Checkpoint{});
-    return {};
+    return piece_->forget(segment.header(), record);
 }
 
 void CommandDesk::note_lease(const Command& command) noexcept {

@@ -5,14 +5,13 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/supervisor/loaded_job.hpp"
+#include "rtcore/supervisor/piece_memory.hpp"
 #include "rtcore/supervisor/urgent_ear.hpp"
 #include "shared/profile.hpp"
-#include "shared/saved_checkpoint.hpp"
 #include "shared/segment.hpp"
 
 namespace psicarve::supervisor {
@@ -21,9 +20,9 @@ namespace psicarve::supervisor {
 /// the tick only sees requests that make sense.
 class CommandDesk {
 public:
-    /// Profile and ear outlive the desk.
-    CommandDesk(const Profile& profile, UrgentEar& ear, bool is_virtual_clock) noexcept
-        : profile_(&profile), ear_(&ear), is_virtual_clock_(is_virtual_clock) {}
+    /// Profile, ear and memory outlive the desk.
+    CommandDesk(const Profile& profile, UrgentEar& ear, PieceMemory& piece, bool is_virtual_clock) noexcept
+        : profile_(&profile), ear_(&ear), piece_(&piece), is_virtual_clock_(is_virtual_clock) {}
 
     /// Hands on what is pending, but no more than a handful: senders may be faster than we are, and whoever
     /// wants a stop is heard between two rounds. A full request ring leaves the rest for the next one, too.
@@ -57,8 +56,6 @@ public:
     /// Some were left for the next round.
     bool has_more() const noexcept { return has_more_; }
     bool shutdown_requested() const noexcept { return shutdown_requested_; }
-    /// Which pieces are to be forgotten: gone from the segment, and to go from the disk.
-    std::vector<RecordName> take_forgotten() noexcept { return std::exchange(forgotten_, {}); }
 
 private:
     void take_one(Segment& segment, const ReceivedCommand& received, cycle::RequestRing& requests,
@@ -71,6 +68,7 @@ private:
 
     const Profile* profile_;
     UrgentEar* ear_;
+    PieceMemory* piece_;
     std::chrono::steady_clock::time_point last_round_{};
     std::chrono::steady_clock::time_point next_look_{};
     std::chrono::milliseconds jog_lease_{0};
@@ -83,7 +81,6 @@ private:
     };
     std::vector<Waiting> waiting_;  ///< handed to the tick, not answered yet
     std::uint64_t last_sequence_ = 0;
-    std::vector<RecordName> forgotten_;
     AnswerTaker answer_taker_;
     std::string refusal_for_all_;
     std::string refusal_in_alarm_;

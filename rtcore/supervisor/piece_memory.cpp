@@ -31,6 +31,7 @@ std::string PieceMemory::take_left(SegmentHeader& header, const std::shared_ptr<
 
 void PieceMemory::note(SegmentHeader& header, const cycle::Sample& sample,
                        const std::shared_ptr<const LoadedJob>& job) {
+    file_.tend();
     header.core.keeping.store(file_.keeping().pack());
     if (job == nullptr) return;
     if (file_.has_answered_late()) {
@@ -42,9 +43,15 @@ void PieceMemory::note(SegmentHeader& header, const cycle::Sample& sample,
     if (to_keep) file_.keep(*to_keep, job);
 }
 
-void PieceMemory::forget(SegmentHeader& header, const RecordName& record) {
-    keeper_.forget(header, record.job_checksum);
-    file_.forget(record);
+std::string PieceMemory::forget(SegmentHeader& header, const RecordName& record) {
+    if (record.is_simulator != is_simulator_)
+        return "forget: that is a record of the other kind of machine; this core keeps none";
+    const bool is_known = keeper_.knows(header, record);
+    if (is_known && !file_.is_newest(record))
+        return "forget: its disk has another record of this piece; look again, there (--state FOLDER)";
+    if (!file_.forget(record)) return "forget: the disk does not answer, and too much waits for it";
+    keeper_.forget(header, record);
+    return {};
 }
 
 }  // namespace psicarve::supervisor

@@ -17,7 +17,10 @@ namespace psicarve::supervisor {
 class PieceMemory {
 public:
     explicit PieceMemory(const CheckpointPlace& place)
-        : profile_hash_(place.profile_hash), keeper_(place.is_simulator), file_(place) {}
+        : profile_hash_(place.profile_hash),
+          is_simulator_(place.is_simulator),
+          keeper_(place.is_simulator),
+          file_(place) {}
 
     /// Before this core serves a segment.
     void enter(SegmentHeader& header) const;
@@ -28,13 +31,15 @@ public:
     /// Every round. Null: there is no job.
     void note(SegmentHeader& header, const cycle::Sample& sample,
               const std::shared_ptr<const LoadedJob>& job);
-    /// This record and no other.
-    void forget(SegmentHeader& header, const RecordName& record);
+    /// This record and no other: gone from the segment, and to go from the disk. Empty: it is done; else why
+    /// it is not, and nothing was forgotten.
+    std::string forget(SegmentHeader& header, const RecordName& record);
 
 private:
     std::string take_left(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job);
 
     std::uint64_t profile_hash_;
+    bool is_simulator_;
     CheckpointKeeper keeper_;
     CheckpointFile file_;
 };

@@ -53,7 +53,7 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
       segment_options_(segment_options),
       segment_(std::make_shared<Segment>(std::move(segment))),
       ear_(segment_, parts.io->urgent),
-      desk_(parts.profile, ear_, facts.is_virtual_clock),
+      desk_(parts.profile, ear_, piece_, facts.is_virtual_clock),
       mirror_(facts),
       piece_({parts.state_folder, segment_options.name, facts.is_simulator, profile_hash(parts.profile)}),
       journal_({{parts.state_folder, segment_options.name, facts.is_simulator},
@@ -276,7 +276,6 @@ void Supervisor::watch_recording() {
 }
 
 void Supervisor::note_checkpoint() {
-    for (const RecordName& record : desk_.take_forgotten()) piece_.forget(segment_->header(), record);
     piece_.note(segment_->header(), sample_, job_);
 }
 

@@ -162,6 +162,23 @@ TEST_F(FalseDiskTest, WhatTellsMoreThanIsCarvedAndCannotBeTakenAwayIsSaidToBeFal
     EXPECT_EQ(layer_on_disk(), 4U);
 }
 
+TEST_F(FalseDiskTest, WhatCannotBeReadIsToldOfOnce) {
+    fs::create_directory(state());
+    std::ofstream{names().checkpoint()} << "damaged";
+    start_core_on_it();
+    disk_is("takes_nothing keeps_names keeps_contents");
+    ASSERT_EQ(publish(lobed_job(8, 33)), "");
+    home();
+    ASSERT_NO_FATAL_FAILURE(carve_layers(4));
+    ASSERT_TRUE(eventually([&] { return said().find("do not go on by it") != std::string::npos; })) << said();
+    ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
+    ASSERT_EQ(core_->wait_for_exit(), 0);
+    const std::string once = "nothing is known of an unfinished piece";
+    const auto first = said().find(once);
+    EXPECT_NE(first, std::string::npos);
+    EXPECT_EQ(said().find(once, first + 1), std::string::npos) << said();
+}
+
 TEST_F(FalseDiskTest, ANameThatAPowerCutMayBringBackLeavesNothingBehindIt) {
     start_core_on_it();
     ASSERT_EQ(publish(lobed_job(8, 33)), "");

@@ -261,6 +261,35 @@ TEST_F(CheckpointFileTest, SaysThatTheDiskHasNotTakenTheNewest) {
     EXPECT_EQ(CheckpointFile{CheckpointPlace{}}.keeping().how, CoreKeeping::How::nowhere);
 }
 
+TEST_F(CheckpointFileTest, WhatADiskHasRefusedIsTriedAgainThoughNothingMoreIsCarved) {
+    CheckpointFile sut{place()};
+    const auto is_told = [&](CoreKeeping::How how) {
+        for (int i = 0; i < 60'000 && sut.keeping().how != how; ++i) {
+            sut.tend();
+            std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        }
+        return sut.keeping().how == how;
+    };
+    {
+        const FullDisk full;
+        sut.keep({after(1), Keeping::carved}, vase_);
+        EXPECT_TRUE(is_told(CoreKeeping::How::refused));
+    }
+    EXPECT_TRUE(is_told(CoreKeeping::How::kept));
+    EXPECT_EQ(layer_on_disk(), 1U);
+}
+
+TEST_F(CheckpointFileTest, ARecordThatIsNotForgottenIsToldOfOnce) {
+    keep(after(1), vase_);
+    testing::internal::CaptureStderr();
+    {
+        CheckpointFile sut{place()};
+        for (std::uint64_t i = 1; i < 4; ++i) sut.forget({"/shop", false, vase_->checksum, i});
+    }
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+}
+
 TEST_F(CheckpointFileTest, AStartThatCarvedNothingLeavesAnotherJobsRecordAndCopyAsTheyWere) {
     keep(after(2), vase_);
     const auto stood = *load_saved_checkpoint(names().checkpoint());

@@ -183,6 +183,42 @@ TEST_F(PieceMemoryTest, ForgetsNoOtherJobsRecord) {
     EXPECT_EQ(in_segment().job_checksum, cup->checksum);
 }
 
+TEST_F(PieceMemoryTest, ForgetsNoRealPieceForTheSimulatedMachines) {
+    leave_on_disk(2);
+    auto of_simulated = load_saved_checkpoint(names().checkpoint())->name();
+    of_simulated.is_simulator = true;
+    {
+        PieceMemory sut{place()};
+        sut.take_job(*header_, vase_);
+        EXPECT_THAT(sut.forget(*header_, of_simulated), HasSubstr("the other kind of machine"));
+    }
+    EXPECT_EQ(in_segment().next_layer, 2U);
+    EXPECT_EQ(layer_on_disk(), 2U);
+}
+
+TEST_F(PieceMemoryTest, ForgetsNoRecordThatIsNewerThanTheNamedOne) {
+    leave_on_disk(1);
+    const auto seen = load_saved_checkpoint(names().checkpoint())->name();
+    leave_on_disk(2);
+    RecordName of_segment_alone = seen;
+    of_segment_alone.sequence = 0;
+    {
+        PieceMemory sut{place()};
+        sut.take_job(*header_, vase_);
+        EXPECT_THAT(sut.forget(*header_, seen), HasSubstr("another record"));
+        EXPECT_THAT(sut.forget(*header_, of_segment_alone), HasSubstr("another record"));
+    }
+    EXPECT_EQ(in_segment().next_layer, 2U);
+    EXPECT_EQ(layer_on_disk(), 2U);
+}
+
+TEST_F(PieceMemoryTest, ForgetsWhatTheSegmentAloneKnows) {
+    leave_in_segment(after(1));
+    PieceMemory sut{place()};
+    EXPECT_EQ(sut.forget(*header_, {"/shop", false, vase_->checksum, 0}), "");
+    EXPECT_TRUE(in_segment().is_empty());
+}
+
 TEST_F(PieceMemoryTest, TakesNothingThatIsAnotherSegmentsOrTheOtherMachines) {
     for (const bool is_simulator : {false, true}) {
         leave_on_disk(2);

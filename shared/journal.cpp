@@ -55,8 +55,9 @@ std::string in_quotes(std::string_view text) {
 
 std::string cut(std::string_view text) {
     if (text.size() <= kMostTextBytes) return std::string{text};
-    text = text.substr(0, kMostTextBytes);
-    return std::string{text.substr(0, text.size() - unfinished_letter_bytes(text))};
+    constexpr std::string_view kCutMark = "...";
+    text = text.substr(0, kMostTextBytes - kCutMark.size());
+    return std::string{text.substr(0, text.size() - unfinished_letter_bytes(text))}.append(kCutMark);
 }
 
 /// Takes facts from the front of a record's body.

@@ -25,7 +25,8 @@ inline constexpr std::size_t kJournalKindCount = 4;
 std::string_view name_of(JournalKind kind) noexcept;  ///< "core", "alarm", "command", "job"
 std::optional<JournalKind> journal_kind(std::string_view name) noexcept;
 
-/// Values by name, in their order. A text is cut so that a record stays below kMostJournalLineBytes.
+/// Values by name, in their order. A text is cut, and ends in "..." then, so that a record stays below
+/// kMostJournalLineBytes.
 class JournalFacts {
 public:
     using Value = std::variant<std::int64_t, std::string>;

@@ -34,8 +34,10 @@ class JournalTail {
 public:
     explicit JournalTail(JournalFiles files) : files_(std::move(files)) {}
 
-    /// What was not read yet, in its order. An error: there is a file, but it cannot be read.
-    Result<std::vector<JournalRecord>> read_more();
+    /// What was not read yet, in its order. A file that cannot be read hides nothing of the other.
+    std::vector<JournalRecord> read_more();
+    /// Of files that are there but cannot be read, so far; each once, however often it is tried again.
+    const std::vector<Error>& errors() const noexcept { return errors_; }
     /// There is, or was, a file.
     bool has_found_file() const noexcept { return open_ != nullptr; }
     /// Lines that are no records, so far. What the newer file ends with may become one yet, and is not.
@@ -54,8 +56,10 @@ private:
     };
     using Opened = std::unique_ptr<OpenJournal>;
     static Result<Opened> open(const std::string& path);
-    Result<Opened> open_next() const;
-    Result<void> read_rest(std::vector<JournalRecord>& records);
+    Opened open_or_note(const std::string& path);
+    Opened open_next();
+    void note(const Error& error);
+    void read_rest(std::vector<JournalRecord>& records);
     void take_lines(std::string_view text, std::vector<JournalRecord>& records);
     void take_line(std::string_view line, std::vector<JournalRecord>& records);
     void turn_to(Opened next);
@@ -64,9 +68,10 @@ private:
     Opened open_;
     Opened before_;  ///< read to its end; open, so that no other gets its inode
     std::uint64_t damaged_count_ = 0;
+    std::vector<Error> errors_;
 };
 
-/// Both files at once.
+/// Both files at once. An error: none of them can be read, and there is one.
 Result<std::vector<JournalRecord>> read_journal(const JournalFiles& files);
 
 }  // namespace psicarve

@@ -82,14 +82,29 @@ void drop_others(std::vector<LogEntry>& entries, const LogFilter& filter) {
     std::erase_if(entries, [&](const LogEntry& entry) { return !filter.takes(entry); });
 }
 
-Result<int> follow(LogSources& sources, const LogFilter& filter, bool as_json) {
+/// What is not shown, on standard error, whenever there is more of it.
+class LogWarnings {
+public:
+    void tell(LogSources& sources) {
+        for (const Error& error : sources.take_errors()) print_warning(error.message);
+        const std::uint64_t damaged = sources.damaged_count();
+        if (damaged > damaged_told_)
+            print_warning(std::to_string(damaged) + " damaged or torn records are left out");
+        damaged_told_ = damaged;
+    }
+
+private:
+    std::uint64_t damaged_told_ = 0;
+};
+
+Result<int> follow(LogSources& sources, const LogFilter& filter, LogWarnings& warnings, bool as_json) {
     constexpr std::chrono::milliseconds kPeriod{300};
     const OperatorBreak operator_break;
     while (!operator_break.was_asked()) {
         auto news = sources.read_more(kPeriod);
-        if (!news) return news.error();
-        drop_others(*news, filter);
-        if (const auto printed = print(*news, as_json); !printed) return printed.error();
+        drop_others(news, filter);
+        if (const auto printed = print(news, as_json); !printed) return printed.error();
+        warnings.tell(sources);
         sleep_unless_asked(kPeriod);
     }
     return kExitDone;
@@ -101,15 +116,18 @@ Result<int> show_log(const CommonOptions& common, const LogOptions& options) {
     LogSources sources{common.segment, options.state_folder};
     auto entries = sources.read_first();
     if (!entries) return entries.error();
-    if (!sources.has_found_file() && !options.follows) return sources.nothing_found();
+    if (!sources.has_found_file() && !options.follows) {
+        const std::vector<Error> errors = sources.take_errors();
+        return errors.empty() ? sources.nothing_found() : errors.front();
+    }
     drop_others(*entries, *filter);
     if (options.last != 0 && entries->size() > options.last)
         entries->erase(entries->begin(), entries->end() - std::ptrdiff_t{options.last});
     if (const auto printed = print(*entries, common.json); !printed) return printed.error();
-    if (const std::uint64_t damaged = sources.damaged_count(); damaged > 0)
-        print_warning(std::to_string(damaged) + " damaged or torn records are left out");
+    LogWarnings warnings;
+    warnings.tell(sources);
     if (!options.follows) return kExitDone;
-    return follow(sources, *filter, common.json);
+    return follow(sources, *filter, warnings, common.json);
 }
 
 }  // namespace
@@ -118,7 +136,7 @@ void add_log(CommandSet& commands) {
     const auto options = std::make_shared<LogOptions>();
     commands.add(kLogText, [options](const CommonOptions& common) { return show_log(common, *options); })
         .option("--since", options->since, "TIME",
-                "Not before: 30m, 2h, 3d ago, or 2026-11-26, '2026-11-26 19:23', 19:23")
+                "Not before: 30m, 2h, 3d ago, or 2026-11-26, '2026-11-26 19:23', the last 19:23")
         .option("--last", options->last, 1, kMostLast, "Only the newest so many")
         .words("--kind", options->kinds, "alarm|command|job|core", "Only these; may be given again")
         .flag("--follow", options->follows, "Go on with what happens until Ctrl-C")

@@ -36,7 +36,7 @@ LogSources::LogSources(const std::string& segment, const std::string& folder)
     for (const std::string& place : folders_) {
         for (const bool is_simulator : {false, true}) {
             const StateNames names{place, segment, is_simulator};
-            sources_->push_back({JournalTail{JournalFiles{names}}, is_simulator});
+            sources_->push_back({.tail = JournalTail{JournalFiles{names}}, .is_simulator = is_simulator});
         }
     }
 }
@@ -44,23 +44,25 @@ LogSources::LogSources(const std::string& segment, const std::string& folder)
 LogSources::Outcome LogSources::read(std::shared_ptr<std::vector<Source>> sources) {
     std::vector<LogEntry> all;
     for (Source& source : *sources) {
-        auto records = source.tail.read_more();
-        if (!records) return {std::move(sources), records.error()};
         std::vector<LogEntry> entries;
-        for (JournalRecord& record : *records) entries.push_back({std::move(record), source.is_simulator});
+        for (JournalRecord& record : source.tail.read_more())
+            entries.push_back({std::move(record), source.is_simulator});
         merge_by_time(all, std::move(entries));
     }
     return {std::move(sources), std::move(all)};
 }
 
-std::optional<Result<std::vector<LogEntry>>> LogSources::take(std::chrono::milliseconds patience) {
+std::optional<std::vector<LogEntry>> LogSources::take(std::chrono::milliseconds patience) {
     if (!work_.is_under_way())
         work_.begin([sources = std::exchange(sources_, nullptr)] { return read(sources); });
     auto outcome = work_.take(patience);
     if (!outcome) return std::nullopt;
     sources_ = std::move(outcome->sources);
     damaged_count_ = 0;
-    for (const Source& source : *sources_) {
+    for (Source& source : *sources_) {
+        const std::vector<Error>& errors = source.tail.errors();
+        for (; source.told_errors < errors.size(); ++source.told_errors)
+            errors_.push_back(errors[source.told_errors]);
         has_found_file_ = has_found_file_ || source.tail.has_found_file();
         damaged_count_ += source.tail.damaged_count();
     }
@@ -73,10 +75,10 @@ Result<std::vector<LogEntry>> LogSources::read_first() {
     return bad_input("the disk that keeps the journal does not answer");
 }
 
-Result<std::vector<LogEntry>> LogSources::read_more(std::chrono::milliseconds patience) {
+std::vector<LogEntry> LogSources::read_more(std::chrono::milliseconds patience) {
     auto entries = take(patience);
     if (entries) return std::move(*entries);
-    return std::vector<LogEntry>{};
+    return {};
 }
 
 Error LogSources::nothing_found() const {

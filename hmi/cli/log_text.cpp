@@ -34,8 +34,12 @@ std::string told(const JournalFacts& facts, std::string_view name, const std::st
 
 std::string end_before_text(const std::string& before) {
     if (before == "killed") return "the one before was killed or crashed";
-    if (before == "switched off") return "the computer was switched off while the one before ran";
-    return before == "in order" ? "the one before ended in order" : "the first one";
+    if (before == "in order") return "the one before ended in order";
+    if (before == "none") return "the first one";
+    const std::string no_end = "the one before has no end: killed, crashed, or the computer was switched off";
+    if (before == "no end") return no_end;
+    if (before == "no end, started again") return no_end + "; the computer was started again since";
+    return "how the one before ended is not known";
 }
 
 std::string core_text(const JournalRecord& record) {

@@ -50,6 +50,26 @@ std::optional<std::int64_t> seconds_of(const std::tm& fields, bool is_utc) {
     return std::int64_t{seconds};
 }
 
+/// Of this time of day the last that has been: later than now is yesterday's.
+std::optional<std::int64_t> last_moment_s(std::tm fields, bool is_utc, std::int64_t now_s) {
+    const auto today = seconds_of(fields, is_utc);
+    if (!today || *today <= now_s) return today;
+    // By noon: the same time of day, also where the clock was changed in between.
+    std::tm noon = fields;
+    noon.tm_mday -= 1;
+    noon.tm_hour = 12;
+    noon.tm_isdst = -1;
+    if (is_utc) {
+        static_cast<void>(timegm(&noon));
+    } else {
+        static_cast<void>(std::mktime(&noon));
+    }
+    fields.tm_year = noon.tm_year;
+    fields.tm_mon = noon.tm_mon;
+    fields.tm_mday = noon.tm_mday;
+    return seconds_of(fields, is_utc);
+}
+
 std::optional<std::int64_t> moment_s(std::string text, std::int64_t now_s) {
     const bool is_utc = text.ends_with('Z');
     if (is_utc) text.pop_back();
@@ -63,7 +83,7 @@ std::optional<std::int64_t> moment_s(std::string text, std::int64_t now_s) {
         std::tm fields{};
         if ((is_utc ? gmtime_r(&now, &fields) : localtime_r(&now, &fields)) == nullptr) return std::nullopt;
         fields.tm_sec = 0;
-        if (is_of_form(text, format, fields)) return seconds_of(fields, is_utc);
+        if (is_of_form(text, format, fields)) return last_moment_s(fields, is_utc, now_s);
     }
     return std::nullopt;
 }

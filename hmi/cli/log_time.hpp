@@ -9,8 +9,9 @@
 namespace psicarve::cli {
 
 /// What --since may be: a time before now ("90s", "30m", "2h", "3d", "1w"), a day ("2026-11-26"), a moment
-/// ("2026-11-26 19:23", "2026-11-26T19:23:05", with Z: UTC), a time of today ("19:23"). Local time otherwise.
-/// Milliseconds since 1970; bad_usage for anything else.
+/// ("2026-11-26 19:23", "2026-11-26T19:23:05", with Z: UTC), a time of day ("19:23"), of today or, where that
+/// is still to come, of yesterday. Local time otherwise. Milliseconds since 1970; bad_usage for anything
+/// else.
 Result<std::int64_t> since_ms(const std::string& text, std::int64_t now_ms);
 
 /// "2026-11-26 19:23:05 +0100". A year that no clock shows is no text.

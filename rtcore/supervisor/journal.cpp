@@ -170,6 +170,8 @@ void Journal::note_end(const cycle::Sample& sample) {
     facts.add("state", name_of(sample.state));
     if (sample.state == MachineState::alarm) facts.add("cause", name_of(sample.alarm_cause));
     put_always(JournalKind::core, "end", sample.tick, std::move(facts));
+    desk_ = nullptr;
+    thread_ = nullptr;  // waits for it
 }
 
 }  // namespace psicarve::supervisor

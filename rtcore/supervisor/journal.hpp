@@ -42,7 +42,8 @@ public:
     void note_refused_job(const std::string& reason, std::uint64_t tick);
     /// Every round.
     void note_round(const cycle::Sample& sample);
-    /// The last thing.
+    /// The last thing: nothing is written behind it. Waits until all is, but no longer than a SideThread does
+    /// for a disk that hangs.
     void note_end(const cycle::Sample& sample);
 
 private:
@@ -54,7 +55,8 @@ private:
     void tell_missed(const cycle::Sample& sample);
     bool may_put(JournalKind kind) noexcept;
 
-    std::shared_ptr<JournalDesk> desk_;  ///< with the thread, which may outlive this; null: nothing is kept
+    /// With the thread, which may outlive this; null: nothing is kept, or no more.
+    std::shared_ptr<JournalDesk> desk_;
     std::array<JournalAllowance, kJournalKindCount> allowances_;
     MachineState state_ = MachineState::off;
     std::uint64_t missed_told_ = 0;

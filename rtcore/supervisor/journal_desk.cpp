@@ -65,31 +65,34 @@ JournalDesk::JournalDesk(JournalPlace place, std::uint64_t most_file_bytes)
 
 void JournalDesk::look_at_before() {
     if (std::exchange(has_looked_, true)) return;
-    // What cannot be read is begun anew behind it; its last numbers nobody knows then.
-    const auto before = read_journal(files_);
-    if (!before) return;
-    for (const JournalRecord& record : *before) {
+    JournalTail before{files_};
+    for (const JournalRecord& record : before.read_more()) {
         sequence_ = std::max(sequence_, record.sequence);
+        // Also where its start went with an older file.
+        run_ = std::max(run_, record.run);
         if (record.kind != JournalKind::core) continue;
-        if (record.what == "start") {
-            run_ = std::max(run_, record.run);
-            run_boot_id_ = record.facts.text("boot");
-            has_run_ended_ = false;
+        if (record.what == "start" && record.run >= started_run_) {
+            started_run_ = record.run;
+            started_run_boot_id_ = record.facts.text("boot");
         } else if (record.what == "end") {
-            has_run_ended_ = true;
+            ended_run_ = std::max(ended_run_, record.run);
         }
     }
+    is_before_unread_ = !before.errors().empty();
+}
+
+/// How the run before this one ended, if that is known.
+std::string JournalDesk::before_text(const std::string& boot_id) const {
+    if (is_before_unread_) return "unknown";
+    if (sequence_ == 0 && run_ == 0) return "none";
+    if (ended_run_ == run_) return "in order";
+    if (started_run_ != run_ || started_run_boot_id_.empty() || boot_id.empty()) return "no end";
+    return boot_id == started_run_boot_id_ ? "killed" : "no end, started again";
 }
 
 void JournalDesk::tell_of_before(JournalRecord& start) {
     const std::string boot_id = current_boot_id();
-    std::string before = "in order";
-    if (run_ == 0) {
-        before = "none";
-    } else if (!has_run_ended_) {
-        before = boot_id == run_boot_id_ ? "killed" : "switched off";
-    }
-    start.facts.add("before", before).add("boot", boot_id);
+    start.facts.add("before", before_text(boot_id)).add("boot", boot_id);
     ++run_;
 }
 
@@ -135,13 +138,37 @@ Result<void> JournalDesk::append(const std::string& line, bool must_stay) {
         [[maybe_unused]] const int cut = ::ftruncate(file, facts.st_size);
         return cannot_write(files_.newer, error);
     }
-    if (must_stay && ::fdatasync(file) != 0) return cannot_write(files_.newer, errno);
+    if (must_stay) sync(file);
     if (facts.st_size == 0) sync_folder(files_.newer);
     return {};
 }
 
+/// Written it is either way: whoever reads it finds it.
+void JournalDesk::sync(int file) {
+    if (::fdatasync(file) == 0) {
+        has_sync_failed_ = false;
+        return;
+    }
+    const int error = errno;
+    if (std::exchange(has_sync_failed_, true)) return;
+    rtcore::try_to_say(files_.newer + ": " + std::generic_category().message(error) +
+                       "; what is written there may be lost at a power cut");
+}
+
+/// It becomes the older one. What is not ours takes no history away.
+Result<void> JournalDesk::put_aside(bool is_own) const {
+    struct stat facts {};
+    const bool is_kept = ::lstat(files_.older.c_str(), &facts) == 0 && S_ISREG(facts.st_mode);
+    if (!is_own && is_kept && facts.st_size > 0)
+        return bad_input(files_.newer + ": is not this core's to write to, and " + files_.older +
+                         " has its place; take one of them away");
+    if (std::rename(files_.newer.c_str(), files_.older.c_str()) != 0)
+        return cannot_write(files_.newer, errno);
+    return {};
+}
+
 /// One that is full, or not ours to write to, becomes the older one.
-Result<OpenFile> JournalDesk::open_newer(std::uint64_t line_bytes) const {
+Result<OpenFile> JournalDesk::open_newer(std::uint64_t line_bytes) {
     constexpr int kFlags = O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
     for (int left = kTries; left > 0; --left) {
         OpenFile file{::open(files_.newer.c_str(), kFlags, kForEverybody)};
@@ -149,13 +176,14 @@ Result<OpenFile> JournalDesk::open_newer(std::uint64_t line_bytes) const {
         const bool is_anothers = file.get() < 0 && (error == EACCES || error == ELOOP || error == ENXIO);
         if (file.get() < 0 && !is_anothers) return cannot_write(files_.newer, error);
         struct stat facts {};
-        if (!is_anothers && is_own_file(file.get(), facts)) {
+        const bool is_own = !is_anothers && is_own_file(file.get(), facts);
+        if (is_own) {
             const auto size = static_cast<std::uint64_t>(facts.st_size);
             if (size == 0) static_cast<void>(::fchmod(file.get(), kForEverybody));
             if (size == 0 || size + line_bytes <= most_file_bytes_) return file;
+            sync(file.get());
         }
-        if (std::rename(files_.newer.c_str(), files_.older.c_str()) != 0)
-            return cannot_write(files_.newer, errno);
+        if (const auto aside = put_aside(is_own); !aside) return aside.error();
     }
     return cannot_write(files_.newer, EBUSY);
 }

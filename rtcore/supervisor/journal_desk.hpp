@@ -40,9 +40,12 @@ public:
 
 private:
     void look_at_before();
+    std::string before_text(const std::string& boot_id) const;
     void tell_of_before(JournalRecord& start);
     Result<void> append(const std::string& line, bool must_stay);
-    Result<OpenFile> open_newer(std::uint64_t line_bytes) const;
+    Result<OpenFile> open_newer(std::uint64_t line_bytes);
+    Result<void> put_aside(bool is_own) const;
+    void sync(int file);
     void fail(const Error& why);
 
     JournalPlace place_;
@@ -53,9 +56,12 @@ private:
     bool has_looked_ = false;
     std::uint64_t sequence_ = 0;
     std::uint64_t run_ = 0;
-    bool has_run_ended_ = true;  ///< of the one before
-    std::string run_boot_id_;
+    bool is_before_unread_ = false;    ///< some of what was kept before could not be read
+    std::uint64_t ended_run_ = 0;      ///< the last one that has an end
+    std::uint64_t started_run_ = 0;    ///< the last one that has a start
+    std::string started_run_boot_id_;  ///< and of which boot that was
     bool has_failed_ = false;
+    bool has_sync_failed_ = false;
 };
 
 }  // namespace psicarve::supervisor

@@ -376,6 +376,7 @@ void Supervisor::leave() {
     drain_increments();
     note_checkpoint();
     publish_status();
+    // Before the next core may come: that one reads how this one ended.
     journal_.note_end(sample_);
     event_signal(segment_->header().status_changed);
     segment_->release_core();

@@ -79,7 +79,11 @@ TEST(JournalLine, CutsATextBetweenLetters) {
             for (int i = 0; i < 200; ++i) text += "é";
             return text;
         }());
-    EXPECT_EQ(record.facts.text("source").size(), 199U);
+    const std::string cut = record.facts.text("source");
+    EXPECT_EQ(cut.size(), 200U);
+    EXPECT_TRUE(cut.ends_with("é...")) << cut;
+    // A second time nothing is cut off.
+    EXPECT_EQ(JournalFacts{}.add("source", cut).text("source"), cut);
 }
 
 TEST(JournalLine, IsNoRecordOnceAnyBitIsAnother) {
@@ -209,6 +213,24 @@ TEST_F(JournalFilesTest, ATailReadsNothingTwiceWhereTheNewerOneIsTakenAway) {
 TEST_F(JournalFilesTest, WhatIsNoFileIsRefusedAndNeverWaitedFor) {
     ASSERT_EQ(::mkfifo(files_.newer.c_str(), 0600), 0);
     EXPECT_FALSE(read_journal(files_).has_value());
+}
+
+TEST_F(JournalFilesTest, AFileThatCannotBeReadHidesNothingOfTheOther) {
+    std::filesystem::create_directory(files_.older);
+    write(files_.newer, line(1));
+    JournalTail sut{files_};
+    EXPECT_EQ(sequences(sut.read_more()), (Numbers{1}));
+    write(files_.newer, line(2), true);
+    EXPECT_EQ(sequences(sut.read_more()), (Numbers{2}));
+    ASSERT_EQ(sut.errors().size(), 1U);
+    EXPECT_NE(sut.errors()[0].message.find(files_.older), std::string::npos) << sut.errors()[0].message;
+    // The other way round, and through no link.
+    std::filesystem::remove(files_.older);
+    std::filesystem::rename(files_.newer, files_.older);
+    std::filesystem::create_symlink(files_.older, files_.newer);
+    JournalTail linked{files_};
+    EXPECT_EQ(sequences(linked.read_more()), (Numbers{1, 2}));
+    EXPECT_EQ(linked.errors().size(), 1U);
 }
 
 }  // namespace

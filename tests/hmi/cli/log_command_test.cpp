@@ -188,6 +188,58 @@ TEST_F(LogCommand, ADamagedRecordIsToldAndHidesNoOther) {
     EXPECT_EQ(outcome.error, "psicarve: warning: 1 damaged or torn records are left out\n");
 }
 
+TEST_F(LogCommand, AFileThatCannotBeReadHidesNoOther) {
+    const JournalFiles machine{StateNames{folder_.string(), segment_, false}};
+    std::filesystem::create_directory(machine.newer);
+    const Outcome alone = log();
+    EXPECT_EQ(alone.exit_code, 3);
+    EXPECT_NE(alone.error.find("is no file"), std::string::npos) << alone.error;
+    add(JournalKind::command, "home", {});
+    const Outcome outcome = log();
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.out.find("home"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.error, "psicarve: warning: " + machine.newer + ": is no file\n");
+}
+
+TEST_F(LogCommand, FollowingGoesOnOverWhatCannotBeReadAndTellsOfDamage) {
+    const JournalFiles machine{StateNames{folder_.string(), segment_, false}};
+    add(JournalKind::command, "home", {});
+    RunningProgram sut{"psicarve", {"log", "--follow", "--state", folder_.string(), "--segment", segment_}};
+    const auto shows = [&](const std::string& what) {
+        return eventually([&] { return sut.out_so_far().find(what) != std::string::npos; });
+    };
+    ASSERT_TRUE(shows("home"));
+    std::filesystem::create_directory(machine.newer);
+    append("0123456789abcdef seq=1 garbage\n");
+    add(JournalKind::command, "hold", {});
+    ASSERT_TRUE(shows("hold"));
+    add(JournalKind::command, "stop", {});
+    ASSERT_TRUE(shows("stop"));
+    sut.send(SIGINT);
+    EXPECT_EQ(sut.wait(), 0);
+    const std::string error = sut.error();
+    EXPECT_NE(error.find("1 damaged or torn records are left out\n"), std::string::npos) << error;
+    const std::size_t first = error.find("is no file");
+    EXPECT_NE(first, std::string::npos) << error;
+    EXPECT_EQ(error.find("is no file", first + 1), std::string::npos) << error;
+}
+
+TEST_F(LogCommand, AStartTellsHowTheOneBeforeEnded) {
+    const auto told = [&](const char* before) {
+        add(JournalKind::core, "start", JournalFacts{}.add("before", before));
+        return log({"--last", "1"}).out;
+    };
+    EXPECT_NE(told("none").find("; the first one\n"), std::string::npos);
+    EXPECT_NE(told("in order").find("; the one before ended in order\n"), std::string::npos);
+    EXPECT_NE(told("unknown").find("; how the one before ended is not known\n"), std::string::npos);
+    EXPECT_NE(told("no end").find("has no end: killed, crashed, or the computer was switched off\n"),
+              std::string::npos);
+    EXPECT_NE(told("no end, started again")
+                  .find("has no end: killed, crashed, or the computer was switched off; the computer was "
+                        "started again since\n"),
+              std::string::npos);
+}
+
 TEST_F(LogCommand, WithoutAJournalItSaysWhere) {
     const Outcome outcome = log();
     EXPECT_EQ(outcome.exit_code, 3);
@@ -219,7 +271,7 @@ TEST_F(LogCommand, ItFollowsUntilCtrlC) {
     EXPECT_TRUE(shows("stop"));
     sut.send(SIGINT);
     EXPECT_EQ(sut.wait(), 0);
-    EXPECT_EQ(sut.error(), "");
+    EXPECT_EQ(sut.error(), "psicarve: warning: 1 damaged or torn records are left out\n");
     EXPECT_EQ(sut.out().find("resume"), std::string::npos) << "torn";
 }
 

@@ -5,8 +5,10 @@
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -15,6 +17,17 @@
 #include "rtcore/supervisor/journal_desk.hpp"
 #include "shared/process_identity.hpp"
 #include "tests/shared/temporary_folder.hpp"
+
+namespace {
+bool does_sync_fail = false;
+}
+
+/// In the place of the C library's: a disk whose error comes late.
+extern "C" int fdatasync(int file) {
+    if (!does_sync_fail) return static_cast<int>(::syscall(SYS_fdatasync, file));
+    errno = EIO;
+    return -1;
+}
 
 namespace psicarve::supervisor {
 namespace {
@@ -27,6 +40,10 @@ JournalRecord core_record(const std::string& what) {
     record.time_ms = 1'764'204'185'123;
     record.what = what;
     return record;
+}
+
+bool is_once(const std::string& text, const std::string& words) {
+    return text.find(words) != std::string::npos && text.find(words) == text.rfind(words);
 }
 
 class JournalDeskTest : public ::testing::Test {
@@ -43,6 +60,16 @@ protected:
         std::vector<std::string> words;
         for (const JournalRecord& record : records()) words.push_back(record.what);
         return words;
+    }
+    static JournalRecord core_of(const std::string& what, std::uint64_t run, const std::string& boot_id) {
+        JournalRecord record = core_record(what);
+        record.run = run;
+        if (!boot_id.empty()) record.facts.add("boot", boot_id);
+        return record;
+    }
+    void keep(const JournalRecord& record) const {
+        fs::create_directories(place_.folder);
+        std::ofstream{files_.newer, std::ios::app} << journal_line(record);
     }
     std::string before_of_last_start() const {
         std::string before;
@@ -88,16 +115,97 @@ TEST_F(JournalDeskTest, AStartTellsHowTheRunBeforeEnded) {
     EXPECT_EQ(before_of_last_start(), "in order");
 }
 
-TEST_F(JournalDeskTest, AnotherBootIsAComputerThatWasSwitchedOff) {
-    fs::create_directories(place_.folder);
-    JournalRecord start = core_record("start");
-    start.run = 4;
-    start.facts.add("boot", "another");
-    std::ofstream{files_.newer} << journal_line(start);
+TEST_F(JournalDeskTest, AnotherBootIsAComputerThatWasStartedAgain) {
+    keep(core_of("start", 4, "another"));
     JournalDesk sut{place_};
     write(sut, "start");
-    EXPECT_EQ(before_of_last_start(), "switched off");
+    EXPECT_EQ(before_of_last_start(), "no end, started again");
     EXPECT_EQ(records().back().run, 5U);
+}
+
+TEST_F(JournalDeskTest, TheEndOfAnotherRunEndsNone) {
+    keep(core_of("start", 4, current_boot_id()));
+    keep(core_of("start", 5, current_boot_id()));
+    keep(core_of("end", 4, ""));
+    JournalDesk sut{place_};
+    write(sut, "start");
+    EXPECT_EQ(before_of_last_start(), "killed");
+    EXPECT_EQ(records().back().run, 6U);
+}
+
+TEST_F(JournalDeskTest, ARunWhoseStartIsGoneIsOneAllTheSame) {
+    keep(core_of("start", 4, current_boot_id()));
+    keep(core_of("end", 4, ""));
+    keep(core_of("missed ticks", 7, ""));
+    {
+        JournalDesk sut{place_};
+        write(sut, "start");
+        EXPECT_EQ(before_of_last_start(), "no end");
+        EXPECT_EQ(records().back().run, 8U);
+        write(sut, "end");
+    }
+    fs::remove(files_.newer);
+    keep(core_of("end", 8, ""));
+    JournalDesk sut{place_};
+    write(sut, "start");
+    EXPECT_EQ(before_of_last_start(), "in order");
+    EXPECT_EQ(records().back().run, 9U);
+}
+
+TEST_F(JournalDeskTest, WhatCannotBeReadIsNotTheFirstOne) {
+    fs::create_directories(place_.folder);
+    const std::string other = folder_.path("other");
+    std::ofstream{other} << journal_line(core_of("start", 4, ""));
+    fs::create_symlink(other, files_.older);
+    JournalDesk sut{place_};
+    write(sut, "start");
+    EXPECT_EQ(before_of_last_start(), "unknown");
+    EXPECT_EQ(records().back().run, 1U);
+}
+
+TEST_F(JournalDeskTest, AnothersFileTakesNoHistoryAway) {
+    keep(core_of("start", 4, ""));
+    fs::rename(files_.newer, files_.older);
+    const std::string other = folder_.path("other");
+    std::ofstream{other} << "another's\n";
+    fs::create_hard_link(other, files_.newer);
+    const auto older_bytes = fs::file_size(files_.older);
+    JournalDesk sut{place_};
+    ::testing::internal::CaptureStderr();
+    write(sut, "start");
+    write(sut, "end");
+    const std::string said = ::testing::internal::GetCapturedStderr();
+    EXPECT_EQ(whats(), (Words{"start"}));
+    EXPECT_EQ(fs::file_size(files_.older), older_bytes);
+    EXPECT_EQ(fs::file_size(other), 10U);
+    EXPECT_TRUE(is_once(said, "take one of them away")) << said;
+    fs::remove(files_.newer);
+    write(sut, "end");
+    EXPECT_EQ(whats(), (Words{"start", "not written", "end"}));
+}
+
+TEST_F(JournalDeskTest, AFolderUnderTheNameIsToldOnceAndLeftAlone) {
+    fs::create_directories(files_.newer);
+    JournalDesk sut{place_};
+    ::testing::internal::CaptureStderr();
+    write(sut, "start");
+    write(sut, "end");
+    const std::string said = ::testing::internal::GetCapturedStderr();
+    EXPECT_TRUE(fs::is_directory(files_.newer));
+    EXPECT_TRUE(is_once(said, "is not written down")) << said;
+}
+
+TEST_F(JournalDeskTest, WhatIsWrittenButNotSyncedIsNotLost) {
+    JournalDesk sut{place_};
+    does_sync_fail = true;
+    ::testing::internal::CaptureStderr();
+    write(sut, "start");
+    write(sut, "missed ticks");
+    const std::string said = ::testing::internal::GetCapturedStderr();
+    does_sync_fail = false;
+    write(sut, "end");
+    EXPECT_EQ(whats(), (Words{"start", "missed ticks", "end"}));
+    EXPECT_TRUE(is_once(said, "may be lost at a power cut")) << said;
 }
 
 TEST_F(JournalDeskTest, ATornEndHidesNothing) {
@@ -155,6 +263,7 @@ TEST_F(JournalDeskTest, WritesThroughNoLinkAndIntoNoPipe) {
     write(linked, "start");
     EXPECT_EQ(fs::file_size(other), 5U);
     fs::remove(files_.newer);
+    fs::remove(files_.older);
     ASSERT_EQ(::mkfifo(files_.newer.c_str(), 0600), 0);
     JournalDesk piped{place_};
     write(piped, "start");
@@ -252,6 +361,21 @@ TEST_F(JournalTest, MissedTicksAreToldOnceAMinuteAndAtTheEnd) {
     EXPECT_EQ(records()[1].facts.number("count"), 1);
     EXPECT_EQ(records()[2].facts.number("count"), 999);
     EXPECT_EQ(records()[2].facts.number("total"), 1000);
+}
+
+TEST_F(JournalTest, TheEndIsWrittenOnceItIsNoted) {
+    Journal sut{start()};
+    ReceivedCommand received{};
+    received.command.kind = CommandKind::home;
+    for (int i = 0; i < 400; ++i) sut.note_answer(received, AnswerKind::refused, "home: no", 5);
+    sut.note_end({});
+    const auto all = records();
+    ASSERT_FALSE(all.empty());
+    EXPECT_EQ(all.back().what, "end");
+    // Nothing comes behind it.
+    sut.note_end({});
+    sut.note_round({});
+    EXPECT_EQ(records().size(), all.size());
 }
 
 TEST_F(JournalTest, AFloodOfCommandsIsCountedInOneRecord) {

@@ -163,6 +163,10 @@ TEST_F(DocumentedExamples, RunInTheirOrder) {
         // Long enough to be disturbed by what follows.
         {.begins = "psicarve slice", .with = {"--layers", "1000", "--points", "100"}},
         {.begins = "psicarve status --watch", .goes_on = true},
+        {.begins = "psicarve forget",
+         .with = {"--state", file("state")},
+         .exit_code = 3,
+         .says = "unfinished"},
         {.begins = "psicarve log --follow", .with = {"--state", file("state")}, .goes_on = true},
         {.begins = "psicarve log", .with = {"--state", file("state")}},
         {.begins = "psicarve start --resume", .before = stopped_behind_a_layer},

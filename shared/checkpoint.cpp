@@ -45,6 +45,11 @@ bool is_checkpoint(const Checkpoint& checkpoint) noexcept {
            checkpoint.earlier_layer < checkpoint.layer_count;
 }
 
+bool is_unfinished(const Checkpoint& checkpoint) noexcept {
+    const bool is_whole = checkpoint.next_layer == checkpoint.layer_count;
+    return !is_whole && (checkpoint.next_layer != 0 || checkpoint.earlier_layer != 0);
+}
+
 bool is_same_place(const Checkpoint& one, const Checkpoint& other) noexcept {
     return one.job_checksum == other.job_checksum && one.layer_count == other.layer_count &&
            one.next_layer == other.next_layer && one.earlier_layer == other.earlier_layer;

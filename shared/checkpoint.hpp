@@ -44,6 +44,9 @@ Checkpoint checkpoint_at(std::uint64_t job_checksum, std::uint32_t next_layer, s
 /// Whether it is one at all: neither empty nor damaged.
 bool is_checkpoint(const Checkpoint& checkpoint) noexcept;
 
+/// Begun, and not carved to its end.
+bool is_unfinished(const Checkpoint& checkpoint) noexcept;
+
 /// Whether both tell the same of the same job, whencever they came.
 bool is_same_place(const Checkpoint& one, const Checkpoint& other) noexcept;
 

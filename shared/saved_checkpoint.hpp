@@ -44,10 +44,7 @@ struct SavedCheckpoint {
     }
     RecordName name() const { return {segment_name, is_simulator, checkpoint.job_checksum, sequence}; }
     /// Begun, and not carved to its end.
-    bool is_unfinished() const noexcept {
-        const bool is_whole = checkpoint.next_layer == checkpoint.layer_count;
-        return !is_whole && (checkpoint.next_layer != 0 || checkpoint.earlier_layer != 0);
-    }
+    bool is_unfinished() const noexcept { return psicarve::is_unfinished(checkpoint); }
 };
 
 /// "ball, 3 mm", "point".

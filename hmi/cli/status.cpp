@@ -136,6 +136,11 @@ std::string text_of(const Unfinished& unfinished) {
     return unfinished.found ? unfinished_text(*unfinished.found, unfinished.way) : std::string{};
 }
 
+/// Names of files and jobs may be in any letters.
+std::string text_of(const nlohmann::ordered_json& object) {
+    return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 void put_into(nlohmann::ordered_json& object, const Unfinished& unfinished) {
     object["unfinished"] = unfinished_json(unfinished.found, unfinished.way);
     if (unfinished.is_silent) object["is_disk_silent"] = true;
@@ -154,7 +159,7 @@ Result<int> tell_without_core(const CommonOptions& common, const machine::Machin
         nlohmann::ordered_json object;
         object["error"] = nlohmann::ordered_json::parse(error_json(error));
         put_into(object, unfinished);
-        std::fputs((object.dump() + "\n").c_str(), stdout);
+        std::fputs((text_of(object) + "\n").c_str(), stdout);
         return exit_code_of(error.code);
     }
     print_error(error);
@@ -174,7 +179,7 @@ std::string json_line(machine::MachineLink& link, const CoreStatus& status, cons
     if (const std::string remark = link.job_remark(); !remark.empty()) object["job_remark"] = remark;
     if (is_disk_refusing(link)) object["is_disk_refusing"] = true;
     put_into(object, unfinished);
-    return object.dump() + "\n";
+    return text_of(object) + "\n";
 }
 
 /// What the dead core left behind is worth a line: where the machine was.

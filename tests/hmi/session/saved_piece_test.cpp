@@ -135,6 +135,9 @@ TEST(SavedPieceWords, SayThatMemoryAndDiskDisagreed) {
         details.push_back(in_english(each));
     EXPECT_THAT(details, testing::Contains(words));
     machine.status->points_done = 7;
+    machine.status->is_dry = 1;
+    EXPECT_TRUE(disagreement(machine)) << "a dry run carves nothing";
+    machine.status->is_dry = 0;
     EXPECT_FALSE(disagreement(machine)) << "it was carved since";
 }
 

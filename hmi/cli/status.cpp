@@ -176,7 +176,8 @@ std::string json_line(machine::MachineLink& link, const CoreStatus& status, cons
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
-    if (const std::string remark = link.job_remark(); !remark.empty()) object["job_remark"] = remark;
+    if (const std::string remark = current_remark(link.job_remark(), checkpoint); !remark.empty())
+        object["job_remark"] = remark;
     if (is_disk_refusing(link)) object["is_disk_refusing"] = true;
     put_into(object, unfinished);
     return text_of(object) + "\n";
@@ -214,7 +215,7 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         const auto checkpoint = link->checkpoint();
         std::string text = head_line(*link) + status_text(*status, profile ? &*profile : nullptr, pass) +
                            checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));
-        if (const std::string remark = link->job_remark(); !remark.empty())
+        if (const std::string remark = current_remark(link->job_remark(), checkpoint); !remark.empty())
             text += "mind       " + remark + "\n";
         if (is_disk_refusing(*link))
             text +=

@@ -98,17 +98,17 @@ std::optional<Phrase> disagreement(const MachineSight& machine) {
 std::vector<Phrase> disk_question(const MachineSight& machine) {
     std::vector<Phrase> question;
     const auto& found = machine.saved_piece;
-    if (found && is_of_checkpoint(found->saved, machine)) {
+    const bool is_known = found && found->keeper != Keeper::other_core;
+    if (is_known && is_of_checkpoint(found->saved, machine)) {
         question.push_back(saved_title(found->saved));
         question.push_back(origin(found->saved));
         if (is_other_profile(found->saved, machine)) question.push_back(other_profile());
-    } else if (found) {
+    } else if (is_known) {
         question.push_back(phrase(
             "Since when, and with which tool, is not known: the disk tells of another piece or layer by "
             "now."));
     } else {
-        question.push_back(
-            phrase("Since when, and with which tool, is not known: the disk does not answer."));
+        question.push_back(phrase("Since when, and with which tool, is not known: no disk tells of it."));
     }
     if (auto both = disagreement(machine)) question.push_back(*std::move(both));
     question.push_back(phrase(

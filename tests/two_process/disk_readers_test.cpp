@@ -96,6 +96,10 @@ TEST_F(DiskReaders, WhereMemoryAndDiskDisagreeEverybodySaysSo) {
     EXPECT_NE(gone_back.error.find(both), std::string::npos) << gone_back.error;
     EXPECT_NE(gone_back.error.find("goes on by " + names().checkpoint()), std::string::npos)
         << gone_back.error;
+    ASSERT_EQ(refusal_of(CommandKind::start_interpolation), "");
+    ASSERT_TRUE(reaches(MachineState::ready));
+    const auto carved = psicarve({"status", "--state", state()});
+    EXPECT_EQ(carved.out.find("segment: layer 3"), std::string::npos) << carved.out;
 }
 
 TEST_F(DiskReaders, AnotherRecordsDateIsNotTaken) {
@@ -110,6 +114,23 @@ TEST_F(DiskReaders, AnotherRecordsDateIsNotTaken) {
     EXPECT_EQ(resumed.error.find("goes on by"), std::string::npos) << resumed.error;
     EXPECT_NE(resumed.error.find("a disk that tells of another piece or layer by now"), std::string::npos)
         << resumed.error;
+}
+
+TEST_F(DiskReaders, AnotherCoresDateIsNotTaken) {
+    ASSERT_NO_FATAL_FAILURE(carve_some(6));
+    cut_power();
+    start_core({"--state", state()});
+    ASSERT_EQ(publish(lobed_job(kReadLayers, 40)), "");
+    home();
+    // The same place in a folder that is not the core's.
+    std::filesystem::create_directory(file("other"));
+    const StateNames others{file("other"), segment_name_, true};
+    std::filesystem::copy_file(names().checkpoint(), others.checkpoint());
+    const auto resumed = psicarve({"start", "--resume", "--state", file("other")});
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.error;
+    EXPECT_EQ(resumed.error.find(others.checkpoint()), std::string::npos) << resumed.error;
+    EXPECT_NE(resumed.error.find("was not looked at"), std::string::npos) << resumed.error;
+    EXPECT_EQ(resumed.error.find("does not answer"), std::string::npos) << resumed.error;
 }
 
 TEST_F(DiskReaders, WhoForgetsWhereThereIsNothingIsToldSo) {

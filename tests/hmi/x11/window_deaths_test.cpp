@@ -247,7 +247,6 @@ TEST_F(DeathsOfAPiece, LeaveThePieceThatAnUndisturbedRunCarves) {
         ASSERT_TRUE(is_in_gap(i)) << "layer " << i << " of " << layers << " is another";
         for (std::size_t k = 0; k < radii.size(); ++k) ASSERT_GE(radii[k], wanted[k]) << "layer " << i;
     }
-    EXPECT_GE(seen + kUnwrittenLayers * gaps_.size(), layers);
     RecordProperty("layers", static_cast<int>(layers));
     RecordProperty("layers_seen", static_cast<int>(seen));
 }

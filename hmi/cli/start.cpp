@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "hmi/cli/checkpoint_text.hpp"
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/motion_command.hpp"
@@ -45,7 +46,10 @@ void tell_disk_source(machine::MachineLink& link, const StartOptions& options) {
     const auto& found = look.look(link.segment_name(), checkpoint->is_simulated(),
                                   link.segment().core_keeping(), kDiskPatience);
     const std::string unknown = "where the piece goes on is known from a disk that ";
-    if (!found) return print_warning(unknown + "does not answer now: of when is not known");
+    if (look.is_silent()) return print_warning(unknown + "does not answer now: of when is not known");
+    // Another core's record tells nothing of this one's piece.
+    if (!found || found->keeper == Keeper::other_core)
+        return print_warning(unknown + "was not looked at, or tells of none by now: of when is not known");
     if (!is_same_place(found->saved.checkpoint, *checkpoint))
         return print_warning(unknown + "tells of another piece or layer by now: of when is not known");
     const bool is_other_core = link.segment().header().core_profile_hash.load() != found->saved.profile_hash;
@@ -57,7 +61,8 @@ void tell_disk_source(machine::MachineLink& link, const StartOptions& options) {
 Result<int> start(const CommonOptions& common, const StartOptions& options) {
     auto link = link_to_core(common);
     if (!link) return link.error();
-    if (const std::string remark = link->job_remark(); !remark.empty()) print_warning(remark);
+    if (const std::string remark = current_remark(link->job_remark(), link->checkpoint()); !remark.empty())
+        print_warning(remark);
     tell_disk_source(*link, options);
     MotionCommand command{CommandKind::start, {}, {MachineState::waiting}};
     command.details.value = options.from_layer;

@@ -136,6 +136,11 @@ std::string text_of(const Unfinished& unfinished) {
     return unfinished.found ? unfinished_text(*unfinished.found, unfinished.way) : std::string{};
 }
 
+/// Names of files and jobs may be in any letters.
+std::string text_of(const nlohmann::ordered_json& object) {
+    return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 void put_into(nlohmann::ordered_json& object, const Unfinished& unfinished) {
     object["unfinished"] = unfinished_json(unfinished.found, unfinished.way);
     if (unfinished.is_silent) object["is_disk_silent"] = true;
@@ -154,7 +159,7 @@ Result<int> tell_without_core(const CommonOptions& common, const machine::Machin
         nlohmann::ordered_json object;
         object["error"] = nlohmann::ordered_json::parse(error_json(error));
         put_into(object, unfinished);
-        std::fputs((object.dump() + "\n").c_str(), stdout);
+        std::fputs((text_of(object) + "\n").c_str(), stdout);
         return exit_code_of(error.code);
     }
     print_error(error);
@@ -171,10 +176,11 @@ std::string json_line(machine::MachineLink& link, const CoreStatus& status, cons
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
-    if (const std::string remark = link.job_remark(); !remark.empty()) object["job_remark"] = remark;
+    if (const std::string remark = current_remark(link.job_remark(), checkpoint); !remark.empty())
+        object["job_remark"] = remark;
     if (is_disk_refusing(link)) object["is_disk_refusing"] = true;
     put_into(object, unfinished);
-    return object.dump() + "\n";
+    return text_of(object) + "\n";
 }
 
 /// What the dead core left behind is worth a line: where the machine was.
@@ -209,7 +215,7 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         const auto checkpoint = link->checkpoint();
         std::string text = head_line(*link) + status_text(*status, profile ? &*profile : nullptr, pass) +
                            checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));
-        if (const std::string remark = link->job_remark(); !remark.empty())
+        if (const std::string remark = current_remark(link->job_remark(), checkpoint); !remark.empty())
             text += "mind       " + remark + "\n";
         if (is_disk_refusing(*link))
             text +=

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/machine/forget_piece.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "hmi/machine/machine_link.hpp"
 #include "shared/saved_checkpoint.hpp"
 #include "shared/shared_record.hpp"
+#include "shared/state_place.hpp"
 
 namespace psicarve::machine {
 namespace {
@@ -25,37 +29,86 @@ bool is_still_there(const FoundCheckpoint& found) {
     return standing && standing->name() == found.saved.name();
 }
 
-/// The record on the disk, or what the segment alone knows. Nothing: there is none.
-std::optional<RecordName> record_of(MachineLink& link, const std::optional<FoundCheckpoint>& found,
-                                    bool is_simulator) {
-    if (found) return found->saved.name();
-    const auto checkpoint = link.checkpoint();
-    if (!checkpoint || !is_checkpoint(*checkpoint)) return std::nullopt;
-    return RecordName{link.segment_name(), is_simulator, checkpoint->job_checksum, 0};
+/// What a caller may mean. Nothing in it: there is none.
+struct ForgetChoice {
+    std::optional<RecordName> record;
+    ForgottenPiece piece;
+    std::optional<FoundCheckpoint> file;  ///< to be taken away; nothing: the segment alone knows it
+};
+
+/// Whoever has seen one may not know its place on a disk.
+bool is_wanted(const RecordName& record, const std::optional<RecordName>& wanted) {
+    return !wanted ||
+           (record.is_simulator == wanted->is_simulator && record.job_checksum == wanted->job_checksum &&
+            (record.sequence == wanted->sequence || record.sequence == 0 || wanted->sequence == 0));
+}
+
+/// The segment's, which its core carves by, before what a disk tells: that may be another core's.
+ForgetChoice choose(const std::string& segment, const std::optional<Checkpoint>& checkpoint,
+                    const std::optional<FoundCheckpoint>& found, const std::optional<RecordName>& wanted) {
+    if (checkpoint && is_checkpoint(*checkpoint) && is_unfinished(*checkpoint)) {
+        const RecordName own{segment, checkpoint->is_simulated(), checkpoint->job_checksum, 0};
+        const bool is_on_disk =
+            found && found->keeper != Keeper::other_core && is_wanted(found->saved.name(), own);
+        const RecordName record = is_on_disk ? found->saved.name() : own;
+        if (is_wanted(record, wanted)) {
+            return {record,
+                    {*checkpoint, is_on_disk ? found->saved.source_name : "", is_on_disk ? found->path : ""},
+                    is_on_disk ? found : std::nullopt};
+        }
+    }
+    if (!found || !is_wanted(found->saved.name(), wanted)) return {};
+    return {found->saved.name(), {found->saved.checkpoint, found->saved.source_name, found->path}, found};
+}
+
+Error none_to_forget(const std::string& segment, bool is_another_there) {
+    if (is_another_there) {
+        return Error{ErrorCode::machine_refused,
+                     "another unfinished piece has come into its place; it is left"};
+    }
+    return bad_input("no unfinished piece is known of segment " + segment);
+}
+
+/// The core keeps it where nobody has looked.
+bool is_kept_elsewhere(const CoreKeeping& core, const std::string& folder) {
+    if (!core.is_somewhere()) return false;
+    const auto folders = folder.empty() ? state_folders_to_read() : std::vector<std::string>{folder};
+    return std::ranges::none_of(folders, [&](const std::string& each) { return core.is_in(each); });
 }
 
 /// The core's thread takes the file away, or says why it cannot.
-Result<void> forget_by_core(MachineLink& link, const std::string& folder) {
+Result<ForgottenPiece> forget_by_core(MachineLink& link, const std::string& folder,
+                                      const std::optional<RecordName>& wanted) {
     const auto status = link.last_status();
     const bool is_simulator = status && status->is_simulator != 0;
-    const auto found =
-        find_unfinished(link.segment_name(), is_simulator, folder, link.segment().core_keeping());
-    const auto record = record_of(link, found, is_simulator);
+    const CoreKeeping core = link.segment().core_keeping();
+    const auto found = find_unfinished(link.segment_name(), is_simulator, folder, core);
+    const auto checkpoint = link.checkpoint();
+    const auto chosen = choose(link.segment_name(), checkpoint, found, wanted);
+    const bool is_others = chosen.file && chosen.file->keeper == Keeper::other_core;
+    const bool is_hidden = !is_others && is_kept_elsewhere(core, folder);
     // That the machine is not at rest comes before that there is none.
     // Nor does this core know another folder's records: it only says whether one may be forgotten.
-    const bool is_elsewhere = found && found->keeper == Keeper::other_core;
-    const bool is_asked_only = !record || (is_elsewhere && link.segment().core_keeping().is_somewhere());
-    const RecordName asked = is_asked_only ? RecordName{} : *record;
-    if (auto sent = link.send(command_to_forget(asked)); !sent) return sent.error();
-    if (!record) return bad_input("no unfinished piece is known of segment " + link.segment_name());
-    if (!found) return {};
-    if (is_elsewhere) return psicarve::forget_piece(*found);
+    const bool is_asked_only = is_hidden || !chosen.record || (is_others && core.is_somewhere());
+    const RecordName sent_name = is_asked_only ? RecordName{} : *chosen.record;
+    if (auto sent = link.send(command_to_forget(sent_name)); !sent) return sent.error();
+    if (is_hidden) {
+        return Error{ErrorCode::machine_refused,
+                     "the core keeps its piece in another folder, and nothing was forgotten: give --state "
+                     "FOLDER"};
+    }
+    if (!chosen.record) return none_to_forget(link.segment_name(), found.has_value());
+    if (!chosen.file) return chosen.piece;
+    if (is_others) {
+        if (auto gone = psicarve::forget_piece(*chosen.file); !gone) return gone.error();
+        return chosen.piece;
+    }
     const auto give_up = std::chrono::steady_clock::now() + kForgettingLimit;
-    while (is_still_there(*found)) {
-        if (std::chrono::steady_clock::now() >= give_up) return still_there(*found);
+    while (is_still_there(*chosen.file)) {
+        if (std::chrono::steady_clock::now() >= give_up) return still_there(*chosen.file);
         std::this_thread::sleep_for(kForgettingLook);
     }
-    return {};
+    return chosen.piece;
 }
 
 /// As a core would, for as long as it takes: none can begin meanwhile.
@@ -68,18 +121,24 @@ Result<void> clear_record(MachineLink& link) {
 
 }  // namespace
 
-Result<void> forget_piece(const std::string& segment_name, const std::string& group,
-                          const std::string& folder) {
+Result<ForgottenPiece> forget_piece(const std::string& segment_name, const std::string& group,
+                                    const std::string& folder, const std::optional<RecordName>& wanted) {
     auto link = MachineLink::attach(segment_name, group);
-    if (link && link->core_pid()) return forget_by_core(*link, folder);
+    if (link && link->core_pid()) return forget_by_core(*link, folder, wanted);
     if (!link && link.error().code != ErrorCode::no_core) return link.error();
-    const bool is_in_segment = link && link->checkpoint();
+    const auto checkpoint = link ? link->checkpoint() : std::nullopt;
     const auto found = find_unfinished(segment_name, {}, folder);
-    if (!found && !is_in_segment) return bad_input("no unfinished piece is known of segment " + segment_name);
+    const bool is_in_segment =
+        checkpoint &&
+        is_wanted({segment_name, checkpoint->is_simulated(), checkpoint->job_checksum, 0}, wanted);
+    const bool is_on_disk = found && is_wanted(found->saved.name(), wanted);
+    if (!is_on_disk && !is_in_segment) return none_to_forget(segment_name, found || checkpoint);
     if (is_in_segment) {
         if (auto cleared = clear_record(*link); !cleared) return cleared.error();
     }
-    return found ? psicarve::forget_piece(*found) : Result<void>{};
+    if (!is_on_disk) return ForgottenPiece{*checkpoint, {}, {}};
+    if (auto gone = psicarve::forget_piece(*found); !gone) return gone.error();
+    return ForgottenPiece{found->saved.checkpoint, found->saved.source_name, found->path};
 }
 
 }  // namespace psicarve::machine

@@ -5,7 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include "hmi/machine/forget_piece.hpp"
 #include "hmi/session/core_phrase.hpp"
 #include "hmi/session/saved_piece.hpp"
 
@@ -198,11 +197,10 @@ void MachineSession::look_for_saved_piece() {
     });
 }
 
-void MachineSession::forget_piece() {
+void MachineSession::forget_piece(const RecordName& record) {
     if (watches_only_ || forgetting_.is_under_way()) return;
-    forgetting_.begin([name = options_.segment_name, group = options_.group, folder = options_.state_folder] {
-        return machine::forget_piece(name, group, folder);
-    });
+    forgetting_.begin([name = options_.segment_name, group = options_.group, folder = options_.state_folder,
+                       record] { return machine::forget_piece(name, group, folder, record); });
 }
 
 void MachineSession::deliver_forgetting() {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hmi/machine/forget_piece.hpp"
 #include "hmi/machine/loose_work.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/session/core_profile.hpp"
@@ -80,8 +81,9 @@ public:
     /// Heads to the first point of the layer, then carve so many layers (0: all that follow). In state
     /// waiting: carve what the heads wait for.
     void start(std::uint32_t from_layer, std::uint32_t layers = 0, RunKind kind = RunKind::carve);
-    /// Nobody goes on with the unfinished piece: segment and disk forget it. What came of it is a message.
-    void forget_piece();
+    /// Nobody goes on with this unfinished piece, and no other is touched: segment and disk forget it. What
+    /// came of it is a message.
+    void forget_piece(const RecordName& record);
     /// The newest wish goes out as soon as the one before is answered.
     void set_override(std::uint32_t percent) noexcept {
         if (!watches_only_) wanted_override_percent_ = percent;
@@ -148,8 +150,8 @@ private:
     std::uint64_t jogs_asked_ = 0;
     JogHand jog_;
     WorkLane finder_;
-    machine::LooseWork<std::optional<FoundCheckpoint>> disk_;  ///< that may hang
-    machine::LooseWork<Result<void>> forgetting_;              ///< likewise
+    machine::LooseWork<std::optional<FoundCheckpoint>> disk_;         ///< that may hang
+    machine::LooseWork<Result<machine::ForgottenPiece>> forgetting_;  ///< likewise
     WorkLane profile_finder_{WorkLane::Haste::background};  ///< a disk that hangs keeps nobody from attaching
     WorkLane orders_;
 };

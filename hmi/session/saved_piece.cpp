@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hmi/report/utc_text.hpp"
+#include "hmi/session/going_on.hpp"
 #include "hmi/session/sentence.hpp"
 
 namespace psicarve::session {
@@ -65,6 +66,11 @@ void add_doubts(std::vector<Phrase>& to, const FoundCheckpoint& found) {
         to.push_back(phrase("%1 tells of another piece: see which of them is mounted.", other));
 }
 
+/// A dry run carves nothing.
+bool has_carved_since(const CoreStatus& status) noexcept {
+    return status.points_done != 0 && status.is_dry == 0;
+}
+
 Phrase other_profile() {
     return phrase("It was begun with another profile of the machine.");
 }
@@ -84,7 +90,7 @@ std::optional<Phrase> disagreement(const MachineSight& machine) {
           phrase("The computer's memory says %1 layers, its disk %2: the lower number is taken.")}},
         std::string_view{machine.job_remark}.substr(at));
     // What was carved since is known.
-    if (!both || !machine.status || machine.status->points_done != 0) return std::nullopt;
+    if (!both || !machine.status || has_carved_since(*machine.status)) return std::nullopt;
     both->arguments.pop_back();
     return both;
 }
@@ -92,17 +98,17 @@ std::optional<Phrase> disagreement(const MachineSight& machine) {
 std::vector<Phrase> disk_question(const MachineSight& machine) {
     std::vector<Phrase> question;
     const auto& found = machine.saved_piece;
-    if (found && is_of_checkpoint(found->saved, machine)) {
+    const bool is_known = found && found->keeper != Keeper::other_core;
+    if (is_known && is_of_checkpoint(found->saved, machine)) {
         question.push_back(saved_title(found->saved));
         question.push_back(origin(found->saved));
         if (is_other_profile(found->saved, machine)) question.push_back(other_profile());
-    } else if (found) {
+    } else if (is_known) {
         question.push_back(phrase(
             "Since when, and with which tool, is not known: the disk tells of another piece or layer by "
             "now."));
     } else {
-        question.push_back(
-            phrase("Since when, and with which tool, is not known: the disk does not answer."));
+        question.push_back(phrase("Since when, and with which tool, is not known: no disk tells of it."));
     }
     if (auto both = disagreement(machine)) question.push_back(*std::move(both));
     question.push_back(phrase(
@@ -121,6 +127,22 @@ Phrase saved_title(const SavedCheckpoint& saved) {
         return phrase("Begun anew: none of %1 layers of %2 is finished", count, saved.source_name);
     return phrase("Unfinished: %1 of %2 layers of %3 are carved", std::to_string(saved.checkpoint.next_layer),
                   count, saved.source_name);
+}
+
+std::optional<ForgettablePiece> forgettable_piece(const MachineSight& machine) {
+    const auto& found = machine.saved_piece;
+    const bool is_segments = machine.is_checkpoint_from_disk && (!may_be_saved(machine) || !found);
+    if (!is_segments) {
+        if (!found) return std::nullopt;
+        return ForgettablePiece{found->saved.name(), saved_title(found->saved)};
+    }
+    if (found && is_of_checkpoint(found->saved, machine))
+        return ForgettablePiece{found->saved.name(), saved_title(found->saved)};
+    // The disk's record is not known; its job is.
+    return ForgettablePiece{
+        {{}, machine.is_simulator(), machine.checkpoint_job_checksum, 0},
+        unfinished_title({machine.resumable_layer.value_or(0), machine.earlier_layer.value_or(0),
+                          machine.checkpoint_layer_count})};
 }
 
 std::vector<Phrase> saved_details(const FoundCheckpoint& found, const MachineSight& machine) {

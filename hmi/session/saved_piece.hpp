@@ -30,4 +30,12 @@ std::vector<Phrase> saved_details(const FoundCheckpoint& found, const MachineSig
 /// In few words what nobody may miss.
 std::vector<Phrase> saved_needs(const FoundCheckpoint& found, const MachineSight& machine);
 
+/// What a question about forgetting is about.
+struct ForgettablePiece {
+    RecordName record{};
+    Phrase title{};
+};
+/// The piece that forgetting would take away as the machine is seen now; nothing: there is none.
+std::optional<ForgettablePiece> forgettable_piece(const MachineSight& machine);
+
 }  // namespace psicarve::session

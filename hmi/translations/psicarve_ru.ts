@@ -3541,8 +3541,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>После этого ядро молчит: команд оно не принимает.</translation>
         </message>
         <message>
-            <source>Since when, and with which tool, is not known: the disk does not answer.</source>
-            <translation>С каких пор и каким инструментом, неизвестно: диск не отвечает.</translation>
+            <source>Since when, and with which tool, is not known: no disk tells of it.</source>
+            <translation>С каких пор и каким инструментом, неизвестно: ни один диск о ней не сообщает.</translation>
         </message>
         <message>
             <source>Since when, and with which tool, is not known: the disk tells of another piece or layer by now.</source>

@@ -3536,8 +3536,8 @@ N、Shift+N  下一条、上一条记录
             <translation>此后内核无响应：不接收指令。</translation>
         </message>
         <message>
-            <source>Since when, and with which tool, is not known: the disk does not answer.</source>
-            <translation>从何时开始、用何刀具未知：磁盘没有响应。</translation>
+            <source>Since when, and with which tool, is not known: no disk tells of it.</source>
+            <translation>从何时开始、用何刀具未知：没有磁盘记录它。</translation>
         </message>
         <message>
             <source>Since when, and with which tool, is not known: the disk tells of another piece or layer by now.</source>

@@ -5,6 +5,9 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStringList>
+#include <QTimer>
+
+#include <chrono>
 
 #include "hmi/session/saved_piece.hpp"
 #include "hmi/ui/anew_dialog.hpp"
@@ -43,19 +46,34 @@ bool asked_to_go_on_from_disk(Bench& bench, std::uint32_t layer, QWidget* window
 }
 
 void forget_when_asked(Bench& bench, QWidget* window) {
+    const auto asked = session::forgettable_piece(bench.machine.sight());
+    if (!asked) return;
+    const QString title = words(asked->title);
     QMessageBox box{
         QMessageBox::Question, DiskPieceWords::tr("Forget this piece"),
-        DiskPieceWords::tr("How far the unfinished piece is carved is forgotten for good, and with it "
-                           "the core's copy of its job. Nothing moves."),
+        title + QStringLiteral("\n\n") +
+            DiskPieceWords::tr("How far the unfinished piece is carved is forgotten for good, and with it "
+                               "the core's copy of its job. Nothing moves."),
         QMessageBox::NoButton, window};
+    box.setTextFormat(Qt::PlainText);
     box.setObjectName("forget_question");
     QPushButton* go = box.addButton(DiskPieceWords::tr("Forget"), QMessageBox::AcceptRole);
     go->setObjectName("forget_go");
     QPushButton* none = box.addButton(DiskPieceWords::tr("Cancel"), QMessageBox::RejectRole);
     none->setObjectName("forget_cancel");
     box.setDefaultButton(none);
+    const auto is_still_it = [&] {
+        const auto now = session::forgettable_piece(bench.machine.sight());
+        return now && now->record == asked->record && words(now->title) == title;
+    };
+    constexpr std::chrono::milliseconds kLook{30};
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &box, [&] {
+        if (!is_still_it()) box.reject();
+    });
+    look.start(kLook);
     run_dialog(box);
-    if (box.clickedButton() == go) bench.machine.forget_piece();
+    if (box.clickedButton() == go && is_still_it()) bench.machine.forget_piece(asked->record);
 }
 
 }  // namespace psicarve::ui

@@ -7,6 +7,7 @@
 
 #include "shared/checkpoint.hpp"
 #include "shared/saved_checkpoint.hpp"
+#include "shared/shared_record.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/two_process/core_rig.hpp"
 
@@ -95,6 +96,10 @@ TEST_F(DiskReaders, WhereMemoryAndDiskDisagreeEverybodySaysSo) {
     EXPECT_NE(gone_back.error.find(both), std::string::npos) << gone_back.error;
     EXPECT_NE(gone_back.error.find("goes on by " + names().checkpoint()), std::string::npos)
         << gone_back.error;
+    ASSERT_EQ(refusal_of(CommandKind::start_interpolation), "");
+    ASSERT_TRUE(reaches(MachineState::ready));
+    const auto carved = psicarve({"status", "--state", state()});
+    EXPECT_EQ(carved.out.find("segment: layer 3"), std::string::npos) << carved.out;
 }
 
 TEST_F(DiskReaders, AnotherRecordsDateIsNotTaken) {
@@ -111,6 +116,23 @@ TEST_F(DiskReaders, AnotherRecordsDateIsNotTaken) {
         << resumed.error;
 }
 
+TEST_F(DiskReaders, AnotherCoresDateIsNotTaken) {
+    ASSERT_NO_FATAL_FAILURE(carve_some(6));
+    cut_power();
+    start_core({"--state", state()});
+    ASSERT_EQ(publish(lobed_job(kReadLayers, 40)), "");
+    home();
+    // The same place in a folder that is not the core's.
+    std::filesystem::create_directory(file("other"));
+    const StateNames others{file("other"), segment_name_, true};
+    std::filesystem::copy_file(names().checkpoint(), others.checkpoint());
+    const auto resumed = psicarve({"start", "--resume", "--state", file("other")});
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.error;
+    EXPECT_EQ(resumed.error.find(others.checkpoint()), std::string::npos) << resumed.error;
+    EXPECT_NE(resumed.error.find("was not looked at"), std::string::npos) << resumed.error;
+    EXPECT_EQ(resumed.error.find("does not answer"), std::string::npos) << resumed.error;
+}
+
 TEST_F(DiskReaders, WhoForgetsWhereThereIsNothingIsToldSo) {
     const auto without_core = psicarve({"forget", "--state", state()});
     EXPECT_EQ(without_core.exit_code, 3);
@@ -120,6 +142,49 @@ TEST_F(DiskReaders, WhoForgetsWhereThereIsNothingIsToldSo) {
     EXPECT_EQ(with_core.exit_code, 3) << with_core.out;
     EXPECT_EQ(with_core.error_lines(), 1U) << with_core.error;
     EXPECT_NE(with_core.error.find("no unfinished piece is known of segment"), std::string::npos);
+}
+
+TEST_F(DiskReaders, ForgettingAsksForTheFolderWhereTheCoreKeepsItsPieceElsewhere) {
+    ASSERT_NO_FATAL_FAILURE(carve_some(6));
+    const auto refused = psicarve({"forget", "--state", file("elsewhere")});
+    EXPECT_NE(refused.exit_code, 0) << refused.out;
+    EXPECT_NE(refused.error.find("give --state FOLDER"), std::string::npos) << refused.error;
+    EXPECT_TRUE(find_unfinished(segment_name_, {}, state()));
+    EXPECT_EQ(read_record(segment_->header().checkpoint).value_or(Checkpoint{}).next_layer, 6U);
+    const auto done = psicarve({"forget", "--state", state()});
+    EXPECT_EQ(done.exit_code, 0) << done.error;
+    EXPECT_NE(done.out.find("6 of 40 layers of lobed, kept in " + names().checkpoint()), std::string::npos)
+        << done.out;
+    EXPECT_FALSE(find_unfinished(segment_name_, {}, state()));
+}
+
+TEST_F(DiskReaders, ForgettingTakesTheSegmentsPieceAndNotAnotherCores) {
+    ASSERT_NO_FATAL_FAILURE(carve_some(6));
+    kill_core();
+    start_core();  // keeps nothing; the segment knows its piece
+    write_on_disk(9, 0);
+    const auto done = psicarve({"forget", "--state", state()});
+    EXPECT_EQ(done.exit_code, 0) << done.error;
+    EXPECT_NE(done.out.find("known to the segment alone"), std::string::npos) << done.out;
+    EXPECT_TRUE(find_unfinished(segment_name_, {}, state())) << "it is another core's";
+    EXPECT_EQ(read_record(segment_->header().checkpoint).value_or(Checkpoint{}).next_layer, 0U);
+}
+
+TEST_F(DiskReaders, NamesInOtherLettersAreNoReasonToSayNothing) {
+    ASSERT_NO_FATAL_FAILURE(carve_some(6));
+    cut_power();
+    auto saved = load_saved_checkpoint(names().checkpoint());
+    ASSERT_TRUE(saved);
+    saved->source_name = "caf\xE9";
+    ++saved->sequence;
+    ASSERT_TRUE(save_checkpoint(*saved, names().checkpoint()));
+    const auto without_core = psicarve({"status", "--json", "--state", state()});
+    EXPECT_EQ(without_core.exit_code, 5) << without_core.error;
+    EXPECT_EQ(without_core.json()["unfinished"]["next_layer"], 6);
+    start_core({"--state", state()});
+    const auto with_core = psicarve({"status", "--json", "--state", state()});
+    EXPECT_EQ(with_core.exit_code, 0) << with_core.error;
+    EXPECT_EQ(with_core.json()["unfinished"]["next_layer"], 6);
 }
 
 TEST_F(DiskReaders, AnotherCoresPieceIsSaidToBeItsOwn) {

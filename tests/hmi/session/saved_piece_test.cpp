@@ -99,7 +99,7 @@ TEST(SavedPieceWords, AskBeforeADisksWordIsTaken) {
     machine.earlier_layer.reset();
     machine.checkpoint_job_checksum = 1;
     machine.checkpoint_layer_count = 200;
-    EXPECT_EQ(asked().front(), "Since when, and with which tool, is not known: the disk does not answer.");
+    EXPECT_EQ(asked().front(), "Since when, and with which tool, is not known: no disk tells of it.");
     machine.saved_piece = found_after(131);
     EXPECT_EQ(asked()[0], "Unfinished: 131 of 200 layers of vase.stl are carved");
     EXPECT_EQ(asked()[1], "Since 2025-11-26 19:23 UTC, tool ball, 3 mm.");
@@ -135,6 +135,9 @@ TEST(SavedPieceWords, SayThatMemoryAndDiskDisagreed) {
         details.push_back(in_english(each));
     EXPECT_THAT(details, testing::Contains(words));
     machine.status->points_done = 7;
+    machine.status->is_dry = 1;
+    EXPECT_TRUE(disagreement(machine)) << "a dry run carves nothing";
+    machine.status->is_dry = 0;
     EXPECT_FALSE(disagreement(machine)) << "it was carved since";
 }
 

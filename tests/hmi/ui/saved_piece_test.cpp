@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "shared/checkpoint.hpp"
 #include "shared/saved_checkpoint.hpp"
 #include "tests/hmi/ui/hands_rig.hpp"
 #include "tests/places.hpp"
@@ -110,11 +111,36 @@ TEST_F(SavedPiece, IsForgottenForGoodOnceItWasAsked) {
     open_in_front();
     ASSERT_TRUE(comes_true([&] { return is_shown(); }));
     EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("unfinished_forget")); }, {answers("forget_cancel")}));
+    EXPECT_TRUE(question_.startsWith("Unfinished: 6 of 40 layers of lobed are carved\n\nHow far"))
+        << question_.toStdString();
     ASSERT_TRUE(find_unfinished(segment_name_));
     EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("unfinished_forget")); }, {answers("forget_go")}));
     EXPECT_TRUE(comes_true([&] { return !is_shown(); }));
     EXPECT_FALSE(find_unfinished(segment_name_));
     EXPECT_TRUE(comes_true([&] { return all_messages().contains("The unfinished piece is forgotten."); }));
+}
+
+TEST_F(SavedPiece, OfWhichItIsAskedIsTheOneThatIsForgotten) {
+    ASSERT_NO_FATAL_FAILURE(carve_six_layers_and_cut_the_power());
+    open_in_front();
+    ASSERT_TRUE(comes_true([&] { return is_shown(); }));
+    // Another record comes while it is asked.
+    const Answer changes = [&](QDialog& dialog) {
+        auto found = find_unfinished(segment_name_);
+        ASSERT_TRUE(found);
+        ++found->saved.sequence;
+        found->saved.checkpoint.job_checksum += 1;
+        found->saved.checkpoint =
+            checkpoint_at(found->saved.checkpoint.job_checksum, 9, 40, 0, found->saved.checkpoint.origin);
+        ASSERT_TRUE(save_checkpoint(found->saved, found->path));
+        QTest::mouseClick(dialog.findChild<QAbstractButton*>("forget_go"), Qt::LeftButton);
+    };
+    EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("unfinished_forget")); }, {changes}));
+    EXPECT_TRUE(comes_true([&] { return all_messages().contains("another unfinished piece has come"); }))
+        << all_messages().toStdString();
+    const auto left = find_unfinished(segment_name_);
+    ASSERT_TRUE(left);
+    EXPECT_EQ(left->saved.checkpoint.next_layer, 9U);
 }
 
 TEST_F(SavedPiece, IsForgottenByTheCoreWhereItIsAskedFor) {

@@ -61,7 +61,8 @@ Interpreter::Fault Interpreter::judge_motion() {
     motion_to_be_ = motion == 800 ? kNoCode : motion;
     if (is_claimed) {
         const CodeGroup claimant = is_length ? CodeGroup::length : CodeGroup::once;
-        if (has_axes && motion_to_be_ != kNoCode)
+        // G28 and its like may have axis words, whether they have some or not.
+        if (motion_to_be_ != kNoCode && (has_axes || !is_length))
             return fault(words_.column(CodeGroup::motion), ProblemCode::claimed_twice,
                          code_name('G', motion) + " and " + code_name('G', words_.code(claimant)) +
                              " both use axis words");
@@ -70,7 +71,7 @@ Interpreter::Fault Interpreter::judge_motion() {
                          code_name('G', words_.code(claimant)) + " has no axis word");
         words_.take_axes();
         motion_to_be_ = kNoCode;
-    } else if (motion == kNoCode && has_axes) {
+    } else if (motion == kNoCode && (has_axes || has_centre_for_arc())) {
         motion_to_be_ = modes_.motion == 800 ? kNoCode : modes_.motion;
         if (is_motion_doubtful_) words_.take_axes();
     }
@@ -83,6 +84,12 @@ Interpreter::Fault Interpreter::judge_motion() {
     if (distance == 910 || (distance == kNoCode && modes_.is_incremental))
         return fault(words_.column(CodeGroup::once), ProblemCode::g53_incremental, "G53 while G91 holds");
     return std::nullopt;
+}
+
+/// After an arc its centre alone is another one.
+bool Interpreter::has_centre_for_arc() const noexcept {
+    return (modes_.motion == 20 || modes_.motion == 30) &&
+           (words_.has('I') || words_.has('J') || words_.has('K'));
 }
 
 /// Whom the other words belong to; P may belong to one code only.
@@ -112,6 +119,7 @@ Interpreter::Fault Interpreter::judge_claims() {
 }
 
 Interpreter::Fault Interpreter::execute() {
+    is_too_far_ = false;
     set_units();
     if (auto wrong = set_feed()) return wrong;
     if (words_.has('S')) {
@@ -130,6 +138,8 @@ Interpreter::Fault Interpreter::execute() {
     set_distances();
     if (auto wrong = do_once()) return wrong;
     if (auto wrong = move()) return wrong;
+    if (is_too_far_)
+        return fault(words_.axis_column(), ProblemCode::out_of_range, "a place beyond 1 000 000 000 mm");
     stop();
     return std::nullopt;
 }

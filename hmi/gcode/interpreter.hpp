@@ -45,6 +45,7 @@ private:
     Fault judge();
     Fault judge_motion();
     Fault judge_claims();
+    bool has_centre_for_arc() const noexcept;
     Fault execute();
 
     void set_units();
@@ -81,6 +82,8 @@ private:
     Position target() const noexcept;
     double axis_mm(std::size_t axis) const noexcept;
     void note_places(AxisMask axes, bool is_machine) noexcept;
+    AxisMask unknown_zeros() const noexcept;
+    AxisMask both_if_turned(AxisMask axes) const noexcept;
 
     CanonRecord record(CanonKind kind) const;
     void emit(CanonKind kind, int code, double value);
@@ -104,6 +107,8 @@ private:
     int motion_to_be_ = kNoCode;
     AxisMask placed_ = 0;    ///< machine axes whose place the program has told
     AxisMask doubtful_ = 0;  ///< axes that a wrong block may have meant to move
+    UnknownZeros unknown_;
+    bool is_too_far_ = false;  ///< a move of this block was left out
     bool is_feed_doubtful_ = false;
     bool is_motion_doubtful_ = false;
     bool has_ended_ = false;

@@ -60,7 +60,7 @@ Interpreter::Fault Interpreter::drill() {
     const bool steps = modes_.is_incremental;
     const double clear_mm = steps ? cycle_.initial_mm + cycle_.clear_mm : cycle_.clear_mm;
     const double depth_mm = steps ? clear_mm + cycle_.depth_mm : cycle_.depth_mm;
-    if (clear_mm < depth_mm)
+    if (clear_mm < depth_mm && !are_places_doubtful())
         return fault(column, ProblemCode::cycle_depth, "R is below the depth of the hole");
     const double holes = words_.has('L') ? words_.value('L') : 1.0;
     const double pecks = motion_to_be_ == 830 ? (clear_mm - depth_mm) / cycle_.peck_mm : 1.0;

@@ -79,6 +79,11 @@ AxisMask Interpreter::unknown_zeros() const noexcept {
 }
 
 void Interpreter::note_places(AxisMask axes, bool is_machine) noexcept {
+    if (are_places_doubtful()) {
+        placed_ = static_cast<AxisMask>(placed_ & ~both_if_turned(axes));
+        doubtful_ |= axes;
+        return;
+    }
     if (modes_.is_incremental && !is_machine) return;
     const AxisMask unknown = static_cast<AxisMask>(axes & unknown_zeros());
     doubtful_ = static_cast<AxisMask>((doubtful_ & ~axes) | (is_machine ? unknown : 0));

@@ -28,6 +28,7 @@ void Interpreter::set_units() {
         problems_.add(fault(words_.column('F'), ProblemCode::feed_beside_units,
                             "F stands beside new units, and counts in these"));
     modes_.mm_per_unit = mm_per_unit;
+    are_units_doubtful_ = false;
 }
 
 Interpreter::Fault Interpreter::set_feed() {
@@ -102,7 +103,10 @@ void Interpreter::set_plane() noexcept {
 }
 
 void Interpreter::set_distances() noexcept {
-    if (words_.has(CodeGroup::distance)) modes_.is_incremental = words_.code(CodeGroup::distance) == 910;
+    if (words_.has(CodeGroup::distance)) {
+        modes_.is_incremental = words_.code(CodeGroup::distance) == 910;
+        is_distance_doubtful_ = false;
+    }
     if (words_.has(CodeGroup::arc_distance))
         modes_.has_absolute_centres = words_.code(CodeGroup::arc_distance) == 901;
     if (words_.has(CodeGroup::retract)) modes_.retracts_to_start = words_.code(CodeGroup::retract) == 980;
@@ -203,7 +207,8 @@ Interpreter::Fault Interpreter::set_coordinates() {
     const AxisMask unplaced =
         both_if_turned(static_cast<AxisMask>((kAllLetters & ~placed_) | unknown_.shift));
     AxisMask& unknown = unknown_.origins[system];
-    unknown = static_cast<AxisMask>((unknown & ~axes) | (kind == 20.0 ? axes & unplaced : 0));
+    unknown = static_cast<AxisMask>((unknown & ~axes) |
+                                    (kind == 20.0 ? axes & unplaced : (are_units_doubtful_ ? axes : 0)));
     refresh_program();
     return std::nullopt;
 }

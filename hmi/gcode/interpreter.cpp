@@ -20,13 +20,45 @@ void Interpreter::run(const Block& block) {
     if (!wrong) wrong = execute();
     if (!wrong) return;
     problems_.add(std::move(*wrong));
-    pass_unreadable();
+    pass_wrong();
+    for (const Word& word : block.words()) {
+        const int code =
+            word.letter == 'G' && word.value >= 10.0 && word.value < 100.0 ? static_cast<int>(word.value) : 0;
+        if (code > 0) doubt_modes(static_cast<char>('0' + code / 10), static_cast<char>('0' + code % 10));
+    }
     // A program that is wrong in its last block has an end all the same.
     const int stop_code = words_.code(CodeGroup::stop);
     if (stop_code == 2 || stop_code == 30) has_ended_ = true;
 }
 
-void Interpreter::pass_unreadable() noexcept {
+void Interpreter::pass_unreadable(std::string_view line) noexcept {
+    pass_wrong();
+    std::size_t read = 0;  // of G and two digits
+    char tens = ' ';
+    for (const char byte : line) {
+        if (byte == ' ' || byte == '\t' || (byte == '0' && read == 1)) continue;
+        if (byte == 'G' || byte == 'g') {
+            read = 1;
+        } else if (read == 1) {
+            tens = byte;
+            read = 2;
+        } else {
+            if (read == 2) doubt_modes(tens, byte);
+            read = 0;
+        }
+    }
+}
+
+/// By the digits of a G code in a wrong block: G20 G21 G70 G71 G90 G91, also with the letter O in place of 0.
+void Interpreter::doubt_modes(char tens, char ones) noexcept {
+    if (ones != '0' && ones != '1' && ones != 'O' && ones != 'o') return;
+    const char units = modes_.mm_per_unit == 1.0 ? '1' : '0';
+    const char distance = modes_.is_incremental ? '1' : '0';
+    if ((tens == '2' || tens == '7') && ones != units) are_units_doubtful_ = true;
+    if (tens == '9' && ones != distance) is_distance_doubtful_ = true;
+}
+
+void Interpreter::pass_wrong() noexcept {
     doubtful_ = kAllLetters;
     placed_ = 0;
     is_feed_doubtful_ = true;
@@ -61,7 +93,8 @@ Interpreter::Fault Interpreter::judge_motion() {
     motion_to_be_ = motion == 800 ? kNoCode : motion;
     if (is_claimed) {
         const CodeGroup claimant = is_length ? CodeGroup::length : CodeGroup::once;
-        if (has_axes && motion_to_be_ != kNoCode)
+        // G28 and its like may have axis words, whether they have some or not.
+        if (motion_to_be_ != kNoCode && (has_axes || !is_length))
             return fault(words_.column(CodeGroup::motion), ProblemCode::claimed_twice,
                          code_name('G', motion) + " and " + code_name('G', words_.code(claimant)) +
                              " both use axis words");
@@ -70,7 +103,7 @@ Interpreter::Fault Interpreter::judge_motion() {
                          code_name('G', words_.code(claimant)) + " has no axis word");
         words_.take_axes();
         motion_to_be_ = kNoCode;
-    } else if (motion == kNoCode && has_axes) {
+    } else if (motion == kNoCode && (has_axes || has_centre_for_arc())) {
         motion_to_be_ = modes_.motion == 800 ? kNoCode : modes_.motion;
         if (is_motion_doubtful_) words_.take_axes();
     }
@@ -80,9 +113,15 @@ Interpreter::Fault Interpreter::judge_motion() {
         return fault(words_.column(CodeGroup::once), ProblemCode::g53_motion,
                      "G53 without a straight motion");
     const int distance = words_.code(CodeGroup::distance);
-    if (distance == 910 || (distance == kNoCode && modes_.is_incremental))
+    if (distance == 910 || (distance == kNoCode && modes_.is_incremental && !is_distance_doubtful_))
         return fault(words_.column(CodeGroup::once), ProblemCode::g53_incremental, "G53 while G91 holds");
     return std::nullopt;
+}
+
+/// After an arc its centre alone is another one.
+bool Interpreter::has_centre_for_arc() const noexcept {
+    return (modes_.motion == 20 || modes_.motion == 30) &&
+           (words_.has('I') || words_.has('J') || words_.has('K'));
 }
 
 /// Whom the other words belong to; P may belong to one code only.
@@ -112,6 +151,7 @@ Interpreter::Fault Interpreter::judge_claims() {
 }
 
 Interpreter::Fault Interpreter::execute() {
+    is_too_far_ = false;
     set_units();
     if (auto wrong = set_feed()) return wrong;
     if (words_.has('S')) {
@@ -130,6 +170,8 @@ Interpreter::Fault Interpreter::execute() {
     set_distances();
     if (auto wrong = do_once()) return wrong;
     if (auto wrong = move()) return wrong;
+    if (is_too_far_)
+        return fault(words_.axis_column(), ProblemCode::out_of_range, "a place beyond 1 000 000 000 mm");
     stop();
     return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "hmi/gcode/arc.hpp"
 #include "hmi/gcode/block.hpp"
@@ -32,7 +33,7 @@ public:
 
     void run(const Block& block);
     /// In place of run() for a block that could not be read.
-    void pass_unreadable() noexcept;
+    void pass_unreadable(std::string_view line) noexcept;
     /// By the second % of a program.
     void end_by_percent(std::uint64_t line);
     /// What follows is not the program's.
@@ -42,9 +43,13 @@ public:
 private:
     using Fault = std::optional<Problem>;
 
+    void pass_wrong() noexcept;
+    void doubt_modes(char tens, char ones) noexcept;
+    bool are_places_doubtful() const noexcept { return are_units_doubtful_ || is_distance_doubtful_; }
     Fault judge();
     Fault judge_motion();
     Fault judge_claims();
+    bool has_centre_for_arc() const noexcept;
     Fault execute();
 
     void set_units();
@@ -81,6 +86,8 @@ private:
     Position target() const noexcept;
     double axis_mm(std::size_t axis) const noexcept;
     void note_places(AxisMask axes, bool is_machine) noexcept;
+    AxisMask unknown_zeros() const noexcept;
+    AxisMask both_if_turned(AxisMask axes) const noexcept;
 
     CanonRecord record(CanonKind kind) const;
     void emit(CanonKind kind, int code, double value);
@@ -104,6 +111,10 @@ private:
     int motion_to_be_ = kNoCode;
     AxisMask placed_ = 0;    ///< machine axes whose place the program has told
     AxisMask doubtful_ = 0;  ///< axes that a wrong block may have meant to move
+    UnknownZeros unknown_;
+    bool is_too_far_ = false;          ///< a move of this block was left out
+    bool are_units_doubtful_ = false;  ///< a wrong block may have told others
+    bool is_distance_doubtful_ = false;
     bool is_feed_doubtful_ = false;
     bool is_motion_doubtful_ = false;
     bool has_ended_ = false;

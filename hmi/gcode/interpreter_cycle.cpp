@@ -11,7 +11,8 @@ namespace {
 
 /// Source: LinuxCNC 2.9, G83: how far above the last depth the next peck begins.
 constexpr double kPeckClearanceMm = 0.254;
-constexpr AxisMask kRotaryLetters = 0x38;
+/// All but X Y Z.
+constexpr AxisMask kOtherLetters = 0x1F8;
 constexpr double kMostHoles = 1e5;
 constexpr double kMostPecks = 1e5;
 
@@ -52,14 +53,14 @@ Interpreter::Fault Interpreter::drill() {
     const std::uint32_t column = words_.axis_column();
     if (modes_.feed_mode == FeedMode::inverse_time)
         return fault(column, ProblemCode::cycle_feed_mode, "a cycle while G93 holds");
-    if ((words_.axes() & kRotaryLetters) != 0)
-        return fault(column, ProblemCode::cycle_rotary, "a cycle turns no rotary axis");
+    if ((words_.axes() & kOtherLetters) != 0)
+        return fault(column, ProblemCode::cycle_rotary, "a cycle moves X, Y and Z alone");
     if (auto wrong = read_cycle_words()) return wrong;
     if (auto wrong = check_feed()) return wrong;
     const bool steps = modes_.is_incremental;
     const double clear_mm = steps ? cycle_.initial_mm + cycle_.clear_mm : cycle_.clear_mm;
     const double depth_mm = steps ? clear_mm + cycle_.depth_mm : cycle_.depth_mm;
-    if (clear_mm < depth_mm)
+    if (clear_mm < depth_mm && !are_places_doubtful())
         return fault(column, ProblemCode::cycle_depth, "R is below the depth of the hole");
     const double holes = words_.has('L') ? words_.value('L') : 1.0;
     const double pecks = motion_to_be_ == 830 ? (clear_mm - depth_mm) / cycle_.peck_mm : 1.0;
@@ -73,8 +74,8 @@ Interpreter::Fault Interpreter::drill() {
         at[plane.across] = clear_mm;
         rapid_to(at);
     }
-    // A series that changes to G98 rises on the way to its next hole.
-    if (modes_.retracts_to_start) at[plane.across] = retract_mm;
+    // A hole before may have ended below this one's R: it rises on the way.
+    if (!(at[plane.across] > clear_mm)) at[plane.across] = retract_mm;
     note_places(words_.axes(), false);
     const Position first_end = target();
     const double step_first_mm = steps ? first_end[plane.first] - at[plane.first] : 0.0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -8,12 +9,20 @@ namespace psicarve::gcode {
 namespace {
 
 constexpr double kMostTurns = 1e6;
+/// In mm or degrees; pulses of it can be counted.
+constexpr double kFurthest = 1e9;
 
 double length_of(const Position& from, const Position& to, std::size_t begin) noexcept {
     const double a = to[begin] - from[begin];
     const double b = to[begin + 1] - from[begin + 1];
     const double c = to[begin + 2] - from[begin + 2];
     return std::sqrt(a * a + b * b + c * c);
+}
+
+/// False of what is no number, too.
+bool is_in_reach(const Position& position) noexcept {
+    return std::all_of(position.begin(), position.end(),
+                       [](double place) { return std::abs(place) <= kFurthest; });
 }
 
 PlanePoint in_plane(const Position& position, const Plane& plane) noexcept {
@@ -61,17 +70,32 @@ Position Interpreter::target() const noexcept {
     return is_machine ? offsets_.to_program(end) : end;
 }
 
+AxisMask Interpreter::both_if_turned(AxisMask axes) const noexcept {
+    return static_cast<AxisMask>(offsets_.is_turned() && (axes & 3U) != 0 ? axes | 3U : axes);
+}
+
+AxisMask Interpreter::unknown_zeros() const noexcept {
+    return both_if_turned(static_cast<AxisMask>(unknown_.shift | unknown_.origins[offsets_.active()]));
+}
+
 void Interpreter::note_places(AxisMask axes, bool is_machine) noexcept {
+    if (are_places_doubtful()) {
+        placed_ = static_cast<AxisMask>(placed_ & ~both_if_turned(axes));
+        doubtful_ |= axes;
+        return;
+    }
     if (modes_.is_incremental && !is_machine) return;
-    doubtful_ = static_cast<AxisMask>(doubtful_ & ~axes);
+    const AxisMask unknown = static_cast<AxisMask>(axes & unknown_zeros());
+    doubtful_ = static_cast<AxisMask>((doubtful_ & ~axes) | (is_machine ? unknown : 0));
     const AxisMask both = 3;
     if (is_machine || !offsets_.is_turned() || (axes & both) == 0 || (axes & both) == both) {
         placed_ |= axes;
-        return;
+    } else {
+        // One word moves both axes of the machine, from where it stands.
+        if ((placed_ & both) != both) placed_ = static_cast<AxisMask>(placed_ & ~both);
+        placed_ |= static_cast<AxisMask>(axes & ~both);
     }
-    // One word moves both axes of the machine, from where it stands.
-    if ((placed_ & both) != both) placed_ = static_cast<AxisMask>(placed_ & ~both);
-    placed_ |= static_cast<AxisMask>(axes & ~both);
+    if (!is_machine) placed_ = static_cast<AxisMask>(placed_ & ~both_if_turned(unknown));
 }
 
 Interpreter::Fault Interpreter::check_feed() {
@@ -116,8 +140,14 @@ void Interpreter::emit_move(CanonRecord& moved, const Position& program, double 
     moved.column = words_.axis_column();
     moved.feed_per_min = feed_per_min;
     moved.placed = placed_;
+    const Position machine = offsets_.to_machine(program);
+    if (!is_in_reach(machine) || !(std::abs(moved.centre_first_mm) <= kFurthest) ||
+        !(std::abs(moved.centre_second_mm) <= kFurthest)) {
+        is_too_far_ = true;
+        return;
+    }
     program_ = program;
-    machine_ = offsets_.to_machine(program);
+    machine_ = machine;
     moved.end = machine_;
     ++motion_count_;
     sink_.take(moved);

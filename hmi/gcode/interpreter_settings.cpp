@@ -28,6 +28,7 @@ void Interpreter::set_units() {
         problems_.add(fault(words_.column('F'), ProblemCode::feed_beside_units,
                             "F stands beside new units, and counts in these"));
     modes_.mm_per_unit = mm_per_unit;
+    are_units_doubtful_ = false;
 }
 
 Interpreter::Fault Interpreter::set_feed() {
@@ -102,7 +103,10 @@ void Interpreter::set_plane() noexcept {
 }
 
 void Interpreter::set_distances() noexcept {
-    if (words_.has(CodeGroup::distance)) modes_.is_incremental = words_.code(CodeGroup::distance) == 910;
+    if (words_.has(CodeGroup::distance)) {
+        modes_.is_incremental = words_.code(CodeGroup::distance) == 910;
+        is_distance_doubtful_ = false;
+    }
     if (words_.has(CodeGroup::arc_distance))
         modes_.has_absolute_centres = words_.code(CodeGroup::arc_distance) == 901;
     if (words_.has(CodeGroup::retract)) modes_.retracts_to_start = words_.code(CodeGroup::retract) == 980;
@@ -150,15 +154,18 @@ Interpreter::Fault Interpreter::do_once() {
             break;
         case 281:
             references_[0] = machine_;
+            unknown_.references[0] = static_cast<AxisMask>(kAllLetters & ~placed_);
             break;
         case 301:
             references_[1] = machine_;
+            unknown_.references[1] = static_cast<AxisMask>(kAllLetters & ~placed_);
             break;
         case 920:
             set_shift();
             break;
         case 921:
             offsets_.clear_shift();
+            unknown_.shift = 0;
             break;
         case 922:
             offsets_.suspend_shift();
@@ -195,6 +202,13 @@ Interpreter::Fault Interpreter::set_coordinates() {
         if (kind == 2.0) offsets_.set_origin(system, axis, given[axis]);
     }
     if (kind == 20.0) offsets_.set_current(system, machine_, words_.axes(), given);
+    // Where the place is not known, what it is called from here on tells nothing of the machine.
+    const AxisMask axes = kind == 20.0 ? both_if_turned(words_.axes()) : words_.axes();
+    const AxisMask unplaced =
+        both_if_turned(static_cast<AxisMask>((kAllLetters & ~placed_) | unknown_.shift));
+    AxisMask& unknown = unknown_.origins[system];
+    unknown = static_cast<AxisMask>((unknown & ~axes) |
+                                    (kind == 20.0 ? axes & unplaced : (are_units_doubtful_ ? axes : 0)));
     refresh_program();
     return std::nullopt;
 }
@@ -204,6 +218,9 @@ void Interpreter::set_shift() {
     for (std::size_t axis = 0; axis < kLetterCount; ++axis)
         if ((words_.axes() & mask_of(axis)) != 0) given[axis] = axis_mm(axis);
     offsets_.set_shift(machine_, words_.axes(), given);
+    const AxisMask unplaced =
+        both_if_turned(static_cast<AxisMask>((kAllLetters & ~placed_) | unknown_.origins[offsets_.active()]));
+    unknown_.shift = static_cast<AxisMask>((unknown_.shift & ~words_.axes()) | (words_.axes() & unplaced));
 }
 
 void Interpreter::go_to_reference(std::size_t which) {
@@ -215,6 +232,9 @@ void Interpreter::go_to_reference(std::size_t which) {
     for (std::size_t axis = 0; axis < kLetterCount; ++axis)
         if ((axes & mask_of(axis)) != 0) home[axis] = references_[which][axis];
     note_places(axes, true);
+    const AxisMask unknown = static_cast<AxisMask>(axes & unknown_.references[which]);
+    placed_ = static_cast<AxisMask>(placed_ & ~unknown);
+    doubtful_ |= unknown;
     rapid_to(offsets_.to_program(home));
 }
 

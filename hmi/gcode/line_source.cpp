@@ -15,6 +15,8 @@ namespace psicarve::gcode {
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
+/// No line of a program, be it ever so wrong: a device's bytes, that never end.
+constexpr std::size_t kHopelessLineBytes = std::size_t{1} << 26U;
 
 /// A file's descriptor, closed at the end.
 class OpenProgram {
@@ -51,6 +53,7 @@ Result<bool> LineSource::fill() {
 Result<bool> LineSource::next(std::string_view& line) {
     joined_.clear();
     bool has_some = false;
+    std::size_t line_bytes = 0;
     for (;;) {
         if (begin_ == end_) {
             const auto filled = fill();
@@ -65,6 +68,10 @@ Result<bool> LineSource::next(std::string_view& line) {
         const std::size_t length = rest.find('\n');
         const std::string_view piece = rest.substr(0, length);
         begin_ += piece.size();
+        line_bytes += piece.size();
+        if (line_bytes > kHopelessLineBytes)
+            return bad_input("line " + std::to_string(number_ + 1) +
+                             " has more than 64 MiB: this is no program in G-code");
         if (length != std::string_view::npos) ++begin_;
         if (length != std::string_view::npos && joined_.empty()) {
             ++number_;

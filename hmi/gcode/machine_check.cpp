@@ -155,12 +155,14 @@ void MachineCheck::judge_tips(const CanonRecord& record) {
                " apart, closer than head_clearance_mm = " + length_text(clearance_mm_));
 }
 
+void MachineCheck::judge_end(const CanonRecord& record, std::size_t letter) {
+    if (!is_new_place(record, letter)) return;
+    judge_extents(record, axis_of_letter(letter), record.end[letter], record.end[letter]);
+}
+
 void MachineCheck::judge_motion(const CanonRecord& record) {
     if (!has_only_our_letters(record)) return;
-    for (const LinearAxis& axis : axes_) {
-        if (!is_new_place(record, axis.letter)) continue;
-        judge_extents(record, axis, record.end[axis.letter], record.end[axis.letter]);
-    }
+    for (const LinearAxis& axis : axes_) judge_end(record, axis.letter);
     judge_tips(record);
 }
 
@@ -174,11 +176,12 @@ void MachineCheck::judge_arc(const CanonRecord& record) {
         const ArcExtents found = extents_of(record);
         judge_extents(record, axis_of_letter(plane.first), found.least_mm[0], found.most_mm[0]);
         judge_extents(record, axis_of_letter(plane.second), found.least_mm[1], found.most_mm[1]);
+    } else {
+        // How far it reaches cannot be known, but where it ends.
+        judge_end(record, plane.first);
+        judge_end(record, plane.second);
     }
-    if (is_new_place(record, plane.across)) {
-        const double end_mm = record.end[plane.across];
-        judge_extents(record, axis_of_letter(plane.across), end_mm, end_mm);
-    }
+    judge_end(record, plane.across);
     judge_tips(record);
 }
 

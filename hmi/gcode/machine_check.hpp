@@ -36,6 +36,7 @@ private:
     void judge_motion(const CanonRecord& record);
     void judge_arc(const CanonRecord& record);
     void judge_extents(const CanonRecord& record, const LinearAxis& axis, double least_mm, double most_mm);
+    void judge_end(const CanonRecord& record, std::size_t letter);
     void judge_tips(const CanonRecord& record);
     const LinearAxis& axis_of_letter(std::size_t letter) const noexcept;
 

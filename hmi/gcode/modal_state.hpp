@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "hmi/gcode/position.hpp"
@@ -26,6 +27,13 @@ struct ModalState {
     double spindle_rpm = 0.0;
     bool is_spindle_on = false;
     double tool = 0.0;
+};
+
+/// Letters of what a program has set where it had not told the place: what it comes to is not known.
+struct UnknownZeros {
+    AxisMask shift = 0;
+    std::array<AxisMask, 9> origins{};
+    std::array<AxisMask, 2> references{};
 };
 
 /// Of a drilling cycle, kept while the same one goes on [mm, s].

@@ -38,7 +38,7 @@ Result<ProgramFacts> interpret_program(LineSource& lines, const InterpreterOptio
         if (auto wrong = read_block(line, lines.number(), *block)) {
             if (options.skips_deleted && block->is_deleted()) continue;
             problems.add(std::move(*wrong));
-            interpreter->pass_unreadable();
+            interpreter->pass_unreadable(line);
         } else {
             interpreter->run(*block);
         }

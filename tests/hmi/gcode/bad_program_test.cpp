@@ -84,5 +84,19 @@ TEST(Problems, AreNotToldAgainOfWhatDependsOnThem) {
               (Faults{"1:12 bad_character", "4:4 arc_radius_differs"}));
 }
 
+TEST(Problems, AreNotToldOfUnitsAndDistancesThatAWrongBlockTold) {
+    const Profile profile;
+    const auto faults = [&](const std::string& text) { return read_program(text, {}, &profile)->faults(); };
+    EXPECT_EQ(faults("G91 &\nG0 Y-5\nM2\n"), Faults{"1:5 bad_character"});
+    EXPECT_EQ(faults("G91 G123\nG0 Y-5\nM2\n"), Faults{"1:5 unknown_g"});
+    EXPECT_EQ(faults("G20\nG21 G123\nG0 X50\nM2\n"), Faults{"2:5 unknown_g"});
+    EXPECT_EQ(faults("F9 G91 &\nG81 X1 Z-1 R-3\nM2\n"), Faults{"1:8 bad_character"});
+    EXPECT_EQ(faults("F9 G0 X20 Y20 G91 &\nG2 X21 I1\nG90 G0 X20 Y20\nG2 X29 I1\nM2\n"),
+              (Faults{"1:19 bad_character", "4:4 arc_radius_differs"}));
+    // What holds anyhow is not in doubt.
+    EXPECT_EQ(faults("G21 G90 &\nG0 Y-5\nM2\n"), (Faults{"1:9 bad_character", "2:4 outside_travel"}));
+    EXPECT_EQ(faults("G91 &\nG90 G0 Y-5\nM2\n"), (Faults{"1:5 bad_character", "2:8 outside_travel"}));
+}
+
 }  // namespace
 }  // namespace psicarve::gcode

@@ -93,6 +93,34 @@ TEST(Interpreter, HasAPlaceForACycleThatGoesOnFromAWrongOne) {
               (Faults{"2:15 out_of_range", "3:5 out_of_range"}));
 }
 
+TEST(Interpreter, MovesSecondaryAxesInNoCycle) {
+    EXPECT_EQ(read_program("F9 G81 X1 U2 Z-1 R1\nM2\n")->faults(), Faults{"1:8 cycle_rotary"});
+    EXPECT_EQ(read_program("F9 G81 X1 Z-1 R1\nW2\nM2\n")->faults(), Faults{"2:1 cycle_rotary"});
+}
+
+TEST(Interpreter, LetsNoMotionStandBesideACodeThatMayHaveAxisWords) {
+    for (const std::string code : {"G28", "G30", "G10 L2 P1", "G92"})
+        EXPECT_EQ(read_program("F9 G81 " + code + "\nM2\n")->faults(), Faults{"1:4 claimed_twice"}) << code;
+    EXPECT_EQ(read_program("G80 G28\nM2\n")->faults(), Faults{});
+}
+
+TEST(Interpreter, GoesNoFurtherThanItCanCount) {
+    EXPECT_EQ(read_program("G91 G0 X900000000\nX900000000\nM2\n")->faults(), Faults{"2:1 out_of_range"});
+    EXPECT_EQ(read_program("G91 G0 X900000000\nX-900000000\nM2\n")->faults(), Faults{});
+    EXPECT_EQ(read_program("G20\nF9 G2 X1 R900000000\nM2\n")->faults(), Faults{"2:7 out_of_range"});
+    EXPECT_EQ(read_program("G20\nF9 G81 X1 Z-1 R900000000\nM2\n")->faults(), Faults{"2:8 out_of_range"});
+    EXPECT_EQ(read_program("G20\nG28 X900000000\nM2\n")->faults(), Faults{"2:5 out_of_range"});
+    EXPECT_EQ(read_program("G10 L2 P1 X900000000\nG0 X900000000\nM2\n")->faults(),
+              Faults{"2:4 out_of_range"});
+}
+
+TEST(Interpreter, TakesACentreAloneForAnotherArc) {
+    const auto read = read_program("F9 G2 X2 Y0 I1\nI1\nM2\n");
+    EXPECT_EQ(read->faults(), Faults{});
+    EXPECT_EQ(read->of_kind(CanonKind::arc).size(), 2U);
+    EXPECT_EQ(read_program("F9 G1 X2\nI1\nM2\n")->faults(), Faults{"2:1 word_unused"});
+}
+
 TEST(Canon, WritesEveryKindAsOneObject) {
     const auto read = read_program(
         "F60 S9\nG64 P.1\nG2 X2 Y0 I1\nG4 P.5\nM3\nM8\nM9\nT2 M6\nM50 P0\nM62 P1\nM65 P2\nM66 "

@@ -48,5 +48,14 @@ TEST(OpenProgram, RefusesWhatIsNoFile) {
     EXPECT_NE(open_program("/").error().message.find("folder"), std::string::npos);
 }
 
+TEST(LineSource, GivesUpOnALineWithoutEnd) {
+    LineSource lines{ByteSource{[](std::span<char> room) -> Result<std::size_t> {
+        std::fill(room.begin(), room.end(), '\0');
+        return room.size();
+    }}};
+    std::string_view line;
+    EXPECT_FALSE(lines.next(line).has_value());
+}
+
 }  // namespace
 }  // namespace psicarve::gcode

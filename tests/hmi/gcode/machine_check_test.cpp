@@ -37,6 +37,26 @@ TEST(MachineCheck, FindsHowFarAnArcReaches) {
     EXPECT_EQ(faults_of("F100\nG0 X5 Y10\nG2 X5 Y20 J5\nM2\n"), Faults{"3:4 core_radius"});
 }
 
+TEST(MachineCheck, JudgesTheEndOfAnArcWhoseStartIsHalfKnown) {
+    EXPECT_EQ(faults_of("F100 G0 X40\nG2 X4000 Y0 R5000\nM2\n"), Faults{"2:4 outside_travel"});
+    EXPECT_EQ(faults_of("F100 G0 X40\nG2 X50 Y170 R500\nM2\n"), Faults{"2:4 outside_travel"});
+    EXPECT_EQ(faults_of("F100 G0 X40\nG2 X50 Y10 R50\nG91 G0 Y160\nM2\n"), Faults{"3:8 outside_travel"});
+}
+
+TEST(MachineCheck, DoesNotTakeAnUnknownPlaceForZero) {
+    // Wherever the heads stand, that is called 0 from here on.
+    EXPECT_EQ(faults_of("G92 X0 Y0 Z0\nG0 X-5 Y-5 Z-5\nM2\n"), Faults{});
+    EXPECT_EQ(faults_of("G10 L20 P1 X0 Y0 Z0\nG0 X-5 Y-5 Z-5\nM2\n"), Faults{});
+    EXPECT_EQ(faults_of("G28.1\nG0 X20 Y20 Z20\nG28\nM2\n"), Faults{});
+    // The machine's own coordinates are known all the same, and so is what is told from a known place.
+    EXPECT_EQ(faults_of("G92 Y0\nG0 Y-5\nG53 G0 Y170\nM2\n"), Faults{"3:8 outside_travel"});
+    EXPECT_EQ(faults_of("G92 Y0\nG53 G0 Y10\nG0 Y-500\nM2\n"), Faults{});
+    EXPECT_EQ(faults_of("G0 Y20\nG92 Y0\nG0 Y-25\nM2\n"), Faults{"3:4 outside_travel"});
+    EXPECT_EQ(faults_of("G92 Y0\nG92.1\nG0 Y-5\nM2\n"), Faults{"3:4 outside_travel"});
+    EXPECT_EQ(faults_of("G10 L20 P1 Y0\nG10 L2 P1 Y0\nG0 Y-5\nM2\n"), Faults{"3:4 outside_travel"});
+    EXPECT_EQ(faults_of("G10 L20 P2 Y0\nG0 Y-5\nM2\n"), Faults{"2:4 outside_travel"});
+}
+
 TEST(MachineCheck, WarnsOfWhatTheMachineCannotSwitchAndTheProgramIsRight) {
     const Profile profile;
     const auto read = read_program("S100 M3\nM8\nM9\nM2\n", {}, &profile);

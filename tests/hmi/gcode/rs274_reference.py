@@ -290,7 +290,15 @@ class RandomProgram:
         self.lines.append(f"{self.chance.choice(('G98', 'G99'))} {kind} {self.axes(self.plane)} {across}{bottom / self.mm:.3f}"
                           f" R{clear / self.mm:.3f}{holes}")
         for _ in range(self.chance.randint(0, 3)):
-            self.lines.append(self.chance.choice(("", "", "G98 ", "G99 ")) + self.axes(self.plane))
+            change = ""
+            if not self.is_incremental and self.chance.random() < 0.4:  # another R and depth, or another kind
+                clear = self.chance.uniform(0, 12)
+                change = f" R{clear / self.mm:.3f} {across}{(clear - self.chance.uniform(1, 9)) / self.mm:.3f}"
+                if self.chance.random() < 0.5:
+                    change += self.chance.choice((" G81", " G82 P0.2", f" G83 Q{self.number(2, 5)}"))
+            self.lines.append(self.chance.choice(("", "", "G98 ", "G99 ")) + self.axes(self.plane) + change)
+            if self.may_measure and self.chance.random() < 0.2:
+                self.lines.append(f"G43.1 {across}{self.number(-5, 5)}")
         self.lines.append("G80")
 
     def modes(self):
@@ -339,7 +347,7 @@ class RandomProgram:
 
     def others(self):
         self.lines.append(self.chance.choice(("M3", "M5", f"S{self.chance.randint(10, 3000)}", "G4 P0.5", "M8", "M9",
-                                              "T2" if self.may_measure else "T1 M6", "M0", "M1", "G61", "G61.1", "G64", f"G64 P{self.number(0.1, 1)}",
+                                              "T2" if self.may_measure or self.may_turn else "T1 M6", "M0", "M1", "G61", "G61.1", "G64", f"G64 P{self.number(0.1, 1)}",
                                               "(comment)", "; comment", "", "M48", "M49", "T3")))
 
     def text(self):

@@ -153,9 +153,11 @@ def carve(confined, profile, port):
     allowed = {"memory locked", "real-time scheduling"} if confined.left_out & LIMITS else set()
     refused = set(seen["realtime_refused"]) - allowed - {"processors kept awake"}
     expect(not refused, f"real-time treatment: {refused}")
-    kept = os.path.join(STATE, SEGMENT[1:] + ".checkpoint")
-    eventually(lambda: len(os.listdir(STATE)) == 2 and os.path.exists(kept), f"checkpoint and job: {os.listdir(STATE)}")
-    expect(os.stat(kept).st_mode & 0o777 == 0o644, f"everybody reads it: {os.stat(kept).st_mode:o}")
+    kept = [os.path.join(STATE, SEGMENT[1:] + ending) for ending in (".checkpoint", ".journal")]
+    eventually(lambda: len(os.listdir(STATE)) == 3 and all(map(os.path.exists, kept)),
+               f"checkpoint, journal and job: {os.listdir(STATE)}")
+    for path in kept:
+        expect(os.stat(path).st_mode & 0o777 == 0o644, f"everybody reads {path}: {os.stat(path).st_mode:o}")
     core.guard.send_signal(signal.SIGTERM)
     expect(core.wait() == 0, f"it ends in order: {core.words()}")
 

@@ -66,12 +66,12 @@ void forget_when_asked(Bench& bench, QWidget* window) {
         const auto now = session::forgettable_piece(bench.machine.sight());
         return now && now->record == asked->record && words(now->title) == title;
     };
-    constexpr std::chrono::milliseconds kLook{30};
+    constexpr std::chrono::milliseconds kLookAgain{30};
     QTimer look;
     QObject::connect(&look, &QTimer::timeout, &box, [&] {
         if (!is_still_it()) box.reject();
     });
-    look.start(kLook);
+    look.start(kLookAgain);
     run_dialog(box);
     if (box.clickedButton() == go && is_still_it()) bench.machine.forget_piece(asked->record);
 }

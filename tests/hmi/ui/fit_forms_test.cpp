@@ -72,7 +72,7 @@ TEST_P(Fit, WithKeysAndOutputsArmedAndAMeasurementShown) {
     expect_fit("wiring");
     ASSERT_TRUE(click("arm_wiring"));
     ASSERT_TRUE(click("home"));
-    ASSERT_TRUE(comes_to(S::ready));
+    ASSERT_TRUE(comes_to(MachineState::ready));
     ASSERT_TRUE(click("arm_keys"));
     expect_panels_fit("armed");
     expect_fit("armed");

@@ -40,7 +40,6 @@
 namespace psicarve::ui {
 
 using test::WindowRig;
-using S = MachineState;
 
 inline constexpr QSize kUsualScreen{1280, 690};  // less a desktop's bar
 inline constexpr QSize kScaledScreen{960, 515};

@@ -35,11 +35,11 @@ TEST_P(Fit, WithAPieceThatIsUnfinished) {
     open_small();
     ASSERT_NO_FATAL_FAILURE(publish_job(two_process::long_job()));
     ASSERT_TRUE(click("home"));
-    ASSERT_TRUE(comes_to(S::ready));
+    ASSERT_TRUE(comes_to(MachineState::ready));
     const auto carve = [&](std::uint32_t layers) {
         window_->bench().machine.start(0, layers);
-        ASSERT_TRUE(
-            comes_true([&] { return sight().state() == S::ready && sight().resumable_layer == layers; }));
+        ASSERT_TRUE(comes_true(
+            [&] { return sight().state() == MachineState::ready && sight().resumable_layer == layers; }));
     };
     carve(4);
     carve(2);
@@ -47,7 +47,7 @@ TEST_P(Fit, WithAPieceThatIsUnfinished) {
     expect_fit("unfinished_piece");
     expect_panels_fit("unfinished_piece");
     start_core_anew();
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard() && sight().state() == S::off; }));
+    ASSERT_TRUE(comes_true([&] { return sight().is_heard() && sight().state() == MachineState::off; }));
     expect_fit("unfinished_piece_of_a_core_before");
     // What has to be done first, and the way back, are no matter of room.
     EXPECT_TRUE(part<QLabel>("unfinished_details").isVisible());
@@ -96,7 +96,7 @@ TEST_P(Fit, WithAJobBeforeAndWhileItIsCarved) {
     expect_pages_fit("published");
     expect_panels_fit("published");
     ASSERT_TRUE(click("home"));
-    ASSERT_TRUE(comes_to(S::ready));
+    ASSERT_TRUE(comes_to(MachineState::ready));
     expect_fit("ready");
     expect_panels_fit("ready");
     window_->bench().machine.set_override(80);
@@ -104,14 +104,14 @@ TEST_P(Fit, WithAJobBeforeAndWhileItIsCarved) {
     expect_fit("ready_to_be_looked_at");
     expect_panels_fit("ready_to_be_looked_at");
     ASSERT_TRUE(click("start"));
-    ASSERT_TRUE(comes_to(S::carving));
+    ASSERT_TRUE(comes_to(MachineState::carving));
     expect_pages_fit("carving");
     expect_panels_fit("carving");
     ASSERT_TRUE(click("hold"));
-    ASSERT_TRUE(comes_to(S::held));
+    ASSERT_TRUE(comes_to(MachineState::held));
     expect_panels_fit("held");
     window_->emergency_stop();
-    ASSERT_TRUE(comes_to(S::alarm));
+    ASSERT_TRUE(comes_to(MachineState::alarm));
     expect_pages_fit("alarm");
     expect_panels_fit("alarm");
 }
@@ -128,9 +128,9 @@ TEST_P(Fit, WithAnotherJobOnTheDeskThanInTheMachine) {
     expect_fit("two_jobs");
     expect_panels_fit("two_jobs");
     ASSERT_TRUE(click("home"));
-    ASSERT_TRUE(comes_to(S::ready));
+    ASSERT_TRUE(comes_to(MachineState::ready));
     window_->bench().machine.start(0);  // by another program
-    ASSERT_TRUE(comes_to(S::carving));
+    ASSERT_TRUE(comes_to(MachineState::carving));
     expect_fit("two_jobs_carving");
     expect_panels_fit("two_jobs_carving");
 }

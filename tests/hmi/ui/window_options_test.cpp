@@ -53,8 +53,11 @@ TEST(WindowOptions, RefusesWrongUsageInOneLine) {
 }
 
 TEST(WindowOptions, AreThoseThatHelpTellsOf) {
-    const std::map<std::string, std::string> values{
-        {"--segment", "/mine"}, {"--profile", "p.toml"}, {"--group", "carvers"}, {"--language", "ru"}};
+    const std::map<std::string, std::string> values{{"--segment", "/mine"},
+                                                    {"--profile", "p.toml"},
+                                                    {"--group", "carvers"},
+                                                    {"--language", "ru"},
+                                                    {"--state", "/kept"}};
     for (const manual::OptionRow& option : manual::window_table().options) {
         for (const std::string& name : option.names) {
             std::vector<std::string> words{name};

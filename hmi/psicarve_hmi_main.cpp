@@ -3,7 +3,7 @@
 #include <exception>
 
 #include "hmi/ui/program.hpp"
-#include "shared/printable.hpp"
+#include "shared/base/printable.hpp"
 
 int main(int argc, char** argv) {
     try {

@@ -15,7 +15,7 @@
 #include "hmi/manual/man_page.hpp"
 #include "hmi/manual/shell_completion.hpp"
 #include "hmi/manual/window_table.hpp"
-#include "rtcore/supervisor/options.hpp"
+#include "rtcore/options/options.hpp"
 
 namespace psicarve {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <variant>
 
-#include "rtcore/supervisor/options.hpp"
+#include "rtcore/options/options.hpp"
 #include "rtcore/supervisor/run_core.hpp"
 
 int main(int argc, char** argv) {

@@ -35,7 +35,7 @@ JUDGES = (
     ("rtcore/cycle/", ("cycle_interpolation_test", "cycle_pulse_test", "cycle_two_timer_test", "cycle_machine_test",
                        "cycle_moves_test", "cycle_path_test")),
     ("rtcore/guard/", ("guard_test",)),
-    ("shared/segment", ("shared_segment_test",)),
+    ("shared/segment/segment", ("shared_segment_test",)),
     ("hmi/verify/", ("hmi_verify_test", "hmi_trace_files_test")),
 )
 OPTIONS = ("-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O1", "-DPSICARVE_UNHURRIED_FLAGS=-O0",

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "shared/trace_format.hpp"
+#include "shared/trace/trace_format.hpp"
 
 namespace psicarve::test {
 

@@ -11,7 +11,7 @@
 #include "hmi/slice/directions.hpp"
 #include "hmi/tool/tool.hpp"
 #include "hmi/tool/tool_offset.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::cam {
 namespace {

@@ -4,9 +4,9 @@
 #include "hmi/cam/job_plan.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/slice/slicer.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 

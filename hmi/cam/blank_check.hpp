@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "hmi/cam/slice_report.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 

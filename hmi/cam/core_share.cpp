@@ -10,8 +10,8 @@
 #include "hmi/cam/blank_check.hpp"
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/cam/job_plan.hpp"
-#include "shared/decimals.hpp"
-#include "shared/units.hpp"
+#include "shared/base/decimals.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::cam {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "hmi/cam/slice_report.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 

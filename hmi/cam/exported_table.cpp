@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "shared/decimals.hpp"
+#include "shared/base/decimals.hpp"
 
 namespace psicarve::cam {
 namespace {

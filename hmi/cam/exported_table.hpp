@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "hmi/cam/number_lines.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 

@@ -9,8 +9,8 @@
 
 #include "hmi/slice/best_axis.hpp"
 #include "hmi/slice/placement.hpp"
-#include "shared/decimals.hpp"
-#include "shared/units.hpp"
+#include "shared/base/decimals.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::cam {
 namespace {

@@ -4,7 +4,7 @@
 #include "hmi/cam/job_plan.hpp"
 #include "hmi/cam/slice_report.hpp"
 #include "hmi/model/mesh.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 

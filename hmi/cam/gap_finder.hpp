@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hmi/slice/directions.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::cam {
 

@@ -13,7 +13,7 @@
 #include "hmi/slice/layer_finder.hpp"
 #include "hmi/slice/placement.hpp"
 #include "hmi/tool/tool.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::cam {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "hmi/cam/job_plan.hpp"
 #include "hmi/model/mesh.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 

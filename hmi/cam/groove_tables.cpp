@@ -9,8 +9,8 @@
 
 #include "hmi/cam/tool_tables.hpp"
 #include "hmi/slice/directions.hpp"
-#include "shared/decimals.hpp"
-#include "shared/units.hpp"
+#include "shared/base/decimals.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::cam {
 namespace {

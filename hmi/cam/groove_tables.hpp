@@ -8,8 +8,8 @@
 #include "hmi/flat/grooves.hpp"
 #include "hmi/flat/stroke_index.hpp"
 #include "hmi/model/mesh.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 

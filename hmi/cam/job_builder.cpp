@@ -28,11 +28,11 @@
 #include "hmi/slice/directions.hpp"
 #include "hmi/slice/slicer.hpp"
 #include "hmi/tool/tool.hpp"
-#include "shared/decimals.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
-#include "shared/units.hpp"
+#include "shared/base/decimals.hpp"
+#include "shared/base/result.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 namespace {

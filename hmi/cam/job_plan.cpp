@@ -19,10 +19,10 @@
 #include "hmi/slice/best_axis.hpp"
 #include "hmi/slice/placement.hpp"
 #include "hmi/slice/slicer.hpp"
-#include "shared/decimals.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
-#include "shared/units.hpp"
+#include "shared/base/decimals.hpp"
+#include "shared/base/result.hpp"
+#include "shared/base/units.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 namespace {

@@ -9,8 +9,8 @@
 #include "hmi/cam/slice_report.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/slice/placement.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 

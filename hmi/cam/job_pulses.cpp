@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdlib>
 
-#include "shared/outside.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/outside.hpp"
 
 namespace psicarve::cam {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "shared/outside.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/outside.hpp"
 
 namespace psicarve::cam {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 
@@ -22,8 +22,8 @@ struct LeastTime {
 };
 
 /// Straight from point to point at the job's feed over the surface or at the axes' top speeds, whichever is
-/// slower; a head that is outside of the blank (shared/outside.hpp) has no feed. Acceleration, links between
-/// layers, approach and return come on top; the planner alone knows them. Some 10 ns a point.
+/// slower; a head that is outside of the blank (shared/job/outside.hpp) has no feed. Acceleration, links
+/// between layers, approach and return come on top; the planner alone knows them. Some 10 ns a point.
 LeastTime least_time_of(const JobView& job, const Profile& profile);
 /// Its total.
 double least_carving_seconds(const JobView& job, const Profile& profile);

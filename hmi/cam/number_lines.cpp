@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hmi/model/text_scan.hpp"
-#include "shared/trimmed.hpp"
+#include "shared/base/trimmed.hpp"
 
 namespace psicarve::cam {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "hmi/cam/job_pulses.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::cam {
 namespace {

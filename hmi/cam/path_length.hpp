@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "hmi/cam/least_time.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 

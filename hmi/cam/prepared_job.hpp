@@ -9,10 +9,10 @@
 #include "hmi/cam/job_pulses.hpp"
 #include "hmi/cam/least_time.hpp"
 #include "hmi/model/mesh.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/base/result.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::cam {
 

@@ -13,10 +13,10 @@
 #include "hmi/cam/core_share.hpp"
 #include "hmi/cam/job_plan.hpp"
 #include "hmi/cam/slice_report.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
-#include "shared/units.hpp"
+#include "shared/base/result.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 namespace {

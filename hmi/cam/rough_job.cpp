@@ -5,7 +5,7 @@
 
 #include "hmi/cam/blank_check.hpp"
 #include "hmi/rough/roughing.hpp"
-#include "shared/decimals.hpp"
+#include "shared/base/decimals.hpp"
 
 namespace psicarve::cam {
 

@@ -3,8 +3,8 @@
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/model/mesh.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 

@@ -25,9 +25,9 @@
 #include "hmi/model/source_name.hpp"
 #include "hmi/model/text_scan.hpp"
 #include "hmi/tool/tool.hpp"
-#include "shared/decimals.hpp"
-#include "shared/trimmed.hpp"
-#include "shared/units.hpp"
+#include "shared/base/decimals.hpp"
+#include "shared/base/trimmed.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::cam {
 namespace {

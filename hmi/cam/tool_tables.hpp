@@ -7,8 +7,8 @@
 #include "hmi/cam/radius_tables.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/slice/slicer.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 

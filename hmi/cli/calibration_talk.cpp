@@ -7,7 +7,7 @@
 
 #include "hmi/cli/number_argument.hpp"
 #include "hmi/profile/calibration_steps.hpp"
-#include "shared/printable.hpp"
+#include "shared/base/printable.hpp"
 
 namespace psicarve::cli {
 namespace {

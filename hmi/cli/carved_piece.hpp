@@ -15,7 +15,7 @@
 #include "hmi/piece/placed_model.hpp"
 #include "hmi/piece/ridges.hpp"
 #include "hmi/verify/verifier.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::cli {
 

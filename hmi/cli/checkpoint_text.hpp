@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "shared/checkpoint.hpp"
+#include "shared/segment/checkpoint.hpp"
 
 namespace psicarve::cli {
 

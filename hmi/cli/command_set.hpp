@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "hmi/manual/command_table.hpp"
-#include "shared/layout.hpp"
-#include "shared/result.hpp"
-#include "shared/segment.hpp"
+#include "shared/base/result.hpp"
+#include "shared/segment/layout.hpp"
+#include "shared/segment/segment.hpp"
 
 namespace CLI {
 class App;

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "shared/printable.hpp"
+#include "shared/base/printable.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/model/source_name.hpp"
-#include "shared/printable.hpp"
+#include "shared/base/printable.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "hmi/report/exit_code.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::cli {
 

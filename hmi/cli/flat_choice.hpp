@@ -6,8 +6,8 @@
 
 #include "hmi/cli/command_set.hpp"
 #include "hmi/flat/load_model.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cli {
 

@@ -17,7 +17,7 @@
 #include "hmi/piece/draft_piece.hpp"
 #include "hmi/piece/preview_picture.hpp"
 #include "hmi/tool/tool.hpp"
-#include "shared/atomic_file.hpp"
+#include "shared/file/atomic_file.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hmi/cli/progress_bar.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::cli {
 namespace {

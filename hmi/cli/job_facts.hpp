@@ -7,8 +7,8 @@
 
 #include "hmi/cli/command_set.hpp"
 #include "hmi/machine/planned_time.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cli {
 

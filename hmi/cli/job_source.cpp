@@ -20,9 +20,9 @@
 #include "hmi/flat/load_model.hpp"
 #include "hmi/model/turned_mesh.hpp"
 #include "hmi/rough/roughing.hpp"
-#include "hmi/verify/carried_job.hpp"
-#include "shared/atomic_file.hpp"
-#include "shared/profile_place.hpp"
+#include "hmi/trace/carried_job.hpp"
+#include "shared/file/atomic_file.hpp"
+#include "shared/profile/profile_place.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -11,9 +11,9 @@
 #include "hmi/cli/command_set.hpp"
 #include "hmi/cli/flat_choice.hpp"
 #include "hmi/piece/placed_model.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::cli {
 

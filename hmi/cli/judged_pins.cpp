@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "hmi/cli/exit_code.hpp"
-#include "hmi/verify/picture.hpp"
+#include "hmi/picture/picture.hpp"
 
 namespace psicarve::cli {
 

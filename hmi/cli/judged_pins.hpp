@@ -5,8 +5,8 @@
 
 #include "hmi/cli/run_report.hpp"
 #include "hmi/verify/verifier.hpp"
-#include "shared/job.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve::cli {
 

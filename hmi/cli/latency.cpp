@@ -12,8 +12,8 @@
 #include "hmi/cli/operator_break.hpp"
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/report/latency_report.hpp"
-#include "shared/atomic_file.hpp"
-#include "shared/cpu_list.hpp"
+#include "shared/computer/cpu_list.hpp"
+#include "shared/file/atomic_file.hpp"
 
 namespace psicarve::cli {
 namespace {

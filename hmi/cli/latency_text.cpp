@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <map>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -15,7 +15,7 @@
 #include "hmi/cli/log_text.hpp"
 #include "hmi/cli/log_time.hpp"
 #include "hmi/cli/operator_break.hpp"
-#include "shared/journal.hpp"
+#include "shared/record/journal.hpp"
 
 namespace psicarve::cli {
 namespace {

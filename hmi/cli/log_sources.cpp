@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "shared/state_place.hpp"
+#include "shared/file/state_place.hpp"
 
 namespace psicarve::cli {
 namespace {

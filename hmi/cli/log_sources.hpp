@@ -12,8 +12,8 @@
 
 #include "hmi/cli/log_text.hpp"
 #include "hmi/machine/loose_work.hpp"
-#include "shared/journal_file.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/record/journal_file.hpp"
 
 namespace psicarve::cli {
 

@@ -11,7 +11,7 @@
 #include "hmi/cli/log_time.hpp"
 #include "hmi/report/status_json.hpp"
 #include "hmi/report/utc_text.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::cli {
 namespace {

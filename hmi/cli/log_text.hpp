@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "shared/journal.hpp"
+#include "shared/record/journal.hpp"
 
 namespace psicarve::cli {
 

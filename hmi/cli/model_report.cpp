@@ -13,7 +13,7 @@
 #include "hmi/cli/hidden_report.hpp"
 #include "hmi/piece/placed_model.hpp"
 #include "hmi/piece/preview_picture.hpp"
-#include "shared/atomic_file.hpp"
+#include "shared/file/atomic_file.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "hmi/cli/job_source.hpp"
 #include "hmi/piece/job_piece.hpp"
 #include "hmi/report/model_findings.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::cli {
 

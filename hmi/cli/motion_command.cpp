@@ -11,7 +11,7 @@
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/cli/status_text.hpp"
 #include "hmi/report/status_json.hpp"
-#include "shared/jog_lease.hpp"
+#include "shared/machine/jog_lease.hpp"
 
 namespace psicarve::cli {
 

@@ -9,7 +9,7 @@
 
 #include "hmi/cli/command_set.hpp"
 #include "hmi/model/source_name.hpp"
-#include "shared/profile_place.hpp"
+#include "shared/profile/profile_place.hpp"
 
 namespace psicarve::cli {
 namespace {

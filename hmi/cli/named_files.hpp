@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "shared/distinct_files.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/file/distinct_files.hpp"
 
 namespace CLI {
 class App;

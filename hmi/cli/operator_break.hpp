@@ -4,7 +4,7 @@
 #include <signal.h>
 
 #include "hmi/machine/machine_link.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::cli {
 

@@ -12,7 +12,7 @@
 #include "hmi/cli/operator_break.hpp"
 #include "hmi/cli/watch_loop.hpp"
 #include "hmi/machine/jog.hpp"
-#include "hmi/session/pin_rows.hpp"
+#include "hmi/profile/pin_rows.hpp"
 
 namespace psicarve::cli {
 namespace {

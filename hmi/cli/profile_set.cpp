@@ -15,9 +15,9 @@
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/saved_draft.hpp"
 #include "hmi/profile/profile_draft.hpp"
-#include "shared/nearest.hpp"
-#include "shared/profile.hpp"
-#include "shared/profile_text.hpp"
+#include "shared/base/nearest.hpp"
+#include "shared/profile/profile.hpp"
+#include "shared/profile/profile_text.hpp"
 
 namespace psicarve::cli {
 namespace {

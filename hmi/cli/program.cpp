@@ -13,9 +13,9 @@
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/named_files.hpp"
-#include "shared/distinct_files.hpp"
-#include "shared/nearest.hpp"
-#include "shared/partial_file.hpp"
+#include "shared/base/nearest.hpp"
+#include "shared/file/distinct_files.hpp"
+#include "shared/file/partial_file.hpp"
 
 namespace psicarve::cli {
 namespace {

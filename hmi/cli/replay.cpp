@@ -9,8 +9,8 @@
 #include "hmi/cli/simulated_run.hpp"
 #include "hmi/machine/private_segment.hpp"
 #include "hmi/machine/unique_fd.hpp"
-#include "hmi/verify/carried_job.hpp"
-#include "shared/snapshot_file.hpp"
+#include "hmi/trace/carried_job.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include "hmi/cli/operator_break.hpp"
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/machine/machine_link.hpp"
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve::cli {
 

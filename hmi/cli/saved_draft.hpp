@@ -3,7 +3,7 @@
 
 #include "hmi/cli/command_set.hpp"
 #include "hmi/profile/profile_draft.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::cli {
 

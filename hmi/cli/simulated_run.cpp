@@ -14,7 +14,7 @@
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/cli/run_report.hpp"
 #include "hmi/cli/run_watch.hpp"
-#include "shared/printable.hpp"
+#include "shared/base/printable.hpp"
 
 namespace psicarve::cli {
 namespace {

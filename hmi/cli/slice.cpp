@@ -16,8 +16,8 @@
 #include "hmi/cli/standard_streams.hpp"
 #include "hmi/machine/planned_time.hpp"
 #include "hmi/report/job_passes.hpp"
-#include "shared/atomic_file.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/file/atomic_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "hmi/cli/job_source.hpp"
 #include "hmi/model/mesh.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::cli {
 

@@ -5,7 +5,7 @@
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/report/job_export.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::cli {
 namespace {

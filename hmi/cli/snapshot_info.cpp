@@ -17,8 +17,8 @@
 #include "hmi/report/job_passes.hpp"
 #include "hmi/report/record_text.hpp"
 #include "hmi/report/status_json.hpp"
-#include "shared/job.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/job/job.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::cli {
 namespace {

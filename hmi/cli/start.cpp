@@ -9,7 +9,7 @@
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/unfinished_look.hpp"
 #include "hmi/cli/unfinished_text.hpp"
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -23,10 +23,10 @@
 #include "hmi/cli/watch_loop.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/report/status_json.hpp"
-#include "shared/job.hpp"
-#include "shared/machine_state.hpp"
-#include "shared/saved_checkpoint.hpp"
-#include "shared/segment.hpp"
+#include "shared/job/job.hpp"
+#include "shared/machine/machine_state.hpp"
+#include "shared/record/saved_checkpoint.hpp"
+#include "shared/segment/segment.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/report/lost_steps.hpp"
 #include "hmi/report/status_json.hpp"
-#include "shared/realtime_step.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/computer/realtime_step.hpp"
 
 namespace psicarve::cli {
 namespace {

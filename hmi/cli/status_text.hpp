@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "shared/profile.hpp"
-#include "shared/status.hpp"
+#include "shared/machine/status.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cli {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "shared/decimals.hpp"
+#include "shared/base/decimals.hpp"
 
 namespace psicarve::cli {
 

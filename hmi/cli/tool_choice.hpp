@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cli {
 

@@ -5,7 +5,7 @@
 
 #include "hmi/model/mesh.hpp"
 #include "hmi/slice/placement.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::cli {
 

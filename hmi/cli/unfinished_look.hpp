@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "hmi/machine/loose_work.hpp"
-#include "shared/saved_checkpoint.hpp"
+#include "shared/record/saved_checkpoint.hpp"
 
 namespace psicarve::cli {
 

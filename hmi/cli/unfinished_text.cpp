@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hmi/report/utc_text.hpp"
-#include "shared/segment.hpp"
+#include "shared/segment/segment.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "shared/saved_checkpoint.hpp"
+#include "shared/record/saved_checkpoint.hpp"
 
 namespace psicarve::cli {
 

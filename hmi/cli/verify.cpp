@@ -15,9 +15,9 @@
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/sliced_model.hpp"
-#include "hmi/verify/carried_job.hpp"
-#include "hmi/verify/picture.hpp"
-#include "shared/snapshot_file.hpp"
+#include "hmi/picture/picture.hpp"
+#include "hmi/trace/carried_job.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::cli {
 namespace {

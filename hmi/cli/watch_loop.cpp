@@ -10,7 +10,7 @@
 
 #include "hmi/cli/escaped_output.hpp"
 #include "hmi/cli/exit_code.hpp"
-#include "shared/printable.hpp"
+#include "shared/base/printable.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::cli {
 

@@ -4,8 +4,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "shared/abstract_name.hpp"
-#include "shared/kernel_ports.hpp"
+#include "shared/computer/abstract_name.hpp"
+#include "shared/computer/kernel_ports.hpp"
 
 namespace psicarve::doctor {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "hmi/doctor/finding.hpp"
 #include "hmi/doctor/system_files.hpp"
-#include "shared/raw_access.hpp"
+#include "shared/computer/raw_access.hpp"
 
 namespace psicarve::doctor {
 

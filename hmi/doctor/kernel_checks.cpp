@@ -3,9 +3,9 @@
 #include <map>
 
 #include "hmi/doctor/checks.hpp"
-#include "shared/cpu_list.hpp"
-#include "shared/layout.hpp"
-#include "shared/realtime_step.hpp"
+#include "shared/computer/cpu_list.hpp"
+#include "shared/computer/realtime_step.hpp"
+#include "shared/segment/layout.hpp"
 
 namespace psicarve::doctor {
 namespace {

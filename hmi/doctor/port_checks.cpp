@@ -3,7 +3,7 @@
 
 #include "hmi/doctor/base_holder.hpp"
 #include "hmi/doctor/checks.hpp"
-#include "shared/kernel_ports.hpp"
+#include "shared/computer/kernel_ports.hpp"
 
 namespace psicarve::doctor {
 namespace {

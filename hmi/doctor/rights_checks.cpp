@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "hmi/doctor/checks.hpp"
-#include "shared/realtime_step.hpp"
+#include "shared/computer/realtime_step.hpp"
 
 namespace psicarve::doctor {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hmi/flat/grey_image.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::flat {
 namespace {

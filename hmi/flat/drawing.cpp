@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "shared/result.hpp"
-#include "shared/units.hpp"
+#include "shared/base/result.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::flat {
 namespace {

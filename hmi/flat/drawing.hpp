@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::flat {
 

@@ -16,8 +16,8 @@
 #include "hmi/flat/dxf_shapes.hpp"
 #include "hmi/flat/dxf_text.hpp"
 #include "hmi/model/text_scan.hpp"
-#include "shared/result.hpp"
-#include "shared/units.hpp"
+#include "shared/base/result.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::flat {
 namespace {

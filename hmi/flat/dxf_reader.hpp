@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "hmi/flat/drawing.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::flat {
 

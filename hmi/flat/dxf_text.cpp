@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "hmi/model/text_scan.hpp"
-#include "shared/result.hpp"
-#include "shared/trimmed.hpp"
+#include "shared/base/result.hpp"
+#include "shared/base/trimmed.hpp"
 
 namespace psicarve::flat {
 namespace {

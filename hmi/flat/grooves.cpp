@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "hmi/flat/dashes.hpp"
-#include "shared/decimals.hpp"
-#include "shared/units.hpp"
+#include "shared/base/decimals.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::flat {
 namespace {

@@ -7,7 +7,7 @@
 #include "hmi/flat/drawing.hpp"
 #include "hmi/flat/load_model.hpp"
 #include "hmi/tool/tool.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::flat {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "hmi/flat/grey_image.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::flat {
 namespace {

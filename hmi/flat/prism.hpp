@@ -5,7 +5,7 @@
 
 #include "hmi/flat/outline.hpp"
 #include "hmi/model/mesh.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::flat {
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "shared/decimals.hpp"
-#include "shared/result.hpp"
-#include "shared/units.hpp"
+#include "shared/base/decimals.hpp"
+#include "shared/base/result.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::flat {
 namespace {

@@ -8,7 +8,7 @@
 #include "hmi/flat/grey_image.hpp"
 #include "hmi/flat/load_model.hpp"
 #include "hmi/model/mesh.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::flat {
 

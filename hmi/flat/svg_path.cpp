@@ -4,7 +4,7 @@
 
 #include "hmi/flat/drawing.hpp"
 #include "hmi/flat/svg_values.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::flat {
 namespace {

@@ -19,7 +19,7 @@
 #include "hmi/flat/svg_style.hpp"
 #include "hmi/flat/svg_tree.hpp"
 #include "hmi/flat/svg_values.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::flat {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "hmi/flat/svg_values.hpp"
-#include "shared/trimmed.hpp"
-#include "shared/units.hpp"
+#include "shared/base/trimmed.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::flat {
 namespace {

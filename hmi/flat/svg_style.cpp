@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "hmi/model/text_scan.hpp"
-#include "shared/trimmed.hpp"
+#include "shared/base/trimmed.hpp"
 
 namespace psicarve::flat {
 namespace {

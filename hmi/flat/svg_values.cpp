@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "shared/trimmed.hpp"
-#include "shared/units.hpp"
+#include "shared/base/trimmed.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::flat {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hmi/flat/drawing.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::flat {
 

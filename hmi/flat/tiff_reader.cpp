@@ -14,7 +14,7 @@
 #include "hmi/flat/exif.hpp"
 #include "hmi/flat/grey_image.hpp"
 #include "hmi/flat/tiff_pixels.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::flat {
 namespace {

@@ -11,7 +11,7 @@
 #include "hmi/flat/relief.hpp"
 #include "hmi/model/indexed_mesh.hpp"
 #include "hmi/model/mesh_check.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::flat {
 namespace {

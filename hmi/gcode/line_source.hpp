@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "hmi/gcode/block.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::gcode {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "hmi/gcode/arc.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::gcode {
 namespace {

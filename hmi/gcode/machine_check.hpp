@@ -5,7 +5,7 @@
 
 #include "hmi/gcode/canon.hpp"
 #include "hmi/gcode/problem.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::gcode {
 

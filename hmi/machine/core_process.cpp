@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "hmi/machine/child_start.hpp"
-#include "shared/command.hpp"
+#include "shared/machine/command.hpp"
 
 namespace psicarve::machine {
 namespace {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "hmi/machine/unique_fd.hpp"
-#include "shared/layout.hpp"
-#include "shared/result.hpp"
-#include "shared/segment.hpp"
+#include "shared/base/result.hpp"
+#include "shared/segment/layout.hpp"
+#include "shared/segment/segment.hpp"
 
 namespace psicarve::machine {
 

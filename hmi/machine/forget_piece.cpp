@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "hmi/machine/machine_link.hpp"
-#include "shared/saved_checkpoint.hpp"
-#include "shared/shared_record.hpp"
-#include "shared/state_place.hpp"
+#include "shared/file/state_place.hpp"
+#include "shared/record/saved_checkpoint.hpp"
+#include "shared/segment/shared_record.hpp"
 
 namespace psicarve::machine {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "shared/checkpoint.hpp"
-#include "shared/result.hpp"
-#include "shared/saved_checkpoint.hpp"
+#include "shared/base/result.hpp"
+#include "shared/record/saved_checkpoint.hpp"
+#include "shared/segment/checkpoint.hpp"
 
 namespace psicarve::machine {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::machine {
 namespace {

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <utility>
 
-#include "shared/process_identity.hpp"
+#include "shared/computer/process_identity.hpp"
 
 namespace psicarve::machine {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "hmi/machine/machine_link.hpp"
-#include "shared/jog_lease.hpp"
+#include "shared/machine/jog_lease.hpp"
 
 namespace psicarve::machine {
 

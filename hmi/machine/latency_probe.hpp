@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "shared/realtime_step.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/computer/realtime_step.hpp"
 
 namespace psicarve::machine {
 

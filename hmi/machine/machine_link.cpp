@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "shared/event.hpp"
-#include "shared/shared_record.hpp"
-#include "shared/shared_text.hpp"
+#include "shared/base/shared_text.hpp"
+#include "shared/computer/event.hpp"
+#include "shared/segment/shared_record.hpp"
 
 namespace psicarve::machine {
 namespace {

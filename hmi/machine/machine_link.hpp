@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "shared/command.hpp"
-#include "shared/result.hpp"
-#include "shared/segment.hpp"
-#include "shared/status.hpp"
+#include "shared/base/result.hpp"
+#include "shared/machine/command.hpp"
+#include "shared/machine/status.hpp"
+#include "shared/segment/segment.hpp"
 
 namespace psicarve::machine {
 

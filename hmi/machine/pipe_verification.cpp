@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "hmi/verify/trace_reader.hpp"
+#include "hmi/trace/trace_reader.hpp"
 
 namespace psicarve::machine {
 namespace {

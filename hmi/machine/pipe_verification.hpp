@@ -9,9 +9,9 @@
 
 #include "hmi/machine/unique_fd.hpp"
 #include "hmi/verify/verifier.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::machine {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "shared/process_identity.hpp"
-#include "shared/segment.hpp"
+#include "shared/computer/process_identity.hpp"
+#include "shared/segment/segment.hpp"
 
 namespace psicarve::machine {
 namespace {

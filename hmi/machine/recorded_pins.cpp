@@ -12,8 +12,8 @@
 #include <span>
 #include <utility>
 
-#include "shared/jog_lease.hpp"
-#include "shared/trace_format.hpp"
+#include "shared/machine/jog_lease.hpp"
+#include "shared/trace/trace_format.hpp"
 
 namespace psicarve::machine {
 namespace {

@@ -13,12 +13,12 @@
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/machine/pipe_verification.hpp"
 #include "hmi/machine/unique_fd.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/recording.hpp"
-#include "shared/result.hpp"
-#include "shared/shared_record.hpp"
-#include "shared/trace_output.hpp"
+#include "shared/base/result.hpp"
+#include "shared/job/job.hpp"
+#include "shared/machine/recording.hpp"
+#include "shared/profile/profile.hpp"
+#include "shared/segment/shared_record.hpp"
+#include "shared/trace/trace_output.hpp"
 
 namespace psicarve::machine {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/machine/snapshot_taker.hpp"
 
-#include "shared/shared_record.hpp"
+#include "shared/segment/shared_record.hpp"
 
 namespace psicarve::machine {
 

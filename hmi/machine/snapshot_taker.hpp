@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "hmi/machine/machine_link.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::machine {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::machine {
 

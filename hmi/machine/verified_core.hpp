@@ -9,8 +9,8 @@
 #include "hmi/machine/core_process.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/machine/pipe_verification.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::machine {
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "hmi/manual/man_page.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::manual {
 namespace {

@@ -7,8 +7,8 @@
 #include <map>
 #include <sstream>
 
-#include "shared/profile.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::manual {
 namespace {

@@ -20,7 +20,7 @@
 #include "hmi/model/text_mesh_readers.hpp"
 #include "hmi/model/text_scan.hpp"
 #include "hmi/model/three_mf_reader.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::model {
 namespace {

@@ -17,7 +17,7 @@
 #include "hmi/model/edge_count.hpp"
 #include "hmi/model/edge_hash.hpp"
 #include "hmi/model/mesh.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::model {
 namespace {

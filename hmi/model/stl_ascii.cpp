@@ -12,7 +12,7 @@
 #include "hmi/model/stl_reader.hpp"
 #include "hmi/model/text_scan.hpp"
 #include "hmi/model/whole_file.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::model {
 namespace {

@@ -16,7 +16,7 @@
 #include "hmi/model/mesh.hpp"
 #include "hmi/model/mesh_check.hpp"
 #include "hmi/model/stl_reader.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::model {
 namespace {

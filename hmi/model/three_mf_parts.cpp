@@ -16,7 +16,7 @@
 #include "hmi/model/text_scan.hpp"
 #include "hmi/model/xml_part.hpp"
 #include "hmi/model/zip_archive.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::model {
 namespace {

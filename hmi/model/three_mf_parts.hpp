@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hmi/model/zip_archive.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::model {
 

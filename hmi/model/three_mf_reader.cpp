@@ -14,7 +14,7 @@
 #include "hmi/model/three_mf_parts.hpp"
 #include "hmi/model/whole_file.hpp"
 #include "hmi/model/zip_archive.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::model {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "hmi/model/file_bytes.hpp"
 #include "hmi/model/mesh.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::model {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::model {
 namespace {

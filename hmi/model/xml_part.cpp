@@ -15,7 +15,7 @@
 
 #include "hmi/model/text_scan.hpp"
 #include "hmi/model/zip_archive.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::model {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "hmi/model/zip_archive.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::model {
 

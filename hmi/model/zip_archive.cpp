@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include "hmi/model/text_scan.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::model {
 namespace {

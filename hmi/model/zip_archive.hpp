@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 struct zip;
 

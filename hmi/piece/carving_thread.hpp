@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hmi/piece/piece_carver.hpp"
-#include "hmi/verify/job_geometry.hpp"
+#include "hmi/surface/job_geometry.hpp"
 
 namespace psicarve::piece {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdint>
 
-#include "hmi/verify/deviation_map.hpp"
-#include "hmi/verify/sheet.hpp"
-#include "shared/atomic_file.hpp"
-#include "shared/units.hpp"
+#include "hmi/picture/deviation_map.hpp"
+#include "hmi/picture/sheet.hpp"
+#include "shared/base/units.hpp"
+#include "shared/file/atomic_file.hpp"
 
 namespace psicarve::piece {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hmi/piece/piece_deviation.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::piece {
 

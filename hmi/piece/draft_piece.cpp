@@ -10,7 +10,7 @@
 
 #include "hmi/piece/tool_cut.hpp"
 #include "hmi/tool/map_dilation.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::piece {
 namespace {

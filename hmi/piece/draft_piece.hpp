@@ -5,8 +5,8 @@
 #include "hmi/piece/placed_model.hpp"
 #include "hmi/piece/stock_map.hpp"
 #include "hmi/slice/slicer.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::piece {
 

@@ -6,9 +6,9 @@
 #include "hmi/piece/ridges.hpp"
 #include "hmi/piece/stock_map.hpp"
 #include "hmi/slice/slicer.hpp"
-#include "hmi/verify/job_geometry.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "hmi/surface/job_geometry.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::piece {
 

@@ -8,8 +8,8 @@
 #include "hmi/piece/expected_piece.hpp"
 #include "hmi/piece/piece_carver.hpp"
 #include "hmi/piece/ridges.hpp"
+#include "hmi/surface/job_geometry.hpp"
 #include "hmi/tool/tool.hpp"
-#include "hmi/verify/job_geometry.hpp"
 
 namespace psicarve::piece {
 namespace {

@@ -7,7 +7,7 @@
 #include <complex>
 #include <cstddef>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::piece {
 namespace {

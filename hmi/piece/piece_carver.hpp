@@ -8,8 +8,8 @@
 #include "hmi/piece/ridges.hpp"
 #include "hmi/piece/stock_map.hpp"
 #include "hmi/piece/tool_sweep.hpp"
-#include "hmi/verify/job_geometry.hpp"
-#include "shared/profile.hpp"
+#include "hmi/surface/job_geometry.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::piece {
 

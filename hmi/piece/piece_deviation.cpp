@@ -8,7 +8,7 @@
 
 #include "hmi/piece/missing_parts.hpp"
 #include "hmi/piece/surface_distance.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::piece {
 namespace {

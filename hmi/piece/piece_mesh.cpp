@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "shared/atomic_file.hpp"
+#include "shared/file/atomic_file.hpp"
 
 namespace psicarve::piece {
 namespace {

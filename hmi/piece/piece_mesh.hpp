@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hmi/piece/stock_map.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::piece {
 

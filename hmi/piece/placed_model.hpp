@@ -8,9 +8,9 @@
 #include "hmi/piece/stock_map.hpp"
 #include "hmi/slice/placement.hpp"
 #include "hmi/slice/slicer.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::piece {
 

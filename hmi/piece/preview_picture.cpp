@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "hmi/verify/piece_grid.hpp"
-#include "hmi/verify/piece_view.hpp"
-#include "hmi/verify/sheet.hpp"
-#include "shared/units.hpp"
+#include "hmi/picture/piece_grid.hpp"
+#include "hmi/picture/piece_view.hpp"
+#include "hmi/picture/sheet.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::piece {
 namespace {

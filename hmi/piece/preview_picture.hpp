@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "hmi/piece/stock_map.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::piece {
 

@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "hmi/slice/placement.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::piece {
 namespace {

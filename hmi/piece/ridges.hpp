@@ -8,8 +8,8 @@
 
 #include "hmi/piece/placed_model.hpp"
 #include "hmi/piece/stock_map.hpp"
+#include "hmi/surface/job_geometry.hpp"
 #include "hmi/tool/tool.hpp"
-#include "hmi/verify/job_geometry.hpp"
 
 namespace psicarve::piece {
 

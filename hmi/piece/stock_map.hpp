@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::piece {
 

@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <utility>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::profile {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "hmi/profile/profile_draft.hpp"
-#include "shared/result.hpp"
-#include "shared/signal.hpp"
+#include "shared/base/result.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::profile {
 

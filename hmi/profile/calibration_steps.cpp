@@ -2,7 +2,7 @@
 #include "hmi/profile/calibration_steps.hpp"
 
 #include "hmi/profile/calibration.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::profile {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "hmi/profile/profile_draft.hpp"
-#include "shared/result.hpp"
-#include "shared/signal.hpp"
-#include "shared/status.hpp"
+#include "shared/base/result.hpp"
+#include "shared/machine/signal.hpp"
+#include "shared/machine/status.hpp"
 
 namespace psicarve::profile {
 

@@ -10,8 +10,8 @@
 
 #include "hmi/profile/toml_edit.hpp"
 #include "hmi/profile/typed_value.hpp"
-#include "shared/atomic_file.hpp"
-#include "shared/profile_text.hpp"
+#include "shared/file/atomic_file.hpp"
+#include "shared/profile/profile_text.hpp"
 
 namespace psicarve::profile {
 namespace {

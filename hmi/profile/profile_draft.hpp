@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::profile {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "hmi/profile/text_places.hpp"
-#include "shared/profile_text.hpp"
-#include "shared/toml_library.hpp"
+#include "shared/profile/profile_text.hpp"
+#include "shared/profile/toml_library.hpp"
 
 namespace psicarve::profile {
 namespace {

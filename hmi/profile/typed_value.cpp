@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cstdint>
 
-#include "shared/profile_text.hpp"
-#include "shared/trimmed.hpp"
+#include "shared/base/trimmed.hpp"
+#include "shared/profile/profile_text.hpp"
 
 namespace psicarve::profile {
 namespace {

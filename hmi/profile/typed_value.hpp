@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::profile {
 

@@ -9,7 +9,7 @@
 
 #include "hmi/cam/prepared_job.hpp"
 #include "hmi/replay/trace_index.hpp"
-#include "hmi/session/carving_record.hpp"
+#include "hmi/scene/carving_record.hpp"
 
 namespace psicarve::replay {
 

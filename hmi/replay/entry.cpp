@@ -6,8 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "hmi/session/pin_rows.hpp"
-#include "shared/command.hpp"
+#include "hmi/phrase/axis_letter.hpp"
+#include "hmi/profile/pin_rows.hpp"
+#include "shared/machine/command.hpp"
 
 namespace psicarve::replay {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "hmi/replay/trace_index.hpp"
 #include "hmi/session/message_log.hpp"
-#include "shared/status.hpp"
+#include "shared/machine/status.hpp"
 
 namespace psicarve::replay {
 

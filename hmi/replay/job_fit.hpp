@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "hmi/replay/trace_cursor.hpp"
-#include "hmi/verify/job_geometry.hpp"
+#include "hmi/surface/job_geometry.hpp"
 
 namespace psicarve::replay {
 

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::replay {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "hmi/verify/job_geometry.hpp"
+#include "hmi/surface/job_geometry.hpp"
 
 namespace psicarve::replay {
 

@@ -4,10 +4,10 @@
 #include <array>
 #include <cstdint>
 
-#include "hmi/verify/backlash.hpp"
-#include "hmi/verify/trace_reader.hpp"
-#include "shared/profile.hpp"
-#include "shared/signal.hpp"
+#include "hmi/trace/backlash.hpp"
+#include "hmi/trace/trace_reader.hpp"
+#include "shared/machine/signal.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::replay {
 

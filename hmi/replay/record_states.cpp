@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "shared/command.hpp"
-#include "shared/recorded_start.hpp"
+#include "shared/machine/command.hpp"
+#include "shared/machine/recorded_start.hpp"
 
 namespace psicarve::replay {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "shared/status.hpp"
+#include "shared/machine/status.hpp"
 
 namespace psicarve::replay {
 

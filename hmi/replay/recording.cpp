@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "hmi/machine/unique_fd.hpp"
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/replay/snapshot_recording.hpp"
 #include "hmi/replay/trace_recording.hpp"
-#include "hmi/session/error_phrase.hpp"
-#include "hmi/verify/carried_job.hpp"
-#include "shared/job.hpp"
-#include "shared/snapshot_file.hpp"
+#include "hmi/trace/carried_job.hpp"
+#include "shared/job/job.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::replay {
 namespace {

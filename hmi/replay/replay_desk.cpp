@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/session/display_text.hpp"
-#include "hmi/session/error_phrase.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::replay {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/replay/pin_looks.hpp"
-#include "hmi/session/error_phrase.hpp"
 
 namespace psicarve::replay {
 namespace {

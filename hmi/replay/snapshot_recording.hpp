@@ -8,7 +8,7 @@
 
 #include "hmi/replay/record_states.hpp"
 #include "hmi/replay/recording.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::replay {
 

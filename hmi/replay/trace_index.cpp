@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "shared/trace_format.hpp"
+#include "shared/trace/trace_format.hpp"
 
 namespace psicarve::replay {
 namespace {

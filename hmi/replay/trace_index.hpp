@@ -10,9 +10,9 @@
 
 #include "hmi/machine/unique_fd.hpp"
 #include "hmi/replay/pin_follower.hpp"
-#include "hmi/verify/binary_reader.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "hmi/trace/binary_reader.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::replay {
 

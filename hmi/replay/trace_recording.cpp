@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/session/display_text.hpp"
-#include "hmi/session/error_phrase.hpp"
 
 namespace psicarve::replay {
 namespace {

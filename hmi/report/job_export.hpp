@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve::report {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hmi/cam/path_length.hpp"
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve::report {
 

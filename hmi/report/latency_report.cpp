@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::report {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::report {
 

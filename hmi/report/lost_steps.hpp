@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "shared/status.hpp"
+#include "shared/machine/status.hpp"
 
 namespace psicarve::report {
 

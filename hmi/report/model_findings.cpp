@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::report {
 namespace {

@@ -10,7 +10,7 @@
 #include "hmi/piece/placed_model.hpp"
 #include "hmi/slice/hidden_parts.hpp"
 #include "hmi/slice/slicer.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::report {
 

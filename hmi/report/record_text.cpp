@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "hmi/report/status_json.hpp"
-#include "shared/command.hpp"
-#include "shared/machine_state.hpp"
+#include "shared/machine/command.hpp"
+#include "shared/machine/machine_state.hpp"
 
 namespace psicarve::report {
 namespace {

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "shared/status.hpp"
+#include "shared/machine/status.hpp"
 
 namespace psicarve::report {
 

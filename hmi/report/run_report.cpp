@@ -7,7 +7,7 @@
 
 #include "hmi/report/exit_code.hpp"
 #include "hmi/report/status_json.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::report {
 namespace {

@@ -8,7 +8,7 @@
 #include "hmi/machine/job_run.hpp"
 #include "hmi/piece/piece_deviation.hpp"
 #include "hmi/verify/verify_report.hpp"
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve::report {
 

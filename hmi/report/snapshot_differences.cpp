@@ -9,7 +9,7 @@
 
 #include "hmi/report/record_text.hpp"
 #include "hmi/report/status_json.hpp"
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve::report {
 namespace {

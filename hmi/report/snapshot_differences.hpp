@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::report {
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "hmi/report/lost_steps.hpp"
-#include "shared/realtime_step.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/computer/realtime_step.hpp"
 
 namespace psicarve::report {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "hmi/tool/tool.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::rough {
 namespace {
@@ -148,7 +148,7 @@ RoughLayer PassPlanner::idle_layer(const RoughPass& pass, std::size_t layer) {
     }
     RoughPass alone;
     RoughLayer idle = make_layer(alone, ring, layer);
-    // It is a run of its own: one that is outside altogether would belie the blank (shared/outside.hpp).
+    // It is a run of its own: one that is outside altogether would belie the blank (shared/job/outside.hpp).
     idle.raised = idle.radii;
     idle.saved_s = 0.0;
     return idle;

@@ -9,8 +9,8 @@
 #include "hmi/rough/raiser.hpp"
 #include "hmi/rough/rings.hpp"
 #include "hmi/rough/rough_stock.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::rough {
 
@@ -20,7 +20,7 @@ struct PassSettings {
     double stepdown_mm = 1.0;
     double stepover_mm = 0.0;  ///< between two rings at most; 0: every ring
     double feed_mm_s = 20.0;
-    double known_blank_mm = 0.0;  ///< no material is further out (known_blank_mm of shared/outside.hpp)
+    double known_blank_mm = 0.0;  ///< no material is further out (known_blank_mm of shared/job/outside.hpp)
 };
 
 /// One layer of a roughing pass, as the job has it.

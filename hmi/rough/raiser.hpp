@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "hmi/rough/rings.hpp"
-#include "shared/outside.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/outside.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::rough {
 
@@ -17,7 +17,7 @@ template <typename T>
 using ByPoint = std::array<std::vector<T>, kHeads>;
 
 /// Raises heads out of the blank where they have nothing to cut, if that is sooner: outside there is no feed
-/// (shared/outside.hpp). Only ever outwards, so a head touches nothing that it would not have touched.
+/// (shared/job/outside.hpp). Only ever outwards, so a head touches nothing that it would not have touched.
 ///
 /// A run of clear points keeps its first and last radius. From each of them the head goes out, or comes in,
 /// with 7/10 of its acceleration a and 9/10 of its top speed v, while the table turns as the feed lets it

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::rough {
 

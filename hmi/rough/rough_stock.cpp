@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "hmi/tool/tool.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::rough {
 namespace {

@@ -8,7 +8,7 @@
 #include "hmi/piece/stock_map.hpp"
 #include "hmi/piece/tool_cut.hpp"
 #include "hmi/rough/rings.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::rough {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::rough {
 

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "hmi/phrase/axis_letter.hpp"
 #include "hmi/session/preflight.hpp"
 
 namespace psicarve::session {

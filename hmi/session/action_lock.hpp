@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
-#include "hmi/session/phrase.hpp"
 
 namespace psicarve::session {
 

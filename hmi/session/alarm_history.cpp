@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "hmi/phrase/axis_letter.hpp"
 #include "hmi/session/alarm_text.hpp"
 
 namespace psicarve::session {

@@ -4,9 +4,10 @@
 #include <cstdlib>
 #include <string>
 
+#include "hmi/phrase/axis_letter.hpp"
 #include "hmi/report/lost_steps.hpp"
 #include "hmi/session/display_text.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::session {
 namespace {

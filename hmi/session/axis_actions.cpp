@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hmi/phrase/axis_letter.hpp"
 #include "hmi/session/action_lock.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::session {
 namespace {

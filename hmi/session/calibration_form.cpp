@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "hmi/session/error_phrase.hpp"
+#include "hmi/phrase/error_phrase.hpp"
 
 namespace psicarve::session {
 namespace {

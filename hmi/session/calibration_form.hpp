@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/profile/calibration_steps.hpp"
 #include "hmi/session/machine_sight.hpp"
-#include "hmi/session/phrase.hpp"
 
 namespace psicarve::session {
 

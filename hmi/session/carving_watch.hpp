@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "hmi/session/carving_record.hpp"
+#include "hmi/scene/carving_record.hpp"
 #include "hmi/session/job_desk.hpp"
 #include "hmi/session/live_piece.hpp"
 #include "hmi/session/machine_session.hpp"

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "hmi/session/finding_phrase.hpp"
-#include "shared/realtime_step.hpp"
+#include "hmi/phrase/finding_phrase.hpp"
+#include "shared/computer/realtime_step.hpp"
 
 namespace psicarve::session {
 namespace {

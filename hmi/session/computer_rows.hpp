@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "hmi/doctor/finding.hpp"
-#include "hmi/session/phrase.hpp"
-#include "shared/status.hpp"
+#include "hmi/phrase/phrase.hpp"
+#include "shared/machine/status.hpp"
 
 namespace psicarve::session {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "hmi/cam/prepared_job.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::session {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "shared/profile_place.hpp"
+#include "shared/profile/profile_place.hpp"
 
 namespace psicarve::session {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "hmi/session/phrase.hpp"
-#include "shared/profile.hpp"
+#include "hmi/phrase/phrase.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::session {
 

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "hmi/phrase/axis_letter.hpp"
 #include "hmi/session/lost_core.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::session {
 namespace {

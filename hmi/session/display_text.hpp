@@ -7,8 +7,8 @@
 #include <string>
 
 #include "hmi/machine/planned_time.hpp"
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
-#include "hmi/session/phrase.hpp"
 
 namespace psicarve::session {
 

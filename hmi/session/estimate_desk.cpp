@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "hmi/session/error_phrase.hpp"
+#include "hmi/phrase/error_phrase.hpp"
 
 namespace psicarve::session {
 namespace {

@@ -9,11 +9,11 @@
 
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/machine/snapshot_taker.hpp"
+#include "hmi/picture/picture.hpp"
 #include "hmi/report/job_export.hpp"
-#include "hmi/verify/picture.hpp"
-#include "shared/atomic_file.hpp"
-#include "shared/distinct_files.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/file/atomic_file.hpp"
+#include "shared/file/distinct_files.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::session {
 namespace {

@@ -5,11 +5,12 @@
 #include <string>
 #include <utility>
 
+#include "hmi/phrase/axis_letter.hpp"
+#include "hmi/scene/radius_map.hpp"
 #include "hmi/session/display_text.hpp"
-#include "hmi/session/radius_map.hpp"
 #include "hmi/session/saved_piece.hpp"
-#include "shared/machine_state.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/machine/machine_state.hpp"
 
 namespace psicarve::session {
 namespace {

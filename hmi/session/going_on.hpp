@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "hmi/cam/prepared_job.hpp"
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
-#include "hmi/session/phrase.hpp"
 
 namespace psicarve::session {
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "hmi/phrase/error_phrase.hpp"
+#include "hmi/phrase/warning_phrase.hpp"
 #include "hmi/session/core_job.hpp"
-#include "hmi/session/error_phrase.hpp"
 #include "hmi/session/job_making.hpp"
-#include "hmi/session/warning_phrase.hpp"
 
 namespace psicarve::session {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hmi/cam/prepared_job.hpp"
-#include "hmi/session/phrase.hpp"
+#include "hmi/phrase/phrase.hpp"
 
 namespace psicarve::session {
 

@@ -5,7 +5,7 @@
 
 #include "hmi/cam/least_time.hpp"
 #include "hmi/cam/table_job.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::session {
 

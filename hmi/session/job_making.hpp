@@ -6,8 +6,8 @@
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/cam/prepared_job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::session {
 

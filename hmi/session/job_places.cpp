@@ -4,7 +4,7 @@
 #include <string>
 
 #include "hmi/session/display_text.hpp"
-#include "shared/machine_state.hpp"
+#include "shared/machine/machine_state.hpp"
 
 namespace psicarve::session {
 

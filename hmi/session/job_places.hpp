@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
-#include "hmi/session/phrase.hpp"
 
 namespace psicarve::session {
 

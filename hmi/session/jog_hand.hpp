@@ -10,9 +10,9 @@
 
 #include "hmi/machine/jog.hpp"
 #include "hmi/session/work_lane.hpp"
-#include "shared/jog_lease.hpp"
-#include "shared/result.hpp"
-#include "shared/signal.hpp"
+#include "shared/base/result.hpp"
+#include "shared/machine/jog_lease.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::session {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::session {
 

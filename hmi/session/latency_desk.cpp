@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/session/display_text.hpp"
-#include "hmi/session/error_phrase.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::session {
 namespace {

@@ -7,8 +7,8 @@
 #include <deque>
 #include <utility>
 
-#include "shared/signal.hpp"
-#include "shared/status.hpp"
+#include "shared/machine/signal.hpp"
+#include "shared/machine/status.hpp"
 
 namespace psicarve::session {
 

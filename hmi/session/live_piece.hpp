@@ -14,7 +14,7 @@
 #include "hmi/piece/piece_front.hpp"
 #include "hmi/piece/tool_way.hpp"
 #include "hmi/session/work_lane.hpp"
-#include "shared/status.hpp"
+#include "shared/machine/status.hpp"
 
 namespace psicarve::session {
 

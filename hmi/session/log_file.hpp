@@ -10,7 +10,7 @@
 #include "hmi/session/message_log.hpp"
 #include "hmi/session/save_ledger.hpp"
 #include "hmi/session/work_lane.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::session {
 

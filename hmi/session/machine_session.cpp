@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "hmi/session/core_phrase.hpp"
+#include "hmi/phrase/core_phrase.hpp"
 #include "hmi/session/saved_piece.hpp"
 
 namespace psicarve::session {

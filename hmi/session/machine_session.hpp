@@ -19,8 +19,8 @@
 #include "hmi/session/start_intent.hpp"
 #include "hmi/session/tick_health.hpp"
 #include "hmi/session/work_lane.hpp"
-#include "shared/command.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/machine/command.hpp"
+#include "shared/segment/shared_record.hpp"
 
 namespace psicarve::session {
 

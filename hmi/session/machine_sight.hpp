@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "shared/profile.hpp"
-#include "shared/saved_checkpoint.hpp"
-#include "shared/status.hpp"
+#include "shared/machine/status.hpp"
+#include "shared/profile/profile.hpp"
+#include "shared/record/saved_checkpoint.hpp"
 
 namespace psicarve::session {
 
@@ -92,12 +92,6 @@ constexpr std::uint64_t missed_ticks_at_alarm(const MachineSight& before, const 
 }
 
 inline constexpr std::array<Signal, 3> kLimitSignals{Signal::r1_limit, Signal::r2_limit, Signal::y_limit};
-
-/// "R1", "R2", "Ψ", "Y".
-constexpr const char* axis_letter(Axis axis) noexcept {
-    constexpr std::array<const char*, kAxisCount> kLetters{"R1", "R2", "Ψ", "Y"};
-    return kLetters[index_of(axis)];
-}
 
 /// What is open in the window.
 enum class DeskState : std::uint8_t {

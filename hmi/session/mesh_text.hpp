@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "hmi/model/mesh.hpp"
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/report/model_findings.hpp"
 #include "hmi/session/model_sight.hpp"
-#include "hmi/session/phrase.hpp"
 #include "hmi/session/piece_sight.hpp"
 #include "hmi/session/run_watch.hpp"
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "hmi/phrase/axis_letter.hpp"
 #include "hmi/session/alarm_history.hpp"
 #include "hmi/session/alarm_text.hpp"
 #include "hmi/session/lost_core.hpp"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
-#include "hmi/session/phrase.hpp"
 
 namespace psicarve::session {
 

@@ -9,9 +9,9 @@
 #include "hmi/cam/blank_check.hpp"
 #include "hmi/cam/fitting_scale.hpp"
 #include "hmi/cam/job_plan.hpp"
-#include "hmi/session/space_picture.hpp"
+#include "hmi/scene/space_picture.hpp"
 #include "hmi/slice/best_axis.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::session {
 namespace {

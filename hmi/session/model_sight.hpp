@@ -7,8 +7,8 @@
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/model/mesh.hpp"
-#include "hmi/session/mesh_scene.hpp"
-#include "hmi/session/scene_camera.hpp"
+#include "hmi/scene/mesh_scene.hpp"
+#include "hmi/scene/scene_camera.hpp"
 #include "hmi/slice/slicer.hpp"
 
 namespace psicarve::session {

@@ -4,9 +4,9 @@
 #include <array>
 #include <optional>
 
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
-#include "hmi/session/phrase.hpp"
-#include "shared/command.hpp"
+#include "shared/machine/command.hpp"
 
 namespace psicarve::session {
 

@@ -11,10 +11,10 @@
 #include "hmi/flat/load_model.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/model/turned_mesh.hpp"
+#include "hmi/scene/mesh_scene.hpp"
 #include "hmi/session/file_watch.hpp"
-#include "hmi/session/mesh_scene.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::session {
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/rough/roughing.hpp"
 #include "hmi/session/display_text.hpp"
-#include "hmi/session/error_phrase.hpp"
 #include "hmi/tool/tool.hpp"
 
 namespace psicarve::session {

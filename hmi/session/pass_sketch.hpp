@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "hmi/session/phrase.hpp"
-#include "shared/profile.hpp"
+#include "hmi/phrase/phrase.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::session {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "hmi/cam/job_plan.hpp"
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/piece/draft_piece.hpp"
-#include "hmi/session/error_phrase.hpp"
 
 namespace psicarve::session {
 namespace {

@@ -8,7 +8,7 @@
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/cam/prepared_job.hpp"
 #include "hmi/model/mesh.hpp"
-#include "hmi/session/phrase.hpp"
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/session/piece_sight.hpp"
 #include "hmi/session/work_lane.hpp"
 

@@ -7,10 +7,10 @@
 #include <limits>
 #include <utility>
 
-#include "hmi/session/colour_map.hpp"
+#include "hmi/scene/colour_map.hpp"
+#include "hmi/scene/space_picture.hpp"
 #include "hmi/session/display_text.hpp"
-#include "hmi/session/space_picture.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::session {
 namespace {

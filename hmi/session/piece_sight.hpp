@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/piece/job_piece.hpp"
-#include "hmi/session/mesh_scene.hpp"
-#include "hmi/session/phrase.hpp"
-#include "shared/profile.hpp"
+#include "hmi/scene/mesh_scene.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::session {
 

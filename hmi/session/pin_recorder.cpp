@@ -5,12 +5,12 @@
 
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/machine/recorded_pins.hpp"
+#include "hmi/phrase/core_phrase.hpp"
 #include "hmi/session/action_lock.hpp"
-#include "hmi/session/core_phrase.hpp"
-#include "shared/command.hpp"
-#include "shared/layout.hpp"
-#include "shared/recorded_start.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/machine/command.hpp"
+#include "shared/machine/recorded_start.hpp"
+#include "shared/segment/layout.hpp"
+#include "shared/segment/shared_record.hpp"
 
 namespace psicarve::session {
 

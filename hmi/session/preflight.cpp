@@ -4,9 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "hmi/phrase/axis_letter.hpp"
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/tick_health.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::session {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
-#include "hmi/session/phrase.hpp"
 
 namespace psicarve::session {
 

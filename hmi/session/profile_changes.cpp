@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "shared/profile_text.hpp"
+#include "shared/profile/profile_text.hpp"
 
 namespace psicarve::session {
 namespace {

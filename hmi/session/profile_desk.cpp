@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "shared/profile_text.hpp"
+#include "shared/profile/profile_text.hpp"
 
 namespace psicarve::session {
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/profile/profile_draft.hpp"
-#include "hmi/session/phrase.hpp"
 #include "hmi/session/save_ledger.hpp"
 #include "hmi/session/work_lane.hpp"
 

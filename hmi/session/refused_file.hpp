@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "hmi/session/phrase.hpp"
+#include "hmi/phrase/phrase.hpp"
 
 namespace psicarve::session {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::session {
 namespace {

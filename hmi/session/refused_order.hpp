@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
-#include "hmi/session/phrase.hpp"
-#include "shared/command.hpp"
+#include "shared/machine/command.hpp"
 
 namespace psicarve::session {
 

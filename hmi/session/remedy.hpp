@@ -7,9 +7,9 @@
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/model/mesh.hpp"
-#include "hmi/session/phrase.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "hmi/phrase/phrase.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::session {
 

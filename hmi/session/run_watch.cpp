@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "hmi/phrase/axis_letter.hpp"
 #include "hmi/session/display_text.hpp"
 
 namespace psicarve::session {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
+#include "hmi/phrase/sentence.hpp"
 #include "hmi/report/utc_text.hpp"
 #include "hmi/session/going_on.hpp"
-#include "hmi/session/sentence.hpp"
 
 namespace psicarve::session {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "hmi/phrase/phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
-#include "hmi/session/phrase.hpp"
-#include "shared/saved_checkpoint.hpp"
+#include "shared/record/saved_checkpoint.hpp"
 
 namespace psicarve::session {
 

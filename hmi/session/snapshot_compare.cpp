@@ -3,10 +3,10 @@
 
 #include <utility>
 
+#include "hmi/phrase/error_phrase.hpp"
+#include "hmi/phrase/sentence.hpp"
 #include "hmi/report/snapshot_differences.hpp"
-#include "hmi/session/error_phrase.hpp"
-#include "hmi/session/sentence.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::session {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/machine/snapshot_taker.hpp"
-#include "shared/atomic_file.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/file/atomic_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::session {
 namespace {

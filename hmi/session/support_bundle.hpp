@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::session {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "hmi/session/display_text.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::session {
 namespace {

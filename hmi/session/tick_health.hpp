@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "shared/profile.hpp"
-#include "shared/status.hpp"
+#include "shared/machine/status.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::session {
 

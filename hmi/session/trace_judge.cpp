@@ -4,12 +4,13 @@
 #include <filesystem>
 #include <utility>
 
+#include "hmi/phrase/axis_letter.hpp"
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/session/display_text.hpp"
-#include "hmi/session/error_phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
-#include "hmi/verify/carried_job.hpp"
-#include "shared/job.hpp"
-#include "shared/snapshot_file.hpp"
+#include "hmi/trace/carried_job.hpp"
+#include "shared/job/job.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::session {
 namespace {

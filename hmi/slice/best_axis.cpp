@@ -15,8 +15,8 @@
 #include "hmi/slice/layer_scan.hpp"
 #include "hmi/slice/placement.hpp"
 #include "hmi/slice/slicer.hpp"
-#include "shared/result.hpp"
-#include "shared/units.hpp"
+#include "shared/base/result.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::slice {
 namespace {

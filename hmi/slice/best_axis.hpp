@@ -6,7 +6,7 @@
 #include "hmi/model/mesh.hpp"
 #include "hmi/slice/placement.hpp"
 #include "hmi/slice/slicer.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::slice {
 

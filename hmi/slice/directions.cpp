@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::slice {
 namespace {

@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "hmi/slice/directions.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::slice {
 namespace {

@@ -20,7 +20,7 @@
 #include "hmi/slice/layer_scan.hpp"
 #include "hmi/slice/placement.hpp"
 #include "hmi/slice/spiral_scan.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::slice {
 namespace {

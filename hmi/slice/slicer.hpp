@@ -10,7 +10,7 @@
 #include "hmi/slice/directions.hpp"
 #include "hmi/slice/layer_scan.hpp"
 #include "hmi/slice/placement.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::slice {
 

@@ -12,7 +12,7 @@
 #include "hmi/tool/dilation_lanes.hpp"
 #include "hmi/tool/surface_tiles.hpp"
 #include "hmi/tool/tool.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 /// The inner loops of dilated(): which tiles of samples are out of reach of a block of places, and what is
 /// left, sample by sample.

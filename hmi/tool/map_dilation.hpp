@@ -7,7 +7,7 @@
 
 #include "hmi/slice/slicer.hpp"
 #include "hmi/tool/tool.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::tool {
 

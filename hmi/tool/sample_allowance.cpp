@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::tool {
 double sample_allowance(const SampledRadii& surface, const Tool& tool, double share) {

@@ -9,7 +9,7 @@
 
 #include "hmi/tool/dilation_lanes.hpp"
 #include "hmi/tool/map_dilation.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::tool {
 namespace {

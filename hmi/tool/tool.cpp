@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::tool {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::tool {
 

@@ -9,7 +9,7 @@
 #include "hmi/slice/placement.hpp"
 #include "hmi/slice/slicer.hpp"
 #include "hmi/tool/tool.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::tool {
 

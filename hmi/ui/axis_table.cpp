@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "hmi/phrase/axis_letter.hpp"
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/frames.hpp"
 

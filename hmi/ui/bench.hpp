@@ -8,9 +8,9 @@
 #include <memory>
 #include <utility>
 
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/replay/replay_desk.hpp"
 #include "hmi/session/alarm_bell.hpp"
-#include "hmi/session/error_phrase.hpp"
 #include "hmi/session/estimate_desk.hpp"
 #include "hmi/session/file_desk.hpp"
 #include "hmi/session/file_presence.hpp"

@@ -12,11 +12,12 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "hmi/session/error_phrase.hpp"
+#include "hmi/phrase/axis_letter.hpp"
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/words.hpp"
-#include "shared/profile_text.hpp"
+#include "shared/profile/profile_text.hpp"
 
 namespace psicarve::ui {
 namespace {

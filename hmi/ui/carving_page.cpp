@@ -12,11 +12,11 @@
 #include <cmath>
 #include <utility>
 
+#include "hmi/scene/colour_map.hpp"
+#include "hmi/scene/radius_map.hpp"
+#include "hmi/scene/stock_scene.hpp"
 #include "hmi/session/alarm_text.hpp"
-#include "hmi/session/colour_map.hpp"
 #include "hmi/session/display_text.hpp"
-#include "hmi/session/radius_map.hpp"
-#include "hmi/session/stock_scene.hpp"
 #include "hmi/ui/axis_table.hpp"
 #include "hmi/ui/checked_width.hpp"
 #include "hmi/ui/colour_bar.hpp"

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "hmi/session/carved_scene.hpp"
+#include "hmi/scene/carved_scene.hpp"
 #include "hmi/session/carving_watch.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/mesh_view.hpp"

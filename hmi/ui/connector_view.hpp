@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "hmi/session/pin_rows.hpp"
+#include "hmi/profile/pin_rows.hpp"
 #include "hmi/ui/tokens.hpp"
 
 namespace psicarve::ui {

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "hmi/flat/load_model.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 class QDoubleSpinBox;
 

@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "hmi/session/carved_scene.hpp"
-#include "hmi/session/space_picture.hpp"
+#include "hmi/scene/carved_scene.hpp"
+#include "hmi/scene/space_picture.hpp"
 #include "hmi/ui/gl_program.hpp"
 
 namespace psicarve::ui {

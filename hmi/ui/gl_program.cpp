@@ -5,7 +5,7 @@
 #include <QVector2D>
 #include <QVector3D>
 
-#include "hmi/session/space_picture.hpp"
+#include "hmi/scene/space_picture.hpp"
 
 namespace psicarve::ui {
 namespace {

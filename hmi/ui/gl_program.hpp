@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include "hmi/session/scene_camera.hpp"
+#include "hmi/scene/scene_camera.hpp"
 
 namespace psicarve::ui {
 

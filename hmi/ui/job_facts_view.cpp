@@ -8,7 +8,7 @@
 #include "hmi/session/job_facts.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/words.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::ui {
 namespace {

@@ -20,7 +20,7 @@
 #include "hmi/ui/histogram_view.hpp"
 #include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/words.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::ui {
 namespace {

@@ -20,7 +20,7 @@
 #include "hmi/ui/radius_plot.hpp"
 #include "hmi/ui/tick_box.hpp"
 #include "hmi/ui/unrolled_view.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::ui {
 namespace {

@@ -7,8 +7,8 @@
 #include <memory>
 #include <optional>
 
+#include "hmi/scene/radius_map.hpp"
 #include "hmi/session/layer_cursor.hpp"
-#include "hmi/session/radius_map.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
 

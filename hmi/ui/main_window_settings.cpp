@@ -2,7 +2,7 @@
 // What the window begins with: its settings, and what the command line names.
 #include <QDir>
 
-#include "hmi/session/error_phrase.hpp"
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/ui/main_window.hpp"
 #include "hmi/ui/option_keeper.hpp"
 #include "hmi/ui/page_tabs.hpp"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "hmi/ui/frames.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::ui {
 namespace {

@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
-#include "hmi/session/carved_scene.hpp"
-#include "hmi/session/space_picture.hpp"
+#include "hmi/scene/carved_scene.hpp"
+#include "hmi/scene/space_picture.hpp"
 #include "hmi/ui/space_canvas.hpp"
 #include "hmi/ui/tokens.hpp"
 

@@ -24,8 +24,8 @@
 #include "hmi/ui/message_pane.hpp"
 #include "hmi/ui/tick_box.hpp"
 #include "hmi/ui/words.hpp"
-#include "shared/atomic_file.hpp"
-#include "shared/layout.hpp"
+#include "shared/file/atomic_file.hpp"
+#include "shared/segment/layout.hpp"
 
 namespace psicarve::ui {
 namespace {

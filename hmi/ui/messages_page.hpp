@@ -7,7 +7,7 @@
 #include "hmi/session/work_lane.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 class QComboBox;
 class QLineEdit;

@@ -13,9 +13,9 @@
 
 #include <utility>
 
+#include "hmi/phrase/warning_phrase.hpp"
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/mesh_text.hpp"
-#include "hmi/session/warning_phrase.hpp"
 #include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/mesh_view.hpp"

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 class QComboBox;
 class QDoubleSpinBox;

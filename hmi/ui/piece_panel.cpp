@@ -11,7 +11,7 @@
 #include <cmath>
 #include <utility>
 
-#include "hmi/session/colour_map.hpp"
+#include "hmi/scene/colour_map.hpp"
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/checked_width.hpp"
 #include "hmi/ui/colour_bar.hpp"

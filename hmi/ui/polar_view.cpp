@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::ui {
 namespace {

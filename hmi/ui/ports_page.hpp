@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "hmi/profile/pin_rows.hpp"
 #include "hmi/session/level_history.hpp"
-#include "hmi/session/pin_rows.hpp"
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
 

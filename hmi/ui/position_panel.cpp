@@ -9,6 +9,7 @@
 #include <functional>
 #include <utility>
 
+#include "hmi/phrase/axis_letter.hpp"
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/last_known.hpp"

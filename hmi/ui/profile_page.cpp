@@ -21,7 +21,7 @@
 #include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/profile_row.hpp"
 #include "hmi/ui/words.hpp"
-#include "shared/profile_text.hpp"
+#include "shared/profile/profile_text.hpp"
 
 namespace psicarve::ui {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <utility>
 
-#include "hmi/session/error_phrase.hpp"
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/session/profile_changes.hpp"
 #include "hmi/ui/calibration_dialog.hpp"
 #include "hmi/ui/dialogs.hpp"

@@ -12,13 +12,13 @@
 #include <string>
 #include <utility>
 
+#include "hmi/phrase/profile_phrase.hpp"
 #include "hmi/profile/typed_value.hpp"
 #include "hmi/session/display_text.hpp"
-#include "hmi/session/profile_phrase.hpp"
 #include "hmi/ui/choice_box.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/words.hpp"
-#include "shared/profile_text.hpp"
+#include "shared/profile/profile_text.hpp"
 
 namespace psicarve::ui {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "hmi/session/radius_map.hpp"
+#include "hmi/scene/radius_map.hpp"
 #include "hmi/ui/tokens.hpp"
 
 class QCPGraph;

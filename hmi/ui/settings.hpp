@@ -11,7 +11,7 @@
 #include "hmi/ui/language.hpp"
 #include "hmi/ui/settings_store.hpp"
 #include "hmi/ui/tokens.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::ui {
 

@@ -14,7 +14,7 @@
 
 #include "hmi/session/save_ledger.hpp"
 #include "hmi/session/work_lane.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::ui {
 

@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include "hmi/session/carved_scene.hpp"
-#include "hmi/session/space_picture.hpp"
+#include "hmi/scene/carved_scene.hpp"
+#include "hmi/scene/space_picture.hpp"
 
 namespace psicarve::ui {
 

@@ -16,7 +16,7 @@
 #include "hmi/ui/last_known.hpp"
 #include "hmi/ui/state_pill.hpp"
 #include "hmi/ui/words.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::ui {
 namespace {

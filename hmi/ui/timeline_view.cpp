@@ -14,7 +14,7 @@
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/tokens.hpp"
 #include "hmi/ui/words.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::ui {
 namespace {

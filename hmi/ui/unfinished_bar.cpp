@@ -15,8 +15,8 @@
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/long_names.hpp"
 #include "hmi/ui/words.hpp"
-#include "shared/machine_state.hpp"
-#include "shared/saved_checkpoint.hpp"
+#include "shared/machine/machine_state.hpp"
+#include "shared/record/saved_checkpoint.hpp"
 
 namespace psicarve::ui {
 namespace {

@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-#include "hmi/session/radius_map.hpp"
+#include "hmi/scene/radius_map.hpp"
 #include "hmi/session/round_marks.hpp"
 #include "hmi/ui/tokens.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "hmi/session/warning_phrase.hpp"
+#include "hmi/phrase/warning_phrase.hpp"
 #include "hmi/ui/icon.hpp"
 #include "hmi/ui/words.hpp"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "hmi/manual/window_table.hpp"
-#include "shared/segment.hpp"
+#include "shared/segment/segment.hpp"
 
 namespace psicarve::ui {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "hmi/session/pin_rows.hpp"
+#include "hmi/profile/pin_rows.hpp"
 #include "hmi/session/wiring_test.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/bench.hpp"

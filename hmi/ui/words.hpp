@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "hmi/session/phrase.hpp"
+#include "hmi/phrase/phrase.hpp"
 
 namespace psicarve::ui {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "shared/signal.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::verify {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hmi/verify/path_rule.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::verify {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "hmi/verify/train_demand.hpp"
-#include "shared/units.hpp"
+#include "hmi/verify/motor/train_demand.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::verify {
 

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "hmi/verify/motor/pulse_train.hpp"
 #include "hmi/verify/offence_log.hpp"
-#include "hmi/verify/pulse_train.hpp"
-#include "shared/profile.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::verify {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "hmi/verify/verify_report.hpp"
-#include "shared/job.hpp"
-#include "shared/signal.hpp"
+#include "shared/job/job.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::verify {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "hmi/verify/path_rule.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::verify {
 

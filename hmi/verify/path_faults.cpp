@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hmi/verify/path_rule.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::verify {
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::verify {
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "hmi/verify/carved_surface.hpp"
-#include "hmi/verify/job_geometry.hpp"
+#include "hmi/surface/carved_surface.hpp"
+#include "hmi/surface/job_geometry.hpp"
 #include "hmi/verify/offence_log.hpp"
 #include "hmi/verify/path_segment.hpp"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "hmi/verify/job_geometry.hpp"
+#include "hmi/surface/job_geometry.hpp"
 
 namespace psicarve::verify {
 

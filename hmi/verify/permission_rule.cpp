@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::verify {
 

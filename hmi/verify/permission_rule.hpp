@@ -7,8 +7,8 @@
 #include <string>
 
 #include "hmi/verify/offence_log.hpp"
-#include "shared/profile.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::verify {
 

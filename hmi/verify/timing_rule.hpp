@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "hmi/verify/offence_log.hpp"
-#include "shared/profile.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::verify {
 

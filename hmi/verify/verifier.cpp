@@ -5,14 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include "hmi/verify/backlash.hpp"
+#include "hmi/trace/backlash.hpp"
 #include "hmi/verify/lift_filter.hpp"
 #include "hmi/verify/motor_rule.hpp"
 #include "hmi/verify/offence_log.hpp"
 #include "hmi/verify/path_rule.hpp"
 #include "hmi/verify/permission_rule.hpp"
 #include "hmi/verify/timing_rule.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::verify {
 

@@ -7,13 +7,13 @@
 #include <memory>
 #include <span>
 
-#include "hmi/verify/carved_surface.hpp"
-#include "hmi/verify/job_geometry.hpp"
-#include "hmi/verify/trace_reader.hpp"
+#include "hmi/surface/carved_surface.hpp"
+#include "hmi/surface/job_geometry.hpp"
+#include "hmi/trace/trace_reader.hpp"
 #include "hmi/verify/verify_report.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::verify {
 

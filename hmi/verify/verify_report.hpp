@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::verify {
 

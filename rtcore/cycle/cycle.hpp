@@ -16,7 +16,7 @@
 #include "rtcore/cycle/pin_test.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
 #include "rtcore/port/port.hpp"
-#include "shared/machine_state.hpp"
+#include "shared/machine/machine_state.hpp"
 
 namespace psicarve::cycle {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "rtcore/cycle/soft_limits.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::cycle {
 

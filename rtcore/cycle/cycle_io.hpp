@@ -9,9 +9,9 @@
 #include "rtcore/cycle/motion_block.hpp"
 #include "rtcore/cycle/sample_record.hpp"
 #include "rtcore/trace/trace_entry.hpp"
-#include "shared/machine_state.hpp"
-#include "shared/spsc_ring.hpp"
-#include "shared/status.hpp"
+#include "shared/base/spsc_ring.hpp"
+#include "shared/machine/machine_state.hpp"
+#include "shared/machine/status.hpp"
 
 namespace psicarve::cycle {
 

@@ -4,7 +4,7 @@
 
 #include "rtcore/cycle/cycle.hpp"
 #include "rtcore/cycle/request_command.hpp"
-#include "shared/command.hpp"
+#include "shared/machine/command.hpp"
 
 namespace psicarve::cycle {
 Sample Cycle::sample() const noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/cycle/cycle.hpp"
-#include "shared/command.hpp"
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
+#include "shared/machine/command.hpp"
 
 namespace psicarve::cycle {
 namespace {

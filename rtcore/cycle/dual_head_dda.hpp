@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::cycle {
 

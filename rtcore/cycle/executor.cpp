@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "rtcore/cycle/straight_way.hpp"
-#include "shared/status.hpp"
+#include "shared/machine/status.hpp"
 
 namespace psicarve::cycle {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/cycle/executor.hpp"
 #include "rtcore/cycle/straight_way.hpp"
-#include "shared/status.hpp"
+#include "shared/machine/status.hpp"
 
 namespace psicarve::cycle {
 

@@ -8,7 +8,7 @@
 
 #include "rtcore/cycle/fine_dda.hpp"
 #include "rtcore/cycle/linear_profile.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::cycle {
 

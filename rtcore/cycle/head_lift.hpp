@@ -8,7 +8,7 @@
 #include "rtcore/cycle/cycle_config.hpp"
 #include "rtcore/cycle/fine_move.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::cycle {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "shared/jog_lease.hpp"
-#include "shared/status.hpp"
+#include "shared/machine/jog_lease.hpp"
+#include "shared/machine/status.hpp"
 
 namespace psicarve::cycle {
 

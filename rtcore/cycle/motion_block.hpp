@@ -7,8 +7,8 @@
 #include <type_traits>
 
 #include "rtcore/cycle/motion_order.hpp"
-#include "shared/signal.hpp"
-#include "shared/spsc_ring.hpp"
+#include "shared/base/spsc_ring.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::cycle {
 

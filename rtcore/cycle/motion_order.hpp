@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::cycle {
 

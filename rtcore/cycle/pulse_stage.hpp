@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "rtcore/cycle/cycle_config.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::cycle {
 

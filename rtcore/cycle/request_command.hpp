@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "rtcore/cycle/cycle_io.hpp"
-#include "shared/command.hpp"
+#include "shared/machine/command.hpp"
 
 namespace psicarve::cycle {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::cycle {
 

@@ -23,8 +23,8 @@
 #include "rtcore/guard/dying.hpp"
 #include "rtcore/guard/last_words.hpp"
 #include "rtcore/port/persistence.hpp"
-#include "rtcore/privileges.hpp"
-#include "rtcore/words.hpp"
+#include "rtcore/process/privileges.hpp"
+#include "rtcore/process/words.hpp"
 
 namespace psicarve::guard {
 namespace {

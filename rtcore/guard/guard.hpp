@@ -6,7 +6,7 @@
 
 #include "rtcore/guard/guard_link.hpp"
 #include "rtcore/port/port_access.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::guard {
 

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::guard {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "shared/event.hpp"
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/computer/event.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/shared_record.hpp"
 
 namespace psicarve::guard {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "rtcore/plan/speed_drift.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::plan {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "shared/outside.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/outside.hpp"
 
 namespace psicarve::plan {
 namespace {

@@ -7,7 +7,7 @@
 #include "rtcore/cycle/motion_block.hpp"
 #include "rtcore/plan/block_list.hpp"
 #include "rtcore/plan/machine_limits.hpp"
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve::plan {
 

@@ -6,7 +6,7 @@
 
 #include "rtcore/plan/approach.hpp"
 #include "rtcore/plan/block_list.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::plan {
 

@@ -5,7 +5,7 @@
 
 #include "rtcore/plan/machine_limits.hpp"
 #include "rtcore/plan/table_program.hpp"
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve::plan {
 

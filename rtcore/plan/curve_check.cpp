@@ -8,7 +8,7 @@
 
 #include "rtcore/plan/path_pieces.hpp"
 #include "rtcore/plan/wide.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::plan {
 namespace {

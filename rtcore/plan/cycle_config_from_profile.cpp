@@ -5,7 +5,7 @@
 
 #include "rtcore/cycle/motion_order.hpp"
 #include "rtcore/plan/machine_limits.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::plan {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rtcore/cycle/cycle_config.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::plan {
 

@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "rtcore/handler_stack.hpp"
 #include "rtcore/plan/approach.hpp"
 #include "rtcore/plan/carving.hpp"
 #include "rtcore/plan/time_forecast.hpp"
-#include "rtcore/side_thread.hpp"
+#include "rtcore/process/handler_stack.hpp"
+#include "rtcore/process/side_thread.hpp"
 
 namespace psicarve::plan {
 namespace {

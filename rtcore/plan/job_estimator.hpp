@@ -11,8 +11,8 @@
 
 #include "rtcore/plan/job_estimate.hpp"
 #include "rtcore/plan/machine_limits.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::plan {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::plan {
 namespace {

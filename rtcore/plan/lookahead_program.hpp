@@ -11,7 +11,7 @@
 #include "rtcore/plan/path.hpp"
 #include "rtcore/plan/path_stretch.hpp"
 #include "rtcore/plan/table_program.hpp"
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve::plan {
 

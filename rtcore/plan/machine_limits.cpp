@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "rtcore/plan/cycle_config_from_profile.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::plan {
 namespace {

@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "rtcore/cycle/cycle_config.hpp"
-#include "shared/outside.hpp"
-#include "shared/profile.hpp"
-#include "shared/signal.hpp"
+#include "shared/job/outside.hpp"
+#include "shared/machine/signal.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::plan {
 

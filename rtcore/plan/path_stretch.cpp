@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "rtcore/plan/curve_check.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::plan {
 namespace {

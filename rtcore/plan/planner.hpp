@@ -11,8 +11,8 @@
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/plan/machine_limits.hpp"
 #include "rtcore/plan/program.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::plan {
 

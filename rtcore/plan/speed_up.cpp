@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::plan {
 namespace {

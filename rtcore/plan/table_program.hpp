@@ -9,7 +9,7 @@
 #include "rtcore/plan/machine_limits.hpp"
 #include "rtcore/plan/program.hpp"
 #include "rtcore/plan/tick_times.hpp"
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve::plan {
 

@@ -7,7 +7,7 @@
 #include "rtcore/cycle/fine_move.hpp"
 #include "rtcore/cycle/straight_way.hpp"
 #include "rtcore/plan/speed_up.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::plan {
 namespace {

@@ -14,7 +14,7 @@
 #include "rtcore/plan/carving.hpp"
 #include "rtcore/plan/path.hpp"
 #include "rtcore/plan/tick_times.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::plan {
 namespace {

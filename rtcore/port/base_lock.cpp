@@ -8,8 +8,8 @@
 #include <cerrno>
 #include <system_error>
 
-#include "shared/abstract_name.hpp"
-#include "shared/kernel_ports.hpp"
+#include "shared/computer/abstract_name.hpp"
+#include "shared/computer/kernel_ports.hpp"
 
 namespace psicarve::port {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::port {
 
@@ -16,8 +16,8 @@ namespace psicarve::port {
 /// bytes are the addresses). Nothing: it is not there, or we are not let at it. Refused with who has it.
 Result<std::optional<int>> lock_range(const std::string& device, std::uint16_t first, std::uint16_t count);
 
-/// A name that the kernel gives to one process at a time (shared/abstract_name.hpp), whatever it may open.
-/// Refused with who has it.
+/// A name that the kernel gives to one process at a time (shared/computer/abstract_name.hpp), whatever it may
+/// open. Refused with who has it.
 Result<int> lock_name(const std::string& name);
 
 // The kernel's claim of a port says that somebody has it, not who; and what other users' processes have open

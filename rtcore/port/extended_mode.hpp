@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/kernel_ports.hpp"
+#include "shared/computer/kernel_ports.hpp"
 
 namespace psicarve::port {
 

@@ -7,8 +7,8 @@
 
 #include "rtcore/port/port_access.hpp"
 #include "rtcore/port/port_address.hpp"
-#include "shared/pin_map.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/pin_map.hpp"
 
 namespace psicarve::port {
 

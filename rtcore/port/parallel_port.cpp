@@ -4,9 +4,9 @@
 #include <optional>
 #include <utility>
 
-#include "rtcore/clock.hpp"
 #include "rtcore/port/fatal_signals.hpp"
 #include "rtcore/port/persistence.hpp"
+#include "rtcore/realtime/clock.hpp"
 
 namespace psicarve::port {
 

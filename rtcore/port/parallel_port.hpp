@@ -8,8 +8,8 @@
 #include "rtcore/port/port.hpp"
 #include "rtcore/port/port_access.hpp"
 #include "rtcore/port/pulse_times.hpp"
-#include "shared/pin_map.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
+#include "shared/profile/pin_map.hpp"
 
 namespace psicarve::port {
 

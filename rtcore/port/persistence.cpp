@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::port {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "rtcore/port/port_access.hpp"
-#include "shared/pin_map.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/pin_map.hpp"
 
 namespace psicarve::port {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::port {
 

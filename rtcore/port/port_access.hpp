@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "shared/pin_map.hpp"
+#include "shared/profile/pin_map.hpp"
 
 namespace psicarve::port {
 

@@ -12,7 +12,7 @@
 
 #include "rtcore/port/base_lock.hpp"
 #include "rtcore/port/persistence.hpp"
-#include "shared/kernel_ports.hpp"
+#include "shared/computer/kernel_ports.hpp"
 
 namespace psicarve::port {
 namespace {

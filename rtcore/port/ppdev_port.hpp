@@ -5,7 +5,7 @@
 #include <string>
 
 #include "rtcore/port/open_port.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::port {
 

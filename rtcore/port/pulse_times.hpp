@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "shared/profile.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::port {
 

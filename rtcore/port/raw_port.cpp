@@ -17,8 +17,8 @@
 #include "rtcore/port/persistence.hpp"
 #include "rtcore/port/port_access.hpp"
 #include "rtcore/port/ppdev_port.hpp"
-#include "shared/kernel_ports.hpp"
-#include "shared/raw_access.hpp"
+#include "shared/computer/kernel_ports.hpp"
+#include "shared/computer/raw_access.hpp"
 
 namespace psicarve::port {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "rtcore/port/port.hpp"
 #include "rtcore/sim/machine.hpp"
-#include "shared/pin_map.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
+#include "shared/profile/pin_map.hpp"
 
 namespace psicarve::port {
 

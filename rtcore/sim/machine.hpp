@@ -12,7 +12,7 @@
 #include "rtcore/sim/sim_report.hpp"
 #include "rtcore/sim/wiring.hpp"
 #include "rtcore/sim/workpiece.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::sim {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "rtcore/sim/sim_config.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::sim {
 

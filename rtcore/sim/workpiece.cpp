@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::sim {
 namespace {

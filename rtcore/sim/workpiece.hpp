@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "rtcore/sim/sim_config.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::sim {
 

@@ -7,10 +7,10 @@
 #include "rtcore/cycle/request_command.hpp"
 #include "rtcore/supervisor/motion_request.hpp"
 #include "rtcore/supervisor/refusal_text.hpp"
-#include "shared/checkpoint.hpp"
-#include "shared/jog_lease.hpp"
-#include "shared/saved_checkpoint.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/machine/jog_lease.hpp"
+#include "shared/record/saved_checkpoint.hpp"
+#include "shared/segment/checkpoint.hpp"
+#include "shared/segment/shared_record.hpp"
 
 namespace psicarve::supervisor {
 namespace {

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "rtcore/checkpoint/piece_memory.hpp"
 #include "rtcore/cycle/cycle_io.hpp"
-#include "rtcore/supervisor/loaded_job.hpp"
-#include "rtcore/supervisor/piece_memory.hpp"
+#include "rtcore/job/loaded_job.hpp"
 #include "rtcore/supervisor/urgent_ear.hpp"
-#include "shared/profile.hpp"
-#include "shared/segment.hpp"
+#include "shared/profile/profile.hpp"
+#include "shared/segment/segment.hpp"
 
 namespace psicarve::supervisor {
 

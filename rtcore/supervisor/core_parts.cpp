@@ -12,7 +12,7 @@
 #include "rtcore/port/sim_port.hpp"
 #include "rtcore/sim/sim_config.hpp"
 #include "rtcore/supervisor/piece_file.hpp"
-#include "shared/pin_map.hpp"
+#include "shared/profile/pin_map.hpp"
 
 namespace psicarve::supervisor {
 namespace {

@@ -10,17 +10,17 @@
 
 #include "rtcore/cycle/cycle.hpp"
 #include "rtcore/cycle/cycle_io.hpp"
+#include "rtcore/options/options.hpp"
 #include "rtcore/plan/job_estimator.hpp"
 #include "rtcore/plan/planner.hpp"
 #include "rtcore/port/port.hpp"
-#include "rtcore/side_thread.hpp"
+#include "rtcore/process/side_thread.hpp"
+#include "rtcore/replay/recorded_inputs_port.hpp"
 #include "rtcore/sim/machine.hpp"
 #include "rtcore/supervisor/guarded_port.hpp"
-#include "rtcore/supervisor/options.hpp"
-#include "rtcore/supervisor/recorded_inputs_port.hpp"
-#include "rtcore/supervisor/trace_outlet.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "rtcore/trace/trace_outlet.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::supervisor {
 

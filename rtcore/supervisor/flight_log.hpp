@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "shared/layout.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/segment/layout.hpp"
+#include "shared/segment/shared_record.hpp"
 
 namespace psicarve::supervisor {
 

@@ -6,7 +6,7 @@
 
 #include "rtcore/guard/guard.hpp"
 #include "rtcore/supervisor/realtime_requirement.hpp"
-#include "shared/pin_map.hpp"
+#include "shared/profile/pin_map.hpp"
 
 namespace psicarve::supervisor {
 

@@ -6,10 +6,10 @@
 #include <variant>
 
 #include "rtcore/guard/guard_link.hpp"
+#include "rtcore/options/options.hpp"
 #include "rtcore/port/open_port.hpp"
-#include "rtcore/supervisor/options.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::supervisor {
 

@@ -11,11 +11,11 @@
 #include <string>
 #include <thread>
 
-#include "rtcore/clock.hpp"
-#include "rtcore/periodic.hpp"
+#include "rtcore/realtime/clock.hpp"
+#include "rtcore/realtime/periodic.hpp"
+#include "rtcore/realtime/realtime_treatment.hpp"
 #include "rtcore/supervisor/end_request.hpp"
-#include "rtcore/supervisor/realtime_treatment.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::supervisor {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "rtcore/supervisor/options.hpp"
+#include "rtcore/options/options.hpp"
 
 namespace psicarve::supervisor {
 

@@ -10,11 +10,11 @@
 
 #include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/cycle/pin_test.hpp"
-#include "shared/job.hpp"
-#include "shared/jog_lease.hpp"
-#include "shared/recorded_start.hpp"
-#include "shared/recording.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
+#include "shared/machine/jog_lease.hpp"
+#include "shared/machine/recorded_start.hpp"
+#include "shared/machine/recording.hpp"
 
 namespace psicarve::supervisor {
 namespace {

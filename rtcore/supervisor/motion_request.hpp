@@ -2,9 +2,9 @@
 #pragma once
 
 #include "rtcore/cycle/cycle_io.hpp"
-#include "shared/command.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/machine/command.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::supervisor {
 

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "rtcore/process/words.hpp"
 #include "rtcore/supervisor/end_request.hpp"
-#include "rtcore/words.hpp"
 
 namespace psicarve::supervisor {
 namespace {

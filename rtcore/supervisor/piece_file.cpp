@@ -5,9 +5,9 @@
 #include <span>
 #include <utility>
 
-#include "shared/atomic_file.hpp"
-#include "shared/profile.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/file/atomic_file.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::supervisor {
 

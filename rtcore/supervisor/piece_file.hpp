@@ -4,8 +4,8 @@
 #include <string>
 
 #include "rtcore/sim/machine.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::supervisor {
 

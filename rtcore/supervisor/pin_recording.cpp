@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "shared/recording.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/machine/recording.hpp"
+#include "shared/segment/shared_record.hpp"
 
 namespace psicarve::supervisor {
 

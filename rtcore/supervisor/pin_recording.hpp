@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <span>
 
-#include "shared/layout.hpp"
+#include "shared/segment/layout.hpp"
 
 namespace psicarve::supervisor {
 
-/// Carries the recording of the pins into the segment, and watches over its reader (shared/recording.hpp).
-/// One thread's.
+/// Carries the recording of the pins into the segment, and watches over its reader
+/// (shared/machine/recording.hpp). One thread's.
 class PinRecording {
 public:
     using Time = std::chrono::steady_clock::time_point;

@@ -4,8 +4,8 @@
 #include <future>
 #include <thread>
 
-#include "rtcore/handler_stack.hpp"
-#include "rtcore/supervisor/missed_ticks.hpp"
+#include "rtcore/process/handler_stack.hpp"
+#include "rtcore/realtime/missed_ticks.hpp"
 #include "rtcore/supervisor/outlets.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
 #include "rtcore/supervisor/tick_threads.hpp"

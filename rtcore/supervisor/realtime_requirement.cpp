@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "rtcore/rt_setup.hpp"
+#include "rtcore/realtime/rt_setup.hpp"
 
 namespace psicarve::supervisor {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "rtcore/supervisor/options.hpp"
-#include "shared/result.hpp"
+#include "rtcore/options/options.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::supervisor {
 

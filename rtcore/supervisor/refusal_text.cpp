@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/supervisor/refusal_text.hpp"
 
-#include "shared/decimals.hpp"
-#include "shared/units.hpp"
+#include "shared/base/decimals.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::supervisor {
 namespace {

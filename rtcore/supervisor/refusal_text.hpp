@@ -5,8 +5,8 @@
 #include <string>
 
 #include "rtcore/cycle/cycle_io.hpp"
-#include "shared/command.hpp"
-#include "shared/profile.hpp"
+#include "shared/machine/command.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::supervisor {
 

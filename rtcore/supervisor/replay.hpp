@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "rtcore/cycle/cycle_io.hpp"
+#include "rtcore/replay/replay_script.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
-#include "rtcore/supervisor/replay_script.hpp"
 #include "rtcore/supervisor/supervisor.hpp"
 
 namespace psicarve::supervisor {

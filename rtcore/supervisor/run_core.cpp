@@ -12,24 +12,24 @@
 #include <utility>
 #include <variant>
 
+#include "rtcore/options/core_profile.hpp"
 #include "rtcore/port/fatal_signals.hpp"
-#include "rtcore/privileges.hpp"
+#include "rtcore/process/privileges.hpp"
+#include "rtcore/process/state_folder.hpp"
+#include "rtcore/realtime/realtime_treatment.hpp"
+#include "rtcore/replay/recorded_job.hpp"
+#include "rtcore/replay/replay_script.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
-#include "rtcore/supervisor/core_profile.hpp"
 #include "rtcore/supervisor/end_request.hpp"
 #include "rtcore/supervisor/guarded_port.hpp"
 #include "rtcore/supervisor/latency_run.hpp"
 #include "rtcore/supervisor/piece_file.hpp"
-#include "rtcore/supervisor/realtime_treatment.hpp"
-#include "rtcore/supervisor/recorded_job.hpp"
 #include "rtcore/supervisor/replay.hpp"
-#include "rtcore/supervisor/replay_script.hpp"
 #include "rtcore/supervisor/run_loops.hpp"
-#include "rtcore/supervisor/state_folder.hpp"
 #include "rtcore/supervisor/supervisor.hpp"
-#include "shared/printable.hpp"
-#include "shared/segment_object.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/base/printable.hpp"
+#include "shared/record/snapshot_file.hpp"
+#include "shared/segment/segment_object.hpp"
 
 namespace psicarve::supervisor {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "rtcore/realtime/realtime_treatment.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/end_request.hpp"
-#include "rtcore/supervisor/realtime_treatment.hpp"
 #include "rtcore/supervisor/replay.hpp"
 #include "rtcore/supervisor/supervisor.hpp"
 

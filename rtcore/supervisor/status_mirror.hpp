@@ -5,9 +5,9 @@
 #include <cstdint>
 
 #include "rtcore/cycle/cycle_io.hpp"
-#include "rtcore/supervisor/realtime_treatment.hpp"
-#include "shared/segment.hpp"
-#include "shared/status.hpp"
+#include "rtcore/realtime/realtime_treatment.hpp"
+#include "shared/machine/status.hpp"
+#include "shared/segment/segment.hpp"
 
 namespace psicarve::supervisor {
 

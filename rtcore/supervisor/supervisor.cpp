@@ -3,11 +3,11 @@
 
 #include <optional>
 
-#include "rtcore/clock.hpp"
-#include "shared/event.hpp"
-#include "shared/recording.hpp"
-#include "shared/shared_record.hpp"
-#include "shared/shared_text.hpp"
+#include "rtcore/realtime/clock.hpp"
+#include "shared/base/shared_text.hpp"
+#include "shared/computer/event.hpp"
+#include "shared/machine/recording.hpp"
+#include "shared/segment/shared_record.hpp"
 
 namespace psicarve::supervisor {
 namespace {

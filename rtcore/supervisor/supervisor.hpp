@@ -6,19 +6,19 @@
 #include <memory>
 #include <string>
 
-#include "rtcore/promptness.hpp"
+#include "rtcore/checkpoint/piece_memory.hpp"
+#include "rtcore/job/job_loader.hpp"
+#include "rtcore/job/layer_times.hpp"
+#include "rtcore/job/loaded_job.hpp"
+#include "rtcore/journal/journal.hpp"
+#include "rtcore/realtime/promptness.hpp"
 #include "rtcore/supervisor/command_desk.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/flight_log.hpp"
-#include "rtcore/supervisor/job_loader.hpp"
-#include "rtcore/supervisor/journal.hpp"
-#include "rtcore/supervisor/layer_times.hpp"
-#include "rtcore/supervisor/loaded_job.hpp"
-#include "rtcore/supervisor/piece_memory.hpp"
 #include "rtcore/supervisor/pin_recording.hpp"
 #include "rtcore/supervisor/status_mirror.hpp"
 #include "rtcore/supervisor/urgent_ear.hpp"
-#include "shared/segment.hpp"
+#include "shared/segment/segment.hpp"
 
 namespace psicarve::supervisor {
 

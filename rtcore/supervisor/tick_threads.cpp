@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <mutex>
 
-#include "rtcore/clock.hpp"
 #include "rtcore/plan/cycle_config_from_profile.hpp"
+#include "rtcore/realtime/clock.hpp"
 
 namespace psicarve::supervisor {
 namespace {

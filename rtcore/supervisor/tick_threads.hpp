@@ -4,8 +4,8 @@
 #include <array>
 #include <atomic>
 
-#include "rtcore/periodic.hpp"
-#include "rtcore/priority_mutex.hpp"
+#include "rtcore/realtime/periodic.hpp"
+#include "rtcore/realtime/priority_mutex.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/replay.hpp"
 

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <utility>
 
-#include "rtcore/clock.hpp"
-#include "rtcore/handler_stack.hpp"
-#include "rtcore/promptness.hpp"
+#include "rtcore/process/handler_stack.hpp"
+#include "rtcore/realtime/clock.hpp"
+#include "rtcore/realtime/promptness.hpp"
 
 namespace psicarve::supervisor {
 namespace {

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "rtcore/cycle/cycle_io.hpp"
-#include "shared/segment.hpp"
+#include "shared/segment/segment.hpp"
 
 namespace psicarve::supervisor {
 

@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "rtcore/trace/trace_writer.hpp"
-#include "shared/trace_format.hpp"
-#include "shared/trace_output.hpp"
+#include "shared/trace/trace_format.hpp"
+#include "shared/trace/trace_output.hpp"
 
 namespace psicarve::trace {
 
-/// The compact binary form: shared/trace_format.hpp.
+/// The compact binary form: shared/trace/trace_format.hpp.
 class BinaryWriter final : public TraceWriter {
 public:
     BinaryWriter(TraceOutput out, const TraceStart& start) noexcept;

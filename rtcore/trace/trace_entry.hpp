@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "shared/signal.hpp"
-#include "shared/spsc_ring.hpp"
+#include "shared/base/spsc_ring.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::trace {
 

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "rtcore/handler_stack.hpp"
-#include "rtcore/side_thread.hpp"
+#include "rtcore/process/handler_stack.hpp"
+#include "rtcore/process/side_thread.hpp"
 
 namespace psicarve::trace {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "rtcore/trace/trace_entry.hpp"
 #include "rtcore/trace/trace_writer.hpp"
-#include "shared/event.hpp"
+#include "shared/computer/event.hpp"
 
 namespace psicarve::trace {
 

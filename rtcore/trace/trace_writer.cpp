@@ -5,7 +5,7 @@
 
 #include "rtcore/trace/binary_writer.hpp"
 #include "rtcore/trace/vcd_writer.hpp"
-#include "shared/trace_output.hpp"
+#include "shared/trace/trace_output.hpp"
 
 namespace psicarve::trace {
 

@@ -11,8 +11,8 @@
 #include <string>
 
 #include "rtcore/trace/trace_entry.hpp"
-#include "shared/result.hpp"
-#include "shared/signal.hpp"
+#include "shared/base/result.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::trace {
 

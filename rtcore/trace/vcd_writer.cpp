@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::trace {
 namespace {

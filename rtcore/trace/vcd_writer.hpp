@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "rtcore/trace/trace_writer.hpp"
-#include "shared/trace_output.hpp"
+#include "shared/trace/trace_output.hpp"
 
 namespace psicarve::trace {
 

@@ -13,8 +13,8 @@
 #include <new>
 #include <utility>
 
-#include "shared/pin_map.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
+#include "shared/profile/pin_map.hpp"
 #include "tests/places.hpp"
 
 namespace psicarve::fake_port {

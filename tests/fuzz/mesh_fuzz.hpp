@@ -11,7 +11,7 @@
 #include "hmi/model/file_bytes.hpp"
 #include "hmi/model/mesh.hpp"
 #include "hmi/model/mesh_check.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/require.hpp"
 

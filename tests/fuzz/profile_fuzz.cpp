@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "shared/pin_map.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/pin_map.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/fuzz/require.hpp"
 
 // Any text: refused in one line, or a profile that prints, reads back equal and can be worked with.

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 
 namespace psicarve::fuzz {
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/fuzz/require.hpp"
 
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "hmi/verify/binary_reader.hpp"
-#include "hmi/verify/byte_source.hpp"
-#include "shared/job.hpp"
-#include "shared/trace_format.hpp"
+#include "hmi/trace/binary_reader.hpp"
+#include "hmi/trace/byte_source.hpp"
+#include "shared/job/job.hpp"
+#include "shared/trace/trace_format.hpp"
 #include "tests/fuzz/trace_fuzz.hpp"
 
 namespace {

@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include "hmi/verify/trace_reader.hpp"
-#include "shared/result.hpp"
+#include "hmi/trace/trace_reader.hpp"
+#include "shared/base/result.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/require.hpp"
 

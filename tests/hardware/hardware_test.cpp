@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/hardware/lab.hpp"
 #include "tests/two_process/port_rig.hpp"
 

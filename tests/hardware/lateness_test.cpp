@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/hardware/lab.hpp"
 #include "tests/thoroughness.hpp"
 #include "tests/two_process/port_rig.hpp"

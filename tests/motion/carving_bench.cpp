@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/shared/spiral_fixture.hpp"
 
 namespace psicarve::motion {

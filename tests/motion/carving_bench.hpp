@@ -9,8 +9,8 @@
 
 #include "hmi/verify/verifier.hpp"
 #include "rtcore/trace/trace_entry.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 
 namespace psicarve::motion {

@@ -12,7 +12,7 @@
 
 #include "hmi/rough/roughing.hpp"
 #include "hmi/verify/verify_report.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/motion/carving_bench.hpp"
 #include "tests/motion/random_operator.hpp"
 #include "tests/shared/passes_fixture.hpp"

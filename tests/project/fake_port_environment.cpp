@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/fake_port/fake_port_file.hpp"
 
 namespace {

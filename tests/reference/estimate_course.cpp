@@ -19,7 +19,7 @@
 #include "rtcore/plan/carving.hpp"
 #include "rtcore/plan/job_estimate.hpp"
 #include "rtcore/plan/time_forecast.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/base/result.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/reference/table_csv.hpp"
 
 namespace {

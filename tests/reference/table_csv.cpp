@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <string>
 
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/clock.hpp"
+#include "rtcore/realtime/clock.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <thread>
 
-#include "rtcore/periodic.hpp"
+#include "rtcore/realtime/periodic.hpp"
 
 namespace psicarve::rtcore {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/periodic.hpp"
+#include "rtcore/realtime/periodic.hpp"
 
 #include <gtest/gtest.h>
 

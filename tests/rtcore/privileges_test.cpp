@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/privileges.hpp"
+#include "rtcore/process/privileges.hpp"
 
 #include <fcntl.h>
 #include <grp.h>

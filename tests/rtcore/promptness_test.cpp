@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/promptness.hpp"
+#include "rtcore/realtime/promptness.hpp"
 
 #include <gtest/gtest.h>
 #include <pthread.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/rt_setup.hpp"
+#include "rtcore/realtime/rt_setup.hpp"
 
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -19,7 +19,7 @@
 #include <string>
 #include <thread>
 
-#include "rtcore/thread_counts.hpp"
+#include "rtcore/realtime/thread_counts.hpp"
 #include "tests/shared/temporary_folder.hpp"
 #include "tests/thoroughness.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/side_thread.hpp"
+#include "rtcore/process/side_thread.hpp"
 
 #include <gtest/gtest.h>
 

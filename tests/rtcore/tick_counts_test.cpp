@@ -21,10 +21,10 @@
 #include <string>
 #include <thread>
 
-#include "rtcore/clock.hpp"
-#include "rtcore/periodic.hpp"
 #include "rtcore/port/parallel_port.hpp"
-#include "rtcore/rt_setup.hpp"
+#include "rtcore/realtime/clock.hpp"
+#include "rtcore/realtime/periodic.hpp"
+#include "rtcore/realtime/rt_setup.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 #include "tests/rtcore/tick_counters.hpp"
 #include "tests/thoroughness.hpp"

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "rtcore/plan/job_estimator.hpp"
-#include "rtcore/side_thread.hpp"
+#include "rtcore/process/side_thread.hpp"
 #include "rtcore/trace/trace_thread.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 #include "tests/rtcore/plan/table_blocks.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/atomic_file.hpp"
+#include "shared/file/atomic_file.hpp"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/partial_file.hpp"
+#include "shared/file/partial_file.hpp"
 #include "tests/shared/child_signals.hpp"
 #include "tests/shared/temporary_folder.hpp"
 

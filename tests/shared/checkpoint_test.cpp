@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/checkpoint.hpp"
+#include "shared/segment/checkpoint.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

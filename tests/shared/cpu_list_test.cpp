@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/cpu_list.hpp"
+#include "shared/computer/cpu_list.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/distinct_files.hpp"
+#include "shared/file/distinct_files.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

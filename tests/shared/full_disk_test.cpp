@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "shared/atomic_file.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/file/atomic_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace {

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "shared/job.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve {
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/places.hpp"
 #include "tests/shared/job_fixture.hpp"
 #include "tests/shared/passes_fixture.hpp"

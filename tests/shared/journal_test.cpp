@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/journal.hpp"
+#include "shared/record/journal.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/journal_file.hpp"
+#include "shared/record/journal_file.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/kernel_ports.hpp"
+#include "shared/computer/kernel_ports.hpp"
 
 #include <grp.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <fstream>
 #include <string>
 
-#include "shared/raw_access.hpp"
+#include "shared/computer/raw_access.hpp"
 
 namespace psicarve {
 namespace {

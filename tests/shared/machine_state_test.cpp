@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/machine_state.hpp"
+#include "shared/machine/machine_state.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/nearest.hpp"
+#include "shared/base/nearest.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/outside.hpp"
+#include "shared/job/outside.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/pin_map.hpp"
+#include "shared/profile/pin_map.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/printable.hpp"
+#include "shared/base/printable.hpp"
 
 #include <gtest/gtest.h>
 

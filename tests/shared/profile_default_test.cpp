@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <random>
 
-#include "shared/profile.hpp"
-#include "shared/profile_table.hpp"
+#include "shared/profile/profile.hpp"
+#include "shared/profile/profile_table.hpp"
 #include "tests/places.hpp"
 
 namespace psicarve {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/places.hpp"
 
 namespace psicarve {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "shared/profile.hpp"
-#include "shared/profile_table.hpp"
+#include "shared/profile/profile.hpp"
+#include "shared/profile/profile_table.hpp"
 #include "tests/parameter_name.hpp"
 #include "tests/places.hpp"
 

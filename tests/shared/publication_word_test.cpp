@@ -14,10 +14,10 @@
 #include <thread>
 #include <vector>
 
-#include "shared/layout.hpp"
-#include "shared/robust_mutex.hpp"
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/segment/layout.hpp"
+#include "shared/segment/robust_mutex.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/shared/segment_fixture.hpp"
 
 namespace psicarve {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/robust_mutex.hpp"
+#include "shared/segment/robust_mutex.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "shared/process_identity.hpp"
+#include "shared/computer/process_identity.hpp"
 
 namespace psicarve {
 namespace {

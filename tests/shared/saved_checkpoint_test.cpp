@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/saved_checkpoint.hpp"
+#include "shared/record/saved_checkpoint.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 #include <random>
 #include <thread>
 
-#include "shared/atomic_file.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/file/atomic_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/places.hpp"
 #include "tests/shared/temporary_folder.hpp"
 #include "tests/two_process/child_process.hpp"

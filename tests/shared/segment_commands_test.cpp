@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/segment_commands.hpp"
+#include "shared/segment/segment_commands.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <thread>
 #include <vector>
 
-#include "shared/event.hpp"
-#include "shared/process_identity.hpp"
-#include "shared/segment.hpp"
+#include "shared/computer/event.hpp"
+#include "shared/computer/process_identity.hpp"
+#include "shared/segment/segment.hpp"
 #include "tests/shared/segment_fixture.hpp"
 
 namespace psicarve {

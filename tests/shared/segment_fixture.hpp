@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "shared/job.hpp"
-#include "shared/segment.hpp"
+#include "shared/job/job.hpp"
+#include "shared/segment/segment.hpp"
 #include "tests/shared/stale_segments.hpp"
 
 namespace psicarve::test {

@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "shared/layout.hpp"
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/segment/layout.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/shared/segment_fixture.hpp"
 #include "tests/thoroughness.hpp"
 

@@ -7,9 +7,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "shared/process_identity.hpp"
-#include "shared/segment.hpp"
-#include "shared/segment_object.hpp"
+#include "shared/computer/process_identity.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/segment_object.hpp"
 #include "tests/shared/segment_fixture.hpp"
 
 namespace psicarve {

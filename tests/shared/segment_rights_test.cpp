@@ -10,8 +10,8 @@
 #include <array>
 #include <string>
 
-#include "shared/segment.hpp"
-#include "shared/segment_object.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/segment_object.hpp"
 #include "tests/shared/segment_fixture.hpp"
 
 namespace psicarve {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/segment.hpp"
+#include "shared/segment/segment.hpp"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -12,8 +12,8 @@
 #include <cstring>
 #include <string>
 
-#include "shared/process_identity.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/computer/process_identity.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/shared/segment_fixture.hpp"
 
 namespace psicarve {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/shared_record.hpp"
+#include "shared/segment/shared_record.hpp"
 
 #include <gtest/gtest.h>
 #include <sched.h>

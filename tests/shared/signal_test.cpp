@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 #include <gtest/gtest.h>
 
-#include "shared/command.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
+#include "shared/machine/command.hpp"
 
 namespace psicarve {
 namespace {

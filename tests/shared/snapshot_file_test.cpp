@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 #include <gmock/gmock.h>
 #include <grp.h>

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve {
 

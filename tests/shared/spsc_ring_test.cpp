@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/spsc_ring.hpp"
+#include "shared/base/spsc_ring.hpp"
 
 #include <gtest/gtest.h>
 

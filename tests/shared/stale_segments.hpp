@@ -6,8 +6,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "shared/process_identity.hpp"
-#include "shared/segment.hpp"
+#include "shared/computer/process_identity.hpp"
+#include "shared/segment/segment.hpp"
 
 namespace psicarve::test {
 

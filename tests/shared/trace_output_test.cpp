@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/trace_output.hpp"
+#include "shared/trace/trace_output.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 #include <gtest/gtest.h>
 

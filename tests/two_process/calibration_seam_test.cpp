@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "shared/profile.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/places.hpp"
 #include "tests/two_process/commanded_core.hpp"
 

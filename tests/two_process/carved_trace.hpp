@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "hmi/verify/trace_reader.hpp"
+#include "hmi/trace/trace_reader.hpp"
 #include "hmi/verify/verifier.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::two_process {
 

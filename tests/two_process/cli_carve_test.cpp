@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
-#include "shared/process_identity.hpp"
-#include "shared/profile.hpp"
+#include "shared/computer/process_identity.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/older_trace.hpp"
 #include "tests/places.hpp"

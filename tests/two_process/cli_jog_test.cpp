@@ -2,8 +2,8 @@
 #include <functional>
 #include <memory>
 
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/two_process/slow_machine.hpp"
 

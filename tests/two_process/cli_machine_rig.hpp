@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include "shared/recording.hpp"
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/machine/recording.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/two_process/slow_machine.hpp"
 

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "hmi/model/load_mesh.hpp"
-#include "shared/job.hpp"
-#include "shared/snapshot_file.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/hmi/model/real_meshes.hpp"
 #include "tests/hmi/tool/brute_mesh.hpp"

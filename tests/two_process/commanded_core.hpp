@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 
 namespace psicarve::test {

@@ -2,7 +2,7 @@
 // Whatever ended a carving, it goes on behind the last finished layer.
 #include <string>
 
-#include "shared/checkpoint.hpp"
+#include "shared/segment/checkpoint.hpp"
 #include "tests/two_process/core_rig.hpp"
 #include "tests/two_process/pin_walk.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstring>
 
-#include "shared/robust_mutex.hpp"
+#include "shared/segment/robust_mutex.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::two_process {

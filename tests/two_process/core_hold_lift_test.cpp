@@ -2,7 +2,7 @@
 // Holds that lift the heads, on a core of its own; its pins are judged like any others.
 #include <fstream>
 
-#include "hmi/verify/trace_reader.hpp"
+#include "hmi/trace/trace_reader.hpp"
 #include "hmi/verify/verifier.hpp"
 #include "tests/thoroughness.hpp"
 #include "tests/two_process/core_rig.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/journal_file.hpp"
+#include "shared/record/journal_file.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/places.hpp"
 #include "tests/two_process/core_rig.hpp"

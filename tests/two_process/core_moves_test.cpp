@@ -3,7 +3,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "shared/jog_lease.hpp"
+#include "shared/machine/jog_lease.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::two_process {

@@ -9,8 +9,8 @@
 #include <fstream>
 #include <mutex>
 
-#include "shared/checkpoint.hpp"
-#include "shared/saved_checkpoint.hpp"
+#include "shared/record/saved_checkpoint.hpp"
+#include "shared/segment/checkpoint.hpp"
 #include "tests/places.hpp"
 #include "tests/two_process/port_rig.hpp"
 

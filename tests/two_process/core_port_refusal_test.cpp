@@ -5,7 +5,7 @@
 
 #include <cerrno>
 
-#include "shared/kernel_ports.hpp"
+#include "shared/computer/kernel_ports.hpp"
 #include "tests/thoroughness.hpp"
 #include "tests/two_process/port_rig.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/event.hpp"
+#include "shared/computer/event.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::two_process {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/two_process/port_rig.hpp"
 
 namespace psicarve::two_process {

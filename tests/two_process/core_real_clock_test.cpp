@@ -3,7 +3,7 @@
 #include <array>
 #include <sstream>
 
-#include "shared/realtime_step.hpp"
+#include "shared/computer/realtime_step.hpp"
 #include "tests/thoroughness.hpp"
 #include "tests/two_process/core_rig.hpp"
 #include "tests/two_process/slow_machine.hpp"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "shared/robust_mutex.hpp"
+#include "shared/segment/robust_mutex.hpp"
 #include "tests/two_process/child_process.hpp"
 #include "tests/two_process/core_rig.hpp"
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "shared/job.hpp"
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/shared/stale_segments.hpp"
 #include "tests/two_process/core_process.hpp"
 

@@ -12,11 +12,11 @@
 #include <thread>
 #include <vector>
 
-#include "shared/job.hpp"
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
-#include "shared/snapshot_file.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
+#include "shared/record/snapshot_file.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/shared/temporary_folder.hpp"
 #include "tests/thoroughness.hpp"
 #include "tests/two_process/core_process.hpp"

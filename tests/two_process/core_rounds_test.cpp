@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "shared/checkpoint.hpp"
+#include "shared/segment/checkpoint.hpp"
 #include "tests/two_process/core_rig.hpp"
 #include "tests/two_process/slow_machine.hpp"
 

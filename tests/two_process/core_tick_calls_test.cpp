@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "shared/realtime_step.hpp"
+#include "shared/computer/realtime_step.hpp"
 #include "tests/places.hpp"
 #include "tests/system_calls/tick_calls.hpp"
 #include "tests/thoroughness.hpp"

@@ -2,7 +2,7 @@
 // The clock of the wall is set forth and back all the time: no burst, no gap, no lease that ends for it.
 #include <cstdlib>
 
-#include "shared/jog_lease.hpp"
+#include "shared/machine/jog_lease.hpp"
 #include "tests/places.hpp"
 #include "tests/two_process/port_rig.hpp"
 

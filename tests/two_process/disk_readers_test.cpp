@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "shared/checkpoint.hpp"
-#include "shared/saved_checkpoint.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/record/saved_checkpoint.hpp"
+#include "shared/segment/checkpoint.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/two_process/core_rig.hpp"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <random>
 
-#include "hmi/verify/trace_reader.hpp"
+#include "hmi/trace/trace_reader.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::two_process {

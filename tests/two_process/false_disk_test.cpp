@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "shared/checkpoint.hpp"
-#include "shared/saved_checkpoint.hpp"
+#include "shared/record/saved_checkpoint.hpp"
+#include "shared/segment/checkpoint.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/places.hpp"
 #include "tests/two_process/core_rig.hpp"

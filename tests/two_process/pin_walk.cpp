@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "hmi/replay/pin_follower.hpp"
-#include "hmi/verify/trace_reader.hpp"
+#include "hmi/trace/trace_reader.hpp"
 
 namespace psicarve::two_process {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "shared/job.hpp"
-#include "shared/signal.hpp"
+#include "shared/job/job.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::two_process {
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "hmi/verify/trace_reader.hpp"
-#include "shared/atomic_file.hpp"
-#include "shared/pin_map.hpp"
+#include "hmi/trace/trace_reader.hpp"
+#include "shared/file/atomic_file.hpp"
+#include "shared/profile/pin_map.hpp"
 #include "tests/fake_port/fake_port_file.hpp"
 #include "tests/two_process/core_rig.hpp"
 #include "tests/two_process/slow_machine.hpp"

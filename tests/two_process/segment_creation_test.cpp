@@ -17,9 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "shared/robust_mutex.hpp"
-#include "shared/segment.hpp"
-#include "shared/segment_object.hpp"
+#include "shared/segment/robust_mutex.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/segment_object.hpp"
 #include "tests/shared/segment_fixture.hpp"
 #include "tests/two_process/child_process.hpp"
 

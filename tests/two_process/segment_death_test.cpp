@@ -10,11 +10,11 @@
 #include <random>
 #include <string>
 
-#include "shared/event.hpp"
-#include "shared/process_identity.hpp"
-#include "shared/robust_mutex.hpp"
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/computer/event.hpp"
+#include "shared/computer/process_identity.hpp"
+#include "shared/segment/robust_mutex.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/shared/segment_fixture.hpp"
 #include "tests/two_process/child_process.hpp"
 

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <random>
 
-#include "hmi/verify/trace_reader.hpp"
+#include "hmi/trace/trace_reader.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::two_process {

@@ -14,7 +14,7 @@
 
 #include "rtcore/plan/lookahead_program.hpp"
 #include "rtcore/plan/machine_limits.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 
 namespace {
 

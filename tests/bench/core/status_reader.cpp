@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <thread>
 
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/shared_record.hpp"
 
 int main(int argc, char** argv) {
     using namespace psicarve;

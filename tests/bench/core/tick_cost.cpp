@@ -19,9 +19,9 @@
 #include "rtcore/port/sim_port.hpp"
 #include "rtcore/sim/machine.hpp"
 #include "rtcore/sim/sim_config.hpp"
-#include "shared/job.hpp"
-#include "shared/pin_map.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/pin_map.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/bench/core/null_port.hpp"
 
 namespace {

@@ -17,10 +17,10 @@
 #include <string>
 #include <vector>
 
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
-#include "shared/snapshot_file.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/record/snapshot_file.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/shared_record.hpp"
 
 extern char** environ;
 

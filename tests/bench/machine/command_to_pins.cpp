@@ -21,8 +21,8 @@
 #include <string>
 #include <vector>
 
-#include "shared/event.hpp"
-#include "shared/realtime_step.hpp"
+#include "shared/computer/event.hpp"
+#include "shared/computer/realtime_step.hpp"
 #include "tests/bench/machine/core_on_fake_port.hpp"
 
 namespace {

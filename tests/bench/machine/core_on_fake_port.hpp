@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "shared/atomic_file.hpp"
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/file/atomic_file.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/fake_port/fake_port_file.hpp"
 #include "tests/two_process/core_process.hpp"
 

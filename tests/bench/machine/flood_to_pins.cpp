@@ -21,7 +21,7 @@
 #include <thread>
 #include <vector>
 
-#include "shared/layout.hpp"
+#include "shared/segment/layout.hpp"
 #include "tests/bench/machine/core_on_fake_port.hpp"
 
 namespace {

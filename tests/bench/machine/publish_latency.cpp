@@ -13,8 +13,8 @@
 
 #include "hmi/machine/core_process.hpp"
 #include "hmi/machine/machine_link.hpp"
-#include "shared/job.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
 #include "tests/places.hpp"
 
 namespace {

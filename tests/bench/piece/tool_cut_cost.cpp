@@ -14,7 +14,7 @@
 
 #include "hmi/piece/tool_cut.hpp"
 #include "hmi/piece/tool_sweep.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/bench/slice/measure.hpp"
 
 namespace {

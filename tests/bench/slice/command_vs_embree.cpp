@@ -22,7 +22,7 @@
 #include "hmi/slice/best_axis.hpp"
 #include "hmi/slice/directions.hpp"
 #include "hmi/slice/slicer.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/bench/slice/binary_stl.hpp"
 #include "tests/bench/slice/child_cost.hpp"
 #include "tests/bench/slice/embree_trace.hpp"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::bench {
 

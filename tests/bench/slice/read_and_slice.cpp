@@ -14,7 +14,7 @@
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/model/load_mesh.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/bench/slice/binary_stl.hpp"
 #include "tests/bench/slice/child_cost.hpp"
 #include "tests/bench/slice/measure.hpp"

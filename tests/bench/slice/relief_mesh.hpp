@@ -9,7 +9,7 @@
 
 #include "hmi/model/mesh.hpp"
 #include "hmi/model/mesh_check.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::bench {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "hmi/tool/map_dilation.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/bench/slice/measure.hpp"
 #include "tests/bench/slice/relief_mesh.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "hmi/cam/blank_check.hpp"
 #include "hmi/cam/prepared_job.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/hmi/cam/off_axis.hpp"
 #include "tests/hmi/model/shapes.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "hmi/cam/job_builder.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 #include "tests/hmi/model/shapes.hpp"
 
 namespace psicarve::cam {

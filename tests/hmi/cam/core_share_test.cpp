@@ -9,10 +9,10 @@
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/cam/table_job.hpp"
+#include "hmi/phrase/error_phrase.hpp"
+#include "hmi/phrase/warning_phrase.hpp"
 #include "hmi/report/job_export.hpp"
-#include "hmi/session/error_phrase.hpp"
-#include "hmi/session/warning_phrase.hpp"
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/shared/temporary_folder.hpp"
 

@@ -17,7 +17,7 @@
 
 #include "hmi/cam/table_job.hpp"
 #include "hmi/report/job_export.hpp"
-#include "shared/outside.hpp"
+#include "shared/job/outside.hpp"
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/shared/temporary_folder.hpp"
 

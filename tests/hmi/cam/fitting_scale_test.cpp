@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "hmi/model/turned_mesh.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/cam/built_job.hpp"
 
 namespace psicarve::cam {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "hmi/tool/tool.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/hmi/model/shapes.hpp"
 #include "tests/hmi/slice/oracle.hpp"

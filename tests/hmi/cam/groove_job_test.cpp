@@ -12,8 +12,8 @@
 #include "hmi/flat/grooves.hpp"
 #include "hmi/flat/svg_reader.hpp"
 #include "hmi/piece/expected_piece.hpp"
-#include "hmi/verify/job_geometry.hpp"
-#include "shared/units.hpp"
+#include "hmi/surface/job_geometry.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/hmi/model/shapes.hpp"
 

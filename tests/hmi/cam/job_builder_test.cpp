@@ -12,10 +12,10 @@
 
 #include "hmi/model/mesh.hpp"
 #include "hmi/slice/placement.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/result.hpp"
-#include "shared/units.hpp"
+#include "shared/base/result.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/hmi/model/shapes.hpp"
 

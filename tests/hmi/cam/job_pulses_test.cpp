@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cam {
 namespace {

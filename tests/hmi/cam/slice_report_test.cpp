@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hmi/model/mesh.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/hmi/model/shapes.hpp"
 

@@ -12,9 +12,9 @@
 
 #include "hmi/model/load_mesh.hpp"
 #include "hmi/model/mesh.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/hmi/model/shapes.hpp"
 #include "tests/hmi/slice/oracle.hpp"

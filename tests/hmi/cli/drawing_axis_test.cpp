@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "shared/job.hpp"
-#include "shared/snapshot_file.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 
 namespace psicarve::test {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/journal_file.hpp"
+#include "shared/record/journal_file.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 
 namespace psicarve::test {

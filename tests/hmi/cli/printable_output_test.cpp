@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
 
-#include "shared/printable.hpp"
+#include "shared/base/printable.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/places.hpp"
 

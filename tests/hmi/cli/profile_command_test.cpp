@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/places.hpp"
 

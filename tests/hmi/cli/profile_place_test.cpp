@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/places.hpp"
 

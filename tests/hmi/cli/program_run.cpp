@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-#include "shared/segment.hpp"
+#include "shared/segment/segment.hpp"
 #include "tests/places.hpp"
 #include "tests/shared/child_signals.hpp"
 #include "tests/shared/stale_segments.hpp"

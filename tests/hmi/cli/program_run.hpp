@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-#include "shared/segment.hpp"
+#include "shared/segment/segment.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve::test {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pty.h>
 
-#include "shared/job.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/job/job.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 #include "tests/places.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/job.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/job/job.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 
 namespace psicarve::test {

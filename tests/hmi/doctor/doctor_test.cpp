@@ -6,7 +6,7 @@
 #include <cerrno>
 
 #include "hmi/doctor/checks.hpp"
-#include "shared/layout.hpp"
+#include "shared/segment/layout.hpp"
 #include "tests/hmi/doctor/made_up_computer.hpp"
 
 namespace psicarve::doctor {

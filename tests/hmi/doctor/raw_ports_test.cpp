@@ -13,7 +13,7 @@
 #include "hmi/doctor/checks.hpp"
 #include "rtcore/port/base_lock.hpp"
 #include "rtcore/port/raw_port.hpp"
-#include "shared/kernel_ports.hpp"
+#include "shared/computer/kernel_ports.hpp"
 #include "tests/hmi/doctor/made_up_computer.hpp"
 #include "tests/rtcore/port/kernel_stand_in.hpp"
 

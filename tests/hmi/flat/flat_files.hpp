@@ -13,7 +13,7 @@
 #include "hmi/flat/drawing.hpp"
 #include "hmi/flat/load_model.hpp"
 #include "hmi/slice/slicer.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve::flat {

@@ -12,7 +12,7 @@
 
 #include "hmi/machine/jog.hpp"
 #include "hmi/machine/snapshot_taker.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/two_process/child_process.hpp"
 
 namespace psicarve::machine {

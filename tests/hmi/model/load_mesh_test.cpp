@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "hmi/model/mesh.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 #include "tests/hmi/model/mesh_files.hpp"
 #include "tests/hmi/model/shapes.hpp"
 #include "tests/hmi/model/three_mf_files.hpp"

@@ -9,7 +9,7 @@
 
 #include "hmi/model/load_mesh.hpp"
 #include "hmi/model/mesh.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 #include "tests/hmi/model/mesh_files.hpp"
 #include "tests/hmi/model/shapes.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "hmi/model/load_mesh.hpp"
 #include "hmi/model/zip_archive.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 #include "tests/hmi/model/shapes.hpp"
 #include "tests/hmi/model/three_mf_files.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "hmi/model/load_mesh.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 #include "tests/hmi/model/shapes.hpp"
 #include "tests/hmi/model/three_mf_files.hpp"
 

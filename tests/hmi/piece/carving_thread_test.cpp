@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/hmi/model/shapes.hpp"
 

@@ -16,7 +16,7 @@
 #include "hmi/piece/placed_model.hpp"
 #include "hmi/piece/surface_distance.hpp"
 #include "hmi/slice/directions.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/cam/built_job.hpp"
 #include "tests/hmi/model/fins.hpp"
 #include "tests/hmi/model/shapes.hpp"

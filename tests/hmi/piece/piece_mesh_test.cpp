@@ -7,8 +7,8 @@
 
 #include "hmi/model/load_mesh.hpp"
 #include "hmi/piece/tool_cut.hpp"
-#include "shared/atomic_file.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/file/atomic_file.hpp"
 #include "tests/parameter_name.hpp"
 
 namespace psicarve::piece {

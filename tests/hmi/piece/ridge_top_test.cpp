@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "hmi/slice/directions.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/model/shapes.hpp"
 #include "tests/hmi/piece/deviation_rig.hpp"
 #include "tests/thoroughness.hpp"

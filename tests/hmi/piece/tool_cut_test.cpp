@@ -7,7 +7,7 @@
 #include <optional>
 #include <random>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::piece {
 namespace {

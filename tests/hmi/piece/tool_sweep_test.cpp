@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <random>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/parameter_name.hpp"
 
 namespace psicarve::piece {

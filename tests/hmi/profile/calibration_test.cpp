@@ -8,7 +8,7 @@
 #include <string>
 
 #include "hmi/profile/calibration_steps.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::profile {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::profile {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "hmi/profile/toml_edit.hpp"
-#include "shared/toml_library.hpp"
+#include "shared/profile/toml_library.hpp"
 #include "tests/thoroughness.hpp"
 
 namespace psicarve::profile {

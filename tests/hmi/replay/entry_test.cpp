@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shared/command.hpp"
+#include "shared/machine/command.hpp"
 
 namespace psicarve::replay {
 namespace {

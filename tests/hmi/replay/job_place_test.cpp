@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::replay {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hmi/machine/snapshot_taker.hpp"
-#include "hmi/verify/trace_reader.hpp"
+#include "hmi/trace/trace_reader.hpp"
 #include "tests/older_trace.hpp"
 #include "tests/two_process/core_rig.hpp"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "hmi/replay/carving_timeline.hpp"
-#include "shared/recorded_start.hpp"
+#include "shared/machine/recorded_start.hpp"
 #include "tests/hmi/replay/recorded_run.hpp"
 
 namespace psicarve::replay {

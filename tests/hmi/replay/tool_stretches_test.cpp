@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "hmi/replay/tool_timeline.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/verify/perfect_machine.hpp"
 #include "tests/two_process/core_rig.hpp"
 

@@ -15,8 +15,8 @@
 #include <thread>
 
 #include "hmi/cam/prepared_job.hpp"
-#include "shared/job.hpp"
-#include "shared/trace_format.hpp"
+#include "shared/job/job.hpp"
+#include "shared/trace/trace_format.hpp"
 #include "tests/hmi/replay/recorded_run.hpp"
 
 namespace psicarve::replay {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hmi/tool/tool.hpp"
-#include "shared/job.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
 
 namespace psicarve::rough::brute {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "hmi/rough/roughing.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::rough {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hmi/session/error_phrase.hpp"
+#include "hmi/phrase/error_phrase.hpp"
 #include "tests/hmi/session/sights.hpp"
 
 namespace psicarve::session {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/session/carved_scene.hpp"
+#include "hmi/scene/carved_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <memory>
 
-#include "hmi/session/colour_map.hpp"
-#include "shared/units.hpp"
+#include "hmi/scene/colour_map.hpp"
+#include "shared/base/units.hpp"
 #include "tests/two_process/core_rig.hpp"
 
 namespace psicarve::session {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shared/realtime_step.hpp"
+#include "shared/computer/realtime_step.hpp"
 
 namespace psicarve::session {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/session/core_phrase.hpp"
+#include "hmi/phrase/core_phrase.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/model/load_mesh.hpp"
-#include "hmi/session/error_phrase.hpp"
-#include "shared/snapshot_file.hpp"
+#include "hmi/phrase/error_phrase.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/places.hpp"
 #include "tests/shared/temporary_folder.hpp"
 

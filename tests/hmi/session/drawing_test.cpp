@@ -7,10 +7,10 @@
 #include <string>
 
 #include "hmi/model/load_mesh.hpp"
-#include "hmi/session/mesh_scene.hpp"
-#include "hmi/session/radius_map.hpp"
-#include "hmi/session/space_picture.hpp"
-#include "shared/units.hpp"
+#include "hmi/scene/mesh_scene.hpp"
+#include "hmi/scene/radius_map.hpp"
+#include "hmi/scene/space_picture.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/model/shapes.hpp"
 #include "tests/places.hpp"
 

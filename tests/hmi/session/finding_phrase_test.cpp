@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/session/finding_phrase.hpp"
+#include "hmi/phrase/finding_phrase.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <set>
 
 #include "hmi/doctor/checks.hpp"
-#include "shared/layout.hpp"
-#include "shared/realtime_step.hpp"
+#include "shared/computer/realtime_step.hpp"
+#include "shared/segment/layout.hpp"
 #include "tests/hmi/doctor/made_up_computer.hpp"
 #include "tests/shared/temporary_folder.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the readers of drawings, pictures and tables say, as they say it.
-#include "hmi/session/flat_phrase.hpp"
+#include "hmi/phrase/flat_phrase.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/cam/table_job.hpp"
 #include "hmi/flat/load_model.hpp"
-#include "hmi/session/error_phrase.hpp"
-#include "hmi/session/warning_phrase.hpp"
+#include "hmi/phrase/error_phrase.hpp"
+#include "hmi/phrase/warning_phrase.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve::session {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "hmi/session/radius_map.hpp"
+#include "hmi/scene/radius_map.hpp"
 #include "tests/shared/job_fixture.hpp"
 #include "tests/shared/passes_fixture.hpp"
 

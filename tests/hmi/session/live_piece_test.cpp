@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "hmi/piece/expected_piece.hpp"
-#include "hmi/session/stock_scene.hpp"
-#include "shared/units.hpp"
+#include "hmi/scene/stock_scene.hpp"
+#include "shared/base/units.hpp"
 #include "tests/thoroughness.hpp"
 #include "tests/two_process/core_rig.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-#include "hmi/session/colour_map.hpp"
+#include "hmi/scene/colour_map.hpp"
 
 namespace psicarve::session {
 namespace {

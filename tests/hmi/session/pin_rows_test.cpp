@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/session/pin_rows.hpp"
+#include "hmi/profile/pin_rows.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/session/profile_phrase.hpp"
+#include "hmi/phrase/profile_phrase.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/profile/profile_draft.hpp"
-#include "hmi/session/error_phrase.hpp"
-#include "shared/profile.hpp"
-#include "shared/profile_text.hpp"
+#include "shared/profile/profile.hpp"
+#include "shared/profile/profile_text.hpp"
 #include "tests/hmi/profile/key_named.hpp"
 #include "tests/shared/temporary_folder.hpp"
 #include "tests/thoroughness.hpp"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "shared/process_identity.hpp"
+#include "shared/computer/process_identity.hpp"
 #include "tests/hmi/session/session_rig.hpp"
 #include "tests/places.hpp"
 

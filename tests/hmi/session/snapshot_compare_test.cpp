@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "hmi/report/snapshot_differences.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve::session {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::session {
 namespace {

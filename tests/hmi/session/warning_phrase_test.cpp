@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/session/warning_phrase.hpp"
+#include "hmi/phrase/warning_phrase.hpp"
 
 #include <gtest/gtest.h>
 

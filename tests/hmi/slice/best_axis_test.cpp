@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 #include "tests/hmi/model/shapes.hpp"
 
 namespace psicarve::slice {

@@ -13,7 +13,7 @@
 #include "hmi/model/mesh.hpp"
 #include "hmi/slice/directions.hpp"
 #include "hmi/slice/placement.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 #include "tests/hmi/model/mesh_files.hpp"
 #include "tests/hmi/model/shapes.hpp"
 

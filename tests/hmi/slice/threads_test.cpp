@@ -7,7 +7,7 @@
 
 #include "hmi/slice/directions.hpp"
 #include "hmi/slice/slicer.hpp"
-#include "shared/result.hpp"
+#include "shared/base/result.hpp"
 #include "tests/hmi/model/shapes.hpp"
 
 namespace psicarve::slice {

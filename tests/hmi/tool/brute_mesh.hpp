@@ -8,7 +8,7 @@
 
 #include "hmi/model/mesh.hpp"
 #include "hmi/slice/placement.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/hmi/tool/brute_force.hpp"
 
 namespace psicarve::brute {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::tool {
 namespace {

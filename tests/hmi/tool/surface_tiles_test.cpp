@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hmi/tool/map_dilation.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::tool {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "hmi/slice/directions.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/model/shapes.hpp"
 #include "tests/hmi/tool/brute_force.hpp"
 

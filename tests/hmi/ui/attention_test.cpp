@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "hmi/session/preflight.hpp"
-#include "shared/atomic_file.hpp"
+#include "shared/file/atomic_file.hpp"
 #include "tests/fake_port/fake_port_file.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/two_process/slow_machine.hpp"

@@ -10,8 +10,8 @@
 #include <QTableWidget>
 
 #include "hmi/ui/profile_page.hpp"
-#include "shared/profile_text.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/profile/profile_text.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
 

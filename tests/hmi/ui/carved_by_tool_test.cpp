@@ -13,8 +13,8 @@
 #include "hmi/piece/expected_piece.hpp"
 #include "hmi/piece/tool_way.hpp"
 #include "hmi/ui/mesh_view.hpp"
-#include "shared/snapshot_file.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 
 namespace psicarve::ui {

@@ -5,7 +5,7 @@
 
 #include <QImage>
 
-#include "hmi/session/pin_rows.hpp"
+#include "hmi/profile/pin_rows.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
 

@@ -19,9 +19,9 @@
 
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/mesh_view.hpp"
-#include "shared/atomic_file.hpp"
-#include "shared/profile_text.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/file/atomic_file.hpp"
+#include "shared/profile/profile_text.hpp"
 #include "tests/hmi/replay/recorded_run.hpp"
 #include "tests/hmi/ui/pages_rig.hpp"
 #include "tests/places.hpp"

@@ -9,7 +9,7 @@
 #include <QSpinBox>
 
 #include "hmi/ui/mesh_view.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
 #include "tests/thoroughness.hpp"

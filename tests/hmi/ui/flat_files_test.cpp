@@ -26,7 +26,7 @@
 
 #include "hmi/ui/file_filters.hpp"
 #include "hmi/ui/mesh_view.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
 

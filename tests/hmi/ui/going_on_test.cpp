@@ -13,8 +13,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "shared/checkpoint.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/segment/checkpoint.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/hmi/ui/hands_rig.hpp"
 #include "tests/places.hpp"
 

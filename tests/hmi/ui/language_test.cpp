@@ -21,17 +21,17 @@
 #include <string>
 #include <vector>
 
+#include "hmi/phrase/core_phrase.hpp"
+#include "hmi/phrase/error_phrase.hpp"
 #include "hmi/session/action_lock.hpp"
-#include "hmi/session/core_phrase.hpp"
 #include "hmi/session/display_text.hpp"
-#include "hmi/session/error_phrase.hpp"
 #include "hmi/ui/language.hpp"
 #include "hmi/ui/state_pill.hpp"
 #include "hmi/ui/words.hpp"
-#include "shared/command.hpp"
-#include "shared/profile_table.hpp"
-#include "shared/profile_text.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/machine/command.hpp"
+#include "shared/profile/profile_table.hpp"
+#include "shared/profile/profile_text.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/hmi/session/sights.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"

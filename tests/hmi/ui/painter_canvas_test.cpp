@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "hmi/ui/mesh_view.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 
 namespace psicarve::ui {

@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "shared/checkpoint.hpp"
-#include "shared/saved_checkpoint.hpp"
+#include "shared/record/saved_checkpoint.hpp"
+#include "shared/segment/checkpoint.hpp"
 #include "tests/hmi/ui/hands_rig.hpp"
 #include "tests/places.hpp"
 

@@ -17,7 +17,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "shared/trace_format.hpp"
+#include "shared/trace/trace_format.hpp"
 #include "tests/hmi/replay/recorded_run.hpp"
 #include "tests/hmi/ui/hands_rig.hpp"
 #include "tests/places.hpp"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "hmi/cam/table_job.hpp"
-#include "shared/job.hpp"
+#include "shared/job/job.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
 

@@ -26,8 +26,8 @@
 #include "hmi/ui/latency_panel.hpp"
 #include "hmi/ui/ports_page.hpp"
 #include "hmi/ui/report_dialog.hpp"
-#include "shared/segment.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/segment/segment.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The job that a binary trace carries.
-#include "hmi/verify/carried_job.hpp"
+#include "hmi/trace/carried_job.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@
 #include <thread>
 #include <vector>
 
-#include "shared/job.hpp"
-#include "shared/trace_format.hpp"
+#include "shared/job/job.hpp"
+#include "shared/trace/trace_format.hpp"
 #include "tests/hmi/verify/trace_file_fixture.hpp"
 
 namespace psicarve::verify {

@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "hmi/verify/train_event.hpp"
-#include "shared/units.hpp"
+#include "hmi/verify/motor/train_event.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::verify {
 

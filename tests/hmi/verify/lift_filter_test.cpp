@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/verify/verify_fixture.hpp"
 
 namespace psicarve::verify {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/verify/verify_fixture.hpp"
 
 namespace psicarve::verify {

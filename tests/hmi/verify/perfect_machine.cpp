@@ -7,8 +7,8 @@
 #include <cstring>
 #include <utility>
 
-#include "shared/trace_format.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/trace/trace_format.hpp"
 
 namespace psicarve::verify {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "hmi/verify/trace_reader.hpp"
-#include "shared/job.hpp"
-#include "shared/profile.hpp"
-#include "shared/signal.hpp"
+#include "hmi/trace/trace_reader.hpp"
+#include "shared/job/job.hpp"
+#include "shared/machine/signal.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::verify {
 

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <filesystem>
 
-#include "hmi/verify/canvas.hpp"
-#include "hmi/verify/deviation_map.hpp"
-#include "hmi/verify/picture.hpp"
-#include "hmi/verify/piece_grid.hpp"
-#include "hmi/verify/piece_view.hpp"
-#include "shared/units.hpp"
+#include "hmi/picture/canvas.hpp"
+#include "hmi/picture/deviation_map.hpp"
+#include "hmi/picture/picture.hpp"
+#include "hmi/picture/piece_grid.hpp"
+#include "hmi/picture/piece_view.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/verify/verify_fixture.hpp"
 #include "tests/thoroughness.hpp"
 

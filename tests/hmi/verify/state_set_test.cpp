@@ -10,9 +10,9 @@
 #include <random>
 #include <vector>
 
-#include "hmi/verify/motor_reach.hpp"
-#include "hmi/verify/state_set.hpp"
-#include "hmi/verify/train_event.hpp"
+#include "hmi/verify/motor/motor_reach.hpp"
+#include "hmi/verify/motor/state_set.hpp"
+#include "hmi/verify/motor/train_event.hpp"
 
 namespace psicarve::verify {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "hmi/verify/trace_reader.hpp"
+#include "hmi/trace/trace_reader.hpp"
 #include "tests/hmi/verify/verify_fixture.hpp"
 
 namespace psicarve::verify {

@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-#include "hmi/verify/trace_reader.hpp"
+#include "hmi/trace/trace_reader.hpp"
 #include "tests/hmi/verify/trace_file_fixture.hpp"
 
 namespace psicarve::verify {

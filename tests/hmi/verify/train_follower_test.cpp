@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "hmi/verify/pulse_train.hpp"
-#include "hmi/verify/train_demand.hpp"
-#include "shared/profile.hpp"
+#include "hmi/verify/motor/pulse_train.hpp"
+#include "hmi/verify/motor/train_demand.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/hmi/verify/exact_motion.hpp"
 #include "tests/places.hpp"
 

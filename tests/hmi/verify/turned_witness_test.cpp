@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "hmi/verify/pulse_train.hpp"
-#include "shared/units.hpp"
+#include "hmi/verify/motor/pulse_train.hpp"
+#include "shared/base/units.hpp"
 #include "tests/hmi/verify/exact_motion.hpp"
 
 namespace psicarve::verify {

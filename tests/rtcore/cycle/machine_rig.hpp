@@ -14,9 +14,9 @@
 #include "rtcore/plan/planner.hpp"
 #include "rtcore/port/sim_port.hpp"
 #include "rtcore/sim/machine.hpp"
-#include "shared/job.hpp"
-#include "shared/pin_map.hpp"
-#include "shared/profile.hpp"
+#include "shared/job/job.hpp"
+#include "shared/profile/pin_map.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::cycle {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "rtcore/cycle/cycle_io.hpp"
-#include "shared/jog_lease.hpp"
+#include "shared/machine/jog_lease.hpp"
 
 namespace psicarve::cycle {
 

@@ -5,7 +5,7 @@
 
 #include <bit>
 
-#include "shared/jog_lease.hpp"
+#include "shared/machine/jog_lease.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 
 namespace psicarve::cycle {

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 #include "tests/places.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 #include "tests/rtcore/cycle/move_requests.hpp"

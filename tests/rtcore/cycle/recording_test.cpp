@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "shared/recording.hpp"
+#include "shared/machine/recording.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 
 namespace psicarve::cycle {

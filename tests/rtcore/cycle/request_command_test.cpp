@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "shared/command.hpp"
+#include "shared/machine/command.hpp"
 
 namespace psicarve::cycle {
 namespace {

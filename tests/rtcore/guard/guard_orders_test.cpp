@@ -18,8 +18,8 @@
 
 #include "rtcore/guard/guard.hpp"
 #include "rtcore/port/port_access.hpp"
-#include "shared/pin_map.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/pin_map.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::guard {
 namespace {

@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
-#include "shared/profile.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::plan {
 namespace {

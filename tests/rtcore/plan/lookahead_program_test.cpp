@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
-#include "shared/job.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
 #include "tests/rtcore/plan/table_blocks.hpp"
 
 namespace psicarve::plan {

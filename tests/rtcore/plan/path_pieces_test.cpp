@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::plan {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::plan {
 namespace {

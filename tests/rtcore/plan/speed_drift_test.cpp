@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::plan {
 namespace {

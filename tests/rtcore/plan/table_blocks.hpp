@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "rtcore/plan/lookahead_program.hpp"
-#include "shared/job.hpp"
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
+#include "shared/job/job.hpp"
 #include "tests/shared/spiral_fixture.hpp"
 
 namespace psicarve::plan::test {

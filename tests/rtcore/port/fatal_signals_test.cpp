@@ -11,8 +11,8 @@
 #include <atomic>
 #include <thread>
 
-#include "rtcore/handler_stack.hpp"
-#include "shared/profile.hpp"
+#include "rtcore/process/handler_stack.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace {
 

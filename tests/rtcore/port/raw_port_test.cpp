@@ -11,8 +11,8 @@
 #include <functional>
 
 #include "rtcore/port/base_lock.hpp"
-#include "rtcore/privileges.hpp"
-#include "shared/kernel_ports.hpp"
+#include "rtcore/process/privileges.hpp"
+#include "shared/computer/kernel_ports.hpp"
 #include "tests/rtcore/port/kernel_stand_in.hpp"
 #include "tests/shared/temporary_folder.hpp"
 

@@ -5,8 +5,8 @@
 
 #include "rtcore/sim/machine.hpp"
 #include "rtcore/sim/sim_config.hpp"
-#include "shared/pin_map.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/pin_map.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::port {
 namespace {

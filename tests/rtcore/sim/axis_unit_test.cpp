@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "rtcore/sim/sim_config.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::sim {
 namespace {

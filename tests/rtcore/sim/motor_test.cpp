@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "rtcore/sim/sim_config.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/profile.hpp"
 #include "tests/places.hpp"
 #include "tests/rtcore/sim/pulse_train.hpp"
 

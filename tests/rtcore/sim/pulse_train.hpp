@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "shared/units.hpp"
+#include "shared/base/units.hpp"
 
 namespace psicarve::sim {
 

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "rtcore/sim/sim_config.hpp"
-#include "shared/pin_map.hpp"
-#include "shared/profile.hpp"
+#include "shared/profile/pin_map.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::sim {
 namespace {

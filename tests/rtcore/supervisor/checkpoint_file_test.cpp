@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/supervisor/checkpoint_file.hpp"
+#include "rtcore/checkpoint/checkpoint_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 #include <memory>
 #include <thread>
 
-#include "shared/atomic_file.hpp"
-#include "shared/snapshot_file.hpp"
+#include "shared/file/atomic_file.hpp"
+#include "shared/record/snapshot_file.hpp"
 #include "tests/rtcore/supervisor/kept_job.hpp"
 #include "tests/shared/temporary_folder.hpp"
 

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "rtcore/replay/replay_script.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/flight_log.hpp"
 #include "rtcore/supervisor/replay.hpp"
-#include "rtcore/supervisor/replay_script.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 
 namespace psicarve::supervisor {

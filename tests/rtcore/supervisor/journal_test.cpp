@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/supervisor/journal.hpp"
+#include "rtcore/journal/journal.hpp"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "rtcore/supervisor/journal_desk.hpp"
-#include "shared/process_identity.hpp"
+#include "rtcore/journal/journal_desk.hpp"
+#include "shared/computer/process_identity.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace {

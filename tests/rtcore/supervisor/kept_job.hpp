@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "rtcore/supervisor/loaded_job.hpp"
+#include "rtcore/job/loaded_job.hpp"
 #include "tests/shared/job_fixture.hpp"
 
 namespace psicarve::supervisor::test {

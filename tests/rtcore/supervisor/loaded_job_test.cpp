@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/supervisor/loaded_job.hpp"
+#include "rtcore/job/loaded_job.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/supervisor/missed_ticks.hpp"
+#include "rtcore/realtime/missed_ticks.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "rtcore/cycle/pin_test.hpp"
-#include "shared/jog_lease.hpp"
+#include "shared/machine/jog_lease.hpp"
 
 namespace psicarve::supervisor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/supervisor/options.hpp"
+#include "rtcore/options/options.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/supervisor/piece_memory.hpp"
+#include "rtcore/checkpoint/piece_memory.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <optional>
 #include <thread>
 
-#include "shared/shared_record.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/rtcore/supervisor/kept_job.hpp"
 #include "tests/shared/temporary_folder.hpp"
 

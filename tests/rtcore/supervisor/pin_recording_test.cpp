@@ -7,9 +7,9 @@
 #include <numeric>
 #include <vector>
 
-#include "shared/jog_lease.hpp"
-#include "shared/recording.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/machine/jog_lease.hpp"
+#include "shared/machine/recording.hpp"
+#include "shared/segment/shared_record.hpp"
 
 namespace psicarve::supervisor {
 namespace {

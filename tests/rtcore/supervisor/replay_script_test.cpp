@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/supervisor/replay_script.hpp"
+#include "rtcore/replay/replay_script.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
 
-#include "shared/command.hpp"
+#include "shared/machine/command.hpp"
 
 namespace psicarve::supervisor {
 namespace {

@@ -11,8 +11,8 @@
 #include <string>
 #include <thread>
 
-#include "rtcore/supervisor/piece_memory.hpp"
-#include "shared/shared_record.hpp"
+#include "rtcore/checkpoint/piece_memory.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/rtcore/supervisor/kept_job.hpp"
 #include "tests/rtcore/supervisor/slow_disk.hpp"
 #include "tests/shared/temporary_folder.hpp"

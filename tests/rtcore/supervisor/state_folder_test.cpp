@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/supervisor/state_folder.hpp"
+#include "rtcore/process/state_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

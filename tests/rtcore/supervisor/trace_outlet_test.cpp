@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/supervisor/trace_outlet.hpp"
+#include "rtcore/trace/trace_outlet.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/trace_format.hpp"
+#include "shared/trace/trace_format.hpp"
 #include "tests/rtcore/trace/trace_files.hpp"
 
 namespace psicarve::trace {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 #include "tests/rtcore/trace/trace_files.hpp"
 
 namespace psicarve::trace {

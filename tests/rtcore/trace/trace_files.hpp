@@ -13,7 +13,7 @@
 
 #include "rtcore/trace/trace_entry.hpp"
 #include "rtcore/trace/trace_writer.hpp"
-#include "shared/signal.hpp"
+#include "shared/machine/signal.hpp"
 
 namespace psicarve::trace {
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "shared/trace_format.hpp"
+#include "shared/trace/trace_format.hpp"
 
 namespace psicarve {
 namespace {

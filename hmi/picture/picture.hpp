@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "hmi/surface/carved_surface.hpp"
+#include "hmi/verify/verify_report.hpp"
+#include "shared/base/result.hpp"
+#include "shared/job/job.hpp"
+
+namespace psicarve::verify {
+
+/// What the picture's words need to know besides the piece itself.
+struct PictureCaption {
+    std::string model_name;
+    std::uint32_t layers = 0;
+    std::uint32_t points = 0;
+    bool verified = false;
+    bool has_lost_steps = false;  ///< the machine did not follow the pins
+    std::int64_t max_deviation_pulses = 0;
+};
+PictureCaption caption_of(const JobView& job, const VerifyReport& report);
+
+/// An 800 pixel wide PNG: the carved piece from two sides, shaded, beside the unrolled map of what differs
+/// from the job.
+Result<std::vector<std::byte>> picture_png(const CarvedSurface& surface, const PictureCaption& caption);
+
+/// The same into a file, atomically: the old file stays intact whatever happens.
+Result<void> write_picture(const std::string& path, const CarvedSurface& surface,
+                           const PictureCaption& caption);
+
+}  // namespace psicarve::verify

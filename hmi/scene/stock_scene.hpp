@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hmi/piece/piece_front.hpp"
+#include "hmi/scene/carved_scene.hpp"
+
+namespace psicarve::session {
+
+/// Of a tool that has a size: what it leaves of the whole blank, from the table up. Deviations are the
+/// record's, where its nearest layer has one. One thread, that which looks at the front.
+class StockScene : public PieceOnTable {
+public:
+    /// The front outlives this.
+    StockScene(const CarvingRecord& record, piece::PieceFront& front, const CarvedScenePlan& plan);
+
+    std::shared_ptr<const MeshScene> scene() const noexcept override { return scene_; }
+    double middle_mm() const noexcept override { return middle_mm_; }
+    std::vector<VertexRange> update(CarvingRecord& record) override;
+
+private:
+    std::uint32_t colour_of(const CarvingRecord& record, std::size_t row, std::size_t column) const;
+    void fill_row(const CarvingRecord& record, std::size_t up);
+    std::size_t stock_row(std::size_t up) const noexcept;
+    void note_layer(const CarvingRecord& record, std::uint32_t layer, std::vector<std::uint8_t>& has_changed);
+
+    CarvedScenePlan plan_;
+    piece::PieceFront& front_;
+    std::size_t round_;
+    std::size_t up_;
+    double middle_mm_;
+    std::vector<std::array<float, 2>> directions_;
+    std::shared_ptr<MeshScene> scene_;
+};
+
+}  // namespace psicarve::session

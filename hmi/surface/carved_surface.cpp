@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/surface/carved_surface.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "shared/base/units.hpp"
+
+namespace psicarve::verify {
+
+CarvedSurface::CarvedSurface(const JobGeometry& geometry)
+    : geometry_(geometry),
+      radius_mm_(std::size_t{geometry.row_count()} * geometry.direction_count(),
+                 static_cast<float>(geometry.blank_radius_mm())),
+      deviation_(radius_mm_.size(), kWithoutPoint),
+      reached_(radius_mm_.size(), 0) {
+    expect_points();
+}
+
+void CarvedSurface::expect_points() {
+    const std::uint32_t first = std::max(geometry_.first_row_layer(), geometry_.first_layer());
+    for (std::uint32_t layer = first; layer < geometry_.end_layer(); ++layer) {
+        for (std::size_t h = 0; h < kHeadCount; ++h) {
+            auto row = geometry_.row_of_point(h, layer, 0);
+            for (std::uint32_t point = 0; point < geometry_.point_count(); ++point) {
+                if (geometry_.is_spiral()) row = geometry_.row_of_point(h, layer, point);
+                if (!row) continue;
+                const std::int64_t psi = geometry_.job().psi_pulses(layer, point);
+                const std::uint32_t cell = geometry_.cell_of(geometry_.direction(h, psi));
+                deviation_[std::size_t{*row} * direction_count() + cell] = kUntouched;
+            }
+        }
+    }
+}
+
+double CarvedSurface::layer_height_mm(std::uint32_t layer) const noexcept {
+    return static_cast<double>(geometry_.height(layer)) / geometry_.y_pulses_per_mm();
+}
+
+double CarvedSurface::height_mm(std::uint32_t layer, std::uint32_t direction) const noexcept {
+    return static_cast<double>(geometry_.height(layer, geometry_.direction_of(direction))) /
+           geometry_.y_pulses_per_mm();
+}
+
+void CarvedSurface::note_deviation(std::uint32_t layer, std::uint32_t cell, std::int64_t pulses) noexcept {
+    std::int16_t& kept = deviation_[std::size_t{layer} * direction_count() + cell];
+    if (kept == kWithoutPoint && pulses >= 0) return;  // nothing was asked for here
+    const std::int64_t bounded = std::clamp<std::int64_t>(pulses, -kLargest, kLargest);
+    if (bounded < kept) kept = static_cast<std::int16_t>(bounded);
+}
+
+std::int32_t CarvedSurface::deviation_pulses(std::uint32_t layer, std::uint32_t direction) const noexcept {
+    const std::size_t index = std::size_t{layer} * direction_count() + direction;
+    const std::int16_t kept = deviation_[index];
+    if (kept != kUntouched && kept != kWithoutPoint) return kept;
+    if (kept == kWithoutPoint && reached_[index] != 0) return 0;  // swept between two points
+    const auto wanted_mm = geometry_.wanted_mm(layer, geometry_.direction_of(direction));
+    if (!wanted_mm) return 0;
+    return static_cast<std::int32_t>(round_to_pulse((blank_radius_mm() - *wanted_mm) * pulses_per_mm()));
+}
+
+std::int64_t CarvedSurface::max_deviation_pulses() const noexcept {
+    std::int64_t largest = 0;
+    for (std::uint32_t layer = 0; layer < layer_count(); ++layer) {
+        for (std::uint32_t direction = 0; direction < direction_count(); ++direction) {
+            if (deviation_[std::size_t{layer} * direction_count() + direction] == kWithoutPoint) continue;
+            largest = std::max<std::int64_t>(largest, std::abs(deviation_pulses(layer, direction)));
+        }
+    }
+    return largest;
+}
+
+std::uint64_t CarvedSurface::uncarved_cells() const noexcept {
+    return static_cast<std::uint64_t>(std::count(reached_.begin(), reached_.end(), std::uint8_t{0}));
+}
+
+void CarvedSurface::clear() {
+    if (!is_touched_) return;
+    std::fill(radius_mm_.begin(), radius_mm_.end(), static_cast<float>(blank_radius_mm()));
+    std::fill(deviation_.begin(), deviation_.end(), kWithoutPoint);
+    std::fill(reached_.begin(), reached_.end(), std::uint8_t{0});
+    expect_points();
+    is_touched_ = false;
+}
+
+}  // namespace psicarve::verify

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/checkpoint/checkpoint_keeper.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "shared/machine/machine_state.hpp"
+#include "shared/segment/shared_record.hpp"
+
+namespace psicarve::supervisor {
+namespace {
+
+std::uint32_t origin_of(bool is_simulator) noexcept {
+    return is_simulator ? kCheckpointSimulated : 0;
+}
+
+}  // namespace
+
+bool CheckpointKeeper::clear_foreign(SegmentHeader& header) const noexcept {
+    const auto found = read_record(header.checkpoint);
+    if (!found || !is_checkpoint(*found) || found->is_simulated() == is_simulator_) return false;
+    write_record(header.checkpoint, Checkpoint{});
+    return true;
+}
+
+/// What the segment knows of this very job.
+std::optional<Checkpoint> CheckpointKeeper::known_of(const SegmentHeader& header,
+                                                     const LoadedJob& job) const noexcept {
+    const auto known = read_record(header.checkpoint);
+    const bool is_known = known && is_checkpoint(*known) && known->is_simulated() == is_simulator_ &&
+                          known->job_checksum == job.checksum && known->layer_count == job.view.layer_count();
+    return is_known ? known : std::nullopt;
+}
+
+Checkpoint CheckpointKeeper::own(const LoadedJob& job, std::uint32_t next_layer,
+                                 std::uint32_t earlier_layer) const noexcept {
+    return checkpoint_at(job.checksum, next_layer, job.view.layer_count(), earlier_layer,
+                         origin_of(is_simulator_));
+}
+
+std::optional<ToKeep> CheckpointKeeper::note(SegmentHeader& header, const cycle::Sample& sample,
+                                             const LoadedJob* job, std::uint32_t most_told) noexcept {
+    if (job == nullptr) return std::nullopt;
+    if (!is_carving_of(sample, *job)) return announce(header, sample, *job, most_told);
+    is_announced_ = false;
+    if (begun_tick_ != run_start_tick_) begin_run(header, sample.first_layer, *job);
+    if (leaves_gap_) return std::nullopt;
+    const std::uint64_t layers_done =
+        std::max<std::uint64_t>(carved_before_, sample.points_done / job->view.point_count());
+    const auto next_layer =
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(layers_done, job->view.layer_count()));
+    const std::uint32_t earlier = earlier_layer_ > next_layer ? earlier_layer_ : 0;
+    if (written_job_ == job->generation && written_ && written_->next_layer == next_layer &&
+        written_->earlier_layer == earlier)
+        return std::nullopt;
+    written_ = own(*job, next_layer, earlier);
+    written_job_ = job->generation;
+    write_record(header.checkpoint, *written_);
+    return ToKeep{*written_, Keeping::carved};
+}
+
+std::optional<ToKeep> CheckpointKeeper::announce(const SegmentHeader& header, const cycle::Sample& sample,
+                                                 const LoadedJob& job, std::uint32_t most_told) noexcept {
+    const bool is_under_way = sample.job_generation == job.generation && runs_job(sample.state);
+    const auto before = known_of(header, job);
+    if (!is_under_way) {
+        // Nothing was carved: all is as it was.
+        if (!std::exchange(is_announced_, false)) return std::nullopt;
+        return ToKeep{before ? own(job, before->next_layer, before->earlier_layer) : Checkpoint{},
+                      Keeping::as_before};
+    }
+    if (is_announced_ || sample.is_dry != 0) return std::nullopt;
+    const std::uint64_t first_layer = sample.first_layer;
+    // One that begins later goes on with the piece that is known, or leaves it as it is.
+    if (before && first_layer != 0) return std::nullopt;
+    if (!before && most_told <= first_layer) return std::nullopt;
+    is_announced_ = true;
+    if (before) return ToKeep{own(job, 0, before->left_behind()), Keeping::announced};
+    const auto first =
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(first_layer, job.view.layer_count()));
+    return ToKeep{own(job, first, 0), Keeping::announced};
+}
+
+CheckpointKeeper::TakenOver CheckpointKeeper::take_over(SegmentHeader& header, const Checkpoint& left,
+                                                        const LoadedJob& job) const {
+    const auto place = [&] {
+        write_record(header.checkpoint,
+                     checkpoint_at(left.job_checksum, left.next_layer, left.layer_count, left.earlier_layer,
+                                   origin_of(is_simulator_) | kCheckpointFromDisk));
+    };
+    const auto before = read_record(header.checkpoint);
+    if (before && before->is_empty()) {
+        place();
+        return {};
+    }
+    const auto known = known_of(header, job);
+    if (!known) return {};
+    if (known->next_layer == left.next_layer) return {};
+    const std::string both = "segment: layer " + std::to_string(known->next_layer) +
+                             ", disk: " + std::to_string(left.next_layer) +
+                             "; where this piece goes on the two disagree, the lower one is taken";
+    if (left.next_layer > known->next_layer) return {own(job, known->next_layer, known->earlier_layer), both};
+    place();
+    return {std::nullopt, both};
+}
+
+bool CheckpointKeeper::knows(const SegmentHeader& header, const RecordName& record) const noexcept {
+    const auto known = read_record(header.checkpoint);
+    return known && is_checkpoint(*known) && known->job_checksum == record.job_checksum &&
+           known->is_simulated() == record.is_simulator;
+}
+
+void CheckpointKeeper::forget(SegmentHeader& header, const RecordName& record) noexcept {
+    if (record.is_simulator != is_simulator_) return;
+    const auto known = read_record(header.checkpoint);
+    if (known && is_checkpoint(*known) && known->job_checksum != record.job_checksum) return;
+    if (written_ && written_->job_checksum != record.job_checksum) return;
+    write_record(header.checkpoint, Checkpoint{});
+    written_.reset();
+    begun_tick_ = run_start_tick_;
+    leaves_gap_ = true;  // what is told of the run that has ended is no news
+}
+
+void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t first_layer,
+                                 const LoadedJob& job) noexcept {
+    begun_tick_ = run_start_tick_;
+    carved_before_ = 0;
+    earlier_layer_ = 0;
+    leaves_gap_ = false;
+    const auto before = known_of(header, job);
+    if (!before) return;  // whoever begins later than with the first knows of the layers before
+    if (first_layer == 0) {
+        earlier_layer_ = before->left_behind();
+        return;
+    }
+    if (before->next_layer == 0 && before->earlier_layer == 0) return;
+    // Any other layer behind the newer run's leaves a gap in that: nobody said that it is the older piece's.
+    const bool goes_back = before->earlier_layer > before->next_layer && first_layer == before->earlier_layer;
+    carved_before_ = goes_back ? before->earlier_layer : before->next_layer;
+    earlier_layer_ = goes_back ? 0 : before->earlier_layer;
+    leaves_gap_ = first_layer > carved_before_;
+}
+
+void CheckpointKeeper::write_anew(SegmentHeader& header) const noexcept {
+    if (written_) write_record(header.checkpoint, *written_);
+}
+
+// Ticks and points of a run stay in the sample after its end, also when the next job is loaded.
+bool CheckpointKeeper::is_carving_of(const cycle::Sample& sample, const LoadedJob& job) noexcept {
+    if (sample.job_generation != job.generation) return false;
+    if (runs_job(sample.state)) {
+        run_generation_ = sample.job_generation;
+        run_start_tick_ = sample.job_start_tick;
+    }
+    return run_generation_ == sample.job_generation && run_start_tick_ == sample.job_start_tick &&
+           sample.carve_first_tick != 0 && sample.is_dry == 0;
+}
+
+}  // namespace psicarve::supervisor

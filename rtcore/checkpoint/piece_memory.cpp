@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/checkpoint/piece_memory.hpp"
+
+#include "rtcore/process/words.hpp"
+
+namespace psicarve::supervisor {
+
+void PieceMemory::enter(SegmentHeader& header) const {
+    header.core.keeping.store(file_.keeping().pack());
+    if (keeper_.clear_foreign(header))
+        rtcore::try_to_say("the segment's checkpoint is of another kind of machine: it is not taken");
+}
+
+std::string PieceMemory::take_job(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job) {
+    keeper_.note_new_job();
+    return take_left(header, job);
+}
+
+std::string PieceMemory::take_left(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job) {
+    const auto left = file_.left_of(*job);
+    if (!left) return {};
+    const auto taken = keeper_.take_over(header, left->checkpoint, *job);
+    if (taken.to_keep) file_.keep({*taken.to_keep, Keeping::carved}, job);
+    std::string remark = taken.remark;
+    if (left->profile_hash != profile_hash_ && left->is_unfinished()) {
+        remark += (remark.empty() ? "" : "; ");
+        remark += "this piece was begun with another profile of the machine";
+    }
+    return remark;
+}
+
+void PieceMemory::note(SegmentHeader& header, const cycle::Sample& sample,
+                       const std::shared_ptr<const LoadedJob>& job) {
+    file_.tend();
+    header.core.keeping.store(file_.keeping().pack());
+    if (job == nullptr) return;
+    if (file_.has_answered_late()) {
+        // Whoever published the job has his answer already.
+        const std::string remark = take_left(header, job);
+        if (!remark.empty()) rtcore::try_to_say(remark);
+    }
+    const auto to_keep = keeper_.note(header, sample, job.get(), file_.most_told_of(*job));
+    if (to_keep) file_.keep(*to_keep, job);
+}
+
+std::string PieceMemory::forget(SegmentHeader& header, const RecordName& record) {
+    if (record.is_simulator != is_simulator_)
+        return "forget: that is a record of the other kind of machine; this core keeps none";
+    const bool is_known = keeper_.knows(header, record);
+    if (is_known && !file_.is_newest(record))
+        return "forget: its disk has another record of this piece; look again, there (--state FOLDER)";
+    if (!file_.forget(record)) return "forget: the disk does not answer, and too much waits for it";
+    keeper_.forget(header, record);
+    return {};
+}
+
+}  // namespace psicarve::supervisor

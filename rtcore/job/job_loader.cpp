@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/job/job_loader.hpp"
+
+#include <utility>
+
+namespace psicarve::supervisor {
+namespace {
+
+JobLoader::Outcome look_at(Segment& segment, std::uint64_t known_generation, std::uint64_t generation,
+                           const Profile& profile) {
+    JobLoader::Outcome outcome;
+    auto taken = take_published_job(segment, known_generation);
+    if (!taken) {
+        outcome.generation = generation;
+        outcome.is_published = is_published(segment, generation);
+        outcome.refusal = taken.error().message;
+        return outcome;
+    }
+    if (!taken->has_value()) return outcome;
+    PublishedJob& published = **taken;
+    outcome.generation = published.generation;
+    outcome.is_published = true;
+    auto job = load_job(std::move(published.blob), published.generation, profile);
+    if (job) {
+        outcome.job = std::move(*job);
+    } else {
+        outcome.refusal = job.error().message;
+    }
+    return outcome;
+}
+
+}  // namespace
+
+JobLoader::JobLoader(const Profile& profile, bool has_thread) : profile_(std::make_shared<Profile>(profile)) {
+    // An operator waits for it.
+    if (has_thread) thread_ = std::make_unique<rtcore::SideThread>(rtcore::SideThread::Priority::ordinary);
+}
+
+void JobLoader::begin(std::shared_ptr<Segment> segment, std::uint64_t known_generation,
+                      std::uint64_t generation) {
+    is_busy_ = true;
+    auto look = [desk = desk_, profile = profile_, segment = std::move(segment), known_generation,
+                 generation] {
+        desk->outcome = look_at(*segment, known_generation, generation, *profile);
+        desk->has_outcome.store(true);
+    };
+    if (thread_ == nullptr) return look();
+    is_busy_ = thread_->do_later(std::move(look));
+}
+
+std::optional<JobLoader::Outcome> JobLoader::take_outcome() {
+    if (!desk_->has_outcome.exchange(false)) return std::nullopt;
+    is_busy_ = false;
+    return std::exchange(desk_->outcome, Outcome{});
+}
+
+}  // namespace psicarve::supervisor

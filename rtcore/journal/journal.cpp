@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/journal/journal.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <cinttypes>
+#include <cstdio>
+#include <utility>
+
+#include "rtcore/journal/journal_facts.hpp"
+#include "shared/machine/machine_state.hpp"
+
+namespace psicarve::supervisor {
+namespace {
+
+constexpr std::chrono::seconds kMissedInterval{60};
+constexpr std::size_t kMostWaiting =
+    1024;  ///< records, for the disk: a burst of any kind, and another half of one
+
+std::int64_t now_ms() {
+    using std::chrono::system_clock;
+    return std::chrono::duration_cast<std::chrono::milliseconds>(system_clock::now().time_since_epoch())
+        .count();
+}
+
+JournalFacts facts_of_start(const JournalStart& start) {
+    std::array<char, 17> profile{};
+    (void)std::snprintf(profile.data(), profile.size(), "%016" PRIx64, start.profile_hash);
+    JournalFacts facts;
+    facts.add("version", std::string_view{PSICARVE_VERSION})
+        .add("pid", std::int64_t{::getpid()})
+        .add("port", start.port_name)
+        .add("clock", std::string_view{start.is_virtual_clock ? "virtual" : "real"})
+        .add("profile", std::string_view{profile.data()});
+    return facts;
+}
+
+/// How a job ended whose last state this was.
+std::string_view ending_of(MachineState last, MachineState entered) noexcept {
+    if (entered == MachineState::alarm) return "alarm";
+    return last == MachineState::finishing ? "done" : "stopped";
+}
+
+}  // namespace
+
+Journal::Journal(const JournalStart& start) {
+    if (start.place.folder.empty()) return;
+    desk_ = std::make_shared<JournalDesk>(start.place);
+    thread_ = std::make_unique<rtcore::SideThread>(rtcore::SideThread::Priority::low, kMostWaiting);
+    put_always(JournalKind::core, "start", 0, facts_of_start(start));
+}
+
+bool Journal::may_put(JournalKind kind) noexcept {
+    return desk_ != nullptr &&
+           allowances_[static_cast<std::size_t>(kind)].take(std::chrono::steady_clock::now());
+}
+
+void Journal::put(JournalKind kind, std::string what, std::uint64_t tick, JournalFacts facts) {
+    if (may_put(kind)) put_always(kind, std::move(what), tick, std::move(facts));
+}
+
+void Journal::put_always(JournalKind kind, std::string what, std::uint64_t tick, JournalFacts facts) {
+    JournalRecord record;
+    record.time_ms = now_ms();
+    record.tick = tick;
+    record.kind = kind;
+    record.what = std::move(what);
+    record.facts = std::move(facts);
+    desk_->note_given();
+    const bool is_taken = thread_->do_later([desk = desk_, kept = std::move(record)] { desk->write(kept); });
+    if (!is_taken) desk_->note_lost(true);
+}
+
+void Journal::tell_left_out(JournalKind kind, std::uint64_t count, std::uint64_t tick) {
+    JournalFacts facts;
+    facts.add("count", static_cast<std::int64_t>(count));
+    if (count > 0) put_always(kind, "left out", tick, std::move(facts));
+}
+
+void Journal::note_report(const cycle::Report& report, const cycle::Sample& sample, const LoadedJob* job) {
+    if (desk_ == nullptr) return;
+    const FlightRecord& record = report.record;
+    switch (record.kind) {
+        case RecordKind::alarm: {
+            JournalFacts facts = facts_of_alarm(report);
+            if (runs_job(state_)) add_progress(facts, sample);
+            put(JournalKind::alarm, std::string{name_of(static_cast<AlarmCause>(record.code))}, record.tick,
+                std::move(facts));
+            break;
+        }
+        case RecordKind::state_change:
+            note_state(static_cast<MachineState>(record.code), sample, job);
+            break;
+        case RecordKind::stop:
+            put(JournalKind::command, "stop", record.tick, {});
+            break;
+        case RecordKind::emergency_stop:
+            put(JournalKind::command, "estop", record.tick, {});
+            break;
+        default:
+            break;
+    }
+}
+
+void Journal::note_state(MachineState entered, const cycle::Sample& sample, const LoadedJob* job) {
+    const MachineState before = std::exchange(state_, entered);
+    if (runs_job(before) == runs_job(entered)) return;
+    JournalFacts facts;
+    if (job != nullptr && job->generation == sample.job_generation)
+        facts.add("source", job->view.source_name());
+    if (runs_job(entered)) {
+        facts.add("first_layer", static_cast<std::int64_t>(sample.first_layer));
+        if (sample.is_dry != 0) facts.add("dry", std::int64_t{1});
+        return put(JournalKind::job, "started", sample.tick, std::move(facts));
+    }
+    facts.add("how", ending_of(before, entered));
+    add_progress(facts, sample);
+    put(JournalKind::job, "ended", sample.tick, std::move(facts));
+}
+
+void Journal::note_answer(const ReceivedCommand& received, AnswerKind kind, const std::string& reason,
+                          std::uint64_t tick) {
+    // Allowed first: what is left out costs nothing, in a flood least of all.
+    if (!may_put(JournalKind::command)) return;
+    JournalFacts facts = facts_of_command(received);
+    facts.add("answer", std::string_view{kind == AnswerKind::done ? "done" : "refused"});
+    if (!reason.empty()) facts.add("reason", reason);
+    const bool is_known = static_cast<std::uint32_t>(received.command.kind) < kCommandKindCount;
+    put_always(JournalKind::command,
+               is_known ? std::string{name_of(received.command.kind)} : std::string{"unknown"}, tick,
+               std::move(facts));
+}
+
+void Journal::note_job(const LoadedJob& job, std::uint64_t tick) {
+    if (may_put(JournalKind::job)) put_always(JournalKind::job, "loaded", tick, facts_of_job(job));
+}
+
+void Journal::note_refused_job(const std::string& reason, std::uint64_t tick) {
+    JournalFacts facts;
+    facts.add("reason", reason);
+    put(JournalKind::job, "refused", tick, std::move(facts));
+}
+
+void Journal::tell_missed(const cycle::Sample& sample) {
+    if (sample.missed_ticks == missed_told_) return;
+    JournalFacts facts;
+    facts.add("count", static_cast<std::int64_t>(sample.missed_ticks - missed_told_))
+        .add("total", static_cast<std::int64_t>(sample.missed_ticks));
+    missed_told_ = sample.missed_ticks;
+    put_always(JournalKind::core, "missed ticks", sample.tick, std::move(facts));
+}
+
+void Journal::note_round(const cycle::Sample& sample) {
+    if (desk_ == nullptr) return;
+    const auto now = std::chrono::steady_clock::now();
+    for (std::size_t kind = 0; kind < kJournalKindCount; ++kind)
+        tell_left_out(static_cast<JournalKind>(kind), allowances_[kind].take_left_out(now), sample.tick);
+    if (now < next_missed_) return;
+    next_missed_ = now + kMissedInterval;
+    tell_missed(sample);
+}
+
+void Journal::note_end(const cycle::Sample& sample) {
+    if (desk_ == nullptr) return;
+    for (std::size_t kind = 0; kind < kJournalKindCount; ++kind)
+        tell_left_out(static_cast<JournalKind>(kind), allowances_[kind].take_rest(), sample.tick);
+    tell_missed(sample);
+    JournalFacts facts;
+    facts.add("state", name_of(sample.state));
+    if (sample.state == MachineState::alarm) facts.add("cause", name_of(sample.alarm_cause));
+    put_always(JournalKind::core, "end", sample.tick, std::move(facts));
+    desk_ = nullptr;
+    thread_ = nullptr;  // waits for it
+}
+
+}  // namespace psicarve::supervisor

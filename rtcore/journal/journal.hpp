@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "rtcore/cycle/cycle_io.hpp"
+#include "rtcore/job/loaded_job.hpp"
+#include "rtcore/journal/journal_allowance.hpp"
+#include "rtcore/journal/journal_desk.hpp"
+#include "rtcore/process/side_thread.hpp"
+#include "shared/machine/command.hpp"
+#include "shared/record/journal.hpp"
+#include "shared/segment/segment.hpp"
+
+namespace psicarve::supervisor {
+
+/// What a core says of itself when it begins.
+struct JournalStart {
+    JournalPlace place;
+    std::uint64_t profile_hash = 0;
+    std::string port_name;
+    bool is_virtual_clock = false;
+};
+
+/// Writes down what happens to the machine, for whoever asks after this core is gone. A thread of its own
+/// writes; whoever notes something never waits for it. Without a folder it does nothing. One owner's thread.
+class Journal {
+public:
+    explicit Journal(const JournalStart& start);
+
+    /// Every report of the tick. `sample`: no older than it; `job`: the one at hand, or null.
+    void note_report(const cycle::Report& report, const cycle::Sample& sample, const LoadedJob* job);
+    /// Before the sender is told: afterwards it may be gone.
+    void note_answer(const ReceivedCommand& received, AnswerKind kind, const std::string& reason,
+                     std::uint64_t tick);
+    /// A published job became the one at hand.
+    void note_job(const LoadedJob& job, std::uint64_t tick);
+    void note_refused_job(const std::string& reason, std::uint64_t tick);
+    /// Every round.
+    void note_round(const cycle::Sample& sample);
+    /// The last thing: nothing is written behind it. Waits until all is, but no longer than a SideThread does
+    /// for a disk that hangs.
+    void note_end(const cycle::Sample& sample);
+
+private:
+    using Time = std::chrono::steady_clock::time_point;
+    void note_state(MachineState entered, const cycle::Sample& sample, const LoadedJob* job);
+    void put(JournalKind kind, std::string what, std::uint64_t tick, JournalFacts facts);
+    void put_always(JournalKind kind, std::string what, std::uint64_t tick, JournalFacts facts);
+    void tell_left_out(JournalKind kind, std::uint64_t count, std::uint64_t tick);
+    void tell_missed(const cycle::Sample& sample);
+    bool may_put(JournalKind kind) noexcept;
+
+    /// With the thread, which may outlive this; null: nothing is kept, or no more.
+    std::shared_ptr<JournalDesk> desk_;
+    std::array<JournalAllowance, kJournalKindCount> allowances_;
+    MachineState state_ = MachineState::off;
+    std::uint64_t missed_told_ = 0;
+    Time next_missed_{};
+    std::unique_ptr<rtcore::SideThread> thread_;
+};
+
+}  // namespace psicarve::supervisor

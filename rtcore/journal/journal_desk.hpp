@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+
+#include "shared/base/result.hpp"
+#include "shared/file/state_place.hpp"
+#include "shared/record/journal.hpp"
+#include "shared/record/journal_file.hpp"
+
+namespace psicarve::supervisor {
+
+/// Whose journal is kept, and where.
+struct JournalPlace {
+    std::string folder;  ///< made when something is first kept; empty: nowhere
+    std::string segment_name;
+    bool is_simulator = false;
+};
+
+/// Appends to the journal's files, in a thread that may hang for good. What cannot be written is counted, and
+/// told of by the journal itself once it can be again, and once on standard error.
+class JournalDesk {
+public:
+    explicit JournalDesk(JournalPlace place, std::uint64_t most_file_bytes = kMostJournalBytes);
+
+    // --- any thread
+    /// One more will be given to `write`.
+    void note_given() noexcept { given_.fetch_add(1); }
+    /// One that was noted as given, or would have been, never will be.
+    void note_lost(bool was_given) noexcept {
+        lost_.fetch_add(1);
+        if (was_given) given_.fetch_sub(1);
+    }
+
+    // --- the thread that writes
+    /// Gives it its number. A core's "start" begins a run, and is told how the run before has ended.
+    void write(JournalRecord record);
+
+private:
+    void look_at_before();
+    std::string before_text(const std::string& boot_id) const;
+    void tell_of_before(JournalRecord& start);
+    Result<void> append(const std::string& line, bool must_stay);
+    Result<OpenFile> open_newer(std::uint64_t line_bytes);
+    Result<void> put_aside(bool is_own) const;
+    void sync(int file);
+    void fail(const Error& why);
+
+    JournalPlace place_;
+    JournalFiles files_;
+    std::uint64_t most_file_bytes_;
+    std::atomic<std::uint64_t> given_{0};  ///< and not written yet
+    std::atomic<std::uint64_t> lost_{0};
+    bool has_looked_ = false;
+    std::uint64_t sequence_ = 0;
+    std::uint64_t run_ = 0;
+    bool is_before_unread_ = false;    ///< some of what was kept before could not be read
+    std::uint64_t ended_run_ = 0;      ///< the last one that has an end
+    std::uint64_t started_run_ = 0;    ///< the last one that has a start
+    std::string started_run_boot_id_;  ///< and of which boot that was
+    bool has_failed_ = false;
+    bool has_sync_failed_ = false;
+};
+
+}  // namespace psicarve::supervisor

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rtcore/realtime/periodic.hpp"
+#include "rtcore/realtime/rt_setup.hpp"
+#include "rtcore/realtime/thread_counts.hpp"
+
+namespace psicarve::supervisor {
+
+struct RealtimeWish {
+    std::optional<int> cpu;      ///< of the tick; nothing: see takes_any_cpu
+    bool takes_any_cpu = false;  ///< false: an isolated one, when there is one
+    int priority = kTickPriority;
+    std::string lateness_path;  ///< empty: not written
+    bool is_needed = false;     ///< real hardware: nothing runs without what keeps the tick in time
+};
+
+/// What of it everybody may know; zero on the virtual clock.
+struct RealtimeFacts {
+    std::uint32_t asked = 0;  ///< bit by RealtimeStep
+    std::uint32_t done = 0;
+    std::int32_t tick_cpu = -1;  ///< -1: any
+    std::uint32_t tick_priority = 0;
+    rtcore::ThreadCounts tick_counts;  ///< since the first tick
+
+    bool has_rights() const noexcept { return (done & kNeededRealtimeSteps) == kNeededRealtimeSteps; }
+};
+
+/// The steps that make the tick come in time, in their order, and what came of them. Made before the core's
+/// parts, which are large; lives until the end.
+class RealtimeTreatment {
+public:
+    explicit RealtimeTreatment(const RealtimeWish& wish);
+
+    /// Once all that the tick touches has been made, before threads start.
+    void touch_memory();
+    /// In the thread that will tick. Says on standard error how everything went. False: it must not tick.
+    bool treat_this_thread();
+    /// Schedule two-timer: in the thread that interpolates, once the other ticks. Below it, beside it.
+    void treat_interpolation_thread() const;
+    /// The last thing before its first tick.
+    void begin_counting();
+
+    /// Any thread, once treat_this_thread() has returned. Reads the kernel's counts now and then, not every
+    /// time.
+    RealtimeFacts facts();
+    /// When the last tick is over: the file that was wished for. Schedule two-timer: of both its threads.
+    void write_lateness(const rtcore::PeriodicStats& stats,
+                        const rtcore::PeriodicStats& interpolation_stats) const;
+
+private:
+    RealtimeWish wish_;
+    std::optional<int> cpu_;
+    rtcore::WakeLatencyHold awake_;
+    std::vector<rtcore::SetupStep> steps_;
+    pid_t thread_ = 0;
+    rtcore::ThreadCounts before_;
+    RealtimeFacts facts_;
+    std::chrono::steady_clock::time_point next_reading_{};
+};
+
+}  // namespace psicarve::supervisor

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/replay/replay_script.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+#include <utility>
+
+#include "rtcore/cycle/request_command.hpp"
+#include "shared/machine/command.hpp"
+
+namespace psicarve::supervisor {
+namespace {
+
+bool is_done(const FlightRecord& record, RecordKind kind) {
+    return record.kind == kind && static_cast<AnswerKind>(record.answer) == AnswerKind::done;
+}
+
+bool is_homed_rest(const FlightRecord& record) {
+    return record.kind == RecordKind::state_change &&
+           static_cast<MachineState>(record.code) == MachineState::ready;
+}
+
+std::optional<cycle::RequestKind> request_of(const FlightRecord& record) {
+    if (!is_done(record, RecordKind::command)) return std::nullopt;
+    return cycle::request_of(static_cast<CommandKind>(record.code));
+}
+
+ReplayStep request_step(const FlightRecord& record, cycle::RequestKind request, std::uint64_t value) {
+    ReplayStep step{};
+    step.kind = ReplayStep::Kind::request;
+    step.axis = static_cast<std::uint8_t>(record.axis);
+    step.request = request;
+    step.value = value;
+    return step;
+}
+
+std::optional<ReplayStep> step_of(const FlightRecord& record) {
+    const auto value = static_cast<std::uint64_t>(record.value);
+    ReplayStep step{};
+    step.axis = static_cast<std::uint8_t>(record.axis);
+    switch (record.kind) {
+        case RecordKind::command:
+            if (const auto request = request_of(record); request && *request != cycle::RequestKind::test_pin)
+                return request_step(record, *request, value);
+            return std::nullopt;  // a test moves nothing, and its lease is not recorded
+        case RecordKind::jog_end:
+            return request_step(record, cycle::RequestKind::end_jog, record.code);
+        case RecordKind::failure:
+            return request_step(record, cycle::RequestKind::fail, record.code);
+        case RecordKind::gap:
+            step.kind = ReplayStep::Kind::gap;
+            step.value = value;
+            step.gap_count = std::max<std::uint64_t>(1, record.code);
+            return step;
+        case RecordKind::stop:
+            step.kind = ReplayStep::Kind::stop;
+            return step;
+        case RecordKind::emergency_stop:
+            step.kind = ReplayStep::Kind::emergency_stop;
+            return step;
+        case RecordKind::input_edge:
+            step.kind = ReplayStep::Kind::inputs;
+            step.inputs = record.signals & kInputMask;
+            return step;
+        default:
+            return std::nullopt;
+    }
+}
+
+/// One part of the order that the next command carries.
+void add_part(cycle::MotionOrder& order, const FlightRecord& record) {
+    switch (static_cast<OrderPart>(record.code)) {
+        case OrderPart::target:
+            if (record.axis >= kAxisCount) return;
+            order.axes = static_cast<std::uint8_t>(order.axes | 1U << record.axis);
+            order.target_pulses[record.axis] = record.value;
+            return;
+        case OrderPart::speed:
+            order.speed_pps = std::bit_cast<double>(record.value);
+            return;
+        case OrderPart::shape:
+            order.shape = static_cast<cycle::OrderShape>(record.value);
+            return;
+        case OrderPart::centre:
+            if (record.axis < order.centre_pulses.size()) order.centre_pulses[record.axis] = record.value;
+            return;
+    }
+}
+
+using Records = std::vector<FlightRecord>;
+
+/// The newest job was loaded while the machine was homed and at rest, or later came to be: the snapshot holds
+/// no other job, so nothing before that can be run again.
+Records::const_iterator first_of_script(const Records& records) {
+    const auto is_job = [](const FlightRecord& record) { return is_done(record, RecordKind::job); };
+    const auto last_job = std::find_if(records.rbegin(), records.rend(), is_job);
+    if (last_job == records.rend()) return std::ranges::find_if(records, is_homed_rest);
+    const auto job = std::prev(last_job.base());
+    const auto is_change = [](const FlightRecord& record) { return record.kind == RecordKind::state_change; };
+    const auto state_at_job = std::find_if(last_job, records.rend(), is_change);
+    if (state_at_job != records.rend() && is_homed_rest(*state_at_job)) return job;
+    return std::find_if(job, records.end(), is_homed_rest);
+}
+
+/// An override given between the job's loading and the script's begin still holds there.
+std::optional<ReplayStep> override_before(const Records& records, Records::const_iterator first) {
+    std::optional<ReplayStep> step;
+    for (auto record = records.begin(); record != first; ++record) {
+        if (is_done(*record, RecordKind::job)) step.reset();
+        if (!is_done(*record, RecordKind::command)) continue;
+        if (static_cast<CommandKind>(record->code) == CommandKind::override) step = step_of(*record);
+    }
+    return step;
+}
+
+}  // namespace
+
+std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>& records) {
+    const auto first = first_of_script(records);
+    if (first == records.end() || std::next(first) == records.end()) return std::nullopt;
+    ReplayScript script;
+    script.first_tick = first->tick;
+    script.start_inputs = first->signals & kInputMask;
+    std::ranges::copy(first->position_pulses, script.start_position_pulses.begin());
+    cycle::MotionOrder order{};
+    if (auto override_step = override_before(records, first)) {
+        override_step->tick = 0;
+        script.steps.push_back(*override_step);
+    }
+    for (auto record = std::next(first); record != records.end(); ++record) {
+        if (record->tick < first->tick) continue;
+        script.end_tick = std::max(script.end_tick, record->tick - first->tick);
+        if (record->kind == RecordKind::order) {
+            add_part(order, *record);
+            continue;
+        }
+        if (auto step = step_of(*record)) {
+            step->tick = record->tick - first->tick;
+            if (record->kind == RecordKind::command) step->order = std::exchange(order, {});
+            script.steps.push_back(*step);
+        }
+    }
+    if (script.steps.empty()) return std::nullopt;
+    return script;
+}
+
+}  // namespace psicarve::supervisor

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "shared/machine/signal.hpp"
+
+namespace psicarve {
+
+// A jog goes on only as long as whoever began it is there: it renews its lease through one word of the
+// segment, `jog_lease`. The word says whose lease (a token that the sender chose and sent with the command)
+// and holds a beat; any change of the beat renews, beat 0 lets go. A sender that dies or hangs renews no
+// more, and one that was forgotten cannot renew another's jog.
+
+/// In a jog's `axis`: R1 and R2 together, both outwards or both inwards.
+inline constexpr std::uint32_t kBothHeads = kAxisCount;
+
+inline constexpr std::chrono::milliseconds kJogLease{200};          ///< for a hand on a button
+inline constexpr std::chrono::milliseconds kLongestJogLease{2000};  ///< a longer one is cut to this
+inline constexpr std::chrono::milliseconds kJogRenewal{50};
+
+constexpr std::uint64_t jog_lease_word(std::uint32_t token, std::uint32_t beat) noexcept {
+    return (std::uint64_t{token} << 32U) | beat;
+}
+constexpr std::uint32_t jog_lease_token(std::uint64_t word) noexcept {
+    return static_cast<std::uint32_t>(word >> 32U);
+}
+constexpr std::uint32_t jog_lease_beat(std::uint64_t word) noexcept {
+    return static_cast<std::uint32_t>(word);
+}
+
+class Segment;
+/// Stores the word and wakes the core.
+void write_jog_lease(Segment& segment, std::uint32_t token, std::uint32_t beat) noexcept;
+
+}  // namespace psicarve

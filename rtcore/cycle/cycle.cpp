@@ -33,7 +33,7 @@ void Cycle::take_in() noexcept {
     take_urgent_words();
     for (RequestRing* ring : {&io_->requests, &io_->replayed_requests}) take_next_request(*ring);
     if (lease_.is_held()) check_lease();
-    if (state_ == MachineState::testing) go_on_with_test();
+    if (state_ == MachineState::testing) go_on_with_trial();
 }
 
 // It rests in an alarm: what hangs on it cuts the power then.

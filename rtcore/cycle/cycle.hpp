@@ -13,7 +13,7 @@
 #include "rtcore/cycle/inputs.hpp"
 #include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/cycle/lease.hpp"
-#include "rtcore/cycle/pin_test.hpp"
+#include "rtcore/cycle/pin_trial.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
 #include "rtcore/port/port.hpp"
 #include "shared/machine_state.hpp"
@@ -157,10 +157,10 @@ private:
     void check_lease() noexcept;
     void end_jog(MoveEnd end) noexcept;
     Refusal switch_spindle(bool on) noexcept;
-    // cycle_test.cpp: the outputs by hand
-    Refusal test_pin(const Request& request) noexcept;
-    void go_on_with_test() noexcept;
-    void end_test(MoveEnd end) noexcept;
+    // cycle_trial.cpp: the outputs by hand
+    Refusal try_pin(const Request& request) noexcept;
+    void go_on_with_trial() noexcept;
+    void end_trial(MoveEnd end) noexcept;
     Refusal drives_off() noexcept;
     // cycle_reports.cpp
     void report(const FlightRecord& record) noexcept;
@@ -205,8 +205,8 @@ private:
     AlarmCause pending_fail_ = AlarmCause::none;  ///< raised once the controlled stop came to rest
     /// Limits that were tripped when homing or backing off began, until they clear.
     SignalWord limits_exempt_ = 0;
-    Lease lease_;  ///< held while a jog or a test is under way
-    PinTest test_;
+    Lease lease_;  ///< held while a jog or a trial is under way
+    PinTrial trial_;
     MoveEnd move_end_ = MoveEnd::none;
     std::uint8_t refused_axis_ = kNoAxis;  ///< of the request at hand
     std::uint32_t epoch_ = 0;

@@ -93,7 +93,7 @@ void Cycle::check_lease() noexcept {
 }
 
 void Cycle::end_jog(MoveEnd end) noexcept {
-    if (state_ == MachineState::testing) return end_test(end);
+    if (state_ == MachineState::testing) return end_trial(end);
     if (state_ != MachineState::moving) return;
     lease_.forget();
     move_end_ = end;

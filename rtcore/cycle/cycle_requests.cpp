@@ -86,7 +86,7 @@ Refusal Cycle::judge(const Request& request) noexcept {
         case RequestKind::record:
             return record(request);
         case RequestKind::test_pin:
-            return test_pin(request);
+            return try_pin(request);
         case RequestKind::drives_off:
             return drives_off();
         case RequestKind::fail:

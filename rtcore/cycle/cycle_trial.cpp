@@ -5,13 +5,13 @@
 namespace psicarve::cycle {
 
 // Whatever the axes are turned by meanwhile nobody counts: their positions are lost.
-Refusal Cycle::test_pin(const Request& request) noexcept {
+Refusal Cycle::try_pin(const Request& request) noexcept {
     const PinOrder order = pin_order(request.value);
     const bool is_testing = state_ == MachineState::testing;
     if (!next_state(state_, MachineEvent::begin_test).has_value()) return Refusal::not_in_this_state;
     if (is_testing && !lease_.is_of(request.lease_token)) return Refusal::not_in_this_state;
     if (!order.is_on) {
-        if (is_testing) end_test(MoveEnd::released);
+        if (is_testing) end_trial(MoveEnd::released);
         return Refusal::none;
     }
     if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
@@ -19,20 +19,20 @@ Refusal Cycle::test_pin(const Request& request) noexcept {
     move_end_ = MoveEnd::none;
     lease_.begin(request.lease_token, request.lease_ticks, io_->urgent.jog_lease.load(), tick_);
     const std::int64_t half_ticks = order.half_ms * kNsPerMs / config_.period_ns;
-    test_.begin(bit_of(static_cast<Signal>(order.signal)) & kOutputMask, order.pulses,
-                half_ticks > 0 ? static_cast<std::uint64_t>(half_ticks) : 1, tick_);
+    trial_.begin(bit_of(static_cast<Signal>(order.signal)) & kOutputMask, order.pulses,
+                 half_ticks > 0 ? static_cast<std::uint64_t>(half_ticks) : 1, tick_);
     apply(MachineEvent::begin_test);
     next_publish_tick_ = tick_;
     return Refusal::none;
 }
 
-void Cycle::go_on_with_test() noexcept {
-    test_.advance(tick_);
-    if (test_.is_over()) return end_test(MoveEnd::reached);
-    pulses_.force(test_.levels());
+void Cycle::go_on_with_trial() noexcept {
+    trial_.advance(tick_);
+    if (trial_.is_over()) return end_trial(MoveEnd::reached);
+    pulses_.force(trial_.levels());
 }
 
-void Cycle::end_test(MoveEnd end) noexcept {
+void Cycle::end_trial(MoveEnd end) noexcept {
     lease_.forget();
     move_end_ = end;
     apply(MachineEvent::end_test);

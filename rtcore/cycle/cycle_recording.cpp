@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/cycle/cycle.hpp"
-#include "shared/recording.hpp"
+#include "shared/recording_form.hpp"
 
 namespace psicarve::cycle {
 

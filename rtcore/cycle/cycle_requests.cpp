@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/cycle/cycle.hpp"
 #include "shared/command.hpp"
-#include "shared/job.hpp"
 
 namespace psicarve::cycle {
 namespace {

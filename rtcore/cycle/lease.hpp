@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "shared/jog_lease.hpp"
+#include "shared/jog_lease_word.hpp"
 #include "shared/status.hpp"
 
 namespace psicarve::cycle {

@@ -115,7 +115,7 @@ void Cycle::check_limits() noexcept {
 void Cycle::check_index() noexcept {
     const bool is_positive = pulses_.is_positive(kPsi);
     const bool is_tripped = inputs_.is_tripped(kPsi);
-    if (!config_.has_index || (homed_mask_ >> kPsi & 1U) == 0 || is_positive != is_tripped) return;
+    if (!config_.has_index || !homed_.has(kPsi) || is_positive != is_tripped) return;
     const std::int64_t seen = pulses_.positions()[kPsi] + (is_positive ? 0 : 1);
     std::int64_t off = (seen - config_.index_position_pulses) % config_.pulses_per_rev;
     if (off > config_.pulses_per_rev / 2) off -= config_.pulses_per_rev;
@@ -203,7 +203,7 @@ void Cycle::after_step(Executor::Progress progress) noexcept {
 void Cycle::note_new_position(bool by_sensor) noexcept {
     const std::uint8_t axis = executor_.latch_axis();
     if (by_sensor || state_ == MachineState::homing) {
-        homed_mask_ = static_cast<std::uint8_t>(homed_mask_ | 1U << axis);
+        homed_.add(axis);
         report(record_of(RecordKind::home_latch, 0, axis, executor_.latch_correction()));
     }
     has_new_position_ = true;

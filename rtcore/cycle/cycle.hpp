@@ -10,6 +10,7 @@
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/cycle/executor.hpp"
 #include "rtcore/cycle/head_lift.hpp"
+#include "rtcore/cycle/homed_axes.hpp"
 #include "rtcore/cycle/inputs.hpp"
 #include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/cycle/lease.hpp"
@@ -180,13 +181,9 @@ private:
         return io_->trace != nullptr && (io_->traces_always || recording_token_ != 0);
     }
     bool executes() const noexcept { return (kExecutingStates >> static_cast<unsigned>(state_) & 1U) != 0; }
-    bool is_homed() const noexcept { return homed_mask_ == kAllAxesMask; }
     bool cause_remains() const noexcept {
         return ((inputs_.raw() | inputs_.accepted()) & (kLimitMask | kEstopBit)) != 0;
     }
-
-    static constexpr std::uint8_t kAllAxesMask = 0xF;
-    static constexpr std::uint8_t kHeadsMask = 0b11;
 
     CycleConfig config_;
     port::Port* port_;
@@ -201,7 +198,7 @@ private:
     MachineState state_ = MachineState::off;
     AlarmCause alarm_cause_ = AlarmCause::none;
     std::uint8_t alarm_axis_ = kNoAxis;
-    std::uint8_t homed_mask_ = 0;
+    HomedAxes homed_;
     AlarmCause pending_fail_ = AlarmCause::none;  ///< raised once the controlled stop came to rest
     /// Limits that were tripped when homing or backing off began, until they clear.
     SignalWord limits_exempt_ = 0;

@@ -26,7 +26,7 @@ Refusal refusal_of(SoftLimit limit) noexcept {
 Refusal Cycle::start_move(const Request& request) noexcept {
     if (state_ == MachineState::off) return Refusal::not_homed;
     if (!next_state(state_, MachineEvent::move).has_value()) return Refusal::not_in_this_state;
-    if (!is_homed()) return Refusal::not_homed;
+    if (!homed_.has_all()) return Refusal::not_homed;
     const auto& from = pulses_.positions();
     auto to = from;
     const bool goes_on_with_heads = request.kind == RequestKind::jog_on && request.order.axes == 0b11;

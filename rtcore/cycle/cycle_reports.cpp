@@ -13,7 +13,7 @@ Sample Cycle::sample() const noexcept {
     sample.state = state_;
     sample.alarm_cause = alarm_cause_;
     sample.alarm_axis = alarm_axis_;
-    sample.homed_mask = homed_mask_;
+    sample.homed_mask = homed_.mask();
     sample.signals = pulses_.levels() | inputs_.raw();
     // Samples come in step with its toggling: what they show is whether it does.
     const bool toggles = config_.has_charge_pump && state_ != MachineState::alarm && port_->is_healthy();

@@ -104,18 +104,15 @@ Refusal Cycle::judge(const Request& request) noexcept {
 // and what stands on the pins is not what was written.
 void Cycle::come_back(std::uint32_t lost_axes) noexcept {
     port_->forget_written();
-    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~lost_axes);
+    homed_.lose(lost_axes);
     raise_alarm(AlarmCause::tick_gap, kNoAxis);
     write_port();
 }
 
-// Y and psi only move where the heads are known to be out of their way, or go out first.
 Refusal Cycle::start_home(std::uint64_t axes) noexcept {
     if (!next_state(state_, MachineEvent::home).has_value()) return Refusal::not_in_this_state;
-    const auto wanted =
-        axes == 0 ? std::uint32_t{kAllAxesMask} : static_cast<std::uint32_t>(axes) & kAllAxesMask;
-    const bool has_others = (wanted & ~std::uint32_t{kHeadsMask}) != 0;
-    if (has_others && ((homed_mask_ | wanted) & kHeadsMask) != kHeadsMask) return Refusal::heads_not_homed;
+    const auto wanted = axes == 0 ? HomedAxes::kAll : static_cast<std::uint32_t>(axes) & HomedAxes::kAll;
+    if (!homed_.may_home(wanted)) return Refusal::heads_not_homed;
     begin_homing(MachineEvent::home, wanted);
     request_plan(PlanKind::home, static_cast<std::uint8_t>(wanted));
     return Refusal::none;
@@ -130,7 +127,7 @@ Refusal Cycle::reset_height() noexcept {
 }
 
 void Cycle::begin_homing(MachineEvent event, std::uint32_t axes) noexcept {
-    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~axes);
+    homed_.lose(axes);
     limits_exempt_ = (inputs_.accepted() | inputs_.raw()) & kLimitMask;
     apply(event);
 }
@@ -143,7 +140,7 @@ Refusal Cycle::start_job(LayerRange layers) noexcept {
     if (layers.first >= layer_count || layers.count > layer_count - layers.first) {
         return Refusal::no_such_layer;
     }
-    if (!is_homed()) return Refusal::not_homed;
+    if (!homed_.has_all()) return Refusal::not_homed;
     is_dry_ = layers.is_dry;
     first_layer_ = layers.first;
     index_layer_ = static_cast<std::uint32_t>(first_layer_);
@@ -219,12 +216,12 @@ Refusal Cycle::reset_alarm() noexcept {
     if (!port_->is_healthy()) {
         if (!port_->take_up_again()) return Refusal::port_failed;
         // Who knows what its lines did meanwhile.
-        homed_mask_ = 0;
+        homed_.lose_all();
     }
     if (cause_remains()) return Refusal::still_tripped;
     alarm_cause_ = AlarmCause::none;
     alarm_axis_ = kNoAxis;
-    apply(is_homed() ? MachineEvent::reset_alarm_homed : MachineEvent::reset_alarm_unhomed);
+    apply(homed_.has_all() ? MachineEvent::reset_alarm_homed : MachineEvent::reset_alarm_unhomed);
     return Refusal::none;
 }
 
@@ -236,7 +233,7 @@ Refusal Cycle::back_off(std::uint8_t axis) noexcept {
     if (!port_->is_healthy()) return Refusal::port_reset_first;
     if (!inputs_.is_tripped(axis)) return Refusal::sensor_not_tripped;
     if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
-    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~(1U << axis));
+    homed_.lose(1U << axis);
     limits_exempt_ = (inputs_.accepted() | inputs_.raw()) & kLimitMask;
     apply(MachineEvent::back_off);
     request_plan(PlanKind::back_off, axis);

@@ -19,9 +19,9 @@ void Cycle::enter(MachineState state) noexcept {
     state_ = state;
     if (state == MachineState::off || state == MachineState::alarm) pulses_.make_safe();
     // An axis that was homed alone holds its position while the others are homed.
-    const std::uint32_t held_axes = std::uint32_t{homed_mask_} & config_.switched_axes;
+    const std::uint32_t held_axes = std::uint32_t{homed_.mask()} & config_.switched_axes;
     if (state == MachineState::off && held_axes != 0) pulses_.set_enables(held_axes, tick_);
-    if (state == MachineState::ready) pulses_.set_enables(kAllAxesMask, tick_);
+    if (state == MachineState::ready) pulses_.set_enables(HomedAxes::kAll, tick_);
     report(record_of(RecordKind::state_change, static_cast<std::uint16_t>(state)));
     next_publish_tick_ = tick_;
 }
@@ -31,7 +31,7 @@ void Cycle::program_done() noexcept {
     using E = MachineEvent;
     switch (state_) {
         case S::homing:
-            apply(is_homed() ? E::home_done : E::home_done_unhomed);
+            apply(homed_.has_all() ? E::home_done : E::home_done_unhomed);
             break;
         case S::moving:
             end_move(MoveEnd::reached);
@@ -69,9 +69,10 @@ void Cycle::program_done() noexcept {
 void Cycle::came_to_rest() noexcept {
     if (pending_fail_ != AlarmCause::none) {
         // It slowed down as its motors can: each stands where it was counted to, until its drive is off.
-        const std::uint32_t known_axes = homed_mask_ & ~std::uint32_t{config_.switched_axes};
+        HomedAxes known = homed_;
+        known.lose(config_.switched_axes);
         raise_alarm(pending_fail_, kNoAxis);
-        homed_mask_ = static_cast<std::uint8_t>(known_axes);
+        homed_ = known;
         return;
     }
     if (state_ == MachineState::moving) {
@@ -88,7 +89,7 @@ void Cycle::came_to_rest() noexcept {
     if (executor_.homing_axis() != kNoAxis) {
         limits_exempt_ |= inputs_.accepted() & (bit_of(Signal::r1_limit) << executor_.homing_axis());
     }
-    if ((homed_mask_ & kHeadsMask) == kHeadsMask) {
+    if (homed_.has_heads()) {
         request_plan(PlanKind::finish);
     } else {
         end_after_stop();
@@ -135,7 +136,7 @@ void Cycle::end_after_stop() noexcept {
     drop_plan();
     pulses_.set_spindle(false);
     job_end_tick_ = tick_;
-    apply(is_homed() ? MachineEvent::stopped : MachineEvent::stopped_unhomed);
+    apply(homed_.has_all() ? MachineEvent::stopped : MachineEvent::stopped_unhomed);
 }
 
 void Cycle::stop() noexcept {
@@ -169,10 +170,9 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
                         std::int64_t seen_pulses) noexcept {
     if (state_ == MachineState::alarm) return;
     // A rotor without current may be turned by hand or by weight, and nothing counts that.
-    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~std::uint32_t{moving_axes()} &
-                                            ~std::uint32_t{config_.switched_axes});
+    homed_.lose(std::uint32_t{moving_axes()} | config_.switched_axes);
     if (axis < kAxisCount && (cause == AlarmCause::steps_lost || cause == AlarmCause::home_failed)) {
-        homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~(1U << axis));
+        homed_.lose(1U << axis);
     }
     alarm_cause_ = cause;
     alarm_axis_ = axis;
@@ -227,12 +227,12 @@ void Cycle::set_feed(bool is_carving) noexcept {
 void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* order) noexcept {
     drop_plan();
     set_feed(kind == PlanKind::carve);
-    executor_.set_still_axes(is_dry_ && kind == PlanKind::carve ? kHeadsMask : 0);
+    executor_.set_still_axes(is_dry_ && kind == PlanKind::carve ? HomedAxes::kHeadsMask : 0);
     PlanRequest request{};
     request.epoch = epoch_;
     request.kind = kind;
     request.axis = axis;
-    request.homed_mask = homed_mask_;
+    request.homed_mask = homed_.mask();
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         request.tripped_mask = static_cast<std::uint8_t>(request.tripped_mask |
                                                          static_cast<unsigned>(inputs_.is_tripped(k)) << k);
@@ -248,7 +248,7 @@ void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* or
 
 void Cycle::assume_homed(const std::array<std::int64_t, kAxisCount>& position_pulses) noexcept {
     for (std::size_t k = 0; k < kAxisCount; ++k) pulses_.set_position(k, position_pulses[k]);
-    homed_mask_ = kAllAxesMask;
+    homed_.add_all();
     apply(MachineEvent::home);
     apply(MachineEvent::home_done);
     has_new_position_ = true;

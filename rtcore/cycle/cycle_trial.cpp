@@ -15,7 +15,7 @@ Refusal Cycle::try_pin(const Request& request) noexcept {
         return Refusal::none;
     }
     if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
-    homed_mask_ = 0;
+    homed_.lose_all();
     move_end_ = MoveEnd::none;
     lease_.begin(request.lease_token, request.lease_ticks, io_->urgent.jog_lease.load(), tick_);
     const std::int64_t half_ticks = order.half_ms * kNsPerMs / config_.period_ns;
@@ -43,7 +43,7 @@ Refusal Cycle::drives_off() noexcept {
     const bool holds_axis = state_ == MachineState::off && (pulses_.levels() & kEnableMask) != 0;
     if (!holds_axis && !next_state(state_, MachineEvent::drives_off).has_value())
         return Refusal::not_in_this_state;
-    homed_mask_ = 0;
+    homed_.lose_all();
     if (holds_axis) pulses_.make_safe();
     next_publish_tick_ = tick_;
     apply(MachineEvent::drives_off);

@@ -122,8 +122,8 @@ void Cycle::check_index() noexcept {
     if (off < -config_.pulses_per_rev / 2) off += config_.pulses_per_rev;
     if (off > config_.index_tolerance_pulses || off < -config_.index_tolerance_pulses) {
         raise_alarm(AlarmCause::steps_lost, static_cast<std::uint8_t>(kPsi), seen - off, seen);
-    } else if (carve_first_tick_ != 0) {
-        index_layer_ = executor_.layer();
+    } else {
+        job_.note_index(executor_.layer());
     }
 }
 
@@ -184,14 +184,8 @@ void Cycle::take_next_request(RequestRing& ring) noexcept {
 
 void Cycle::after_step(Executor::Progress progress) noexcept {
     using E = Executor;
-    if ((progress & E::kGroupStarted) != 0 && state_ == MachineState::carving && carve_first_tick_ == 0) {
-        carve_first_tick_ = tick_;
-    }
-    // A spiral's row ends in the point that is the next one's first, too.
-    if ((progress & E::kPoint) != 0 && carve_last_tick_ == 0 &&
-        executor_.points_reached() >= end_layer_ * points_per_layer_) {
-        carve_last_tick_ = tick_;
-    }
+    if ((progress & E::kGroupStarted) != 0 && state_ == MachineState::carving) job_.note_group(tick_);
+    if ((progress & E::kPoint) != 0) job_.note_points(executor_.points_reached(), tick_);
     if ((progress & (E::kLatched | E::kDefined)) != 0) note_new_position((progress & E::kLatched) != 0);
     if ((progress & E::kNotFound) != 0) raise_alarm(AlarmCause::home_failed, executor_.latch_axis());
     if ((progress & E::kStarved) != 0) raise_alarm(AlarmCause::plan_starved, kNoAxis);

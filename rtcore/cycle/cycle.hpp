@@ -12,6 +12,7 @@
 #include "rtcore/cycle/head_lift.hpp"
 #include "rtcore/cycle/homed_axes.hpp"
 #include "rtcore/cycle/inputs.hpp"
+#include "rtcore/cycle/job_run.hpp"
 #include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/cycle/lease.hpp"
 #include "rtcore/cycle/pin_trial.hpp"
@@ -122,7 +123,7 @@ private:
     void step_lift() noexcept;
     void slow_down() noexcept;
     bool lifts_on_hold() const noexcept {
-        return !is_dry_ && (config_.lift_pulses[0] > 0 || config_.lift_pulses[1] > 0);
+        return !job_.is_dry() && (config_.lift_pulses[0] > 0 || config_.lift_pulses[1] > 0);
     }
     void end_move(MoveEnd end) noexcept;
     void end_after_stop() noexcept;
@@ -165,7 +166,6 @@ private:
     Refusal drives_off() noexcept;
     // cycle_reports.cpp
     void report(const FlightRecord& record) noexcept;
-    void note_affected_layers(Report& entry) const noexcept;
     void answer(const Request& request, Refusal refusal) noexcept;
     void push_report(const Report& report) noexcept;
     void report_gap(std::uint64_t ticks) noexcept;
@@ -221,19 +221,7 @@ private:
     std::uint64_t next_publish_tick_ = 0;
     std::array<std::int64_t, kAxisCount> published_pulses_{};
 
-    std::uint64_t override_percent_ = 100;
-    std::uint64_t points_total_ = 0;
-    std::uint64_t points_per_layer_ = 0;
-    std::uint64_t first_layer_ = 0;  ///< of the job at hand
-    std::uint32_t index_layer_ =
-        0;                         ///< in which psi last was where its index says; the first, if in none yet
-    std::uint64_t end_layer_ = 0;  ///< one past the last that is to be carved
-    bool is_dry_ = false;          ///< the job at hand
-    std::uint64_t job_generation_ = 0;
-    std::uint64_t job_start_tick_ = 0;
-    std::uint64_t carve_first_tick_ = 0;
-    std::uint64_t carve_last_tick_ = 0;
-    std::uint64_t job_end_tick_ = 0;
+    JobRun job_;
     std::uint64_t missed_ticks_ = 0;
     std::uint64_t trace_lost_ = 0;
     std::uint64_t reports_lost_ = 0;

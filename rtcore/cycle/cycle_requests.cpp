@@ -135,25 +135,14 @@ void Cycle::begin_homing(MachineEvent event, std::uint32_t axes) noexcept {
 Refusal Cycle::start_job(LayerRange layers) noexcept {
     if (state_ == MachineState::off) return Refusal::not_homed;
     if (!next_state(state_, MachineEvent::start).has_value()) return Refusal::not_in_this_state;
-    if (points_total_ == 0 || points_per_layer_ == 0) return Refusal::no_job;
-    const std::uint64_t layer_count = points_total_ / points_per_layer_;
-    if (layers.first >= layer_count || layers.count > layer_count - layers.first) {
-        return Refusal::no_such_layer;
-    }
+    if (const Refusal refusal = job_.judge(layers); refusal != Refusal::none) return refusal;
     if (!homed_.has_all()) return Refusal::not_homed;
-    is_dry_ = layers.is_dry;
-    first_layer_ = layers.first;
-    index_layer_ = static_cast<std::uint32_t>(first_layer_);
-    end_layer_ = layers.count == 0 ? layer_count : first_layer_ + layers.count;
+    job_.begin(layers, tick_);
     pulses_.clear_emitted();
-    executor_.clear_points(first_layer_ * points_per_layer_);
-    job_start_tick_ = tick_;
-    carve_first_tick_ = 0;
-    carve_last_tick_ = 0;
-    job_end_tick_ = 0;
+    executor_.clear_points(job_.points_before());
     // What the pins do from here on is this job.
     if (io_->trace != nullptr && io_->traces_always)
-        trace_all(trace::TraceEntry::Kind::job, static_cast<std::uint32_t>(job_generation_));
+        trace_all(trace::TraceEntry::Kind::job, static_cast<std::uint32_t>(job_.generation()));
     apply(MachineEvent::start);
     request_plan(PlanKind::position);
     return Refusal::none;
@@ -189,10 +178,7 @@ Refusal Cycle::load_job(const Request& request) noexcept {
         state_ != MachineState::homing) {
         return Refusal::not_in_this_state;
     }
-    job_generation_ = request.value;
-    points_total_ = request.points_total;
-    points_per_layer_ = request.points_per_layer;
-    override_percent_ = 100;
+    job_.load(request.value, request.points_total, request.points_per_layer);
     executor_.clear_points();
     next_publish_tick_ = tick_;
     return Refusal::none;
@@ -205,7 +191,7 @@ Refusal Cycle::take_override(std::uint64_t percent) noexcept {
     constexpr std::uint32_t kCarving =
         state_bit(S::waiting) | state_bit(S::carving) | state_bit(S::holding) | state_bit(S::held);
     if (percent < kLeastOverride_percent || percent > kMostOverride_percent) return Refusal::bad_override;
-    override_percent_ = percent;
+    job_.set_override(percent);
     set_feed((kCarving >> static_cast<unsigned>(state_) & 1U) != 0);
     next_publish_tick_ = tick_;
     return Refusal::none;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <cstdint>
-#include <limits>
 
 #include "rtcore/cycle/cycle.hpp"
 
@@ -46,7 +44,7 @@ void Cycle::program_done() noexcept {
             request_plan(PlanKind::finish);
             break;
         case S::finishing:
-            job_end_tick_ = tick_;
+            job_.end(tick_);
             apply(E::finished);
             break;
         case S::stopping:
@@ -135,7 +133,7 @@ void Cycle::end_move(MoveEnd end) noexcept {
 void Cycle::end_after_stop() noexcept {
     drop_plan();
     pulses_.set_spindle(false);
-    job_end_tick_ = tick_;
+    job_.end(tick_);
     apply(homed_.has_all() ? MachineEvent::stopped : MachineEvent::stopped_unhomed);
 }
 
@@ -183,7 +181,11 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
     entry.record = record_of(RecordKind::alarm, static_cast<std::uint16_t>(cause), axis, seen_pulses);
     entry.expected_pulses = expected_pulses;
     entry.kind = Report::Kind::event;
-    if (cause == AlarmCause::steps_lost) note_affected_layers(entry);
+    if (cause == AlarmCause::steps_lost && runs_job(state_)) {
+        const JobRun::Affected affected = job_.affected(executor_.layer());
+        entry.first_layer = affected.first_layer;
+        entry.layer_count = affected.layer_count;
+    }
     push_report(entry);
     apply(MachineEvent::fail);
     charge_pump_ = 0;
@@ -192,15 +194,6 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
         written_ = pulses_.levels();
         port_->write_outputs(written_, time_ns_);
     }
-}
-
-// Steps that were lost before the first layer are missing in it, too.
-void Cycle::note_affected_layers(Report& entry) const noexcept {
-    const bool has_carved = runs_job(state_) && carve_first_tick_ != 0 && !is_dry_;
-    if (!has_carved) return;
-    constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
-    entry.first_layer = index_layer_;
-    entry.layer_count = static_cast<std::uint16_t>(std::min(executor_.layer() - index_layer_ + 1, kMost));
 }
 
 // Those that have stepped so recently that their rotor may still turn, and those on their way.
@@ -221,13 +214,13 @@ void Cycle::drop_plan() noexcept {
 
 // Override is of the carving; positioning, homing and retraction go as planned.
 void Cycle::set_feed(bool is_carving) noexcept {
-    executor_.set_feed_ratio(is_carving ? static_cast<double>(override_percent_) / 100.0 : 1.0);
+    executor_.set_feed_ratio(is_carving ? job_.feed_ratio() : 1.0);
 }
 
 void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* order) noexcept {
     drop_plan();
     set_feed(kind == PlanKind::carve);
-    executor_.set_still_axes(is_dry_ && kind == PlanKind::carve ? HomedAxes::kHeadsMask : 0);
+    executor_.set_still_axes(job_.is_dry() && kind == PlanKind::carve ? HomedAxes::kHeadsMask : 0);
     PlanRequest request{};
     request.epoch = epoch_;
     request.kind = kind;
@@ -238,10 +231,7 @@ void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* or
                                                          static_cast<unsigned>(inputs_.is_tripped(k)) << k);
     }
     request.position_pulses = pulses_.positions();
-    request.job_generation = job_generation_;
-    request.first_layer = first_layer_;
-    request.end_layer = end_layer_;
-    request.is_dry = is_dry_ ? 1 : 0;
+    job_.show_in(request);
     if (order != nullptr) request.order = *order;
     if (!io_->plan_requests.push(request)) raise_alarm(AlarmCause::plan_starved, kNoAxis);
 }

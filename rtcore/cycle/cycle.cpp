@@ -7,10 +7,12 @@ Cycle::Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept
     : config_(config),
       port_(&port),
       io_(&io),
+      clock_(config.period_ns),
       pulses_(config),
       inputs_(config),
       executor_(config_, io.blocks, pulses_, inputs_),
-      lift_(config_, pulses_) {
+      lift_(config_, pulses_),
+      reporter_(io, clock_, pulses_, inputs_) {
     port_->write_outputs(written_, 0);
     io_->sample.write(sample());
 }
@@ -20,15 +22,14 @@ void Cycle::tick() noexcept {
     take_in();
     go_on_with_motion();
     put_out();
-    ++tick_;
-    time_ns_ += config_.period_ns;
+    clock_.advance(1);
 }
 
 void Cycle::take_in() noexcept {
     // The machine's answer to the last tick's pulses comes before this tick's: so positions and levels agree.
-    const SignalWord raw = port_->read_inputs(time_ns_);
+    const SignalWord raw = port_->read_inputs(clock_.time_ns());
     if (inputs_.needs(raw)) take_inputs(raw);
-    pulses_.begin_tick(tick_);
+    pulses_.begin_tick(clock_.tick());
     if ((inputs_.accepted() & kLimitMask) != 0) check_limits();
     take_urgent_words();
     for (RequestRing* ring : {&io_->requests, &io_->replayed_requests}) take_next_request(*ring);
@@ -49,30 +50,29 @@ void Cycle::put_out() noexcept {
     if (state_ == MachineState::alarm && !port_->is_healthy()) tend_port();
     if (((written_ & kOutputMask) | inputs_.raw()) != traced_ && is_tracing()) trace_pins(0);
     if (has_new_position_) trace_position();
-    if (tick_ >= next_publish_tick_) publish();
+    if (clock_.tick() >= next_publish_tick_) publish();
 }
 
 void Cycle::tend_port() noexcept {
     port_->try_safe_state();
-    if (port_->is_silent() != is_port_silent_) next_publish_tick_ = tick_;
+    if (port_->is_silent() != is_port_silent_) next_publish_tick_ = clock_.tick();
     is_port_silent_ = port_->is_silent();
 }
 
 void Cycle::advance_missed(std::uint64_t ticks) noexcept {
-    missed_ticks_ += ticks;
-    report_gap(ticks);
+    clock_.count_missed(ticks);
+    reporter_.report_gap(ticks, longest_harmless_gap());
     const std::int64_t step_ticks = config_.has_two_timers() ? config_.io_ticks : 1;
     const auto count = static_cast<std::int64_t>(ticks);
     check_gap((count + 1) * step_ticks);
-    tick_ += static_cast<std::uint64_t>(count * step_ticks);
-    time_ns_ += count * step_ticks * config_.period_ns;
+    clock_.advance(count * step_ticks);
 }
 
 // A rotor that coasted so long has lost its steps.
 void Cycle::check_gap(std::int64_t gap_ticks) noexcept {
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         const std::int64_t coast_ticks = config_.axes[k].coast_ticks;
-        if (gap_ticks > coast_ticks && pulses_.stepped_within(k, coast_ticks, tick_)) {
+        if (gap_ticks > coast_ticks && pulses_.stepped_within(k, coast_ticks, clock_.tick())) {
             raise_alarm(AlarmCause::tick_gap, static_cast<std::uint8_t>(k));
         }
     }
@@ -82,14 +82,14 @@ void Cycle::take_inputs(SignalWord raw) noexcept {
     // A port that failed shows every input tripped: that is no limit and no emergency stop.
     if (!port_->is_healthy()) return raise_alarm(AlarmCause::port_error, kNoAxis);
     const SignalWord before = inputs_.raw();
-    inputs_.take(raw, tick_, pulses_.positions());
+    inputs_.take(raw, clock_.tick(), pulses_.positions());
     limits_exempt_ &= inputs_.accepted() | inputs_.raw();
     const SignalWord changed = before ^ inputs_.raw();
     for (std::size_t k = 0; changed != 0 && k <= kAxisCount; ++k) {
         const SignalWord input = bit_of(Signal::r1_limit) << k;
         if ((changed & input) == 0) continue;
-        report(record_of(RecordKind::input_edge, (inputs_.raw() & input) != 0 ? 1 : 0,
-                         k < kAxisCount ? static_cast<std::uint8_t>(k) : kNoAxis));
+        reporter_.report(RecordKind::input_edge, (inputs_.raw() & input) != 0 ? 1 : 0,
+                         k < kAxisCount ? static_cast<std::uint8_t>(k) : kNoAxis);
     }
     if ((changed & kIndexBit) != 0) check_index();
     if ((inputs_.raw() & kEstopBit) != 0 && state_ != MachineState::alarm) {
@@ -135,11 +135,11 @@ void Cycle::take_urgent_words() noexcept {
 
 void Cycle::take_stops() noexcept {
     if (emergency_stops_.take(io_->urgent.estop_requests, io_->urgent.estop_word)) {
-        report(record_of(RecordKind::emergency_stop, 0));
+        reporter_.report(RecordKind::emergency_stop, 0);
         raise_alarm(AlarmCause::emergency_stop, kNoAxis);
     }
     if (stops_.take(io_->urgent.stop_requests, io_->urgent.stop_word)) {
-        report(record_of(RecordKind::stop, 0));
+        reporter_.report(RecordKind::stop, 0);
         stop();
     }
 }
@@ -184,8 +184,8 @@ void Cycle::take_next_request(RequestRing& ring) noexcept {
 
 void Cycle::after_step(Executor::Progress progress) noexcept {
     using E = Executor;
-    if ((progress & E::kGroupStarted) != 0 && state_ == MachineState::carving) job_.note_group(tick_);
-    if ((progress & E::kPoint) != 0) job_.note_points(executor_.points_reached(), tick_);
+    if ((progress & E::kGroupStarted) != 0 && state_ == MachineState::carving) job_.note_group(clock_.tick());
+    if ((progress & E::kPoint) != 0) job_.note_points(executor_.points_reached(), clock_.tick());
     if ((progress & (E::kLatched | E::kDefined)) != 0) note_new_position((progress & E::kLatched) != 0);
     if ((progress & E::kNotFound) != 0) raise_alarm(AlarmCause::home_failed, executor_.latch_axis());
     if ((progress & E::kStarved) != 0) raise_alarm(AlarmCause::plan_starved, kNoAxis);
@@ -198,14 +198,14 @@ void Cycle::note_new_position(bool by_sensor) noexcept {
     const std::uint8_t axis = executor_.latch_axis();
     if (by_sensor || state_ == MachineState::homing) {
         homed_.add(axis);
-        report(record_of(RecordKind::home_latch, 0, axis, executor_.latch_correction()));
+        reporter_.report(RecordKind::home_latch, 0, axis, executor_.latch_correction());
     }
     has_new_position_ = true;
 }
 
 void Cycle::write_port() noexcept {
     written_ = pulses_.levels() | charge_pump_;
-    port_->write_outputs(written_, time_ns_);
+    port_->write_outputs(written_, clock_.time_ns());
     if (pulses_.begun_pulses() != 0) end_begun_pulses();
     if (!port_->is_healthy()) raise_alarm(AlarmCause::port_error, kNoAxis);
 }
@@ -215,14 +215,14 @@ void Cycle::end_begun_pulses() noexcept {
     port_->wait(config_.pulse_ns);
     pulses_.end_begun_pulses();
     written_ = pulses_.levels() | charge_pump_;
-    port_->write_outputs(written_, time_ns_ + config_.pulse_ns);
+    port_->write_outputs(written_, clock_.time_ns() + config_.pulse_ns);
     if (is_tracing()) trace_pins(config_.pulse_ns);
 }
 
 void Cycle::trace_pins(std::int64_t offset_ns) noexcept {
     const SignalWord levels = (written_ & kOutputMask) | inputs_.raw();
     trace::TraceEntry entry{};
-    entry.tick = tick_;
+    entry.tick = clock_.tick();
     entry.offset_ns = static_cast<std::uint32_t>(offset_ns);
     entry.levels = levels;
     entry.kind = trace::TraceEntry::Kind::pins;
@@ -235,11 +235,11 @@ void Cycle::trace_pins(std::int64_t offset_ns) noexcept {
 
 void Cycle::publish() noexcept {
     if (!port_->is_healthy()) raise_alarm(AlarmCause::port_error, kNoAxis);
-    next_publish_tick_ = tick_ + config_.sample_ticks;
+    next_publish_tick_ = clock_.tick() + config_.sample_ticks;
     const auto& now = pulses_.positions();
     if (now != published_pulses_) {
         published_pulses_ = now;
-        const IncrementEntry entry{.tick = tick_,
+        const IncrementEntry entry{.tick = clock_.tick(),
                                    .r1_pulses = static_cast<std::int32_t>(now[0]),
                                    .r2_pulses = static_cast<std::int32_t>(now[1]),
                                    .psi_pulses = now[2],

@@ -17,6 +17,8 @@
 #include "rtcore/cycle/lease.hpp"
 #include "rtcore/cycle/pin_trial.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
+#include "rtcore/cycle/reporter.hpp"
+#include "rtcore/cycle/tick_clock.hpp"
 #include "rtcore/port/port.hpp"
 #include "shared/machine_state.hpp"
 
@@ -80,7 +82,7 @@ public:
     void shut_down() noexcept;
 
     /// The number of the next tick.
-    std::uint64_t next_tick() const noexcept { return tick_; }
+    std::uint64_t next_tick() const noexcept { return clock_.tick(); }
     MachineState state() const noexcept { return state_; }
     const PulseStage& pulses() const noexcept { return pulses_; }
     /// On hold, or on their way there or back: the heads are off the path.
@@ -139,7 +141,7 @@ private:
     // cycle_requests.cpp: what the supervisor asks
     void take_request(const Request& request) noexcept;
     bool is_overtaken(const Request& request) noexcept;
-    Refusal judge(const Request& request) noexcept;
+    Verdict judge(const Request& request) noexcept;
     void come_back(std::uint32_t lost_axes) noexcept;
     Refusal start_home(std::uint64_t axes) noexcept;
     Refusal reset_height() noexcept;
@@ -153,8 +155,7 @@ private:
     Refusal reset_alarm() noexcept;
     Refusal back_off(std::uint8_t axis) noexcept;
     // cycle_moves.cpp: jogs, moves, the spindle by hand
-    Refusal start_move(const Request& request) noexcept;
-    Refusal refuse_at(Refusal refusal, std::size_t axis) noexcept;
+    Verdict start_move(const Request& request) noexcept;
     void record_order(const Request& request) noexcept;
     void check_lease() noexcept;
     void end_jog(MoveEnd end) noexcept;
@@ -165,13 +166,7 @@ private:
     void end_trial(MoveEnd end) noexcept;
     Refusal drives_off() noexcept;
     // cycle_reports.cpp
-    void report(const FlightRecord& record) noexcept;
-    void answer(const Request& request, Refusal refusal) noexcept;
-    void push_report(const Report& report) noexcept;
-    void report_gap(std::uint64_t ticks) noexcept;
     std::uint32_t longest_harmless_gap() const noexcept;
-    FlightRecord record_of(RecordKind kind, std::uint16_t code, std::uint8_t axis = kNoAxis,
-                           std::int64_t value = 0) const noexcept;
     void trace_position() noexcept;
     // cycle_recording.cpp
     Refusal record(const Request& request) noexcept;
@@ -188,13 +183,13 @@ private:
     CycleConfig config_;
     port::Port* port_;
     CycleIo* io_;
+    TickClock clock_;
     PulseStage pulses_;
     Inputs inputs_;
     Executor executor_;
     HeadLift lift_;
+    Reporter reporter_;
 
-    std::uint64_t tick_ = 0;
-    std::int64_t time_ns_ = 0;
     MachineState state_ = MachineState::off;
     AlarmCause alarm_cause_ = AlarmCause::none;
     std::uint8_t alarm_axis_ = kNoAxis;
@@ -205,7 +200,6 @@ private:
     Lease lease_;  ///< held while a jog or a trial is under way
     PinTrial trial_;
     MoveEnd move_end_ = MoveEnd::none;
-    std::uint8_t refused_axis_ = kNoAxis;  ///< of the request at hand
     std::uint32_t epoch_ = 0;
     StopsTaken stops_;
     StopsTaken emergency_stops_;
@@ -222,9 +216,7 @@ private:
     std::array<std::int64_t, kAxisCount> published_pulses_{};
 
     JobRun job_;
-    std::uint64_t missed_ticks_ = 0;
     std::uint64_t trace_lost_ = 0;
-    std::uint64_t reports_lost_ = 0;
     std::uint64_t increments_lost_ = 0;
 };
 

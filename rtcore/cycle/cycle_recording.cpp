@@ -26,7 +26,7 @@ Refusal Cycle::record(const Request& request) noexcept {
 /// Everything that is known about the pins at this tick.
 void Cycle::trace_all(trace::TraceEntry::Kind kind, std::uint32_t token) noexcept {
     trace::TraceEntry entry{};
-    entry.tick = tick_;
+    entry.tick = clock_.tick();
     entry.levels = (written_ & kOutputMask) | inputs_.raw();
     entry.kind = kind;
     entry.token = token;

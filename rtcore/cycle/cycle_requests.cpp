@@ -38,8 +38,8 @@ bool sets_going(const Request& request) noexcept {
 }  // namespace
 
 void Cycle::take_request(const Request& request) noexcept {
-    refused_axis_ = kNoAxis;
-    answer(request, is_overtaken(request) ? Refusal::overtaken : judge(request));
+    reporter_.answer(request, is_overtaken(request) ? Verdict{Refusal::overtaken} : judge(request));
+    next_publish_tick_ = clock_.tick();  // an answer is read after the sample that shows what it led to
 }
 
 // Commands may wait for long, and a stop waits for none of them: what was asked for before it would set the
@@ -51,43 +51,43 @@ bool Cycle::is_overtaken(const Request& request) noexcept {
     return stops_.since(request.stops_seen) > 0 || emergency_stops_.since(request.emergency_stops_seen) > 0;
 }
 
-Refusal Cycle::judge(const Request& request) noexcept {
+Verdict Cycle::judge(const Request& request) noexcept {
     switch (request.kind) {
         case RequestKind::home:
-            return start_home(request.value);
+            return {start_home(request.value)};
         case RequestKind::reset_height:
-            return reset_height();
+            return {reset_height()};
         case RequestKind::start:
-            return start_job(layer_range(request.value));
+            return {start_job(layer_range(request.value))};
         case RequestKind::start_interpolation:
-            return start_interpolation();
+            return {start_interpolation()};
         case RequestKind::hold:
-            return hold();
+            return {hold()};
         case RequestKind::resume:
-            return resume();
+            return {resume()};
         case RequestKind::reset_alarm:
-            return reset_alarm();
+            return {reset_alarm()};
         case RequestKind::back_off:
-            return back_off(request.axis);
+            return {back_off(request.axis)};
         case RequestKind::job_loaded:
-            return load_job(request);
+            return {load_job(request)};
         case RequestKind::jog:
         case RequestKind::jog_on:
         case RequestKind::move:
             return start_move(request);
         case RequestKind::end_jog:
             end_jog(static_cast<MoveEnd>(request.value));
-            return Refusal::none;
+            return {Refusal::none};
         case RequestKind::spindle:
-            return switch_spindle(request.value != 0);
+            return {switch_spindle(request.value != 0)};
         case RequestKind::override:
-            return take_override(request.value);
+            return {take_override(request.value)};
         case RequestKind::record:
-            return record(request);
+            return {record(request)};
         case RequestKind::test_pin:
-            return try_pin(request);
+            return {try_pin(request)};
         case RequestKind::drives_off:
-            return drives_off();
+            return {drives_off()};
         case RequestKind::fail:
             break;
     }
@@ -97,7 +97,7 @@ Refusal Cycle::judge(const Request& request) noexcept {
     } else {
         fail_controlled(cause);
     }
-    return Refusal::none;
+    return {Refusal::none};
 }
 
 // Somebody else had the port meanwhile, the guard or a computer that slept: nothing is slowed down any more,
@@ -137,7 +137,7 @@ Refusal Cycle::start_job(LayerRange layers) noexcept {
     if (!next_state(state_, MachineEvent::start).has_value()) return Refusal::not_in_this_state;
     if (const Refusal refusal = job_.judge(layers); refusal != Refusal::none) return refusal;
     if (!homed_.has_all()) return Refusal::not_homed;
-    job_.begin(layers, tick_);
+    job_.begin(layers, clock_.tick());
     pulses_.clear_emitted();
     executor_.clear_points(job_.points_before());
     // What the pins do from here on is this job.
@@ -180,7 +180,7 @@ Refusal Cycle::load_job(const Request& request) noexcept {
     }
     job_.load(request.value, request.points_total, request.points_per_layer);
     executor_.clear_points();
-    next_publish_tick_ = tick_;
+    next_publish_tick_ = clock_.tick();
     return Refusal::none;
 }
 
@@ -193,7 +193,7 @@ Refusal Cycle::take_override(std::uint64_t percent) noexcept {
     if (percent < kLeastOverride_percent || percent > kMostOverride_percent) return Refusal::bad_override;
     job_.set_override(percent);
     set_feed((kCarving >> static_cast<unsigned>(state_) & 1U) != 0);
-    next_publish_tick_ = tick_;
+    next_publish_tick_ = clock_.tick();
     return Refusal::none;
 }
 

@@ -18,10 +18,10 @@ void Cycle::enter(MachineState state) noexcept {
     if (state == MachineState::off || state == MachineState::alarm) pulses_.make_safe();
     // An axis that was homed alone holds its position while the others are homed.
     const std::uint32_t held_axes = std::uint32_t{homed_.mask()} & config_.switched_axes;
-    if (state == MachineState::off && held_axes != 0) pulses_.set_enables(held_axes, tick_);
-    if (state == MachineState::ready) pulses_.set_enables(HomedAxes::kAll, tick_);
-    report(record_of(RecordKind::state_change, static_cast<std::uint16_t>(state)));
-    next_publish_tick_ = tick_;
+    if (state == MachineState::off && held_axes != 0) pulses_.set_enables(held_axes, clock_.tick());
+    if (state == MachineState::ready) pulses_.set_enables(HomedAxes::kAll, clock_.tick());
+    reporter_.report(RecordKind::state_change, static_cast<std::uint16_t>(state));
+    next_publish_tick_ = clock_.tick();
 }
 
 void Cycle::program_done() noexcept {
@@ -44,7 +44,7 @@ void Cycle::program_done() noexcept {
             request_plan(PlanKind::finish);
             break;
         case S::finishing:
-            job_.end(tick_);
+            job_.end(clock_.tick());
             apply(E::finished);
             break;
         case S::stopping:
@@ -97,19 +97,19 @@ void Cycle::came_to_rest() noexcept {
 void Cycle::go_on_with_motion() noexcept {
     if (!executes()) return;
     if (lift_.is_active()) return step_lift();
-    const Executor::Progress progress = executor_.step(tick_);
+    const Executor::Progress progress = executor_.step(clock_.tick());
     if (progress != Executor::kNothing) after_step(progress);
 }
 
 void Cycle::step_lift() noexcept {
-    switch (lift_.step(tick_)) {
+    switch (lift_.step(clock_.tick())) {
         case HeadLift::Progress::going_on:
             break;
         case HeadLift::Progress::lifted:
             apply(MachineEvent::at_rest);
             break;
         case HeadLift::Progress::back:
-            executor_.go_on_after_lift(tick_);
+            executor_.go_on_after_lift(clock_.tick());
             break;
         case HeadLift::Progress::halted:
             lift_.forget();
@@ -133,7 +133,7 @@ void Cycle::end_move(MoveEnd end) noexcept {
 void Cycle::end_after_stop() noexcept {
     drop_plan();
     pulses_.set_spindle(false);
-    job_.end(tick_);
+    job_.end(clock_.tick());
     apply(homed_.has_all() ? MachineEvent::stopped : MachineEvent::stopped_unhomed);
 }
 
@@ -177,22 +177,15 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
     lease_.forget();
     move_end_ = MoveEnd::none;
     drop_plan();
-    Report entry{};
-    entry.record = record_of(RecordKind::alarm, static_cast<std::uint16_t>(cause), axis, seen_pulses);
-    entry.expected_pulses = expected_pulses;
-    entry.kind = Report::Kind::event;
-    if (cause == AlarmCause::steps_lost && runs_job(state_)) {
-        const JobRun::Affected affected = job_.affected(executor_.layer());
-        entry.first_layer = affected.first_layer;
-        entry.layer_count = affected.layer_count;
-    }
-    push_report(entry);
+    const bool affects_layers = cause == AlarmCause::steps_lost && runs_job(state_);
+    reporter_.report_alarm(cause, axis, expected_pulses, seen_pulses,
+                           affects_layers ? job_.affected(executor_.layer()) : JobRun::Affected{});
     apply(MachineEvent::fail);
     charge_pump_ = 0;
     // Pulses and inputs have a timer of their own in the other schedule, which writes what it finds.
     if (!config_.has_two_timers() && pulses_.levels() != written_) {
         written_ = pulses_.levels();
-        port_->write_outputs(written_, time_ns_);
+        port_->write_outputs(written_, clock_.time_ns());
     }
 }
 
@@ -200,7 +193,7 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
 std::uint8_t Cycle::moving_axes() const noexcept {
     std::uint32_t axes = state_ == MachineState::held ? 0 : executor_.axes_in_motion();
     for (std::size_t k = 0; k < kAxisCount; ++k) {
-        if (pulses_.stepped_within(k, config_.axes[k].coast_ticks, tick_)) axes |= 1U << k;
+        if (pulses_.stepped_within(k, config_.axes[k].coast_ticks, clock_.tick())) axes |= 1U << k;
     }
     return static_cast<std::uint8_t>(axes);
 }

@@ -17,17 +17,17 @@ Refusal Cycle::try_pin(const Request& request) noexcept {
     if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
     homed_.lose_all();
     move_end_ = MoveEnd::none;
-    lease_.begin(request.lease_token, request.lease_ticks, io_->urgent.jog_lease.load(), tick_);
+    lease_.begin(request.lease_token, request.lease_ticks, io_->urgent.jog_lease.load(), clock_.tick());
     const std::int64_t half_ticks = order.half_ms * kNsPerMs / config_.period_ns;
     trial_.begin(bit_of(static_cast<Signal>(order.signal)) & kOutputMask, order.pulses,
-                 half_ticks > 0 ? static_cast<std::uint64_t>(half_ticks) : 1, tick_);
+                 half_ticks > 0 ? static_cast<std::uint64_t>(half_ticks) : 1, clock_.tick());
     apply(MachineEvent::begin_test);
-    next_publish_tick_ = tick_;
+    next_publish_tick_ = clock_.tick();
     return Refusal::none;
 }
 
 void Cycle::go_on_with_trial() noexcept {
-    trial_.advance(tick_);
+    trial_.advance(clock_.tick());
     if (trial_.is_over()) return end_trial(MoveEnd::reached);
     pulses_.force(trial_.levels());
 }
@@ -45,7 +45,7 @@ Refusal Cycle::drives_off() noexcept {
         return Refusal::not_in_this_state;
     homed_.lose_all();
     if (holds_axis) pulses_.make_safe();
-    next_publish_tick_ = tick_;
+    next_publish_tick_ = clock_.tick();
     apply(MachineEvent::drives_off);
     return Refusal::none;
 }

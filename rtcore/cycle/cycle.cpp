@@ -12,7 +12,8 @@ Cycle::Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept
       inputs_(config),
       executor_(config_, io.blocks, pulses_, inputs_),
       lift_(config_, pulses_),
-      reporter_(io, clock_, pulses_, inputs_) {
+      reporter_(io, clock_, pulses_, inputs_),
+      tracer_(io) {
     port_->write_outputs(written_, 0);
     io_->sample.write(sample());
 }
@@ -48,8 +49,8 @@ void Cycle::put_out() noexcept {
     if ((pulses_.levels() | charge_pump_) != written_) write_port();
     // What failed once may not have taken the alarm's safe state.
     if (state_ == MachineState::alarm && !port_->is_healthy()) tend_port();
-    if (((written_ & kOutputMask) | inputs_.raw()) != traced_ && is_tracing()) trace_pins(0);
-    if (has_new_position_) trace_position();
+    tracer_.trace_change(pin_levels(), clock_.tick());
+    if (tracer_.has_new_position()) tracer_.trace_position(pin_levels(), clock_.tick(), pulses_.positions());
     if (clock_.tick() >= next_publish_tick_) publish();
 }
 
@@ -200,7 +201,7 @@ void Cycle::note_new_position(bool by_sensor) noexcept {
         homed_.add(axis);
         reporter_.report(RecordKind::home_latch, 0, axis, executor_.latch_correction());
     }
-    has_new_position_ = true;
+    tracer_.note_new_position();
 }
 
 void Cycle::write_port() noexcept {
@@ -211,26 +212,12 @@ void Cycle::write_port() noexcept {
 }
 
 void Cycle::end_begun_pulses() noexcept {
-    if (is_tracing()) trace_pins(0);
+    if (tracer_.is_on()) tracer_.trace_pins(pin_levels(), clock_.tick(), 0);
     port_->wait(config_.pulse_ns);
     pulses_.end_begun_pulses();
     written_ = pulses_.levels() | charge_pump_;
     port_->write_outputs(written_, clock_.time_ns() + config_.pulse_ns);
-    if (is_tracing()) trace_pins(config_.pulse_ns);
-}
-
-void Cycle::trace_pins(std::int64_t offset_ns) noexcept {
-    const SignalWord levels = (written_ & kOutputMask) | inputs_.raw();
-    trace::TraceEntry entry{};
-    entry.tick = clock_.tick();
-    entry.offset_ns = static_cast<std::uint32_t>(offset_ns);
-    entry.levels = levels;
-    entry.kind = trace::TraceEntry::Kind::pins;
-    if (io_->trace->push(entry)) {
-        traced_ = levels;
-    } else {
-        ++trace_lost_;
-    }
+    if (tracer_.is_on()) tracer_.trace_pins(pin_levels(), clock_.tick(), config_.pulse_ns);
 }
 
 void Cycle::publish() noexcept {

@@ -15,6 +15,7 @@
 #include "rtcore/cycle/job_run.hpp"
 #include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/cycle/lease.hpp"
+#include "rtcore/cycle/pin_tracer.hpp"
 #include "rtcore/cycle/pin_trial.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
 #include "rtcore/cycle/reporter.hpp"
@@ -111,7 +112,6 @@ private:
     void note_new_position(bool by_sensor) noexcept;
     void write_port() noexcept;
     void end_begun_pulses() noexcept;
-    void trace_pins(std::int64_t offset_ns) noexcept;
     void publish() noexcept;
     void check_gap(std::int64_t gap_ticks) noexcept;
     // cycle_two_timer.cpp
@@ -154,6 +154,7 @@ private:
     Refusal take_override(std::uint64_t percent) noexcept;
     Refusal reset_alarm() noexcept;
     Refusal back_off(std::uint8_t axis) noexcept;
+    Refusal record(const Request& request) noexcept;
     // cycle_moves.cpp: jogs, moves, the spindle by hand
     Verdict start_move(const Request& request) noexcept;
     void record_order(const Request& request) noexcept;
@@ -167,14 +168,9 @@ private:
     Refusal drives_off() noexcept;
     // cycle_reports.cpp
     std::uint32_t longest_harmless_gap() const noexcept;
-    void trace_position() noexcept;
-    // cycle_recording.cpp
-    Refusal record(const Request& request) noexcept;
-    void trace_all(trace::TraceEntry::Kind kind, std::uint32_t token) noexcept;
 
-    bool is_tracing() const noexcept {
-        return io_->trace != nullptr && (io_->traces_always || recording_token_ != 0);
-    }
+    /// All pins but the charge pump: outputs as they are written, inputs as they were read.
+    SignalWord pin_levels() const noexcept { return (written_ & kOutputMask) | inputs_.raw(); }
     bool executes() const noexcept { return (kExecutingStates >> static_cast<unsigned>(state_) & 1U) != 0; }
     bool cause_remains() const noexcept {
         return ((inputs_.raw() | inputs_.accepted()) & (kLimitMask | kEstopBit)) != 0;
@@ -189,6 +185,7 @@ private:
     Executor executor_;
     HeadLift lift_;
     Reporter reporter_;
+    PinTracer tracer_;
 
     MachineState state_ = MachineState::off;
     AlarmCause alarm_cause_ = AlarmCause::none;
@@ -206,17 +203,13 @@ private:
     std::uint64_t rounds_seen_ = 0;
     std::int64_t unheard_ns_ = 0;  ///< so long the supervisor has not come round, in ticks that ran
     SignalWord written_ = 0;
-    SignalWord traced_ = 0;
-    SignalWord charge_pump_ = 0;         ///< its level: kChargePumpBit or 0
-    std::uint32_t recording_token_ = 0;  ///< whose recording goes on; 0: none
-    bool has_new_position_ = false;      ///< of this tick, not traced yet
+    SignalWord charge_pump_ = 0;  ///< its level: kChargePumpBit or 0
     bool has_pulses_to_end_ = false;
     bool is_port_silent_ = false;  ///< as it was told last
     std::uint64_t next_publish_tick_ = 0;
     std::array<std::int64_t, kAxisCount> published_pulses_{};
 
     JobRun job_;
-    std::uint64_t trace_lost_ = 0;
     std::uint64_t increments_lost_ = 0;
 };
 

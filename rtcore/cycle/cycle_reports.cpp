@@ -27,7 +27,7 @@ Sample Cycle::sample() const noexcept {
     job_.show_in(sample);
     sample.missed_ticks = clock_.missed();
     sample.waited_ticks = executor_.waited_ticks();
-    sample.trace_lost = trace_lost_;
+    sample.trace_lost = tracer_.lost();
     sample.reports_lost = reporter_.lost();
     sample.increments_lost = increments_lost_;
     return sample;
@@ -46,12 +46,6 @@ std::uint32_t Cycle::longest_harmless_gap() const noexcept {
     const std::int64_t step_ticks = config_.has_two_timers() ? config_.io_ticks : 1;
     return static_cast<std::uint32_t>(
         std::clamp<std::int64_t>(least_ticks / step_ticks - 1, 0, std::int64_t{kAnyGap} - 1));
-}
-
-// After the pins of the same tick: what is counted from here on includes their pulses.
-void Cycle::trace_position() noexcept {
-    has_new_position_ = false;
-    if (is_tracing()) trace_all(trace::TraceEntry::Kind::position, 0);
 }
 
 }  // namespace psicarve::cycle

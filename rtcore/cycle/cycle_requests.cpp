@@ -140,9 +140,7 @@ Refusal Cycle::start_job(LayerRange layers) noexcept {
     job_.begin(layers, clock_.tick());
     pulses_.clear_emitted();
     executor_.clear_points(job_.points_before());
-    // What the pins do from here on is this job.
-    if (io_->trace != nullptr && io_->traces_always)
-        trace_all(trace::TraceEntry::Kind::job, static_cast<std::uint32_t>(job_.generation()));
+    tracer_.trace_job(pin_levels(), clock_.tick(), pulses_.positions(), job_.generation());
     apply(MachineEvent::start);
     request_plan(PlanKind::position);
     return Refusal::none;
@@ -223,6 +221,20 @@ Refusal Cycle::back_off(std::uint8_t axis) noexcept {
     limits_exempt_ = (inputs_.accepted() | inputs_.raw()) & kLimitMask;
     apply(MachineEvent::back_off);
     request_plan(PlanKind::back_off, axis);
+    return Refusal::none;
+}
+
+// A recording begins at rest: what it tells from there on is all that moves the machine.
+Refusal Cycle::record(const Request& request) noexcept {
+    const auto form = static_cast<RecordingForm>(request.value);
+    if (form == RecordingForm::none) {
+        const bool has_ended =
+            tracer_.end_recording(request.lease_token, pin_levels(), clock_.tick(), pulses_.positions());
+        return has_ended ? Refusal::none : Refusal::recording;
+    }
+    if (!tracer_.can_record()) return Refusal::recording;
+    if (state_ != MachineState::off && state_ != MachineState::ready) return Refusal::not_in_this_state;
+    tracer_.begin_recording(form, request.lease_token, pin_levels(), clock_.tick(), pulses_.positions());
     return Refusal::none;
 }
 

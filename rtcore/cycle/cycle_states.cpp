@@ -234,7 +234,7 @@ void Cycle::assume_homed(const std::array<std::int64_t, kAxisCount>& position_pu
     homed_.add_all();
     apply(MachineEvent::home);
     apply(MachineEvent::home_done);
-    has_new_position_ = true;
+    tracer_.note_new_position();
 }
 
 }  // namespace psicarve::cycle

@@ -35,7 +35,7 @@ void Cycle::end_pulses() noexcept {
     pulses_.end_pulses(clock_.tick());
     written_ &= ~kStepMask;
     port_->write_outputs(written_, clock_.time_ns());
-    if (is_tracing()) trace_pins(0);
+    if (tracer_.is_on()) tracer_.trace_pins(pin_levels(), clock_.tick(), 0);
     clock_ = next;
 }
 

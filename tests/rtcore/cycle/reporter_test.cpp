@@ -12,7 +12,7 @@
 namespace psicarve::cycle {
 namespace {
 
-struct Rig {
+struct ReporterRig {
     CycleConfig config;
     std::unique_ptr<CycleIo> io = std::make_unique<CycleIo>();
     TickClock clock{50'000};
@@ -40,7 +40,7 @@ Request request_of(RequestKind kind, std::uint64_t value = 0) {
 }
 
 TEST(Reporter, TellsTickLevelsAndPositionsOfTheMoment) {
-    Rig rig;
+    ReporterRig rig;
     rig.clock.advance(9);
     rig.pulses.set_spindle(true);
     rig.pulses.set_position(kY, -5);
@@ -58,7 +58,7 @@ TEST(Reporter, TellsTickLevelsAndPositionsOfTheMoment) {
 }
 
 TEST(Reporter, TellsAnAlarmWithItsCountsAndLayers) {
-    Rig rig;
+    ReporterRig rig;
     rig.sut.report_alarm(AlarmCause::steps_lost, 2, 100, 103, {.first_layer = 4, .layer_count = 2});
     const Report report = rig.next().value();
     EXPECT_EQ(report.record.kind, RecordKind::alarm);
@@ -71,7 +71,7 @@ TEST(Reporter, TellsAnAlarmWithItsCountsAndLayers) {
 }
 
 TEST(Reporter, AnswersWithTheRequestsNumberAndTheAxisOfTheRefusal) {
-    Rig rig;
+    ReporterRig rig;
     Report report = rig.answered(request_of(RequestKind::jog), {Refusal::outside_travel, 3});
     EXPECT_EQ(report.kind, Report::Kind::answer);
     EXPECT_EQ(report.sequence, 42U);
@@ -86,7 +86,7 @@ TEST(Reporter, AnswersWithTheRequestsNumberAndTheAxisOfTheRefusal) {
 }
 
 TEST(Reporter, RecordsBackOffWithItsAxisAJobAsSuchAndAFailureByItsCause) {
-    Rig rig;
+    ReporterRig rig;
     Request back_off = request_of(RequestKind::back_off);
     back_off.axis = 1;
     EXPECT_EQ(rig.answered(back_off, {Refusal::none}).record.axis, 1U);
@@ -100,7 +100,7 @@ TEST(Reporter, RecordsBackOffWithItsAxisAJobAsSuchAndAFailureByItsCause) {
 }
 
 TEST(Reporter, RecordsNoCommandThatIsRecordedOtherwiseOrMovesNothing) {
-    Rig rig;
+    ReporterRig rig;
     for (const RequestKind kind : {RequestKind::end_jog, RequestKind::record}) {
         const Report report = rig.answered(request_of(kind), {Refusal::none});
         EXPECT_EQ(report.record.kind, RecordKind::none);
@@ -109,7 +109,7 @@ TEST(Reporter, RecordsNoCommandThatIsRecordedOtherwiseOrMovesNothing) {
 }
 
 TEST(Reporter, NamesTheLongestHarmlessGapOrThatItWasLonger) {
-    Rig rig;
+    ReporterRig rig;
     rig.sut.report_gap(5, 5);
     Report report = rig.next().value();
     EXPECT_EQ(report.record.kind, RecordKind::gap);
@@ -123,7 +123,7 @@ TEST(Reporter, NamesTheLongestHarmlessGapOrThatItWasLonger) {
 }
 
 TEST(Reporter, KeepsHalfOfTheRingFreeOfHarmlessGaps) {
-    Rig rig;
+    ReporterRig rig;
     const std::size_t half = ReportRing::capacity() / 2;
     for (std::size_t i = 0; i < half; ++i) rig.sut.report_gap(1, kAnyGap);
     EXPECT_EQ(rig.sut.lost(), 0U);
@@ -135,7 +135,7 @@ TEST(Reporter, KeepsHalfOfTheRingFreeOfHarmlessGaps) {
 }
 
 TEST(Reporter, CountsWhatFindsTheRingFull) {
-    Rig rig;
+    ReporterRig rig;
     for (std::size_t i = 0; i < ReportRing::capacity(); ++i) rig.sut.report(RecordKind::stop, 0);
     EXPECT_EQ(rig.sut.lost(), 0U);
     rig.sut.report(RecordKind::stop, 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/cycle/cycle.hpp"
+#include "rtcore/cycle/index_check.hpp"
 
 namespace psicarve::cycle {
 
@@ -84,7 +85,7 @@ void Cycle::take_inputs(SignalWord raw) noexcept {
     if (!port_->is_healthy()) return raise_alarm(AlarmCause::port_error, kNoAxis);
     const SignalWord before = inputs_.raw();
     inputs_.take(raw, clock_.tick(), pulses_.positions());
-    limits_exempt_ &= inputs_.accepted() | inputs_.raw();
+    limits_.note(inputs_.accepted() | inputs_.raw());
     const SignalWord changed = before ^ inputs_.raw();
     for (std::size_t k = 0; changed != 0 && k <= kAxisCount; ++k) {
         const SignalWord input = bit_of(Signal::r1_limit) << k;
@@ -92,7 +93,7 @@ void Cycle::take_inputs(SignalWord raw) noexcept {
         reporter_.report(RecordKind::input_edge, (inputs_.raw() & input) != 0 ? 1 : 0,
                          k < kAxisCount ? static_cast<std::uint8_t>(k) : kNoAxis);
     }
-    if ((changed & kIndexBit) != 0) check_index();
+    if ((changed & kIndexBit) != 0) take_index();
     if ((inputs_.raw() & kEstopBit) != 0 && state_ != MachineState::alarm) {
         raise_alarm(AlarmCause::emergency_stop, kNoAxis);
     }
@@ -102,30 +103,18 @@ void Cycle::check_limits() noexcept {
     constexpr std::uint32_t kAtHand =
         state_bit(MachineState::off) | state_bit(MachineState::alarm) | state_bit(MachineState::testing);
     if ((kAtHand >> static_cast<unsigned>(state_) & 1U) != 0) return;
-    SignalWord tripped = inputs_.accepted() & kLimitMask & ~limits_exempt_;
-    if (executor_.homing_axis() != kNoAxis) tripped &= ~(bit_of(Signal::r1_limit) << executor_.homing_axis());
-    for (std::size_t k = 0; tripped != 0 && k < kAxisCount; ++k) {
-        if ((tripped & (bit_of(Signal::r1_limit) << k)) == 0) continue;
-        raise_alarm(AlarmCause::limit, static_cast<std::uint8_t>(k));
-        return;
-    }
+    const std::uint8_t axis = limits_.alarming_axis(inputs_.accepted(), executor_.homing_axis());
+    if (axis != kNoAxis) raise_alarm(AlarmCause::limit, axis);
 }
 
-// The index is tripped from its position on. Turning positive it begins to trip there; turning negative it
-// ceases one pulse below.
-void Cycle::check_index() noexcept {
+void Cycle::take_index() noexcept {
     const bool is_positive = pulses_.is_positive(kPsi);
     const bool is_tripped = inputs_.is_tripped(kPsi);
     if (!config_.has_index || !homed_.has(kPsi) || is_positive != is_tripped) return;
-    const std::int64_t seen = pulses_.positions()[kPsi] + (is_positive ? 0 : 1);
-    std::int64_t off = (seen - config_.index_position_pulses) % config_.pulses_per_rev;
-    if (off > config_.pulses_per_rev / 2) off -= config_.pulses_per_rev;
-    if (off < -config_.pulses_per_rev / 2) off += config_.pulses_per_rev;
-    if (off > config_.index_tolerance_pulses || off < -config_.index_tolerance_pulses) {
-        raise_alarm(AlarmCause::steps_lost, static_cast<std::uint8_t>(kPsi), seen - off, seen);
-    } else {
-        job_.note_index(executor_.layer());
-    }
+    const IndexCheck index = check_index(config_, pulses_.positions()[kPsi], is_positive);
+    if (index.is_right) return job_.note_index(executor_.layer());
+    raise_alarm(AlarmCause::steps_lost, static_cast<std::uint8_t>(kPsi), index.seen_pulses - index.off_pulses,
+                index.seen_pulses);
 }
 
 void Cycle::take_urgent_words() noexcept {

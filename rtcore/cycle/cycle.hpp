@@ -15,6 +15,7 @@
 #include "rtcore/cycle/job_run.hpp"
 #include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/cycle/lease.hpp"
+#include "rtcore/cycle/limit_watch.hpp"
 #include "rtcore/cycle/pin_tracer.hpp"
 #include "rtcore/cycle/pin_trial.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
@@ -102,7 +103,7 @@ private:
     void toggle_charge_pump() noexcept;
     void take_inputs(SignalWord raw) noexcept;
     void check_limits() noexcept;
-    void check_index() noexcept;
+    void take_index() noexcept;
     void take_urgent_words() noexcept;
     void take_stops() noexcept;
     void take_failures() noexcept;
@@ -192,8 +193,7 @@ private:
     std::uint8_t alarm_axis_ = kNoAxis;
     HomedAxes homed_;
     AlarmCause pending_fail_ = AlarmCause::none;  ///< raised once the controlled stop came to rest
-    /// Limits that were tripped when homing or backing off began, until they clear.
-    SignalWord limits_exempt_ = 0;
+    LimitWatch limits_;
     Lease lease_;  ///< held while a jog or a trial is under way
     PinTrial trial_;
     MoveEnd move_end_ = MoveEnd::none;

@@ -128,7 +128,7 @@ Refusal Cycle::reset_height() noexcept {
 
 void Cycle::begin_homing(MachineEvent event, std::uint32_t axes) noexcept {
     homed_.lose(axes);
-    limits_exempt_ = (inputs_.accepted() | inputs_.raw()) & kLimitMask;
+    limits_.exempt(inputs_.accepted() | inputs_.raw());
     apply(event);
 }
 
@@ -218,7 +218,7 @@ Refusal Cycle::back_off(std::uint8_t axis) noexcept {
     if (!inputs_.is_tripped(axis)) return Refusal::sensor_not_tripped;
     if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
     homed_.lose(1U << axis);
-    limits_exempt_ = (inputs_.accepted() | inputs_.raw()) & kLimitMask;
+    limits_.exempt(inputs_.accepted() | inputs_.raw());
     apply(MachineEvent::back_off);
     request_plan(PlanKind::back_off, axis);
     return Refusal::none;

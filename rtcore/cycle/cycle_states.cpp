@@ -83,10 +83,7 @@ void Cycle::came_to_rest() noexcept {
     }
     apply(MachineEvent::at_rest);
     if (state_ != MachineState::stopping) return;
-    // An axis that was stopped on its sensor while being homed is no new limit.
-    if (executor_.homing_axis() != kNoAxis) {
-        limits_exempt_ |= inputs_.accepted() & (bit_of(Signal::r1_limit) << executor_.homing_axis());
-    }
+    if (executor_.homing_axis() != kNoAxis) limits_.exempt_axis(executor_.homing_axis(), inputs_.accepted());
     if (homed_.has_heads()) {
         request_plan(PlanKind::finish);
     } else {

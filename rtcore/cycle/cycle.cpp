@@ -11,6 +11,7 @@ Cycle::Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept
       clock_(config.period_ns),
       pulses_(config),
       inputs_(config),
+      coasting_(config_, pulses_),
       executor_(config_, io.blocks, pulses_, inputs_),
       lift_(config_, pulses_),
       reporter_(io, clock_, pulses_, inputs_),
@@ -63,21 +64,15 @@ void Cycle::tend_port() noexcept {
 
 void Cycle::advance_missed(std::uint64_t ticks) noexcept {
     clock_.count_missed(ticks);
-    reporter_.report_gap(ticks, longest_harmless_gap());
-    const std::int64_t step_ticks = config_.has_two_timers() ? config_.io_ticks : 1;
+    reporter_.report_gap(ticks, coasting_.longest_harmless_gap(clock_.tick()));
     const auto count = static_cast<std::int64_t>(ticks);
-    check_gap((count + 1) * step_ticks);
-    clock_.advance(count * step_ticks);
+    check_gap((count + 1) * config_.step_ticks());
+    clock_.advance(count * config_.step_ticks());
 }
 
-// A rotor that coasted so long has lost its steps.
 void Cycle::check_gap(std::int64_t gap_ticks) noexcept {
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        const std::int64_t coast_ticks = config_.axes[k].coast_ticks;
-        if (gap_ticks > coast_ticks && pulses_.stepped_within(k, coast_ticks, clock_.tick())) {
-            raise_alarm(AlarmCause::tick_gap, static_cast<std::uint8_t>(k));
-        }
-    }
+    const std::uint8_t axis = coasting_.axis_lost_in(gap_ticks, clock_.tick());
+    if (axis != kNoAxis) raise_alarm(AlarmCause::tick_gap, axis);
 }
 
 void Cycle::take_inputs(SignalWord raw) noexcept {

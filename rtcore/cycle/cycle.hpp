@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "rtcore/cycle/coasting.hpp"
 #include "rtcore/cycle/cycle_config.hpp"
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/cycle/executor.hpp"
@@ -134,7 +135,7 @@ private:
     void fail_controlled(AlarmCause cause) noexcept;
     void raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expected_pulses = 0,
                      std::int64_t seen_pulses = 0) noexcept;
-    std::uint8_t moving_axes() const noexcept;
+    std::uint32_t moving_axes() const noexcept;
     void request_plan(PlanKind kind, std::uint8_t axis = kNoAxis,
                       const MotionOrder* order = nullptr) noexcept;
     void drop_plan() noexcept;
@@ -168,7 +169,6 @@ private:
     void end_trial(MoveEnd end) noexcept;
     Refusal drives_off() noexcept;
     // cycle_reports.cpp
-    std::uint32_t longest_harmless_gap() const noexcept;
 
     /// All pins but the charge pump: outputs as they are written, inputs as they were read.
     SignalWord pin_levels() const noexcept { return (written_ & kOutputMask) | inputs_.raw(); }
@@ -183,6 +183,7 @@ private:
     TickClock clock_;
     PulseStage pulses_;
     Inputs inputs_;
+    Coasting coasting_;
     Executor executor_;
     HeadLift lift_;
     Reporter reporter_;

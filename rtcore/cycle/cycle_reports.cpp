@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <limits>
-
 #include "rtcore/cycle/cycle.hpp"
 
 namespace psicarve::cycle {
@@ -31,21 +28,6 @@ Sample Cycle::sample() const noexcept {
     sample.reports_lost = reporter_.lost();
     sample.increments_lost = increments_lost_;
     return sample;
-}
-
-/// Missed ticks after which no rotor that turns now has lost its steps: as check_gap() has it.
-std::uint32_t Cycle::longest_harmless_gap() const noexcept {
-    constexpr std::int64_t kNoRotorTurns = std::numeric_limits<std::int64_t>::max();
-    std::int64_t least_ticks = kNoRotorTurns;
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        const std::int64_t coast_ticks = config_.axes[k].coast_ticks;
-        if (pulses_.stepped_within(k, coast_ticks, clock_.tick()))
-            least_ticks = std::min(least_ticks, coast_ticks);
-    }
-    if (least_ticks == kNoRotorTurns) return kAnyGap;
-    const std::int64_t step_ticks = config_.has_two_timers() ? config_.io_ticks : 1;
-    return static_cast<std::uint32_t>(
-        std::clamp<std::int64_t>(least_ticks / step_ticks - 1, 0, std::int64_t{kAnyGap} - 1));
 }
 
 }  // namespace psicarve::cycle

@@ -165,7 +165,7 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
                         std::int64_t seen_pulses) noexcept {
     if (state_ == MachineState::alarm) return;
     // A rotor without current may be turned by hand or by weight, and nothing counts that.
-    homed_.lose(std::uint32_t{moving_axes()} | config_.switched_axes);
+    homed_.lose(moving_axes() | config_.switched_axes);
     if (axis < kAxisCount && (cause == AlarmCause::steps_lost || cause == AlarmCause::home_failed)) {
         homed_.lose(1U << axis);
     }
@@ -187,12 +187,9 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
 }
 
 // Those that have stepped so recently that their rotor may still turn, and those on their way.
-std::uint8_t Cycle::moving_axes() const noexcept {
-    std::uint32_t axes = state_ == MachineState::held ? 0 : executor_.axes_in_motion();
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        if (pulses_.stepped_within(k, config_.axes[k].coast_ticks, clock_.tick())) axes |= 1U << k;
-    }
-    return static_cast<std::uint8_t>(axes);
+std::uint32_t Cycle::moving_axes() const noexcept {
+    const std::uint32_t on_their_way = state_ == MachineState::held ? 0 : executor_.axes_in_motion();
+    return coasting_.axes(clock_.tick()) | on_their_way;
 }
 
 void Cycle::drop_plan() noexcept {

@@ -119,29 +119,20 @@ void Cycle::take_urgent_words() noexcept {
 }
 
 void Cycle::take_stops() noexcept {
-    if (emergency_stops_.take(io_->urgent.estop_requests, io_->urgent.estop_word)) {
+    if (stops_.take_emergency_stop(io_->urgent)) {
         reporter_.report(RecordKind::emergency_stop, 0);
         raise_alarm(AlarmCause::emergency_stop, kNoAxis);
     }
-    if (stops_.take(io_->urgent.stop_requests, io_->urgent.stop_word)) {
+    if (stops_.take_stop(io_->urgent)) {
         reporter_.report(RecordKind::stop, 0);
         stop();
     }
 }
 
-// Whoever wants the machine to hold, or an axis to be let go, would not be heard. Ticks that did not come are
-// not counted: then the computer stood still, and others see to that.
+// A silent supervisor hands on no request to hold, and ends no jog: what moves or turns is not left alone.
 void Cycle::watch_supervisor() noexcept {
-    constexpr std::int64_t kLongestSilence_ns = 1'000'000'000;
     const std::uint64_t rounds = io_->urgent.rounds.load(std::memory_order_relaxed);
-    if (rounds != rounds_seen_ || rounds == 0) {
-        rounds_seen_ = rounds;
-        unheard_ns_ = 0;
-        return;
-    }
-    const bool was_heard = unheard_ns_ <= kLongestSilence_ns;
-    unheard_ns_ += config_.has_two_timers() ? config_.io_ticks * config_.period_ns : config_.period_ns;
-    if (!was_heard || unheard_ns_ <= kLongestSilence_ns) return;
+    if (!supervisor_.falls_silent(rounds, config_.step_ticks() * config_.period_ns)) return;
     const bool is_spindle_on = (pulses_.levels() & bit_of(Signal::spindle)) != 0;
     if (is_at_rest(state_) && !is_spindle_on) return;
     io_->urgent.failures.fetch_or(failure_bits(AlarmCause::supervisor_stalled), std::memory_order_relaxed);

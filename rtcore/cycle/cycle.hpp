@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 
@@ -21,6 +20,8 @@
 #include "rtcore/cycle/pin_trial.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
 #include "rtcore/cycle/reporter.hpp"
+#include "rtcore/cycle/stop_words.hpp"
+#include "rtcore/cycle/supervisor_watch.hpp"
 #include "rtcore/cycle/tick_clock.hpp"
 #include "rtcore/port/port.hpp"
 #include "shared/machine_state.hpp"
@@ -36,25 +37,6 @@ inline constexpr std::uint32_t kExecutingStates =
     state_bit(MachineState::homing) | state_bit(MachineState::moving) | state_bit(MachineState::positioning) |
     state_bit(MachineState::carving) | state_bit(MachineState::holding) | state_bit(MachineState::finishing) |
     state_bit(MachineState::stopping) | state_bit(MachineState::backing_off);
-
-/// Of one kind, how both words stood at the last one that was acted on. RT: yes.
-struct StopsTaken {
-    std::uint32_t own = 0;
-    std::uint32_t asked = 0;
-
-    /// True when either has changed.
-    bool take(const std::atomic<std::uint32_t>& own_word,
-              const std::atomic<std::uint64_t>& asked_word) noexcept {
-        const StopsTaken now{own_word.load(std::memory_order_acquire),
-                             static_cast<std::uint32_t>(asked_word.load(std::memory_order_acquire))};
-        const bool is_changed = now.own != own || now.asked != asked;
-        *this = now;
-        return is_changed;
-    }
-    /// How many were asked for, and acted on, since somebody saw the word so; negative: that many it saw are
-    /// not acted on yet.
-    std::int32_t since(std::uint32_t seen) const noexcept { return static_cast<std::int32_t>(asked - seen); }
-};
 
 /// One tick of the machine: read inputs -> limits, emergency stop, index -> requests -> interpolate -> write
 /// outputs. Holds the one MachineState. All methods belong to the one thread that ticks; everybody else talks
@@ -199,10 +181,8 @@ private:
     PinTrial trial_;
     MoveEnd move_end_ = MoveEnd::none;
     std::uint32_t epoch_ = 0;
-    StopsTaken stops_;
-    StopsTaken emergency_stops_;
-    std::uint64_t rounds_seen_ = 0;
-    std::int64_t unheard_ns_ = 0;  ///< so long the supervisor has not come round, in ticks that ran
+    StopWords stops_;
+    SupervisorWatch supervisor_;
     SignalWord written_ = 0;
     SignalWord charge_pump_ = 0;  ///< its level: kChargePumpBit or 0
     bool has_pulses_to_end_ = false;

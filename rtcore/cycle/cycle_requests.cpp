@@ -46,9 +46,8 @@ void Cycle::take_request(const Request& request) noexcept {
 // machine going after it. A stop that the sender knew of comes first, however they got here.
 bool Cycle::is_overtaken(const Request& request) noexcept {
     if (request.has_sender == 0 || !sets_going(request)) return false;
-    if (stops_.since(request.stops_seen) < 0 || emergency_stops_.since(request.emergency_stops_seen) < 0)
-        take_stops();
-    return stops_.since(request.stops_seen) > 0 || emergency_stops_.since(request.emergency_stops_seen) > 0;
+    if (stops_.comes_after_one_not_taken(request)) take_stops();
+    return stops_.have_overtaken(request);
 }
 
 Verdict Cycle::judge(const Request& request) noexcept {

@@ -8,6 +8,7 @@ Cycle::Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept
     : config_(config),
       port_(&port),
       io_(&io),
+      pins_(port),
       clock_(config.period_ns),
       pulses_(config),
       inputs_(config),
@@ -15,9 +16,9 @@ Cycle::Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept
       executor_(config_, io.blocks, pulses_, inputs_),
       lift_(config_, pulses_),
       reporter_(io, clock_, pulses_, inputs_),
-      tracer_(io) {
-    port_->write_outputs(written_, 0);
-    io_->sample.write(sample());
+      tracer_(io),
+      publisher_(io, config.sample_ticks) {
+    publisher_.publish(sample());
 }
 
 void Cycle::tick() noexcept {
@@ -43,23 +44,22 @@ void Cycle::take_in() noexcept {
 // It rests in an alarm: what hangs on it cuts the power then.
 void Cycle::toggle_charge_pump() noexcept {
     const bool rests = state_ == MachineState::alarm || !port_->is_healthy();
-    charge_pump_ = rests ? 0 : charge_pump_ ^ kChargePumpBit;
+    if (rests) {
+        pins_.rest_charge_pump();
+    } else {
+        pins_.toggle_charge_pump();
+    }
 }
 
 void Cycle::put_out() noexcept {
     if (config_.has_charge_pump) toggle_charge_pump();
-    if ((pulses_.levels() | charge_pump_) != written_) write_port();
+    if (pins_.differ_from(pulses_.levels())) write_port();
     // What failed once may not have taken the alarm's safe state.
-    if (state_ == MachineState::alarm && !port_->is_healthy()) tend_port();
+    if (state_ == MachineState::alarm && !port_->is_healthy() && pins_.try_safe_state())
+        publisher_.ask(clock_.tick());
     tracer_.trace_change(pin_levels(), clock_.tick());
     if (tracer_.has_new_position()) tracer_.trace_position(pin_levels(), clock_.tick(), pulses_.positions());
-    if (clock_.tick() >= next_publish_tick_) publish();
-}
-
-void Cycle::tend_port() noexcept {
-    port_->try_safe_state();
-    if (port_->is_silent() != is_port_silent_) next_publish_tick_ = clock_.tick();
-    is_port_silent_ = port_->is_silent();
+    if (publisher_.is_due(clock_.tick())) publish();
 }
 
 void Cycle::advance_missed(std::uint64_t ticks) noexcept {
@@ -180,8 +180,7 @@ void Cycle::note_new_position(bool by_sensor) noexcept {
 }
 
 void Cycle::write_port() noexcept {
-    written_ = pulses_.levels() | charge_pump_;
-    port_->write_outputs(written_, clock_.time_ns());
+    pins_.write(pulses_.levels(), clock_.time_ns());
     if (pulses_.begun_pulses() != 0) end_begun_pulses();
     if (!port_->is_healthy()) raise_alarm(AlarmCause::port_error, kNoAxis);
 }
@@ -190,31 +189,20 @@ void Cycle::end_begun_pulses() noexcept {
     if (tracer_.is_on()) tracer_.trace_pins(pin_levels(), clock_.tick(), 0);
     port_->wait(config_.pulse_ns);
     pulses_.end_begun_pulses();
-    written_ = pulses_.levels() | charge_pump_;
-    port_->write_outputs(written_, clock_.time_ns() + config_.pulse_ns);
+    pins_.write(pulses_.levels(), clock_.time_ns() + config_.pulse_ns);
     if (tracer_.is_on()) tracer_.trace_pins(pin_levels(), clock_.tick(), config_.pulse_ns);
 }
 
 void Cycle::publish() noexcept {
     if (!port_->is_healthy()) raise_alarm(AlarmCause::port_error, kNoAxis);
-    next_publish_tick_ = clock_.tick() + config_.sample_ticks;
-    const auto& now = pulses_.positions();
-    if (now != published_pulses_) {
-        published_pulses_ = now;
-        const IncrementEntry entry{.tick = clock_.tick(),
-                                   .r1_pulses = static_cast<std::int32_t>(now[0]),
-                                   .r2_pulses = static_cast<std::int32_t>(now[1]),
-                                   .psi_pulses = now[2],
-                                   .y_pulses = now[3]};
-        if (!io_->increments.push(entry)) ++increments_lost_;
-    }
-    io_->sample.write(sample());
+    publisher_.publish_positions(pulses_.positions(), clock_.tick());
+    publisher_.publish(sample());
 }
 
 void Cycle::shut_down() noexcept {
     drop_plan();
     pulses_.make_safe();
-    charge_pump_ = 0;
+    pins_.rest_charge_pump();
     write_port();
 }
 

@@ -16,8 +16,10 @@
 #include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/cycle/lease.hpp"
 #include "rtcore/cycle/limit_watch.hpp"
+#include "rtcore/cycle/output_pins.hpp"
 #include "rtcore/cycle/pin_tracer.hpp"
 #include "rtcore/cycle/pin_trial.hpp"
+#include "rtcore/cycle/publisher.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
 #include "rtcore/cycle/reporter.hpp"
 #include "rtcore/cycle/stop_words.hpp"
@@ -82,7 +84,6 @@ private:
     // cycle.cpp: the tick
     void take_in() noexcept;
     void put_out() noexcept;
-    void tend_port() noexcept;
     void toggle_charge_pump() noexcept;
     void take_inputs(SignalWord raw) noexcept;
     void check_limits() noexcept;
@@ -153,7 +154,7 @@ private:
     // cycle_reports.cpp
 
     /// All pins but the charge pump: outputs as they are written, inputs as they were read.
-    SignalWord pin_levels() const noexcept { return (written_ & kOutputMask) | inputs_.raw(); }
+    SignalWord pin_levels() const noexcept { return pins_.levels() | inputs_.raw(); }
     bool executes() const noexcept { return (kExecutingStates >> static_cast<unsigned>(state_) & 1U) != 0; }
     bool cause_remains() const noexcept {
         return ((inputs_.raw() | inputs_.accepted()) & (kLimitMask | kEstopBit)) != 0;
@@ -162,6 +163,7 @@ private:
     CycleConfig config_;
     port::Port* port_;
     CycleIo* io_;
+    OutputPins pins_;
     TickClock clock_;
     PulseStage pulses_;
     Inputs inputs_;
@@ -170,6 +172,7 @@ private:
     HeadLift lift_;
     Reporter reporter_;
     PinTracer tracer_;
+    Publisher publisher_;
 
     MachineState state_ = MachineState::off;
     AlarmCause alarm_cause_ = AlarmCause::none;
@@ -183,15 +186,9 @@ private:
     std::uint32_t epoch_ = 0;
     StopWords stops_;
     SupervisorWatch supervisor_;
-    SignalWord written_ = 0;
-    SignalWord charge_pump_ = 0;  ///< its level: kChargePumpBit or 0
     bool has_pulses_to_end_ = false;
-    bool is_port_silent_ = false;  ///< as it was told last
-    std::uint64_t next_publish_tick_ = 0;
-    std::array<std::int64_t, kAxisCount> published_pulses_{};
 
     JobRun job_;
-    std::uint64_t increments_lost_ = 0;
 };
 
 }  // namespace psicarve::cycle

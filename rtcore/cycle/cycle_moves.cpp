@@ -101,7 +101,7 @@ Refusal Cycle::switch_spindle(bool on) noexcept {
     if (state_ == MachineState::off) return Refusal::not_homed;
     if (state_ != MachineState::ready && state_ != MachineState::moving) return Refusal::not_in_this_state;
     pulses_.set_spindle(on);
-    next_publish_tick_ = clock_.tick();
+    publisher_.ask(clock_.tick());
     return Refusal::none;
 }
 

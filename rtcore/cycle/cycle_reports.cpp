@@ -26,7 +26,7 @@ Sample Cycle::sample() const noexcept {
     sample.waited_ticks = executor_.waited_ticks();
     sample.trace_lost = tracer_.lost();
     sample.reports_lost = reporter_.lost();
-    sample.increments_lost = increments_lost_;
+    sample.increments_lost = publisher_.increments_lost();
     return sample;
 }
 

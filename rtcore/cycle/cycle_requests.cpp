@@ -39,7 +39,7 @@ bool sets_going(const Request& request) noexcept {
 
 void Cycle::take_request(const Request& request) noexcept {
     reporter_.answer(request, is_overtaken(request) ? Verdict{Refusal::overtaken} : judge(request));
-    next_publish_tick_ = clock_.tick();  // an answer is read after the sample that shows what it led to
+    publisher_.ask(clock_.tick());  // an answer is read after the sample that shows what it led to
 }
 
 // Commands may wait for long, and a stop waits for none of them: what was asked for before it would set the
@@ -177,7 +177,7 @@ Refusal Cycle::load_job(const Request& request) noexcept {
     }
     job_.load(request.value, request.points_total, request.points_per_layer);
     executor_.clear_points();
-    next_publish_tick_ = clock_.tick();
+    publisher_.ask(clock_.tick());
     return Refusal::none;
 }
 
@@ -190,7 +190,7 @@ Refusal Cycle::take_override(std::uint64_t percent) noexcept {
     if (percent < kLeastOverride_percent || percent > kMostOverride_percent) return Refusal::bad_override;
     job_.set_override(percent);
     set_feed((kCarving >> static_cast<unsigned>(state_) & 1U) != 0);
-    next_publish_tick_ = clock_.tick();
+    publisher_.ask(clock_.tick());
     return Refusal::none;
 }
 

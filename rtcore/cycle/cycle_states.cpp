@@ -21,7 +21,7 @@ void Cycle::enter(MachineState state) noexcept {
     if (state == MachineState::off && held_axes != 0) pulses_.set_enables(held_axes, clock_.tick());
     if (state == MachineState::ready) pulses_.set_enables(HomedAxes::kAll, clock_.tick());
     reporter_.report(RecordKind::state_change, static_cast<std::uint16_t>(state));
-    next_publish_tick_ = clock_.tick();
+    publisher_.ask(clock_.tick());
 }
 
 void Cycle::program_done() noexcept {
@@ -178,11 +178,10 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
     reporter_.report_alarm(cause, axis, expected_pulses, seen_pulses,
                            affects_layers ? job_.affected(executor_.layer()) : JobRun::Affected{});
     apply(MachineEvent::fail);
-    charge_pump_ = 0;
+    pins_.rest_charge_pump();
     // Pulses and inputs have a timer of their own in the other schedule, which writes what it finds.
-    if (!config_.has_two_timers() && pulses_.levels() != written_) {
-        written_ = pulses_.levels();
-        port_->write_outputs(written_, clock_.time_ns());
+    if (!config_.has_two_timers() && pins_.differ_from(pulses_.levels())) {
+        pins_.write(pulses_.levels(), clock_.time_ns());
     }
 }
 

@@ -22,7 +22,7 @@ Refusal Cycle::try_pin(const Request& request) noexcept {
     trial_.begin(bit_of(static_cast<Signal>(order.signal)) & kOutputMask, order.pulses,
                  half_ticks > 0 ? static_cast<std::uint64_t>(half_ticks) : 1, clock_.tick());
     apply(MachineEvent::begin_test);
-    next_publish_tick_ = clock_.tick();
+    publisher_.ask(clock_.tick());
     return Refusal::none;
 }
 
@@ -45,7 +45,7 @@ Refusal Cycle::drives_off() noexcept {
         return Refusal::not_in_this_state;
     homed_.lose_all();
     if (holds_axis) pulses_.make_safe();
-    next_publish_tick_ = clock_.tick();
+    publisher_.ask(clock_.tick());
     apply(MachineEvent::drives_off);
     return Refusal::none;
 }

@@ -33,8 +33,7 @@ void Cycle::end_pulses() noexcept {
     const TickClock next = clock_;
     clock_ = clock_.earlier_by(config_.io_ticks - config_.step_high_ticks);
     pulses_.end_pulses(clock_.tick());
-    written_ &= ~kStepMask;
-    port_->write_outputs(written_, clock_.time_ns());
+    pins_.end_pulses(clock_.time_ns());
     if (tracer_.is_on()) tracer_.trace_pins(pin_levels(), clock_.tick(), 0);
     clock_ = next;
 }

@@ -37,7 +37,7 @@ void Cycle::take_in() noexcept {
     if ((inputs_.accepted() & kLimitMask) != 0) check_limits();
     take_urgent_words();
     for (RequestRing* ring : {&io_->requests, &io_->replayed_requests}) take_next_request(*ring);
-    if (lease_.is_held()) check_lease();
+    if (move_.has_lease()) check_lease();
     if (state_ == MachineState::testing) go_on_with_trial();
 }
 

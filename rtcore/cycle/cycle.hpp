@@ -14,7 +14,7 @@
 #include "rtcore/cycle/inputs.hpp"
 #include "rtcore/cycle/job_run.hpp"
 #include "rtcore/cycle/layer_range.hpp"
-#include "rtcore/cycle/lease.hpp"
+#include "rtcore/cycle/leased_move.hpp"
 #include "rtcore/cycle/limit_watch.hpp"
 #include "rtcore/cycle/output_pins.hpp"
 #include "rtcore/cycle/pin_tracer.hpp"
@@ -180,9 +180,8 @@ private:
     HomedAxes homed_;
     AlarmCause pending_fail_ = AlarmCause::none;  ///< raised once the controlled stop came to rest
     LimitWatch limits_;
-    Lease lease_;  ///< held while a jog or a trial is under way
+    LeasedMove move_;
     PinTrial trial_;
-    MoveEnd move_end_ = MoveEnd::none;
     std::uint32_t epoch_ = 0;
     StopWords stops_;
     SupervisorWatch supervisor_;

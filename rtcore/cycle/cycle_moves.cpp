@@ -53,8 +53,7 @@ Verdict Cycle::start_move(const Request& request) noexcept {
     if (breach.limit != SoftLimit::none)
         return {refusal_of(breach.limit), static_cast<std::uint8_t>(breach.axis)};
     record_order(request);
-    lease_.begin(request.lease_token, request.lease_ticks, io_->urgent.jog_lease.load(), clock_.tick());
-    move_end_ = MoveEnd::none;
+    move_.begin(request, io_->urgent.jog_lease.load(), clock_.tick());
     apply(MachineEvent::move);
     MotionOrder order = request.order;
     order.target_pulses = to;
@@ -84,15 +83,14 @@ void Cycle::record_order(const Request& request) noexcept {
 }
 
 void Cycle::check_lease() noexcept {
-    const MoveEnd end = lease_.end_at(io_->urgent.jog_lease.load(std::memory_order_acquire), clock_.tick());
+    const MoveEnd end = move_.due_end(io_->urgent.jog_lease.load(std::memory_order_acquire), clock_.tick());
     if (end != MoveEnd::none) end_jog(end);
 }
 
 void Cycle::end_jog(MoveEnd end) noexcept {
     if (state_ == MachineState::testing) return end_trial(end);
     if (state_ != MachineState::moving) return;
-    lease_.forget();
-    move_end_ = end;
+    move_.end(end);
     reporter_.report(RecordKind::jog_end, static_cast<std::uint16_t>(end));
     executor_.slow_down();
 }

@@ -15,7 +15,7 @@ Sample Cycle::sample() const noexcept {
     if (toggles) sample.signals |= kChargePumpBit;
     sample.is_port_silent = port_->is_silent() ? 1 : 0;
     sample.signals |= port_->stuck_outputs();
-    sample.move_end = move_end_;
+    sample.move_end = move_.ended();
     sample.position_pulses = pulses_.positions();
     sample.emitted_pulses = pulses_.emitted();
     sample.layer = executor_.layer();

@@ -74,7 +74,7 @@ void Cycle::came_to_rest() noexcept {
         return;
     }
     if (state_ == MachineState::moving) {
-        end_move(move_end_);
+        end_move(move_.ended());
         return;
     }
     if (state_ == MachineState::holding && lifts_on_hold()) {
@@ -122,8 +122,7 @@ void Cycle::slow_down() noexcept {
 
 void Cycle::end_move(MoveEnd end) noexcept {
     drop_plan();
-    lease_.forget();
-    move_end_ = end;
+    move_.end(end);
     apply(MachineEvent::move_done);
 }
 
@@ -140,8 +139,7 @@ void Cycle::stop() noexcept {
     // Nothing moves, but the spindle may turn.
     if (state_ == MachineState::ready) pulses_.set_spindle(false);
     if (state_ == before) return;
-    lease_.forget();
-    move_end_ = MoveEnd::none;
+    move_.end(MoveEnd::none);
     if (state_ == MachineState::stopping) {
         slow_down();
     } else {
@@ -156,7 +154,7 @@ void Cycle::fail_controlled(AlarmCause cause) noexcept {
         return;
     }
     pending_fail_ = cause;
-    lease_.forget();
+    move_.forget_lease();
     apply(MachineEvent::stop);
     slow_down();
 }
@@ -171,8 +169,7 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
     }
     alarm_cause_ = cause;
     alarm_axis_ = axis;
-    lease_.forget();
-    move_end_ = MoveEnd::none;
+    move_.end(MoveEnd::none);
     drop_plan();
     const bool affects_layers = cause == AlarmCause::steps_lost && runs_job(state_);
     reporter_.report_alarm(cause, axis, expected_pulses, seen_pulses,

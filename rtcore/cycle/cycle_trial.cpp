@@ -9,15 +9,14 @@ Refusal Cycle::try_pin(const Request& request) noexcept {
     const PinOrder order = pin_order(request.value);
     const bool is_testing = state_ == MachineState::testing;
     if (!next_state(state_, MachineEvent::begin_test).has_value()) return Refusal::not_in_this_state;
-    if (is_testing && !lease_.is_of(request.lease_token)) return Refusal::not_in_this_state;
+    if (is_testing && !move_.is_of(request.lease_token)) return Refusal::not_in_this_state;
     if (!order.is_on) {
         if (is_testing) end_trial(MoveEnd::released);
         return Refusal::none;
     }
     if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
     homed_.lose_all();
-    move_end_ = MoveEnd::none;
-    lease_.begin(request.lease_token, request.lease_ticks, io_->urgent.jog_lease.load(), clock_.tick());
+    move_.begin(request, io_->urgent.jog_lease.load(), clock_.tick());
     const std::int64_t half_ticks = order.half_ms * kNsPerMs / config_.period_ns;
     trial_.begin(bit_of(static_cast<Signal>(order.signal)) & kOutputMask, order.pulses,
                  half_ticks > 0 ? static_cast<std::uint64_t>(half_ticks) : 1, clock_.tick());
@@ -33,8 +32,7 @@ void Cycle::go_on_with_trial() noexcept {
 }
 
 void Cycle::end_trial(MoveEnd end) noexcept {
-    lease_.forget();
-    move_end_ = end;
+    move_.end(end);
     apply(MachineEvent::end_test);
 }
 

@@ -18,7 +18,7 @@ set(PSICARVE_ROOMS
     "rtcore/sim -> shared/base shared/machine shared/profile"
     "rtcore/trace -> shared/base shared/computer shared/machine shared/trace rtcore/process"
     "rtcore/port -> shared/base shared/computer shared/machine shared/profile rtcore/realtime rtcore/sim"
-    "rtcore/cycle -> shared/base shared/machine shared/job rtcore/trace rtcore/port"
+    "rtcore/cycle -> shared/base shared/machine rtcore/trace rtcore/port"
     "rtcore/guard -> shared/base shared/computer shared/segment rtcore/process rtcore/port"
     "rtcore/options -> shared/base shared/computer shared/file shared/profile shared/job shared/segment shared/record rtcore/port"
     "rtcore/plan -> shared/base shared/machine shared/profile shared/job rtcore/process rtcore/cycle"

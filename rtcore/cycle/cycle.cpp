@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/cycle/cycle.hpp"
+#include "rtcore/cycle/index_check.hpp"
 
 namespace psicarve::cycle {
 
@@ -7,12 +8,17 @@ Cycle::Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept
     : config_(config),
       port_(&port),
       io_(&io),
+      pins_(port),
+      clock_(config.period_ns),
       pulses_(config),
       inputs_(config),
+      coasting_(config_, pulses_),
       executor_(config_, io.blocks, pulses_, inputs_),
-      lift_(config_, pulses_) {
-    port_->write_outputs(written_, 0);
-    io_->sample.write(sample());
+      lift_(config_, pulses_),
+      reporter_(io, clock_, pulses_, inputs_),
+      tracer_(io),
+      publisher_(io, config.sample_ticks) {
+    publisher_.publish(sample());
 }
 
 void Cycle::tick() noexcept {
@@ -20,78 +26,69 @@ void Cycle::tick() noexcept {
     take_in();
     go_on_with_motion();
     put_out();
-    ++tick_;
-    time_ns_ += config_.period_ns;
+    clock_.advance(1);
 }
 
 void Cycle::take_in() noexcept {
     // The machine's answer to the last tick's pulses comes before this tick's: so positions and levels agree.
-    const SignalWord raw = port_->read_inputs(time_ns_);
+    const SignalWord raw = port_->read_inputs(clock_.time_ns());
     if (inputs_.needs(raw)) take_inputs(raw);
-    pulses_.begin_tick(tick_);
+    pulses_.begin_tick(clock_.tick());
     if ((inputs_.accepted() & kLimitMask) != 0) check_limits();
     take_urgent_words();
     for (RequestRing* ring : {&io_->requests, &io_->replayed_requests}) take_next_request(*ring);
-    if (lease_.is_held()) check_lease();
-    if (state_ == MachineState::testing) go_on_with_test();
+    if (move_.has_lease()) check_lease();
+    if (state_ == MachineState::testing) go_on_with_trial();
 }
 
 // It rests in an alarm: what hangs on it cuts the power then.
 void Cycle::toggle_charge_pump() noexcept {
     const bool rests = state_ == MachineState::alarm || !port_->is_healthy();
-    charge_pump_ = rests ? 0 : charge_pump_ ^ kChargePumpBit;
+    if (rests) {
+        pins_.rest_charge_pump();
+    } else {
+        pins_.toggle_charge_pump();
+    }
 }
 
 void Cycle::put_out() noexcept {
     if (config_.has_charge_pump) toggle_charge_pump();
-    if ((pulses_.levels() | charge_pump_) != written_) write_port();
+    if (pins_.differ_from(pulses_.levels())) write_port();
     // What failed once may not have taken the alarm's safe state.
-    if (state_ == MachineState::alarm && !port_->is_healthy()) tend_port();
-    if (((written_ & kOutputMask) | inputs_.raw()) != traced_ && is_tracing()) trace_pins(0);
-    if (has_new_position_) trace_position();
-    if (tick_ >= next_publish_tick_) publish();
-}
-
-void Cycle::tend_port() noexcept {
-    port_->try_safe_state();
-    if (port_->is_silent() != is_port_silent_) next_publish_tick_ = tick_;
-    is_port_silent_ = port_->is_silent();
+    if (state_ == MachineState::alarm && !port_->is_healthy() && pins_.try_safe_state())
+        publisher_.ask(clock_.tick());
+    tracer_.trace_change(pin_levels(), clock_.tick());
+    if (tracer_.has_new_position()) tracer_.trace_position(pin_levels(), clock_.tick(), pulses_.positions());
+    if (publisher_.is_due(clock_.tick())) publish();
 }
 
 void Cycle::advance_missed(std::uint64_t ticks) noexcept {
-    missed_ticks_ += ticks;
-    report_gap(ticks);
-    const std::int64_t step_ticks = config_.has_two_timers() ? config_.io_ticks : 1;
+    clock_.count_missed(ticks);
+    reporter_.report_gap(ticks, coasting_.longest_harmless_gap(clock_.tick()));
     const auto count = static_cast<std::int64_t>(ticks);
-    check_gap((count + 1) * step_ticks);
-    tick_ += static_cast<std::uint64_t>(count * step_ticks);
-    time_ns_ += count * step_ticks * config_.period_ns;
+    check_gap((count + 1) * config_.step_ticks());
+    clock_.advance(count * config_.step_ticks());
 }
 
-// A rotor that coasted so long has lost its steps.
 void Cycle::check_gap(std::int64_t gap_ticks) noexcept {
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        const std::int64_t coast_ticks = config_.axes[k].coast_ticks;
-        if (gap_ticks > coast_ticks && pulses_.stepped_within(k, coast_ticks, tick_)) {
-            raise_alarm(AlarmCause::tick_gap, static_cast<std::uint8_t>(k));
-        }
-    }
+    const std::uint8_t axis = coasting_.axis_lost_in(gap_ticks, clock_.tick());
+    if (axis != kNoAxis) raise_alarm(AlarmCause::tick_gap, axis);
 }
 
 void Cycle::take_inputs(SignalWord raw) noexcept {
     // A port that failed shows every input tripped: that is no limit and no emergency stop.
     if (!port_->is_healthy()) return raise_alarm(AlarmCause::port_error, kNoAxis);
     const SignalWord before = inputs_.raw();
-    inputs_.take(raw, tick_, pulses_.positions());
-    limits_exempt_ &= inputs_.accepted() | inputs_.raw();
+    inputs_.take(raw, clock_.tick(), pulses_.positions());
+    limits_.note(inputs_.accepted() | inputs_.raw());
     const SignalWord changed = before ^ inputs_.raw();
     for (std::size_t k = 0; changed != 0 && k <= kAxisCount; ++k) {
         const SignalWord input = bit_of(Signal::r1_limit) << k;
         if ((changed & input) == 0) continue;
-        report(record_of(RecordKind::input_edge, (inputs_.raw() & input) != 0 ? 1 : 0,
-                         k < kAxisCount ? static_cast<std::uint8_t>(k) : kNoAxis));
+        reporter_.report(RecordKind::input_edge, (inputs_.raw() & input) != 0 ? 1 : 0,
+                         k < kAxisCount ? static_cast<std::uint8_t>(k) : kNoAxis);
     }
-    if ((changed & kIndexBit) != 0) check_index();
+    if ((changed & kIndexBit) != 0) take_index();
     if ((inputs_.raw() & kEstopBit) != 0 && state_ != MachineState::alarm) {
         raise_alarm(AlarmCause::emergency_stop, kNoAxis);
     }
@@ -101,30 +98,18 @@ void Cycle::check_limits() noexcept {
     constexpr std::uint32_t kAtHand =
         state_bit(MachineState::off) | state_bit(MachineState::alarm) | state_bit(MachineState::testing);
     if ((kAtHand >> static_cast<unsigned>(state_) & 1U) != 0) return;
-    SignalWord tripped = inputs_.accepted() & kLimitMask & ~limits_exempt_;
-    if (executor_.homing_axis() != kNoAxis) tripped &= ~(bit_of(Signal::r1_limit) << executor_.homing_axis());
-    for (std::size_t k = 0; tripped != 0 && k < kAxisCount; ++k) {
-        if ((tripped & (bit_of(Signal::r1_limit) << k)) == 0) continue;
-        raise_alarm(AlarmCause::limit, static_cast<std::uint8_t>(k));
-        return;
-    }
+    const std::uint8_t axis = limits_.alarming_axis(inputs_.accepted(), executor_.homing_axis());
+    if (axis != kNoAxis) raise_alarm(AlarmCause::limit, axis);
 }
 
-// The index is tripped from its position on. Turning positive it begins to trip there; turning negative it
-// ceases one pulse below.
-void Cycle::check_index() noexcept {
+void Cycle::take_index() noexcept {
     const bool is_positive = pulses_.is_positive(kPsi);
     const bool is_tripped = inputs_.is_tripped(kPsi);
-    if (!config_.has_index || (homed_mask_ >> kPsi & 1U) == 0 || is_positive != is_tripped) return;
-    const std::int64_t seen = pulses_.positions()[kPsi] + (is_positive ? 0 : 1);
-    std::int64_t off = (seen - config_.index_position_pulses) % config_.pulses_per_rev;
-    if (off > config_.pulses_per_rev / 2) off -= config_.pulses_per_rev;
-    if (off < -config_.pulses_per_rev / 2) off += config_.pulses_per_rev;
-    if (off > config_.index_tolerance_pulses || off < -config_.index_tolerance_pulses) {
-        raise_alarm(AlarmCause::steps_lost, static_cast<std::uint8_t>(kPsi), seen - off, seen);
-    } else if (carve_first_tick_ != 0) {
-        index_layer_ = executor_.layer();
-    }
+    if (!config_.has_index || !homed_.has(kPsi) || is_positive != is_tripped) return;
+    const IndexCheck index = check_index(config_, pulses_.positions()[kPsi], is_positive);
+    if (index.is_right) return job_.note_index(executor_.layer());
+    raise_alarm(AlarmCause::steps_lost, static_cast<std::uint8_t>(kPsi), index.seen_pulses - index.off_pulses,
+                index.seen_pulses);
 }
 
 void Cycle::take_urgent_words() noexcept {
@@ -134,29 +119,20 @@ void Cycle::take_urgent_words() noexcept {
 }
 
 void Cycle::take_stops() noexcept {
-    if (emergency_stops_.take(io_->urgent.estop_requests, io_->urgent.estop_word)) {
-        report(record_of(RecordKind::emergency_stop, 0));
+    if (stops_.take_emergency_stop(io_->urgent)) {
+        reporter_.report(RecordKind::emergency_stop, 0);
         raise_alarm(AlarmCause::emergency_stop, kNoAxis);
     }
-    if (stops_.take(io_->urgent.stop_requests, io_->urgent.stop_word)) {
-        report(record_of(RecordKind::stop, 0));
+    if (stops_.take_stop(io_->urgent)) {
+        reporter_.report(RecordKind::stop, 0);
         stop();
     }
 }
 
-// Whoever wants the machine to hold, or an axis to be let go, would not be heard. Ticks that did not come are
-// not counted: then the computer stood still, and others see to that.
+// A silent supervisor hands on no request to hold, and ends no jog: what moves or turns is not left alone.
 void Cycle::watch_supervisor() noexcept {
-    constexpr std::int64_t kLongestSilence_ns = 1'000'000'000;
     const std::uint64_t rounds = io_->urgent.rounds.load(std::memory_order_relaxed);
-    if (rounds != rounds_seen_ || rounds == 0) {
-        rounds_seen_ = rounds;
-        unheard_ns_ = 0;
-        return;
-    }
-    const bool was_heard = unheard_ns_ <= kLongestSilence_ns;
-    unheard_ns_ += config_.has_two_timers() ? config_.io_ticks * config_.period_ns : config_.period_ns;
-    if (!was_heard || unheard_ns_ <= kLongestSilence_ns) return;
+    if (!supervisor_.falls_silent(rounds, config_.step_ticks() * config_.period_ns)) return;
     const bool is_spindle_on = (pulses_.levels() & bit_of(Signal::spindle)) != 0;
     if (is_at_rest(state_) && !is_spindle_on) return;
     io_->urgent.failures.fetch_or(failure_bits(AlarmCause::supervisor_stalled), std::memory_order_relaxed);
@@ -184,14 +160,8 @@ void Cycle::take_next_request(RequestRing& ring) noexcept {
 
 void Cycle::after_step(Executor::Progress progress) noexcept {
     using E = Executor;
-    if ((progress & E::kGroupStarted) != 0 && state_ == MachineState::carving && carve_first_tick_ == 0) {
-        carve_first_tick_ = tick_;
-    }
-    // A spiral's row ends in the point that is the next one's first, too.
-    if ((progress & E::kPoint) != 0 && carve_last_tick_ == 0 &&
-        executor_.points_reached() >= end_layer_ * points_per_layer_) {
-        carve_last_tick_ = tick_;
-    }
+    if ((progress & E::kGroupStarted) != 0 && state_ == MachineState::carving) job_.note_group(clock_.tick());
+    if ((progress & E::kPoint) != 0) job_.note_points(executor_.points_reached(), clock_.tick());
     if ((progress & (E::kLatched | E::kDefined)) != 0) note_new_position((progress & E::kLatched) != 0);
     if ((progress & E::kNotFound) != 0) raise_alarm(AlarmCause::home_failed, executor_.latch_axis());
     if ((progress & E::kStarved) != 0) raise_alarm(AlarmCause::plan_starved, kNoAxis);
@@ -203,62 +173,36 @@ void Cycle::after_step(Executor::Progress progress) noexcept {
 void Cycle::note_new_position(bool by_sensor) noexcept {
     const std::uint8_t axis = executor_.latch_axis();
     if (by_sensor || state_ == MachineState::homing) {
-        homed_mask_ = static_cast<std::uint8_t>(homed_mask_ | 1U << axis);
-        report(record_of(RecordKind::home_latch, 0, axis, executor_.latch_correction()));
+        homed_.add(axis);
+        reporter_.report(RecordKind::home_latch, 0, axis, executor_.latch_correction());
     }
-    has_new_position_ = true;
+    tracer_.note_new_position();
 }
 
 void Cycle::write_port() noexcept {
-    written_ = pulses_.levels() | charge_pump_;
-    port_->write_outputs(written_, time_ns_);
+    pins_.write(pulses_.levels(), clock_.time_ns());
     if (pulses_.begun_pulses() != 0) end_begun_pulses();
     if (!port_->is_healthy()) raise_alarm(AlarmCause::port_error, kNoAxis);
 }
 
 void Cycle::end_begun_pulses() noexcept {
-    if (is_tracing()) trace_pins(0);
+    if (tracer_.is_on()) tracer_.trace_pins(pin_levels(), clock_.tick(), 0);
     port_->wait(config_.pulse_ns);
     pulses_.end_begun_pulses();
-    written_ = pulses_.levels() | charge_pump_;
-    port_->write_outputs(written_, time_ns_ + config_.pulse_ns);
-    if (is_tracing()) trace_pins(config_.pulse_ns);
-}
-
-void Cycle::trace_pins(std::int64_t offset_ns) noexcept {
-    const SignalWord levels = (written_ & kOutputMask) | inputs_.raw();
-    trace::TraceEntry entry{};
-    entry.tick = tick_;
-    entry.offset_ns = static_cast<std::uint32_t>(offset_ns);
-    entry.levels = levels;
-    entry.kind = trace::TraceEntry::Kind::pins;
-    if (io_->trace->push(entry)) {
-        traced_ = levels;
-    } else {
-        ++trace_lost_;
-    }
+    pins_.write(pulses_.levels(), clock_.time_ns() + config_.pulse_ns);
+    if (tracer_.is_on()) tracer_.trace_pins(pin_levels(), clock_.tick(), config_.pulse_ns);
 }
 
 void Cycle::publish() noexcept {
     if (!port_->is_healthy()) raise_alarm(AlarmCause::port_error, kNoAxis);
-    next_publish_tick_ = tick_ + config_.sample_ticks;
-    const auto& now = pulses_.positions();
-    if (now != published_pulses_) {
-        published_pulses_ = now;
-        const IncrementEntry entry{.tick = tick_,
-                                   .r1_pulses = static_cast<std::int32_t>(now[0]),
-                                   .r2_pulses = static_cast<std::int32_t>(now[1]),
-                                   .psi_pulses = now[2],
-                                   .y_pulses = now[3]};
-        if (!io_->increments.push(entry)) ++increments_lost_;
-    }
-    io_->sample.write(sample());
+    publisher_.publish_positions(pulses_.positions(), clock_.tick());
+    publisher_.publish(sample());
 }
 
 void Cycle::shut_down() noexcept {
     drop_plan();
     pulses_.make_safe();
-    charge_pump_ = 0;
+    pins_.rest_charge_pump();
     write_port();
 }
 

@@ -2,19 +2,29 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 
+#include "rtcore/cycle/coasting.hpp"
 #include "rtcore/cycle/cycle_config.hpp"
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/cycle/executor.hpp"
 #include "rtcore/cycle/head_lift.hpp"
+#include "rtcore/cycle/homed_axes.hpp"
 #include "rtcore/cycle/inputs.hpp"
+#include "rtcore/cycle/job_run.hpp"
 #include "rtcore/cycle/layer_range.hpp"
-#include "rtcore/cycle/lease.hpp"
-#include "rtcore/cycle/pin_test.hpp"
+#include "rtcore/cycle/leased_move.hpp"
+#include "rtcore/cycle/limit_watch.hpp"
+#include "rtcore/cycle/output_pins.hpp"
+#include "rtcore/cycle/pin_tracer.hpp"
+#include "rtcore/cycle/pin_trial.hpp"
+#include "rtcore/cycle/publisher.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
+#include "rtcore/cycle/reporter.hpp"
+#include "rtcore/cycle/stop_words.hpp"
+#include "rtcore/cycle/supervisor_watch.hpp"
+#include "rtcore/cycle/tick_clock.hpp"
 #include "rtcore/port/port.hpp"
 #include "shared/machine/machine_state.hpp"
 
@@ -29,25 +39,6 @@ inline constexpr std::uint32_t kExecutingStates =
     state_bit(MachineState::homing) | state_bit(MachineState::moving) | state_bit(MachineState::positioning) |
     state_bit(MachineState::carving) | state_bit(MachineState::holding) | state_bit(MachineState::finishing) |
     state_bit(MachineState::stopping) | state_bit(MachineState::backing_off);
-
-/// Of one kind, how both words stood at the last one that was acted on. RT: yes.
-struct StopsTaken {
-    std::uint32_t own = 0;
-    std::uint32_t asked = 0;
-
-    /// True when either has changed.
-    bool take(const std::atomic<std::uint32_t>& own_word,
-              const std::atomic<std::uint64_t>& asked_word) noexcept {
-        const StopsTaken now{own_word.load(std::memory_order_acquire),
-                             static_cast<std::uint32_t>(asked_word.load(std::memory_order_acquire))};
-        const bool is_changed = now.own != own || now.asked != asked;
-        *this = now;
-        return is_changed;
-    }
-    /// How many were asked for, and acted on, since somebody saw the word so; negative: that many it saw are
-    /// not acted on yet.
-    std::int32_t since(std::uint32_t seen) const noexcept { return static_cast<std::int32_t>(asked - seen); }
-};
 
 /// One tick of the machine: read inputs -> limits, emergency stop, index -> requests -> interpolate -> write
 /// outputs. Holds the one MachineState. All methods belong to the one thread that ticks; everybody else talks
@@ -78,7 +69,7 @@ public:
     void shut_down() noexcept;
 
     /// The number of the next tick.
-    std::uint64_t next_tick() const noexcept { return tick_; }
+    std::uint64_t next_tick() const noexcept { return clock_.tick(); }
     MachineState state() const noexcept { return state_; }
     const PulseStage& pulses() const noexcept { return pulses_; }
     /// On hold, or on their way there or back: the heads are off the path.
@@ -93,11 +84,10 @@ private:
     // cycle.cpp: the tick
     void take_in() noexcept;
     void put_out() noexcept;
-    void tend_port() noexcept;
     void toggle_charge_pump() noexcept;
     void take_inputs(SignalWord raw) noexcept;
     void check_limits() noexcept;
-    void check_index() noexcept;
+    void take_index() noexcept;
     void take_urgent_words() noexcept;
     void take_stops() noexcept;
     void take_failures() noexcept;
@@ -107,7 +97,6 @@ private:
     void note_new_position(bool by_sensor) noexcept;
     void write_port() noexcept;
     void end_begun_pulses() noexcept;
-    void trace_pins(std::int64_t offset_ns) noexcept;
     void publish() noexcept;
     void check_gap(std::int64_t gap_ticks) noexcept;
     // cycle_two_timer.cpp
@@ -121,7 +110,7 @@ private:
     void step_lift() noexcept;
     void slow_down() noexcept;
     bool lifts_on_hold() const noexcept {
-        return !is_dry_ && (config_.lift_pulses[0] > 0 || config_.lift_pulses[1] > 0);
+        return !job_.is_dry() && (config_.lift_pulses[0] > 0 || config_.lift_pulses[1] > 0);
     }
     void end_move(MoveEnd end) noexcept;
     void end_after_stop() noexcept;
@@ -129,7 +118,7 @@ private:
     void fail_controlled(AlarmCause cause) noexcept;
     void raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expected_pulses = 0,
                      std::int64_t seen_pulses = 0) noexcept;
-    std::uint8_t moving_axes() const noexcept;
+    std::uint32_t moving_axes() const noexcept;
     void request_plan(PlanKind kind, std::uint8_t axis = kNoAxis,
                       const MotionOrder* order = nullptr) noexcept;
     void drop_plan() noexcept;
@@ -137,7 +126,7 @@ private:
     // cycle_requests.cpp: what the supervisor asks
     void take_request(const Request& request) noexcept;
     bool is_overtaken(const Request& request) noexcept;
-    Refusal judge(const Request& request) noexcept;
+    Verdict judge(const Request& request) noexcept;
     void come_back(std::uint32_t lost_axes) noexcept;
     Refusal start_home(std::uint64_t axes) noexcept;
     Refusal reset_height() noexcept;
@@ -150,97 +139,55 @@ private:
     Refusal take_override(std::uint64_t percent) noexcept;
     Refusal reset_alarm() noexcept;
     Refusal back_off(std::uint8_t axis) noexcept;
+    Refusal record(const Request& request) noexcept;
     // cycle_moves.cpp: jogs, moves, the spindle by hand
-    Refusal start_move(const Request& request) noexcept;
-    Refusal refuse_at(Refusal refusal, std::size_t axis) noexcept;
+    Verdict start_move(const Request& request) noexcept;
     void record_order(const Request& request) noexcept;
     void check_lease() noexcept;
     void end_jog(MoveEnd end) noexcept;
     Refusal switch_spindle(bool on) noexcept;
-    // cycle_test.cpp: the outputs by hand
-    Refusal test_pin(const Request& request) noexcept;
-    void go_on_with_test() noexcept;
-    void end_test(MoveEnd end) noexcept;
+    // cycle_trial.cpp: the outputs by hand
+    Refusal try_pin(const Request& request) noexcept;
+    void go_on_with_trial() noexcept;
+    void end_trial(MoveEnd end) noexcept;
     Refusal drives_off() noexcept;
     // cycle_reports.cpp
-    void report(const FlightRecord& record) noexcept;
-    void note_affected_layers(Report& entry) const noexcept;
-    void answer(const Request& request, Refusal refusal) noexcept;
-    void push_report(const Report& report) noexcept;
-    void report_gap(std::uint64_t ticks) noexcept;
-    std::uint32_t longest_harmless_gap() const noexcept;
-    FlightRecord record_of(RecordKind kind, std::uint16_t code, std::uint8_t axis = kNoAxis,
-                           std::int64_t value = 0) const noexcept;
-    void trace_position() noexcept;
-    // cycle_recording.cpp
-    Refusal record(const Request& request) noexcept;
-    void trace_all(trace::TraceEntry::Kind kind, std::uint32_t token) noexcept;
 
-    bool is_tracing() const noexcept {
-        return io_->trace != nullptr && (io_->traces_always || recording_token_ != 0);
-    }
+    /// All pins but the charge pump: outputs as they are written, inputs as they were read.
+    SignalWord pin_levels() const noexcept { return pins_.levels() | inputs_.raw(); }
     bool executes() const noexcept { return (kExecutingStates >> static_cast<unsigned>(state_) & 1U) != 0; }
-    bool is_homed() const noexcept { return homed_mask_ == kAllAxesMask; }
     bool cause_remains() const noexcept {
         return ((inputs_.raw() | inputs_.accepted()) & (kLimitMask | kEstopBit)) != 0;
     }
 
-    static constexpr std::uint8_t kAllAxesMask = 0xF;
-    static constexpr std::uint8_t kHeadsMask = 0b11;
-
     CycleConfig config_;
     port::Port* port_;
     CycleIo* io_;
+    OutputPins pins_;
+    TickClock clock_;
     PulseStage pulses_;
     Inputs inputs_;
+    Coasting coasting_;
     Executor executor_;
     HeadLift lift_;
+    Reporter reporter_;
+    PinTracer tracer_;
+    Publisher publisher_;
 
-    std::uint64_t tick_ = 0;
-    std::int64_t time_ns_ = 0;
     MachineState state_ = MachineState::off;
     AlarmCause alarm_cause_ = AlarmCause::none;
     std::uint8_t alarm_axis_ = kNoAxis;
-    std::uint8_t homed_mask_ = 0;
+    HomedAxes homed_;
     AlarmCause pending_fail_ = AlarmCause::none;  ///< raised once the controlled stop came to rest
-    /// Limits that were tripped when homing or backing off began, until they clear.
-    SignalWord limits_exempt_ = 0;
-    Lease lease_;  ///< held while a jog or a test is under way
-    PinTest test_;
-    MoveEnd move_end_ = MoveEnd::none;
-    std::uint8_t refused_axis_ = kNoAxis;  ///< of the request at hand
+    LimitWatch limits_;
+    LeasedMove move_;
+    PinTrial trial_;
     std::uint32_t epoch_ = 0;
-    StopsTaken stops_;
-    StopsTaken emergency_stops_;
-    std::uint64_t rounds_seen_ = 0;
-    std::int64_t unheard_ns_ = 0;  ///< so long the supervisor has not come round, in ticks that ran
-    SignalWord written_ = 0;
-    SignalWord traced_ = 0;
-    SignalWord charge_pump_ = 0;         ///< its level: kChargePumpBit or 0
-    std::uint32_t recording_token_ = 0;  ///< whose recording goes on; 0: none
-    bool has_new_position_ = false;      ///< of this tick, not traced yet
+    StopWords stops_;
+    SupervisorWatch supervisor_;
     bool has_pulses_to_end_ = false;
-    bool is_port_silent_ = false;  ///< as it was told last
-    std::uint64_t next_publish_tick_ = 0;
-    std::array<std::int64_t, kAxisCount> published_pulses_{};
 
-    std::uint64_t override_percent_ = 100;
-    std::uint64_t points_total_ = 0;
-    std::uint64_t points_per_layer_ = 0;
-    std::uint64_t first_layer_ = 0;  ///< of the job at hand
-    std::uint32_t index_layer_ =
-        0;                         ///< in which psi last was where its index says; the first, if in none yet
-    std::uint64_t end_layer_ = 0;  ///< one past the last that is to be carved
-    bool is_dry_ = false;          ///< the job at hand
-    std::uint64_t job_generation_ = 0;
-    std::uint64_t job_start_tick_ = 0;
-    std::uint64_t carve_first_tick_ = 0;
-    std::uint64_t carve_last_tick_ = 0;
-    std::uint64_t job_end_tick_ = 0;
-    std::uint64_t missed_ticks_ = 0;
-    std::uint64_t trace_lost_ = 0;
-    std::uint64_t reports_lost_ = 0;
-    std::uint64_t increments_lost_ = 0;
+    JobRun job_;
 };
 
 }  // namespace psicarve::cycle

@@ -53,6 +53,8 @@ struct CycleConfig {
     std::uint64_t sample_ticks = 20;  ///< the sample is renewed this often, and on every change of state
 
     bool has_two_timers() const noexcept { return io_ticks > 0; }
+    /// From one step of inputs and pulses to the next.
+    std::int64_t step_ticks() const noexcept { return has_two_timers() ? io_ticks : 1; }
     std::int64_t interpolation_ns() const noexcept { return interpolation_ticks * period_ns; }
 };
 

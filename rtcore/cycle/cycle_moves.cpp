@@ -23,23 +23,23 @@ Refusal refusal_of(SoftLimit limit) noexcept {
 
 }  // namespace
 
-Refusal Cycle::start_move(const Request& request) noexcept {
-    if (state_ == MachineState::off) return Refusal::not_homed;
-    if (!next_state(state_, MachineEvent::move).has_value()) return Refusal::not_in_this_state;
-    if (!is_homed()) return Refusal::not_homed;
+Verdict Cycle::start_move(const Request& request) noexcept {
+    if (state_ == MachineState::off) return {Refusal::not_homed};
+    if (!next_state(state_, MachineEvent::move).has_value()) return {Refusal::not_in_this_state};
+    if (!homed_.has_all()) return {Refusal::not_homed};
     const auto& from = pulses_.positions();
     auto to = from;
     const bool goes_on_with_heads = request.kind == RequestKind::jog_on && request.order.axes == 0b11;
     if (goes_on_with_heads) {
         to = furthest_of_heads(config_.soft_limits, from, request.order.target_pulses[0] > 0);
-        if (to == from) return refuse_at(Refusal::at_the_end, 0);
+        if (to == from) return {Refusal::at_the_end, 0};
     }
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         if (goes_on_with_heads || (request.order.axes >> k & 1U) == 0) continue;
         const std::int64_t target = request.order.target_pulses[k];
         if (request.kind == RequestKind::jog_on) {
             to[k] = furthest_pulses(config_.soft_limits, from, k, target > 0);
-            if (to[k] == from[k]) return refuse_at(Refusal::at_the_end, k);
+            if (to[k] == from[k]) return {Refusal::at_the_end, static_cast<std::uint8_t>(k)};
         } else {
             to[k] = request.kind == RequestKind::jog ? from[k] + target : target;
         }
@@ -47,30 +47,25 @@ Refusal Cycle::start_move(const Request& request) noexcept {
     SoftBreach breach = first_breach(config_.soft_limits, from, to);
     if (is_arc(request.order) && breach.limit == SoftLimit::none) {
         const ArcInPlane arc = arc_of(request.order, from, to);
-        if (!arc.is_arc) return Refusal::not_an_arc;
+        if (!arc.is_arc) return {Refusal::not_an_arc};
         breach = breach_on_arc(config_.soft_limits, arc, from);
     }
-    if (breach.limit != SoftLimit::none) return refuse_at(refusal_of(breach.limit), breach.axis);
+    if (breach.limit != SoftLimit::none)
+        return {refusal_of(breach.limit), static_cast<std::uint8_t>(breach.axis)};
     record_order(request);
-    lease_.begin(request.lease_token, request.lease_ticks, io_->urgent.jog_lease.load(), tick_);
-    move_end_ = MoveEnd::none;
+    move_.begin(request, io_->urgent.jog_lease.load(), clock_.tick());
     apply(MachineEvent::move);
     MotionOrder order = request.order;
     order.target_pulses = to;
     request_plan(PlanKind::move, kNoAxis, &order);
-    return Refusal::none;
-}
-
-Refusal Cycle::refuse_at(Refusal refusal, std::size_t axis) noexcept {
-    refused_axis_ = static_cast<std::uint8_t>(axis);
-    return refusal;
+    return {Refusal::none};
 }
 
 // What a replay needs to ask for the same again.
 void Cycle::record_order(const Request& request) noexcept {
     const MotionOrder& order = request.order;
     const auto note = [&](OrderPart part, std::uint8_t axis, std::int64_t value) noexcept {
-        report(record_of(RecordKind::order, static_cast<std::uint16_t>(part), axis, value));
+        reporter_.report(RecordKind::order, static_cast<std::uint16_t>(part), axis, value);
     };
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         if ((order.axes >> k & 1U) == 0) continue;
@@ -88,16 +83,15 @@ void Cycle::record_order(const Request& request) noexcept {
 }
 
 void Cycle::check_lease() noexcept {
-    const MoveEnd end = lease_.end_at(io_->urgent.jog_lease.load(std::memory_order_acquire), tick_);
+    const MoveEnd end = move_.due_end(io_->urgent.jog_lease.load(std::memory_order_acquire), clock_.tick());
     if (end != MoveEnd::none) end_jog(end);
 }
 
 void Cycle::end_jog(MoveEnd end) noexcept {
-    if (state_ == MachineState::testing) return end_test(end);
+    if (state_ == MachineState::testing) return end_trial(end);
     if (state_ != MachineState::moving) return;
-    lease_.forget();
-    move_end_ = end;
-    report(record_of(RecordKind::jog_end, static_cast<std::uint16_t>(end)));
+    move_.end(end);
+    reporter_.report(RecordKind::jog_end, static_cast<std::uint16_t>(end));
     executor_.slow_down();
 }
 
@@ -105,7 +99,7 @@ Refusal Cycle::switch_spindle(bool on) noexcept {
     if (state_ == MachineState::off) return Refusal::not_homed;
     if (state_ != MachineState::ready && state_ != MachineState::moving) return Refusal::not_in_this_state;
     pulses_.set_spindle(on);
-    next_publish_tick_ = tick_;
+    publisher_.ask(clock_.tick());
     return Refusal::none;
 }
 

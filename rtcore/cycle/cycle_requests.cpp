@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/cycle/cycle.hpp"
-#include "shared/job/job.hpp"
 #include "shared/machine/command.hpp"
 
 namespace psicarve::cycle {
@@ -39,56 +38,55 @@ bool sets_going(const Request& request) noexcept {
 }  // namespace
 
 void Cycle::take_request(const Request& request) noexcept {
-    refused_axis_ = kNoAxis;
-    answer(request, is_overtaken(request) ? Refusal::overtaken : judge(request));
+    reporter_.answer(request, is_overtaken(request) ? Verdict{Refusal::overtaken} : judge(request));
+    publisher_.ask(clock_.tick());  // an answer is read after the sample that shows what it led to
 }
 
 // Commands may wait for long, and a stop waits for none of them: what was asked for before it would set the
 // machine going after it. A stop that the sender knew of comes first, however they got here.
 bool Cycle::is_overtaken(const Request& request) noexcept {
     if (request.has_sender == 0 || !sets_going(request)) return false;
-    if (stops_.since(request.stops_seen) < 0 || emergency_stops_.since(request.emergency_stops_seen) < 0)
-        take_stops();
-    return stops_.since(request.stops_seen) > 0 || emergency_stops_.since(request.emergency_stops_seen) > 0;
+    if (stops_.comes_after_one_not_taken(request)) take_stops();
+    return stops_.have_overtaken(request);
 }
 
-Refusal Cycle::judge(const Request& request) noexcept {
+Verdict Cycle::judge(const Request& request) noexcept {
     switch (request.kind) {
         case RequestKind::home:
-            return start_home(request.value);
+            return {start_home(request.value)};
         case RequestKind::reset_height:
-            return reset_height();
+            return {reset_height()};
         case RequestKind::start:
-            return start_job(layer_range(request.value));
+            return {start_job(layer_range(request.value))};
         case RequestKind::start_interpolation:
-            return start_interpolation();
+            return {start_interpolation()};
         case RequestKind::hold:
-            return hold();
+            return {hold()};
         case RequestKind::resume:
-            return resume();
+            return {resume()};
         case RequestKind::reset_alarm:
-            return reset_alarm();
+            return {reset_alarm()};
         case RequestKind::back_off:
-            return back_off(request.axis);
+            return {back_off(request.axis)};
         case RequestKind::job_loaded:
-            return load_job(request);
+            return {load_job(request)};
         case RequestKind::jog:
         case RequestKind::jog_on:
         case RequestKind::move:
             return start_move(request);
         case RequestKind::end_jog:
             end_jog(static_cast<MoveEnd>(request.value));
-            return Refusal::none;
+            return {Refusal::none};
         case RequestKind::spindle:
-            return switch_spindle(request.value != 0);
+            return {switch_spindle(request.value != 0)};
         case RequestKind::override:
-            return take_override(request.value);
+            return {take_override(request.value)};
         case RequestKind::record:
-            return record(request);
+            return {record(request)};
         case RequestKind::test_pin:
-            return test_pin(request);
+            return {try_pin(request)};
         case RequestKind::drives_off:
-            return drives_off();
+            return {drives_off()};
         case RequestKind::fail:
             break;
     }
@@ -98,25 +96,22 @@ Refusal Cycle::judge(const Request& request) noexcept {
     } else {
         fail_controlled(cause);
     }
-    return Refusal::none;
+    return {Refusal::none};
 }
 
 // Somebody else had the port meanwhile, the guard or a computer that slept: nothing is slowed down any more,
 // and what stands on the pins is not what was written.
 void Cycle::come_back(std::uint32_t lost_axes) noexcept {
     port_->forget_written();
-    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~lost_axes);
+    homed_.lose(lost_axes);
     raise_alarm(AlarmCause::tick_gap, kNoAxis);
     write_port();
 }
 
-// Y and psi only move where the heads are known to be out of their way, or go out first.
 Refusal Cycle::start_home(std::uint64_t axes) noexcept {
     if (!next_state(state_, MachineEvent::home).has_value()) return Refusal::not_in_this_state;
-    const auto wanted =
-        axes == 0 ? std::uint32_t{kAllAxesMask} : static_cast<std::uint32_t>(axes) & kAllAxesMask;
-    const bool has_others = (wanted & ~std::uint32_t{kHeadsMask}) != 0;
-    if (has_others && ((homed_mask_ | wanted) & kHeadsMask) != kHeadsMask) return Refusal::heads_not_homed;
+    const auto wanted = axes == 0 ? HomedAxes::kAll : static_cast<std::uint32_t>(axes) & HomedAxes::kAll;
+    if (!homed_.may_home(wanted)) return Refusal::heads_not_homed;
     begin_homing(MachineEvent::home, wanted);
     request_plan(PlanKind::home, static_cast<std::uint8_t>(wanted));
     return Refusal::none;
@@ -131,33 +126,20 @@ Refusal Cycle::reset_height() noexcept {
 }
 
 void Cycle::begin_homing(MachineEvent event, std::uint32_t axes) noexcept {
-    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~axes);
-    limits_exempt_ = (inputs_.accepted() | inputs_.raw()) & kLimitMask;
+    homed_.lose(axes);
+    limits_.exempt(inputs_.accepted() | inputs_.raw());
     apply(event);
 }
 
 Refusal Cycle::start_job(LayerRange layers) noexcept {
     if (state_ == MachineState::off) return Refusal::not_homed;
     if (!next_state(state_, MachineEvent::start).has_value()) return Refusal::not_in_this_state;
-    if (points_total_ == 0 || points_per_layer_ == 0) return Refusal::no_job;
-    const std::uint64_t layer_count = points_total_ / points_per_layer_;
-    if (layers.first >= layer_count || layers.count > layer_count - layers.first) {
-        return Refusal::no_such_layer;
-    }
-    if (!is_homed()) return Refusal::not_homed;
-    is_dry_ = layers.is_dry;
-    first_layer_ = layers.first;
-    index_layer_ = static_cast<std::uint32_t>(first_layer_);
-    end_layer_ = layers.count == 0 ? layer_count : first_layer_ + layers.count;
+    if (const Refusal refusal = job_.judge(layers); refusal != Refusal::none) return refusal;
+    if (!homed_.has_all()) return Refusal::not_homed;
+    job_.begin(layers, clock_.tick());
     pulses_.clear_emitted();
-    executor_.clear_points(first_layer_ * points_per_layer_);
-    job_start_tick_ = tick_;
-    carve_first_tick_ = 0;
-    carve_last_tick_ = 0;
-    job_end_tick_ = 0;
-    // What the pins do from here on is this job.
-    if (io_->trace != nullptr && io_->traces_always)
-        trace_all(trace::TraceEntry::Kind::job, static_cast<std::uint32_t>(job_generation_));
+    executor_.clear_points(job_.points_before());
+    tracer_.trace_job(pin_levels(), clock_.tick(), pulses_.positions(), job_.generation());
     apply(MachineEvent::start);
     request_plan(PlanKind::position);
     return Refusal::none;
@@ -193,12 +175,9 @@ Refusal Cycle::load_job(const Request& request) noexcept {
         state_ != MachineState::homing) {
         return Refusal::not_in_this_state;
     }
-    job_generation_ = request.value;
-    points_total_ = request.points_total;
-    points_per_layer_ = request.points_per_layer;
-    override_percent_ = 100;
+    job_.load(request.value, request.points_total, request.points_per_layer);
     executor_.clear_points();
-    next_publish_tick_ = tick_;
+    publisher_.ask(clock_.tick());
     return Refusal::none;
 }
 
@@ -209,9 +188,9 @@ Refusal Cycle::take_override(std::uint64_t percent) noexcept {
     constexpr std::uint32_t kCarving =
         state_bit(S::waiting) | state_bit(S::carving) | state_bit(S::holding) | state_bit(S::held);
     if (percent < kLeastOverride_percent || percent > kMostOverride_percent) return Refusal::bad_override;
-    override_percent_ = percent;
+    job_.set_override(percent);
     set_feed((kCarving >> static_cast<unsigned>(state_) & 1U) != 0);
-    next_publish_tick_ = tick_;
+    publisher_.ask(clock_.tick());
     return Refusal::none;
 }
 
@@ -220,12 +199,12 @@ Refusal Cycle::reset_alarm() noexcept {
     if (!port_->is_healthy()) {
         if (!port_->take_up_again()) return Refusal::port_failed;
         // Who knows what its lines did meanwhile.
-        homed_mask_ = 0;
+        homed_.lose_all();
     }
     if (cause_remains()) return Refusal::still_tripped;
     alarm_cause_ = AlarmCause::none;
     alarm_axis_ = kNoAxis;
-    apply(is_homed() ? MachineEvent::reset_alarm_homed : MachineEvent::reset_alarm_unhomed);
+    apply(homed_.has_all() ? MachineEvent::reset_alarm_homed : MachineEvent::reset_alarm_unhomed);
     return Refusal::none;
 }
 
@@ -237,10 +216,24 @@ Refusal Cycle::back_off(std::uint8_t axis) noexcept {
     if (!port_->is_healthy()) return Refusal::port_reset_first;
     if (!inputs_.is_tripped(axis)) return Refusal::sensor_not_tripped;
     if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
-    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~(1U << axis));
-    limits_exempt_ = (inputs_.accepted() | inputs_.raw()) & kLimitMask;
+    homed_.lose(1U << axis);
+    limits_.exempt(inputs_.accepted() | inputs_.raw());
     apply(MachineEvent::back_off);
     request_plan(PlanKind::back_off, axis);
+    return Refusal::none;
+}
+
+// A recording begins at rest: what it tells from there on is all that moves the machine.
+Refusal Cycle::record(const Request& request) noexcept {
+    const auto form = static_cast<RecordingForm>(request.value);
+    if (form == RecordingForm::none) {
+        const bool has_ended =
+            tracer_.end_recording(request.lease_token, pin_levels(), clock_.tick(), pulses_.positions());
+        return has_ended ? Refusal::none : Refusal::recording;
+    }
+    if (!tracer_.can_record()) return Refusal::recording;
+    if (state_ != MachineState::off && state_ != MachineState::ready) return Refusal::not_in_this_state;
+    tracer_.begin_recording(form, request.lease_token, pin_levels(), clock_.tick(), pulses_.positions());
     return Refusal::none;
 }
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <cstdint>
-#include <limits>
 
 #include "rtcore/cycle/cycle.hpp"
 
@@ -19,11 +17,11 @@ void Cycle::enter(MachineState state) noexcept {
     state_ = state;
     if (state == MachineState::off || state == MachineState::alarm) pulses_.make_safe();
     // An axis that was homed alone holds its position while the others are homed.
-    const std::uint32_t held_axes = std::uint32_t{homed_mask_} & config_.switched_axes;
-    if (state == MachineState::off && held_axes != 0) pulses_.set_enables(held_axes, tick_);
-    if (state == MachineState::ready) pulses_.set_enables(kAllAxesMask, tick_);
-    report(record_of(RecordKind::state_change, static_cast<std::uint16_t>(state)));
-    next_publish_tick_ = tick_;
+    const std::uint32_t held_axes = std::uint32_t{homed_.mask()} & config_.switched_axes;
+    if (state == MachineState::off && held_axes != 0) pulses_.set_enables(held_axes, clock_.tick());
+    if (state == MachineState::ready) pulses_.set_enables(HomedAxes::kAll, clock_.tick());
+    reporter_.report(RecordKind::state_change, static_cast<std::uint16_t>(state));
+    publisher_.ask(clock_.tick());
 }
 
 void Cycle::program_done() noexcept {
@@ -31,7 +29,7 @@ void Cycle::program_done() noexcept {
     using E = MachineEvent;
     switch (state_) {
         case S::homing:
-            apply(is_homed() ? E::home_done : E::home_done_unhomed);
+            apply(homed_.has_all() ? E::home_done : E::home_done_unhomed);
             break;
         case S::moving:
             end_move(MoveEnd::reached);
@@ -46,7 +44,7 @@ void Cycle::program_done() noexcept {
             request_plan(PlanKind::finish);
             break;
         case S::finishing:
-            job_end_tick_ = tick_;
+            job_.end(clock_.tick());
             apply(E::finished);
             break;
         case S::stopping:
@@ -69,13 +67,14 @@ void Cycle::program_done() noexcept {
 void Cycle::came_to_rest() noexcept {
     if (pending_fail_ != AlarmCause::none) {
         // It slowed down as its motors can: each stands where it was counted to, until its drive is off.
-        const std::uint32_t known_axes = homed_mask_ & ~std::uint32_t{config_.switched_axes};
+        HomedAxes known = homed_;
+        known.lose(config_.switched_axes);
         raise_alarm(pending_fail_, kNoAxis);
-        homed_mask_ = static_cast<std::uint8_t>(known_axes);
+        homed_ = known;
         return;
     }
     if (state_ == MachineState::moving) {
-        end_move(move_end_);
+        end_move(move_.ended());
         return;
     }
     if (state_ == MachineState::holding && lifts_on_hold()) {
@@ -84,11 +83,8 @@ void Cycle::came_to_rest() noexcept {
     }
     apply(MachineEvent::at_rest);
     if (state_ != MachineState::stopping) return;
-    // An axis that was stopped on its sensor while being homed is no new limit.
-    if (executor_.homing_axis() != kNoAxis) {
-        limits_exempt_ |= inputs_.accepted() & (bit_of(Signal::r1_limit) << executor_.homing_axis());
-    }
-    if ((homed_mask_ & kHeadsMask) == kHeadsMask) {
+    if (executor_.homing_axis() != kNoAxis) limits_.exempt_axis(executor_.homing_axis(), inputs_.accepted());
+    if (homed_.has_heads()) {
         request_plan(PlanKind::finish);
     } else {
         end_after_stop();
@@ -98,19 +94,19 @@ void Cycle::came_to_rest() noexcept {
 void Cycle::go_on_with_motion() noexcept {
     if (!executes()) return;
     if (lift_.is_active()) return step_lift();
-    const Executor::Progress progress = executor_.step(tick_);
+    const Executor::Progress progress = executor_.step(clock_.tick());
     if (progress != Executor::kNothing) after_step(progress);
 }
 
 void Cycle::step_lift() noexcept {
-    switch (lift_.step(tick_)) {
+    switch (lift_.step(clock_.tick())) {
         case HeadLift::Progress::going_on:
             break;
         case HeadLift::Progress::lifted:
             apply(MachineEvent::at_rest);
             break;
         case HeadLift::Progress::back:
-            executor_.go_on_after_lift(tick_);
+            executor_.go_on_after_lift(clock_.tick());
             break;
         case HeadLift::Progress::halted:
             lift_.forget();
@@ -126,16 +122,15 @@ void Cycle::slow_down() noexcept {
 
 void Cycle::end_move(MoveEnd end) noexcept {
     drop_plan();
-    lease_.forget();
-    move_end_ = end;
+    move_.end(end);
     apply(MachineEvent::move_done);
 }
 
 void Cycle::end_after_stop() noexcept {
     drop_plan();
     pulses_.set_spindle(false);
-    job_end_tick_ = tick_;
-    apply(is_homed() ? MachineEvent::stopped : MachineEvent::stopped_unhomed);
+    job_.end(clock_.tick());
+    apply(homed_.has_all() ? MachineEvent::stopped : MachineEvent::stopped_unhomed);
 }
 
 void Cycle::stop() noexcept {
@@ -144,8 +139,7 @@ void Cycle::stop() noexcept {
     // Nothing moves, but the spindle may turn.
     if (state_ == MachineState::ready) pulses_.set_spindle(false);
     if (state_ == before) return;
-    lease_.forget();
-    move_end_ = MoveEnd::none;
+    move_.end(MoveEnd::none);
     if (state_ == MachineState::stopping) {
         slow_down();
     } else {
@@ -160,7 +154,7 @@ void Cycle::fail_controlled(AlarmCause cause) noexcept {
         return;
     }
     pending_fail_ = cause;
-    lease_.forget();
+    move_.forget_lease();
     apply(MachineEvent::stop);
     slow_down();
 }
@@ -169,47 +163,29 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
                         std::int64_t seen_pulses) noexcept {
     if (state_ == MachineState::alarm) return;
     // A rotor without current may be turned by hand or by weight, and nothing counts that.
-    homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~std::uint32_t{moving_axes()} &
-                                            ~std::uint32_t{config_.switched_axes});
+    homed_.lose(moving_axes() | config_.switched_axes);
     if (axis < kAxisCount && (cause == AlarmCause::steps_lost || cause == AlarmCause::home_failed)) {
-        homed_mask_ = static_cast<std::uint8_t>(homed_mask_ & ~(1U << axis));
+        homed_.lose(1U << axis);
     }
     alarm_cause_ = cause;
     alarm_axis_ = axis;
-    lease_.forget();
-    move_end_ = MoveEnd::none;
+    move_.end(MoveEnd::none);
     drop_plan();
-    Report entry{};
-    entry.record = record_of(RecordKind::alarm, static_cast<std::uint16_t>(cause), axis, seen_pulses);
-    entry.expected_pulses = expected_pulses;
-    entry.kind = Report::Kind::event;
-    if (cause == AlarmCause::steps_lost) note_affected_layers(entry);
-    push_report(entry);
+    const bool affects_layers = cause == AlarmCause::steps_lost && runs_job(state_);
+    reporter_.report_alarm(cause, axis, expected_pulses, seen_pulses,
+                           affects_layers ? job_.affected(executor_.layer()) : JobRun::Affected{});
     apply(MachineEvent::fail);
-    charge_pump_ = 0;
+    pins_.rest_charge_pump();
     // Pulses and inputs have a timer of their own in the other schedule, which writes what it finds.
-    if (!config_.has_two_timers() && pulses_.levels() != written_) {
-        written_ = pulses_.levels();
-        port_->write_outputs(written_, time_ns_);
+    if (!config_.has_two_timers() && pins_.differ_from(pulses_.levels())) {
+        pins_.write(pulses_.levels(), clock_.time_ns());
     }
-}
-
-// Steps that were lost before the first layer are missing in it, too.
-void Cycle::note_affected_layers(Report& entry) const noexcept {
-    const bool has_carved = runs_job(state_) && carve_first_tick_ != 0 && !is_dry_;
-    if (!has_carved) return;
-    constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
-    entry.first_layer = index_layer_;
-    entry.layer_count = static_cast<std::uint16_t>(std::min(executor_.layer() - index_layer_ + 1, kMost));
 }
 
 // Those that have stepped so recently that their rotor may still turn, and those on their way.
-std::uint8_t Cycle::moving_axes() const noexcept {
-    std::uint32_t axes = state_ == MachineState::held ? 0 : executor_.axes_in_motion();
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        if (pulses_.stepped_within(k, config_.axes[k].coast_ticks, tick_)) axes |= 1U << k;
-    }
-    return static_cast<std::uint8_t>(axes);
+std::uint32_t Cycle::moving_axes() const noexcept {
+    const std::uint32_t on_their_way = state_ == MachineState::held ? 0 : executor_.axes_in_motion();
+    return coasting_.axes(clock_.tick()) | on_their_way;
 }
 
 void Cycle::drop_plan() noexcept {
@@ -221,37 +197,34 @@ void Cycle::drop_plan() noexcept {
 
 // Override is of the carving; positioning, homing and retraction go as planned.
 void Cycle::set_feed(bool is_carving) noexcept {
-    executor_.set_feed_ratio(is_carving ? static_cast<double>(override_percent_) / 100.0 : 1.0);
+    executor_.set_feed_ratio(is_carving ? job_.feed_ratio() : 1.0);
 }
 
 void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* order) noexcept {
     drop_plan();
     set_feed(kind == PlanKind::carve);
-    executor_.set_still_axes(is_dry_ && kind == PlanKind::carve ? kHeadsMask : 0);
+    executor_.set_still_axes(job_.is_dry() && kind == PlanKind::carve ? HomedAxes::kHeadsMask : 0);
     PlanRequest request{};
     request.epoch = epoch_;
     request.kind = kind;
     request.axis = axis;
-    request.homed_mask = homed_mask_;
+    request.homed_mask = homed_.mask();
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         request.tripped_mask = static_cast<std::uint8_t>(request.tripped_mask |
                                                          static_cast<unsigned>(inputs_.is_tripped(k)) << k);
     }
     request.position_pulses = pulses_.positions();
-    request.job_generation = job_generation_;
-    request.first_layer = first_layer_;
-    request.end_layer = end_layer_;
-    request.is_dry = is_dry_ ? 1 : 0;
+    job_.show_in(request);
     if (order != nullptr) request.order = *order;
     if (!io_->plan_requests.push(request)) raise_alarm(AlarmCause::plan_starved, kNoAxis);
 }
 
 void Cycle::assume_homed(const std::array<std::int64_t, kAxisCount>& position_pulses) noexcept {
     for (std::size_t k = 0; k < kAxisCount; ++k) pulses_.set_position(k, position_pulses[k]);
-    homed_mask_ = kAllAxesMask;
+    homed_.add_all();
     apply(MachineEvent::home);
     apply(MachineEvent::home_done);
-    has_new_position_ = true;
+    tracer_.note_new_position();
 }
 
 }  // namespace psicarve::cycle

@@ -7,12 +7,12 @@ namespace psicarve::cycle {
 //
 //     io timer            |take, step |end        |           |           |           |take, step
 //     interpolation timer |step       |step       |step       |step       |step       |step
-//                         tick_       +1          +2          +3          +4          +5
+//                         tick        +1          +2          +3          +4          +5
 void Cycle::tick_by_two_timers() noexcept {
     const auto interpolation_ticks = static_cast<std::uint64_t>(config_.interpolation_ticks);
-    const std::uint64_t begin = tick_;
+    const std::uint64_t begin = clock_.tick();
     take_inputs_and_step();
-    for (std::uint64_t tick = begin; tick != tick_; ++tick) {
+    for (std::uint64_t tick = begin; tick != clock_.tick(); ++tick) {
         const auto since_begin = static_cast<std::int64_t>(tick - begin);
         if (has_pulses_to_end_ && since_begin == config_.step_high_ticks) end_pulses();
         if (tick % interpolation_ticks == 0) interpolate();
@@ -21,36 +21,30 @@ void Cycle::tick_by_two_timers() noexcept {
 
 void Cycle::take_inputs_and_step() noexcept {
     take_in();
-    const bool has_begun = executes() && pulses_.open_gate(tick_);
+    const bool has_begun = executes() && pulses_.open_gate(clock_.tick());
     has_pulses_to_end_ = has_begun && config_.step_high_ticks > 0;
     put_out();
-    tick_ += static_cast<std::uint64_t>(config_.io_ticks);
-    time_ns_ += config_.io_ticks * config_.period_ns;
+    clock_.advance(config_.io_ticks);
 }
 
 // The tick is already the next one of inputs and pulses. Other levels that changed meanwhile wait for it.
 void Cycle::end_pulses() noexcept {
     has_pulses_to_end_ = false;
-    const std::uint64_t next_tick = tick_;
-    const std::int64_t next_time_ns = time_ns_;
-    const std::int64_t back_ticks = config_.io_ticks - config_.step_high_ticks;
-    tick_ -= static_cast<std::uint64_t>(back_ticks);
-    time_ns_ -= back_ticks * config_.period_ns;
-    pulses_.end_pulses(tick_);
-    written_ &= ~kStepMask;
-    port_->write_outputs(written_, time_ns_);
-    if (is_tracing()) trace_pins(0);
-    tick_ = next_tick;
-    time_ns_ = next_time_ns;
+    const TickClock next = clock_;
+    clock_ = clock_.earlier_by(config_.io_ticks - config_.step_high_ticks);
+    pulses_.end_pulses(clock_.tick());
+    pins_.end_pulses(clock_.time_ns());
+    if (tracer_.is_on()) tracer_.trace_pins(pin_levels(), clock_.tick(), 0);
+    clock_ = next;
 }
 
-// What it decides shows on the pins at tick_, the next one of inputs and pulses.
+// What it decides shows on the pins at the next tick, that one of inputs and pulses.
 void Cycle::interpolate() noexcept {
     go_on_with_motion();
 }
 
 void Cycle::advance_missed_interpolation(std::uint64_t steps) noexcept {
-    missed_ticks_ += steps;
+    clock_.count_missed(steps);
     check_gap((static_cast<std::int64_t>(steps) + 1) * config_.interpolation_ticks);
 }
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "shared/machine/jog_lease.hpp"
+#include "shared/machine/jog_lease_word.hpp"
 #include "shared/machine/status.hpp"
 
 namespace psicarve::cycle {

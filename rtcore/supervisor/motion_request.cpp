@@ -9,7 +9,7 @@
 #include <string>
 
 #include "rtcore/cycle/layer_range.hpp"
-#include "rtcore/cycle/pin_test.hpp"
+#include "rtcore/cycle/pin_trial.hpp"
 #include "shared/base/units.hpp"
 #include "shared/job/job.hpp"
 #include "shared/machine/jog_lease.hpp"
@@ -146,8 +146,8 @@ Result<void> add_recording(Request& request, const Command& command) {
     return {};
 }
 
-Result<void> add_pin_test(Request& request, const Command& command, const Profile& profile,
-                          bool is_virtual_clock) {
+Result<void> add_pin_trial(Request& request, const Command& command, const Profile& profile,
+                           bool is_virtual_clock) {
     if (command.axis >= kOutputSignalCount) return refused("pins: no such output");
     const std::string name{name_of(static_cast<Signal>(command.axis))};
     if (profile.port.pins[command.axis] == 0) return refused("pins: " + name + " is not wired to any pin");
@@ -189,7 +189,7 @@ Result<Request> motion_request(const Command& command, RequestKind kind, const P
     } else if (kind == RequestKind::move) {
         added = add_move(request, command, profile);
     } else if (kind == RequestKind::test_pin) {
-        added = add_pin_test(request, command, profile, is_virtual_clock);
+        added = add_pin_trial(request, command, profile, is_virtual_clock);
     } else if (kind == RequestKind::home) {
         request.value = command.axis & ((1U << kAxisCount) - 1U);
     } else if (kind == RequestKind::start) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 
+#include "shared/machine/jog_lease_word.hpp"
 #include "shared/machine/signal.hpp"
 
 namespace psicarve {
@@ -19,16 +20,6 @@ inline constexpr std::uint32_t kBothHeads = kAxisCount;
 inline constexpr std::chrono::milliseconds kJogLease{200};          ///< for a hand on a button
 inline constexpr std::chrono::milliseconds kLongestJogLease{2000};  ///< a longer one is cut to this
 inline constexpr std::chrono::milliseconds kJogRenewal{50};
-
-constexpr std::uint64_t jog_lease_word(std::uint32_t token, std::uint32_t beat) noexcept {
-    return (std::uint64_t{token} << 32U) | beat;
-}
-constexpr std::uint32_t jog_lease_token(std::uint64_t word) noexcept {
-    return static_cast<std::uint32_t>(word >> 32U);
-}
-constexpr std::uint32_t jog_lease_beat(std::uint64_t word) noexcept {
-    return static_cast<std::uint32_t>(word);
-}
 
 class Segment;
 /// Stores the word and wakes the core.

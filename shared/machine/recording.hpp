@@ -2,7 +2,8 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
+
+#include "shared/machine/recording_form.hpp"
 
 namespace psicarve {
 
@@ -12,14 +13,6 @@ namespace psicarve {
 // reader renews its lease by storing token and a new beat, and says in `recording_taken` how many entries of
 // the ring it has: a core on the virtual clock waits for it, one by the wall clock never does, and a reader
 // that was too slow knows how many pieces it lost.
-
-/// Value of the command `record`.
-enum class RecordingForm : std::uint32_t {
-    none = 0,    ///< end the recording with this token
-    binary = 1,  ///< trace_format.hpp
-    vcd = 2,
-};
-inline constexpr std::uint32_t kRecordingFormCount = 3;
 
 /// A reader that stores no new beat for so long is taken for dead; its recording ends.
 inline constexpr std::chrono::milliseconds kRecordingLease{2000};

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rtcore/cycle/pin_test.hpp"
+#include "rtcore/cycle/pin_trial.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 
 namespace psicarve::cycle {

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "rtcore/cycle/pin_test.hpp"
+#include "rtcore/cycle/pin_trial.hpp"
 #include "shared/machine/jog_lease.hpp"
 
 namespace psicarve::supervisor {

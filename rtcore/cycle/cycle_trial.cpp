@@ -5,36 +5,34 @@
 namespace psicarve::cycle {
 
 // Whatever the axes are turned by meanwhile nobody counts: their positions are lost.
-Refusal Cycle::test_pin(const Request& request) noexcept {
+Refusal Cycle::try_pin(const Request& request) noexcept {
     const PinOrder order = pin_order(request.value);
     const bool is_testing = state_ == MachineState::testing;
     if (!next_state(state_, MachineEvent::begin_test).has_value()) return Refusal::not_in_this_state;
-    if (is_testing && !lease_.is_of(request.lease_token)) return Refusal::not_in_this_state;
+    if (is_testing && !move_.is_of(request.lease_token)) return Refusal::not_in_this_state;
     if (!order.is_on) {
-        if (is_testing) end_test(MoveEnd::released);
+        if (is_testing) end_trial(MoveEnd::released);
         return Refusal::none;
     }
     if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
-    homed_mask_ = 0;
-    move_end_ = MoveEnd::none;
-    lease_.begin(request.lease_token, request.lease_ticks, io_->urgent.jog_lease.load(), tick_);
+    homed_.lose_all();
+    move_.begin(request, io_->urgent.jog_lease.load(), clock_.tick());
     const std::int64_t half_ticks = order.half_ms * kNsPerMs / config_.period_ns;
-    test_.begin(bit_of(static_cast<Signal>(order.signal)) & kOutputMask, order.pulses,
-                half_ticks > 0 ? static_cast<std::uint64_t>(half_ticks) : 1, tick_);
+    trial_.begin(bit_of(static_cast<Signal>(order.signal)) & kOutputMask, order.pulses,
+                 half_ticks > 0 ? static_cast<std::uint64_t>(half_ticks) : 1, clock_.tick());
     apply(MachineEvent::begin_test);
-    next_publish_tick_ = tick_;
+    publisher_.ask(clock_.tick());
     return Refusal::none;
 }
 
-void Cycle::go_on_with_test() noexcept {
-    test_.advance(tick_);
-    if (test_.is_over()) return end_test(MoveEnd::reached);
-    pulses_.force(test_.levels());
+void Cycle::go_on_with_trial() noexcept {
+    trial_.advance(clock_.tick());
+    if (trial_.is_over()) return end_trial(MoveEnd::reached);
+    pulses_.force(trial_.levels());
 }
 
-void Cycle::end_test(MoveEnd end) noexcept {
-    lease_.forget();
-    move_end_ = end;
+void Cycle::end_trial(MoveEnd end) noexcept {
+    move_.end(end);
     apply(MachineEvent::end_test);
 }
 
@@ -43,9 +41,9 @@ Refusal Cycle::drives_off() noexcept {
     const bool holds_axis = state_ == MachineState::off && (pulses_.levels() & kEnableMask) != 0;
     if (!holds_axis && !next_state(state_, MachineEvent::drives_off).has_value())
         return Refusal::not_in_this_state;
-    homed_mask_ = 0;
+    homed_.lose_all();
     if (holds_axis) pulses_.make_safe();
-    next_publish_tick_ = tick_;
+    publisher_.ask(clock_.tick());
     apply(MachineEvent::drives_off);
     return Refusal::none;
 }

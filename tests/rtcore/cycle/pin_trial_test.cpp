@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rtcore/cycle/pin_test.hpp"
+#include "rtcore/cycle/pin_trial.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ SignalWord outputs(const MachineRig& rig) {
     return rig.cycle->pulses().levels() & kOutputMask;
 }
 
-TEST(PinTest, ActivatesOneOutputAloneUntilItsLeaseIsGone) {
+TEST(PinTrial, ActivatesOneOutputAloneUntilItsLeaseIsGone) {
     for (std::size_t i = 0; i < kOutputSignalCount; ++i) {
         MachineRig sut(quick_profile());
         const auto signal = static_cast<Signal>(i);
@@ -43,7 +43,7 @@ TEST(PinTest, ActivatesOneOutputAloneUntilItsLeaseIsGone) {
     }
 }
 
-TEST(PinTest, GoesOnWhileItsLeaseIsRenewedAndEndsWhenItIsReleased) {
+TEST(PinTrial, GoesOnWhileItsLeaseIsRenewedAndEndsWhenItIsReleased) {
     MachineRig sut(quick_profile());
     ASSERT_EQ(sut.ask(test_of(Signal::spindle)), Refusal::none);
     for (std::uint32_t beat = 1; beat < 5; ++beat) {
@@ -58,7 +58,7 @@ TEST(PinTest, GoesOnWhileItsLeaseIsRenewedAndEndsWhenItIsReleased) {
     EXPECT_EQ(sut.cycle->sample().move_end, MoveEnd::released);
 }
 
-TEST(PinTest, SaysHowItEnded) {
+TEST(PinTrial, SaysHowItEnded) {
     MachineRig sut(quick_profile());
     ASSERT_EQ(sut.ask(test_of(Signal::spindle)), Refusal::none);
     EXPECT_EQ(sut.cycle->sample().move_end, MoveEnd::none);
@@ -70,7 +70,7 @@ TEST(PinTest, SaysHowItEnded) {
     EXPECT_EQ(sut.cycle->sample().move_end, MoveEnd::reached);
 }
 
-TEST(PinTest, SendsSoManyPulsesAndNoneOfThemIsCounted) {
+TEST(PinTrial, SendsSoManyPulsesAndNoneOfThemIsCounted) {
     MachineRig sut(quick_profile());
     Request request = test_of(Signal::r1_step, 25);
     ASSERT_EQ(sut.ask(request), Refusal::none);
@@ -83,7 +83,7 @@ TEST(PinTest, SendsSoManyPulsesAndNoneOfThemIsCounted) {
     EXPECT_EQ(sut.machine->report().axes[0].pulses_ignored, 25U) << "its drive is off";
 }
 
-TEST(PinTest, LosesNoPulseToMissedTicks) {
+TEST(PinTrial, LosesNoPulseToMissedTicks) {
     MachineRig sut(quick_profile());
     ASSERT_EQ(sut.ask(test_of(Signal::r1_step, 25)), Refusal::none);
     for (int i = 0; i < 52; ++i) {
@@ -96,7 +96,7 @@ TEST(PinTest, LosesNoPulseToMissedTicks) {
     EXPECT_EQ(pins.positions()[0], -25);
 }
 
-TEST(PinTest, TakesTheNextOutputFromTheSameHandAndNobodyElses) {
+TEST(PinTrial, TakesTheNextOutputFromTheSameHandAndNobodyElses) {
     MachineRig sut(quick_profile());
     ASSERT_EQ(sut.ask(test_of(Signal::r1_dir)), Refusal::none);
     ASSERT_EQ(sut.ask(test_of(Signal::y_enable)), Refusal::none);
@@ -111,7 +111,7 @@ TEST(PinTest, TakesTheNextOutputFromTheSameHandAndNobodyElses) {
     EXPECT_EQ(sut.cycle->state(), MachineState::off);
 }
 
-TEST(PinTest, IsRefusedUnlessTheDrivesAreOffAndLosesThePositions) {
+TEST(PinTrial, IsRefusedUnlessTheDrivesAreOffAndLosesThePositions) {
     MachineRig sut(quick_profile());
     ASSERT_EQ(sut.ask(RequestKind::home), Refusal::none);
     EXPECT_EQ(sut.ask(test_of(Signal::spindle)), Refusal::not_in_this_state);
@@ -134,7 +134,7 @@ TEST(PinTest, IsRefusedUnlessTheDrivesAreOffAndLosesThePositions) {
     EXPECT_EQ(outputs(sut), bit_of(Signal::y_step));
 }
 
-TEST(PinTest, EndsByStopAndByTheEmergencyStopButNotByALimitSwitchUnderAFinger) {
+TEST(PinTrial, EndsByStopAndByTheEmergencyStopButNotByALimitSwitchUnderAFinger) {
     MachineRig sut(quick_profile());
     sut.machine->hold_input(Signal::r1_limit, true);
     ASSERT_EQ(sut.ask(test_of(Signal::spindle)), Refusal::none);

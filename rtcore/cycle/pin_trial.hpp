@@ -26,7 +26,7 @@ constexpr PinOrder pin_order(std::uint64_t packed_order) noexcept {
 }
 
 /// One output by hand, all others inactive. RT: yes.
-class PinTest {
+class PinTrial {
 public:
     /// Requires half_ticks > 0.
     void begin(SignalWord output, std::uint64_t pulses, std::uint64_t half_ticks,

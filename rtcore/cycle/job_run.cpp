@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/cycle/job_run.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace psicarve::cycle {
+
+void JobRun::load(std::uint64_t generation, std::uint64_t points_total,
+                  std::uint64_t points_per_layer) noexcept {
+    generation_ = generation;
+    points_total_ = points_total;
+    points_per_layer_ = points_per_layer;
+    override_percent_ = 100;
+}
+
+Refusal JobRun::judge(LayerRange layers) const noexcept {
+    if (points_total_ == 0 || points_per_layer_ == 0) return Refusal::no_job;
+    const std::uint64_t layer_count = points_total_ / points_per_layer_;
+    const bool is_within = layers.first < layer_count && layers.count <= layer_count - layers.first;
+    return is_within ? Refusal::none : Refusal::no_such_layer;
+}
+
+void JobRun::begin(LayerRange layers, std::uint64_t tick) noexcept {
+    is_dry_ = layers.is_dry;
+    first_layer_ = layers.first;
+    index_layer_ = layers.first;
+    end_layer_ = layers.count == 0 ? points_total_ / points_per_layer_ : first_layer_ + layers.count;
+    start_tick_ = tick;
+    carve_first_tick_ = 0;
+    carve_last_tick_ = 0;
+    end_tick_ = 0;
+}
+
+// Steps that were lost before the first layer are missing in it, too.
+JobRun::Affected JobRun::affected(std::uint32_t layer) const noexcept {
+    if (!has_begun_carving() || is_dry_) return {};
+    constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
+    return {index_layer_, static_cast<std::uint16_t>(std::min(layer - index_layer_ + 1, kMost))};
+}
+
+void JobRun::show_in(Sample& sample) const noexcept {
+    sample.is_dry = is_dry_ ? 1 : 0;
+    sample.points_total = points_total_;
+    sample.first_layer = first_layer_;
+    sample.job_generation = generation_;
+    sample.job_start_tick = start_tick_;
+    sample.carve_first_tick = carve_first_tick_;
+    sample.carve_last_tick = carve_last_tick_;
+    sample.job_end_tick = end_tick_;
+    sample.override_percent = override_percent_;
+}
+
+void JobRun::show_in(PlanRequest& request) const noexcept {
+    request.job_generation = generation_;
+    request.first_layer = first_layer_;
+    request.end_layer = end_layer_;
+    request.is_dry = is_dry_ ? 1 : 0;
+}
+
+}  // namespace psicarve::cycle

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "rtcore/cycle/cycle_io.hpp"
+#include "rtcore/cycle/inputs.hpp"
+#include "rtcore/cycle/job_run.hpp"
+#include "rtcore/cycle/pulse_stage.hpp"
+#include "rtcore/cycle/tick_clock.hpp"
+
+namespace psicarve::cycle {
+
+/// What became of a request.
+struct Verdict {
+    Refusal refusal;              ///< none: done
+    std::uint8_t axis = kNoAxis;  ///< the one for which it is refused, where there is one
+};
+
+/// Tells the supervisor what happens, in the order in which it happens, each with the tick, the levels and
+/// the positions of that moment. Waits for no reader: what finds the ring full is counted as lost. Clock,
+/// pulses, inputs and io outlive it. RT: yes.
+class Reporter {
+public:
+    Reporter(CycleIo& io, const TickClock& clock, const PulseStage& pulses, const Inputs& inputs) noexcept
+        : io_(&io), clock_(&clock), pulses_(&pulses), inputs_(&inputs) {}
+
+    /// The meaning of code and value: RecordKind.
+    void report(RecordKind kind, std::uint16_t code, std::uint8_t axis = kNoAxis,
+                std::int64_t value = 0) noexcept;
+    /// Counts are those of steps_lost, as Report has them.
+    void report_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expected_pulses,
+                      std::int64_t seen_pulses, JobRun::Affected affected) noexcept;
+    /// Missed ticks, of which so many would do no harm. Half of the ring is kept for other reports: a
+    /// harmless gap that finds it full is lost.
+    void report_gap(std::uint64_t ticks, std::uint32_t longest_harmless_ticks) noexcept;
+    /// Exactly one for each request.
+    void answer(const Request& request, Verdict verdict) noexcept;
+
+    std::uint64_t lost() const noexcept { return lost_; }
+
+private:
+    FlightRecord record_of(RecordKind kind, std::uint16_t code, std::uint8_t axis,
+                           std::int64_t value) const noexcept;
+    void push_event(const FlightRecord& record) noexcept;
+    void push(const Report& report) noexcept;
+
+    CycleIo* io_;
+    const TickClock* clock_;
+    const PulseStage* pulses_;
+    const Inputs* inputs_;
+    std::uint64_t lost_ = 0;
+};
+
+}  // namespace psicarve::cycle

@@ -7,12 +7,16 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDialog>
+#include <QHash>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
+#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QOpenGLWidget>
 #include <QPixmap>
+#include <QPointer>
 #include <QScreen>
 #include <QSocketNotifier>
 #include <QTabBar>
@@ -39,6 +43,7 @@ QWidget* widget_named(const QString& name) {
 QString text_of(const QWidget& widget) {
     if (const auto* const label = qobject_cast<const QLabel*>(&widget)) return label->text();
     if (const auto* const button = qobject_cast<const QAbstractButton*>(&widget)) return button->text();
+    if (const auto* const edit = qobject_cast<const QLineEdit*>(&widget)) return edit->text();
     return widget.accessibleName();
 }
 
@@ -52,25 +57,36 @@ QString place_of(const QWidget& widget, const QRect& part) {
         .arg(is_ready ? "ready" : "not");
 }
 
+/// A widget, and the part of it that is meant.
+struct Target {
+    QPointer<QWidget> widget;
+    QRect part;
+};
+
 /// tab N: of the tabs; dialog TEXT: the button of the question that is open; else a widget's name.
-QString where(const QStringList& words) {
+Target target_of(const QStringList& words) {
     if (words.value(1) == "tab") {
         auto* const window = widget_named("window");
         auto* const tabs = window != nullptr ? window->findChild<QTabWidget*>() : nullptr;
-        if (tabs == nullptr) return "none";
-        return place_of(*tabs->tabBar(), tabs->tabBar()->tabRect(words.value(2).toInt()));
+        if (tabs == nullptr) return {};
+        return {tabs->tabBar(), tabs->tabBar()->tabRect(words.value(2).toInt())};
     }
     if (words.value(1) == "dialog") {
         auto* const box = qobject_cast<QMessageBox*>(psicarve::ui::open_dialog());
-        if (box == nullptr) return "none";
+        if (box == nullptr) return {};
         const QString said = words.mid(2).join(' ');
-        for (const QAbstractButton* button : box->buttons()) {
-            if (button->text() == said) return place_of(*button, button->rect());
+        for (QAbstractButton* button : box->buttons()) {
+            if (button->text() == said) return {button, button->rect()};
         }
-        return "none";
+        return {};
     }
-    const QWidget* const widget = widget_named(words.value(1));
-    return widget != nullptr ? place_of(*widget, widget->rect()) : "none";
+    QWidget* const widget = widget_named(words.value(1));
+    return widget != nullptr ? Target{widget, widget->rect()} : Target{};
+}
+
+QString where(const QStringList& words) {
+    const Target target = target_of(words);
+    return target.widget != nullptr ? place_of(*target.widget, target.part) : "none";
 }
 
 /// Asks the driver for more than there is, in the context that the view draws with: its next frame fails.
@@ -113,11 +129,76 @@ QString place_of_window() {
         .arg(window.isMaximized() ? "maximised" : "free");
 }
 
+/// What the mouse has met since the test aimed at something: of each kind of event the first widget.
+class Touch : public QObject {
+public:
+    using QObject::QObject;
+    void aim_at(const QStringList& words) {
+        target_ = target_of(words);
+        met_.clear();
+    }
+    /// "it", "other" and what it was, or "none" so far.
+    QString met(const QString& kind) const { return met_.value(kind, "none"); }
+
+protected:
+    bool eventFilter(QObject* receiver, QEvent* event) override {
+        const QString kind = kind_of(*event);
+        if (kind.isEmpty()) return false;
+        if (receiver->isWindowType()) {
+            is_fresh_ = true;  // from the screen; then it goes to a widget, and on to its parents
+        } else if (auto* const widget = qobject_cast<QWidget*>(receiver); widget != nullptr && is_fresh_) {
+            is_fresh_ = false;
+            const QPoint place = static_cast<QSinglePointEvent*>(event)->globalPosition().toPoint();
+            if (!met_.contains(kind)) met_[kind] = verdict(*widget, place);
+        }
+        return false;
+    }
+
+private:
+    static QString kind_of(const QEvent& event) {
+        switch (event.type()) {
+            case QEvent::MouseButtonPress:
+            case QEvent::MouseButtonDblClick:
+                return "press";
+            case QEvent::MouseButtonRelease:
+                return "release";
+            case QEvent::Wheel:
+                return "wheel";
+            default:
+                return {};
+        }
+    }
+    QString verdict(const QWidget& met, const QPoint& place) const {
+        const QWidget* const wanted = target_.widget;
+        const bool is_it = wanted != nullptr && (&met == wanted || wanted->isAncestorOf(&met)) &&
+                           met.isEnabled() && target_.part.contains(wanted->mapFromGlobal(place));
+        if (is_it) return "it";
+        const char* const kind = qobject_cast<const QAbstractButton*>(&met) != nullptr ? "button" : "thing";
+        return QString{"other %1 %2 %3"}.arg(kind, met.metaObject()->className(), met.objectName());
+    }
+
+    Target target_;
+    bool is_fresh_ = false;
+    QHash<QString, QString> met_;
+};
+
+Touch& touch() {
+    static auto* const the_only = new Touch{qApp};
+    return *the_only;
+}
+
 QString answer(const QString& question) {
     const QStringList words = question.split(' ');
     if (words[0] == "where") return where(words);
+    if (words[0] == "aim") {
+        touch().aim_at(words);
+        return where(words);
+    }
+    if (words[0] == "met") return touch().met(words.value(1));
+    const QDialog* const modal = psicarve::ui::open_dialog();
+    // Active or not: its list of names may be up.
+    if (words[0] == "open_dialog") return modal != nullptr ? modal->windowTitle() : "none";
     if (words[0] == "modal") {
-        const QDialog* const modal = psicarve::ui::open_dialog();
         return modal != nullptr && modal->isActiveWindow() ? modal->windowTitle() : "none";
     }
     if (words[0] == "picture") return picture(words) ? "saved" : "none";
@@ -140,6 +221,7 @@ QString answer(const QString& question) {
 }
 
 void listen() {
+    qApp->installEventFilter(&touch());
     auto* const ear = new QSocketNotifier{STDIN_FILENO, QSocketNotifier::Read, qApp};
     QObject::connect(ear, &QSocketNotifier::activated, qApp, [ear] {
         std::array<char, 4096> line{};

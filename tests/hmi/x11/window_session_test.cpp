@@ -13,19 +13,12 @@
 namespace psicarve {
 namespace {
 
-using std::chrono::milliseconds;
 using two_process::long_job;
 using two_process::text_of;
 using S = MachineState;
 
 class WindowOnAScreen : public test::X11Rig {
 protected:
-    /// The list of names that comes up while one types may take a Return for itself: then another is needed.
-    bool has_opened_what_was_typed() {
-        constexpr milliseconds kForOneReturn{5000};
-        if (ask("modal").find("Open model") != std::string::npos) press({"Return"});
-        return eventually([&] { return ask("where slice").ends_with(" ready"); }, kForOneReturn);
-    }
     void carve_without_a_window() {
         ASSERT_EQ(publish(long_job()), "");
         home();
@@ -38,9 +31,8 @@ TEST_F(WindowOnAScreen, TakesAnOperatorFromAModelToTheLastLayer) {
     open_window({"--opengl"});
     EXPECT_EQ(ask("kind model_view"), "opengl") << text_of(file("window.log"));
     press({"ctrl+o"});
-    ASSERT_TRUE(says("modal", "Open model, job or recording"));
-    type(example("figurine.stl"));
-    ASSERT_TRUE(eventually([&] { return has_opened_what_was_typed(); }));
+    ASSERT_TRUE(choose_file("Open model, job or recording", example("figurine.stl")));
+    ASSERT_TRUE(says("where slice", " ready"));
     ASSERT_TRUE(fill_in("layers", "4000"));
     ASSERT_TRUE(fill_in("points", "400"));
     take_picture("1_model");

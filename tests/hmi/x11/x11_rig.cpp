@@ -4,10 +4,13 @@
 
 #include <sys/stat.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 
 namespace psicarve::test {
+
+using std::chrono::milliseconds;
 
 void X11Rig::SetUp() {
     std::signal(SIGPIPE, SIG_IGN);  // a window that is gone answers nothing
@@ -54,23 +57,43 @@ std::string X11Rig::ask(const std::string& question) const {
            << question << ": " << answer << ", not " << part << "; state " << pill();
 }
 
+/// Aims and presses once; what the mouse has met.
+std::string X11Rig::touch(const std::string& name, const std::string& mouse_button, const std::string& how) {
+    constexpr milliseconds kForOneTouch{10'000};
+    std::string answer;
+    std::string last_place;
+    // It may move while the mouse does: bars come and go.
+    const bool is_aimed = eventually([&] {
+        int x = 0;
+        int y = 0;
+        answer = ask("aim " + name);
+        if (std::sscanf(answer.c_str(), "%d %d", &x, &y) != 2 || !answer.ends_with(" ready")) return false;
+        if (answer == last_place) return true;
+        last_place = answer;
+        xdotool({"mousemove", std::to_string(x), std::to_string(y)});
+        return false;
+    });
+    if (!is_aimed) return "cannot be pressed: " + answer;
+    xdotool({how, mouse_button});
+    const std::string last = mouse_button == "5" ? "wheel" : how == "mousedown" ? "press" : "release";
+    eventually([&] { return (answer = ask("met " + last)) != "none"; }, kForOneTouch);
+    if (answer == "it" && last == "release") answer = ask("met press");
+    // It was the last thing that this window has heard.
+    return answer.empty() ? "it" : answer;
+}
+
 ::testing::AssertionResult X11Rig::use_mouse(const std::string& name, const std::string& mouse_button,
                                              const std::string& how) {
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    std::string answer;
-    const bool has_come = eventually([&] {
-        answer = ask("where " + name);
-        return std::sscanf(answer.c_str(), "%d %d %d", &x, &y, &width) == 3 && answer.ends_with(" ready");
+    std::string met;
+    const bool has_met = eventually([&] {
+        met = touch(name, mouse_button, how);
+        if (met != "it") std::printf("the mouse meant %s and has met: %s\n", name.c_str(), met.c_str());
+        // What the hand did to another button cannot be taken back.
+        return met == "it" || met.starts_with("other button") || met.starts_with("cannot");
     });
-    if (!has_come) {
-        take_picture("failed");
-        return ::testing::AssertionFailure()
-               << name << " cannot be pressed: " << answer << "; state " << pill();
-    }
-    xdotool({"mousemove", std::to_string(x), std::to_string(y), how, mouse_button});
-    return ::testing::AssertionSuccess();
+    if (has_met && met == "it") return ::testing::AssertionSuccess();
+    take_picture("failed");
+    return ::testing::AssertionFailure() << name << ": " << met << "; state " << pill();
 }
 
 ::testing::AssertionResult X11Rig::hold_mouse_on(const std::string& name) {
@@ -84,6 +107,32 @@ std::string X11Rig::ask(const std::string& question) const {
     type(text);
     press({"Tab"});
     return ::testing::AssertionSuccess();
+}
+
+::testing::AssertionResult X11Rig::choose_file(const std::string& title, const std::string& path) {
+    constexpr milliseconds kForOneTyping{5000};
+    auto asked = says("modal", title);
+    if (!asked) return asked;
+    const auto is_open = [&] { return ask("open_dialog").find(title) != std::string::npos; };
+    const auto stands_there = [&] { return ask("text fileNameEdit") == path; };
+    const bool has_chosen = eventually([&] {
+        if (!is_open()) return true;
+        if (!stands_there()) {
+            press({"ctrl+a"});
+            type(path);
+            const bool is_there = eventually([&] { return stands_there() || !is_open(); }, kForOneTyping);
+            if (!is_there) std::printf("typed otherwise: %s\n", ask("text fileNameEdit").c_str());
+            return false;
+        }
+        // The list of names that comes up while one types may take a Return for itself: then another is
+        // needed.
+        press({"Return"});
+        return eventually([&] { return !is_open() || !stands_there(); }, kForOneTyping) && !is_open();
+    });
+    if (has_chosen) return ::testing::AssertionSuccess();
+    take_picture("failed");
+    return ::testing::AssertionFailure()
+           << title << ": " << ask("text fileNameEdit") << ", not " << path << "; active: " << ask("modal");
 }
 
 void X11Rig::resize_window(int width, int height) {

@@ -23,7 +23,8 @@ protected:
     /// The state's word and what stands below it.
     std::string pill() const { return ask("text state_pill"); }
 
-    /// Waits until it can be pressed, moves the mouse there and presses.
+    /// Waits until it can be pressed and stands still, moves the mouse there and presses; the window says
+    /// what the mouse has met. Again where that was no button at all; a failure where it was another.
     ::testing::AssertionResult click(const std::string& name) { return use_mouse(name, "1"); }
     ::testing::AssertionResult turn_wheel_down(const std::string& name) { return use_mouse(name, "5"); }
     /// The left button goes down on it and stays down.
@@ -36,6 +37,8 @@ protected:
     void type(const std::string& text);
     /// Into a field, instead of what stands there.
     ::testing::AssertionResult fill_in(const std::string& name, const std::string& text);
+    /// In the file dialog of that title; once the name stands there whole, Return.
+    ::testing::AssertionResult choose_file(const std::string& title, const std::string& path);
     /// The whole screen, into the build folder, to be looked at.
     void take_picture(const std::string& name);
 
@@ -45,6 +48,7 @@ protected:
 private:
     ::testing::AssertionResult use_mouse(const std::string& name, const std::string& mouse_button,
                                          const std::string& how = "click");
+    std::string touch(const std::string& name, const std::string& mouse_button, const std::string& how);
     void xdotool(std::vector<std::string> words);
 
     std::unique_ptr<ChildProcess> screen_;

@@ -59,7 +59,7 @@ std::optional<Phrase> to_do_first(const MachineSight& machine) {
     return std::nullopt;
 }
 
-/// As docs/motion.md has it.
+/// As docs/planning.md has it.
 Phrase approach(const cam::PreparedJob& job, std::uint32_t layer) {
     constexpr int kWayDecimals = 2;
     const LayerCurves curves = layer_curves(job, layer);

@@ -15,7 +15,7 @@ namespace psicarve::verify {
 
 /// Rule 3: the motor can follow. For each axis there is a motion p(t) with |p'| <= v_k and |p''| <= a_k,
 /// except jumps of at most j_k at rest or reversal, and the count is within 1.5 pulses of p(t) at all times.
-/// docs/motion.md says how it is decided.
+/// docs/motor_limits.md says how it is decided.
 ///
 /// Whatever stops pulses at once (emergency stop, limit, a drive switched off) is not judged: what was known
 /// of the motion is forgotten then.

@@ -17,7 +17,7 @@ namespace psicarve::cycle {
 /// After S iterations every axis has emitted exactly |d_k| pulses, at every iteration each is within half a
 /// pulse of the straight line, and each iteration emits at least one pulse. Whole numbers only, so that the
 /// order of pulses is the same whatever the speed. All four axes: a table's lines leave Y at 0.
-/// Source: the original's dual-head scheme, docs/motion.md. RT: yes.
+/// Source: the original's dual-head scheme, docs/interpolation.md. RT: yes.
 class DualHeadDda {
 public:
     /// Requires |delta| < 2^62.

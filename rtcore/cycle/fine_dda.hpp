@@ -17,7 +17,7 @@ namespace psicarve::cycle {
 /// What the division leaves is carried into the next period, so nothing is lost or rounded away. acc_k starts
 /// empty but for what a last carry could hold back, so that after increments that add up to N pulses, N
 /// pulses have become due, and moves of one axis that follow each other keep their distance. Whole numbers
-/// only. Source: digital integration, docs/motion.md. RT: yes.
+/// only. Source: digital integration, docs/interpolation.md. RT: yes.
 class FineDda {
 public:
     static constexpr std::int64_t kUnitsPerPulse = std::int64_t{1} << 20;

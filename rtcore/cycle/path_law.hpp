@@ -20,7 +20,7 @@ namespace psicarve::cycle {
 ///          +--------------------------------------- u     allowed at this place and speed.
 ///
 /// What an axis may do is linear in speed2 and its slope: so between any two allowed motions lies an allowed
-/// one, and a profile scaled down is allowed. Docs: motion.md. RT: yes.
+/// one, and a profile scaled down is allowed. Docs: interpolation.md. RT: yes.
 class PathLaw {
 public:
     /// The value of both profiles at one place [per tick^2], and their slopes within the segment.

@@ -13,7 +13,7 @@ namespace psicarve::cycle {
 ///     arc                F = x^2 + y^2 - R^2            F >= 0: the axis that leads inwards, else the other
 ///
 /// Lines in other quadrants are mirrored into the first; an arc knows in each quadrant which axis leads
-/// inwards. Source: the classic stepwise method of numerical control, docs/motion.md. RT: yes.
+/// inwards. Source: the classic stepwise method of numerical control, docs/interpolation.md. RT: yes.
 class PointByPoint {
 public:
     struct Step {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The examples of docs/commands.md, in their order, on one machine.
+// The examples of docs/commands.md and those of docs/tutorial.md, in their order, on one machine.
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
@@ -200,6 +200,45 @@ TEST_F(DocumentedExamples, RunInTheirOrder) {
     ASSERT_GT(examples.size(), 50U);
     for (const std::string& line : examples) run_example(line);
     for (const Terms& terms : terms_) EXPECT_TRUE(terms.is_used) << terms.begins << " is no example any more";
+}
+
+TEST_F(DocumentedExamples, OfTheTutorialRunInTheirOrder) {
+    // What the tutorial's reader downloads; scripts/deps.sh test installs it.
+    std::filesystem::copy_file("/usr/share/glmark2/models/bunny.obj", folder_ / "bunny.obj");
+    const std::vector<std::string> small{"--layers", "12", "--points", "60"};
+    const auto done = [this](std::vector<std::string> arguments) {
+        const Outcome outcome = run(std::move(arguments));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+    };
+    const auto with_a_core_and_a_long_job = [&] {
+        done({"slice", "bunny.obj", "--profile", "my.toml", "--up", "y", "--fit", "--layers", "400",
+              "--points", "100", "-o", "bunny.job"});
+        start_core({"--state", file("state"), "--profile", file("my.toml")});
+    };
+    const auto at_rest = [&] { EXPECT_TRUE(eventually([&] { return state() == MachineState::ready; })); };
+    const auto behind_a_layer = [&] {
+        EXPECT_TRUE(eventually([&] {
+            return run({"status", "--json"}).json()["checkpoint"]["next_layer"] > 0;
+        }));
+    };
+    terms_ = {
+        {.begins = "psicarve inspect bunny.obj --profile", .with = small},
+        {.begins = "psicarve inspect bunny.obj", .exit_code = 3, .says = "wholly within the core radius"},
+        {.begins = "psicarve estimate", .with = small},
+        {.begins = "psicarve slice", .with = small},
+        {.begins = "psicarve doctor", .may_find_problems = true},
+        {.begins = "psicarve publish", .before = with_a_core_and_a_long_job},
+        {.begins = "psicarve start --carve", .before = at_rest},
+        {.begins = "psicarve status --watch", .goes_on = true},
+        {.begins = "psicarve stop", .before = behind_a_layer},
+        {.begins = "psicarve start --resume", .before = at_rest},
+    };
+    const auto examples = documented_examples("docs/tutorial.md");
+    ASSERT_GT(examples.size(), 15U);
+    for (const std::string& line : examples) run_example(line);
+    for (const Terms& terms : terms_) EXPECT_TRUE(terms.is_used) << terms.begins << " is no example any more";
+    for (const char* picture : {"looked.png", "carved.png", "deviation.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder_ / picture)) << picture;
 }
 
 }  // namespace

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "shared/checkpoint.hpp"
-#include "shared/saved_checkpoint.hpp"
-#include "shared/shared_record.hpp"
+#include "shared/segment/checkpoint.hpp"
+#include "shared/record/saved_checkpoint.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/hmi/x11/x11_rig.hpp"
 #include "tests/thoroughness.hpp"
 #include "tests/two_process/carved_trace.hpp"

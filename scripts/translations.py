@@ -63,14 +63,14 @@ def texts_in(path):
 def source_texts():
     """All texts, each once, in the order of the alphabet."""
     texts = set()
-    for folder in ("ui", "session", "replay"):
+    for folder in ("phrase", "profile", "replay", "scene", "session", "ui"):
         for path in sorted((ROOT / "hmi" / folder).rglob("*.[ch]pp")):
             texts.update(texts_in(path))
-    table = without_comments((ROOT / "shared" / "profile_table.cpp").read_text(encoding="utf-8"))
+    table = without_comments((ROOT / "shared" / "profile" / "profile_table.cpp").read_text(encoding="utf-8"))
     for pattern in (EXPLANATION, PIN_EXPLANATION):
         texts.update(unquoted(literals) for found in pattern.finditer(table) for literals in found.groups())
     names = "".join(without_comments((ROOT / "shared" / name).read_text(encoding="utf-8"))
-                    for name in ("machine_state_text.cpp", "command.cpp", "realtime_step.cpp"))
+                    for name in ("machine/machine_state_text.cpp", "machine/command.cpp", "computer/realtime_step.cpp"))
     for found in CORE_NAMES.finditer(names):
         texts.update(unquoted(literals) for literals in re.findall(STRINGS, found.group(0)))
     return sorted(text for text in texts if re.search(r"[A-Za-z]{2}", text))

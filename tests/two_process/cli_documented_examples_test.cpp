@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/places.hpp"
+#include "tests/thoroughness.hpp"
 #include "tests/two_process/cli_machine_rig.hpp"
 
 namespace psicarve::test {
@@ -203,6 +204,7 @@ TEST_F(DocumentedExamples, RunInTheirOrder) {
 }
 
 TEST_F(DocumentedExamples, OfTheTutorialRunInTheirOrder) {
+    if (!is_thorough()) GTEST_SKIP() << "under sanitizers only with --long; dev runs it";
     // What the tutorial's reader downloads; scripts/deps.sh test installs it.
     std::filesystem::copy_file("/usr/share/glmark2/models/bunny.obj", folder_ / "bunny.obj");
     const std::vector<std::string> small{"--layers", "12", "--points", "60"};

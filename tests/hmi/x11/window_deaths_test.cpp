@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "shared/segment/checkpoint.hpp"
 #include "shared/record/saved_checkpoint.hpp"
+#include "shared/segment/checkpoint.hpp"
 #include "shared/segment/shared_record.hpp"
 #include "tests/hmi/x11/x11_rig.hpp"
 #include "tests/thoroughness.hpp"

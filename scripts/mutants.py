@@ -32,8 +32,8 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 # Begin of the path -> the test programs that must notice; the quickest first.
 JUDGES = (
-    ("rtcore/cycle/", ("cycle_interpolation_test", "cycle_pulse_test", "cycle_two_timer_test", "cycle_machine_test",
-                       "cycle_moves_test", "cycle_path_test")),
+    ("rtcore/cycle/", ("cycle_parts_test", "cycle_interpolation_test", "cycle_pulse_test", "cycle_two_timer_test",
+                       "cycle_machine_test", "cycle_moves_test", "cycle_path_test")),
     ("rtcore/guard/", ("guard_test",)),
     ("shared/segment/segment", ("shared_segment_test",)),
     ("hmi/verify/", ("hmi_verify_test", "hmi_trace_files_test")),

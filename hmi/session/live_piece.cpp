@@ -120,11 +120,11 @@ void LivePiece::settle(const verify::Positions& at) {
 
 /// As often as somebody may look, or when there is nothing left to do.
 void LivePiece::show() {
-    constexpr std::chrono::milliseconds kPause{40};
+    constexpr std::chrono::milliseconds kPauseBetweenLooks{40};
     if (is_dropped_.load()) return;
     const auto now = std::chrono::steady_clock::now();
     const bool is_last = waiting_.load() == 0 && layers_to_come_.load() == 0;
-    if (!is_last && now - shown_ < kPause) return;
+    if (!is_last && now - shown_ < kPauseBetweenLooks) return;
     shown_ = now;
     carver_.finish();
     front_.publish(stock_);

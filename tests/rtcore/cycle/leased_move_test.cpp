@@ -50,6 +50,8 @@ TEST(LeasedMove, RemembersHowItEndedUntilTheNextBegins) {
 TEST(LeasedMove, KeepsItsEndWhenOnlyItsLeaseIsForgotten) {
     LeasedMove sut;
     sut.begin(leased_by(kHand), 0, 1000);
+    sut.forget_lease();
+    EXPECT_FALSE(sut.has_lease());
     sut.end(MoveEnd::reached);
     sut.forget_lease();
     EXPECT_EQ(sut.ended(), MoveEnd::reached);

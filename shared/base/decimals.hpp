@@ -7,7 +7,7 @@
 
 namespace psicarve {
 
-/// A number for people, with so many digits behind the point. Requires |value| < 1e40, digits < 20.
+/// A number for people, with `digits` digits behind the point. Requires |value| < 1e40, digits < 20.
 inline std::string decimals(double value, int digits) {
     std::array<char, 64> text{};
     (void)std::snprintf(text.data(), text.size(), "%.*f", digits, value);

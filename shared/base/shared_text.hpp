@@ -20,7 +20,7 @@ std::string text_from_field(const char (&field)[kBytes]) {
     return text;
 }
 
-/// The text as far as it fits, cut between characters of UTF-8, zero-terminated.
+/// Copies as much of the text as fits, cut between characters of UTF-8, zero-terminated.
 template <std::size_t kBytes>
 void text_into_field(char (&field)[kBytes], const std::string& text) {
     std::size_t length = std::min(text.size(), kBytes - 1);

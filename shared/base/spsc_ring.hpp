@@ -50,7 +50,7 @@ public:
         return true;
     }
 
-    /// Either side; exact for a caller on one side as far as its own end goes.
+    /// Either side; exact about the index that the caller's side writes, possibly old about the other.
     std::size_t size() const noexcept {
         return tail_.load(std::memory_order_acquire) - head_.load(std::memory_order_acquire);
     }

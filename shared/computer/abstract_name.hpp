@@ -9,11 +9,12 @@
 
 namespace psicarve {
 
-/// A name of the kernel's own, of no file, at which one process at a time can listen: with its end, however
-/// it ends, the name is free again. Names are of a network namespace, and every user may take one.
+/// A name in the kernel (abstract Unix socket, no file), at which one process at a time can listen: however
+/// that process ends, the name is free again. Names belong to a network namespace, and every user may take
+/// one.
 class AbstractName {
 public:
-    /// Nothing: the name is longer than the kernel keeps them (107 bytes).
+    /// Nothing: the name is longer than the kernel allows (107 bytes).
     static std::optional<AbstractName> from(const std::string& name);
 
     const sockaddr* address() const noexcept { return reinterpret_cast<const sockaddr*>(&address_); }
@@ -25,12 +26,13 @@ private:
     socklen_t bytes_ = 0;
 };
 
-/// Who listens at a name.
+/// The process that listens at a name.
 struct NameHolder {
-    std::string text;  ///< "psicarve-rtcore (pid 4711)"; empty: somebody, nobody may know who
+    std::string text;  ///< "psicarve-rtcore (pid 4711)"; empty: the name is taken, and the system hides by
+                       ///< whom
 };
 
-/// Nothing: nobody listens there. The name is not taken meanwhile.
+/// Nothing: no process listens there. The look-up does not take the name.
 std::optional<NameHolder> holder_of(const AbstractName& name);
 
 }  // namespace psicarve

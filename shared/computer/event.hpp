@@ -14,9 +14,9 @@ struct EventWord {
     std::uint32_t reserved;
 };
 
-/// A cross-process wake-up on a counter in shared memory: a futex without the PRIVATE flag. Needs no owner,
-/// so nobody's death can hang it; every wait has a time limit. A signal always asks the kernel to wake: a
-/// count of waiters would be one more word that a killed waiter leaves wrong. Not for the tick.
+/// A cross-process wake-up on a counter in shared memory: a futex without the PRIVATE flag. It has no owner,
+/// so no process that dies can hang it; every wait has a time limit. A signal always asks the kernel to wake:
+/// a count of waiters would be one more word that a killed waiter leaves wrong. Not for the tick.
 ///
 /// Use: remember `count()`, look at the data, then `wait_past(seen)`: a signal in between is not lost.
 std::uint32_t event_count(const EventWord& event) noexcept;

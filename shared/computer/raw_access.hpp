@@ -7,19 +7,19 @@
 
 namespace psicarve {
 
-/// Why a program is not let at the addresses of a port.
+/// Why a program may not access the addresses of a port.
 struct RawRefusal {
     std::string reason;
     std::string remedy;
 };
 
-/// What ioperm() failed with; `has_right`: although the program has CAP_SYS_RAWIO.
+/// Makes a reason of ioperm()'s error number; `has_right`: the program has CAP_SYS_RAWIO all the same.
 RawRefusal raw_refusal(int error, bool has_right);
 
-/// Takes so many addresses from `base` on for the calling thread, as a core does. Nothing: it has them.
+/// Gives the calling thread access to `count` addresses from `base` on, as a core does. Nothing: it has them.
 std::optional<RawRefusal> take_addresses(std::uint16_t base, std::uint16_t count);
 
-/// Asks whether it could, and leaves them.
+/// Takes the addresses to see whether it can, and gives them back.
 std::optional<RawRefusal> ask_for_addresses(std::uint16_t base, std::uint16_t count);
 
 }  // namespace psicarve

@@ -8,19 +8,19 @@
 
 namespace psicarve {
 
-/// A file as whoever gave it knows it.
+/// A file with the name that the user knows it by.
 struct NamedFile {
     std::string name;  ///< "--trace", "MODEL"
     std::string path;
     bool is_written = false;
 };
 
-/// Whether both names lead to one file, whatever they look like: device and inode where there is one, else
-/// the folder and the last name. Never of what keeps nothing (/dev/null, a pipe, a folder), nor of "-".
+/// Whether both names lead to one file, whatever they look like: compares device and inode where there is a
+/// file, else folder and last name. False for what keeps nothing (/dev/null, a pipe, a folder), and for "-".
 bool is_same_file(const std::string& one, const std::string& other);
 
-/// Refuses, as bad_usage, a file that is written and also read, or written twice; before any is opened, for
-/// writing one would end the other. Names both.
+/// Refuses, as bad_usage, a file that is both written and read, or written twice. Call it before any is
+/// opened: opening one for writing would empty the other. The message names both.
 Result<void> check_distinct(std::span<const NamedFile> files);
 
 }  // namespace psicarve

@@ -34,22 +34,22 @@ std::string folder_of(const std::string& path);
 template <typename T>
 class OrErrno;
 
-/// A file that is being written and has not got its name yet. Where the file system can, it has none at all,
-/// and whatever ends the process ends the file; elsewhere it has a hidden one, which goes with this object,
-/// with the signal that ends the process (`remove_partials_when_killed`), or when the next file is written in
-/// that folder: a lock that dies with its process tells that nobody writes it any more.
+/// A file that is being written and has not got its name yet. Where the file system can, it has no name at
+/// all, and whatever ends the process ends the file. Elsewhere it has a hidden name, which is removed by this
+/// object, by the signal that ends the process (`remove_partials_when_killed`), or by the next write in that
+/// folder: a lock that dies with its process shows that the file has no writer any more.
 class PartialFile {
 public:
     static OrErrno<PartialFile> create(const std::string& folder, mode_t mode);
-    /// With a hidden name, whatever the file system can.
+    /// Uses a hidden name even where the file system needs none.
     static OrErrno<PartialFile> create_hidden(const std::string& folder, mode_t mode);
     ~PartialFile();
     PartialFile(PartialFile&& other) noexcept;
     PartialFile& operator=(PartialFile&&) = delete;
 
     const OpenFile& file() const noexcept { return file_; }
-    /// Gets its name, whether there was a file of that name or not; once. The error number, or 0. Where a
-    /// file without a name must replace another it is hidden between two calls, but whole.
+    /// Gives the file its name, and replaces a file of that name; once. Returns the error number, or 0. Where
+    /// a file without a name must replace another it has a hidden name between two calls, but is whole.
     int take_name(const std::string& path) noexcept;
 
 private:
@@ -64,8 +64,8 @@ private:
 
     std::string folder_;
     OpenFile file_;
-    std::string hidden_path_;  ///< empty: it has no name
-    int slot_;                 ///< where a signal finds that name; -1: nowhere
+    std::string hidden_path_;  ///< empty: the file has no name
+    int slot_;                 ///< where a signal handler finds that name; -1: nowhere
 };
 
 template <typename T>
@@ -85,8 +85,8 @@ private:
     int error_ = 0;
 };
 
-/// From now on SIGINT, SIGTERM and SIGHUP take away the hidden names of this process before they end it; for
-/// programs that leave them to the system. A signal that is ignored or has a handler already is left alone.
+/// From now on SIGINT, SIGTERM and SIGHUP remove this process's hidden files before they end it; for programs
+/// that do not handle these signals. A signal that is ignored or has a handler already is left alone.
 void remove_partials_when_killed() noexcept;
 
 }  // namespace psicarve

@@ -7,27 +7,27 @@
 
 namespace psicarve {
 
-/// Of the system's core: root's, or one that is another user than the one who started it.
+/// For the core of the system: root's, or one that runs as another user than the one who started it.
 inline constexpr const char* kSystemStateFolder = "/var/lib/psicarve";
 
-/// Where a core keeps what is to outlast the computer's being switched off: $PSICARVE_STATE, else the folder
-/// that systemd gives a service ($STATE_DIRECTORY), else kSystemStateFolder for a core of the system's, else
-/// psicarve in $XDG_STATE_HOME (~/.local/state). Empty: nowhere; so it is where $PSICARVE_STATE is set but
-/// empty.
+/// The folder in which a core keeps what outlasts the computer's being switched off: $PSICARVE_STATE, else
+/// the folder that systemd gives a service ($STATE_DIRECTORY), else kSystemStateFolder for a core of the
+/// system, else psicarve in $XDG_STATE_HOME (~/.local/state). Empty: the core keeps nothing; so it is where
+/// $PSICARVE_STATE is set but empty.
 std::string state_folder_of_core(bool is_of_system);
 
-/// Where others look for it, who may be other users: $PSICARVE_STATE alone, or nowhere where that is empty;
-/// else both, their own and kSystemStateFolder.
+/// The folders in which other processes, perhaps of other users, look for it: $PSICARVE_STATE alone, or none
+/// where that is empty; else both, their own and kSystemStateFolder.
 std::vector<std::string> state_folders_to_read();
 
-/// How a core keeps its checkpoint on a disk, as its segment tells it. A path has no room there: it is known
-/// by a mark, for whoever has a folder in mind.
+/// How a core keeps its checkpoint on a disk, as its segment says. The segment has no room for a path, only
+/// for a mark of it: a reader that has a folder in mind can compare.
 struct CoreKeeping {
     enum class How : std::uint8_t {
         unknown = 0,  ///< no core, or it has not said
         nowhere = 1,
         kept = 2,
-        refused = 3,  ///< what stands there is not to be believed: the disk has not taken the newest
+        refused = 3,  ///< what stands there cannot be trusted: the disk has not taken the newest
     };
     How how = How::unknown;
     std::uint32_t folder_mark = 0;  ///< 0 where none is kept
@@ -37,21 +37,23 @@ struct CoreKeeping {
     std::uint32_t pack() const noexcept;
 
     bool is_somewhere() const noexcept { return how == How::kept || how == How::refused; }
-    /// Whether that is its folder, by its path from the root: one path, one mark; links are other paths.
+    /// Whether the core keeps it in this folder, given by its path from the root. One path, one mark; a link
+    /// is another path.
     bool is_in(const std::string& folder) const;
     bool operator==(const CoreKeeping&) const = default;
 };
 
-/// Names of what a core keeps in such a folder: one set for each segment, and another, with other endings,
-/// for its simulated machine: no segment's name makes the one the other.
+/// Names of what a core keeps in such a folder: one set for each segment, and another set, with other
+/// endings, for its simulated machine: no two of these sets have a name in common, whatever the segments are
+/// called.
 struct StateNames {
-    /// `segment_name` as Segment has it, with its slash.
+    /// `segment_name` has its slash, as in Segment.
     StateNames(const std::string& folder, const std::string& segment_name, bool is_simulated);
 
     std::string checkpoint() const { return base + (is_simulator ? ".simulated" : ".checkpoint"); }
-    /// One name for each job: what replaces it never stands under its name.
+    /// One name for each job, so that a job never replaces another under its name.
     std::string job(std::uint64_t job_checksum) const;
-    /// Whether it is a name that job() gives, to any job.
+    /// Whether job() gives this name to any job.
     bool is_job(const std::string& path) const;
 
     std::string base;  ///< "FOLDER/psicarve"

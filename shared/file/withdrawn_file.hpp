@@ -7,9 +7,9 @@
 
 namespace psicarve {
 
-/// Takes a file away whose content must not be believed any more, so that no power cut brings it back: its
-/// name is removed and its folder synced, or, where that fails, it is emptied in place and synced. Success
-/// where there is none. Else "FILE: cannot be taken away: why", and whoever reads it may still find it.
+/// Removes a file whose content is no longer valid, so that no power cut brings it back: unlinks it and syncs
+/// its folder, or, where that fails, empties it in place and syncs it. Success where there is none. Else
+/// "FILE: cannot be taken away: why", and a reader may still find it.
 Result<void> withdraw_file(const std::string& path);
 
 }  // namespace psicarve

@@ -13,19 +13,19 @@
 
 namespace psicarve {
 
-/// What a run of layers is for.
+/// The purpose of a run of layers.
 enum class PassKind : std::uint32_t { roughing = 1, finishing = 2 };
 
 /// A run of a job's layers, carved from its lowest to its highest. Before each but the first the heads go out
 /// beyond the blank, Y goes to its first layer, and the heads plunge again.
 struct JobPass {
     std::uint32_t kind;         ///< PassKind
-    std::uint32_t number;       ///< from 1 on; what is carved to one depth in several runs shares it
+    std::uint32_t number;       ///< from 1 on; several runs that carve to one depth share it
     std::uint32_t first_layer;  ///< of the job: layers count on through all passes
     std::uint32_t layer_count;
-    double allowance_mm;  ///< that it leaves on the finished surface
-    double depth_mm;      ///< radius that it does not go below; 0: as deep as the finished surface
-    double clear_mm;      ///< radius up to which material may stand when it begins; 0: not known
+    double allowance_mm;  ///< material that it leaves on the finished surface
+    double depth_mm;      ///< it does not go below this radius; 0: as deep as the finished surface
+    double clear_mm;      ///< material may stand up to this radius when the pass begins; 0: not known
 };
 static_assert(sizeof(JobPass) == 40, "bump kLayoutVersion in layout.hpp");
 
@@ -48,8 +48,8 @@ struct JobTable {
     std::vector<std::int32_t> r_right_pulses;       ///< [layer_count * point_count], head R2
     std::string source_name;                        ///< file name without folders
     std::uint64_t source_hash = 0;                  ///< XXH3 of the source file's bytes
-    std::string profile_toml;                       ///< the whole machine profile it was made for
-    std::string report_json;                        ///< what the slicer saw
+    std::string profile_toml;                       ///< the whole machine profile that the job was made for
+    std::string report_json;                        ///< the slicer's findings
     std::vector<JobPass> passes;                    ///< in order; none: all layers are one finishing pass
 };
 
@@ -76,7 +76,7 @@ inline constexpr std::uint64_t kJobMagic = 0x31424f4a41435350ULL;  // "PSCAJOB1"
 /// First bytes of a job blob. The blob is one contiguous piece of memory: this header, profile text, report
 /// text, layer heights (int64), r_left (int32), r_right (int32), passes (JobPass), each part at a multiple of
 /// 8 bytes. The same bytes stand in a segment's job slot and in a job file. A job of one finishing pass has
-/// no table of passes: so it was before there were any.
+/// no table of passes, as in files older than passes.
 struct JobHeader {
     std::uint64_t magic;
     std::uint64_t total_bytes;  ///< of the whole blob
@@ -100,20 +100,20 @@ struct JobHeader {
 static_assert(sizeof(JobHeader) == 256, "bump kLayoutVersion in layout.hpp");
 
 /// Requires table sizes that fit the counts. Direction signs come from the profile's text; a name that is too
-/// long is cut. Whether it is a job that can run: JobView::check, check_job.
+/// long is cut. Whether the job can run, JobView::check and check_job say.
 std::vector<std::byte> job_blob_from_table(const JobTable& table);
-/// XXH3 over a blob: whether two are the same job.
+/// XXH3 over a blob: equal for equal jobs.
 std::uint64_t job_checksum(std::span<const std::byte> blob) noexcept;
 std::uint64_t job_blob_bytes(std::uint64_t layer_count, std::uint64_t point_count,
                              std::uint64_t profile_bytes, std::uint64_t report_bytes,
                              std::uint64_t pass_count = 0) noexcept;
 
-/// A checked read-only view of a job blob in memory that nobody else can change (copy first, then check).
-/// Holds pointers into the blob: the blob outlives the view.
+/// A checked read-only view of a job blob in memory that no other process can change (copy first, then
+/// check). Holds pointers into the blob: the blob outlives the view.
 class JobView {
 public:
-    /// Trusts no count or offset: sizes, bounds, overlaps, text ends. Says nothing about the machine: see
-    /// check_job.
+    /// Trusts no count or offset: checks sizes, bounds, overlaps and text ends. Does not look at the machine:
+    /// see check_job.
     static Result<JobView> check(std::span<const std::byte> blob);
 
     const JobHeader& header() const noexcept { return *header_; }
@@ -140,18 +140,20 @@ public:
         if (layer <= finishing_layer_) return heights_[layer];
         return table_height_pulses(joining(), heights_, point_count(), layer, point);
     }
-    /// Whether this point of a layer is where the layer before has ended: not to be gone to.
+    /// Whether this point of a layer is the one in which the layer before ends, so that the heads are there
+    /// already.
     bool is_joint(std::uint32_t layer, std::uint32_t point) const noexcept {
         return joining() == Joining::spiral && layer > finishing_layer_ && point == 0;
     }
 
-    /// At least one; together they are all layers; only the last is a finishing pass. Of this view.
+    /// At least one; together they cover all layers; only the last is a finishing pass. Valid as long as this
+    /// view.
     std::span<const JobPass> passes() const noexcept {
         return passes_.empty() ? std::span(&whole_, 1) : passes_;
     }
     /// Index of the pass that a layer belongs to. Requires a layer of the job. RT: yes.
     std::uint32_t pass_of(std::uint32_t layer) const noexcept;
-    /// First layer of the finishing pass: 0 where there is no other.
+    /// First layer of the finishing pass; 0 where that is the only pass.
     std::uint32_t finishing_layer() const noexcept { return finishing_layer_; }
     bool begins_pass(std::uint32_t layer) const noexcept {
         return passes()[pass_of(layer)].first_layer == layer;
@@ -162,7 +164,7 @@ public:
         return pass.first_layer + pass.layer_count;
     }
     std::int32_t max_radius_pulses(Axis head) const noexcept;
-    /// Of the finishing pass alone: of the finished piece.
+    /// The greatest radius in the finishing pass, that is on the finished piece.
     std::int32_t max_finishing_radius_pulses(Axis head) const noexcept;
 
 private:
@@ -172,7 +174,7 @@ private:
     std::span<const std::int64_t> heights_;
     std::span<const std::int32_t> r_left_;
     std::span<const std::int32_t> r_right_;
-    std::span<const JobPass> passes_;  ///< empty: whole_ is all
+    std::span<const JobPass> passes_;  ///< empty: whole_ is the only pass
     JobPass whole_{};
     std::uint32_t finishing_layer_ = 0;
 };
@@ -181,8 +183,8 @@ private:
 std::string pass_name(const JobPass& pass);
 
 /// Whether a machine with this profile can carve the job: travel, core radius, head clearance, at least one
-/// layer and two points, heights that rise, psi_sweep; that the rows of a spiral meet. Refused with the first
-/// offending layer and point.
+/// layer and two points, heights that rise, psi_sweep; that the rows of a spiral meet. The refusal names the
+/// first offending layer and point.
 Result<void> check_job(const JobView& job, const Profile& profile);
 
 /// The profile inside a job, parsed.

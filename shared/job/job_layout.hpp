@@ -7,7 +7,8 @@
 
 namespace psicarve {
 
-/// Where the parts of a job blob stand: follows from five numbers, so that no stored offset is ever believed.
+/// Where the parts of a job blob stand. Five numbers determine it, so that readers need not trust a stored
+/// offset.
 struct JobLayout {
     std::uint64_t profile_offset;
     std::uint64_t report_offset;

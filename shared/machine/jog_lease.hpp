@@ -9,10 +9,10 @@
 
 namespace psicarve {
 
-// A jog goes on only as long as whoever began it is there: it renews its lease through one word of the
-// segment, `jog_lease`. The word says whose lease (a token that the sender chose and sent with the command)
-// and holds a beat; any change of the beat renews, beat 0 lets go. A sender that dies or hangs renews no
-// more, and one that was forgotten cannot renew another's jog.
+// A jog goes on only as long as its sender renews its lease through one word of the segment, `jog_lease`. The
+// word holds a token, which the sender chose and sent with the command, and a beat; any change of the beat
+// renews, beat 0 ends the jog. A sender that dies or hangs stops renewing, and the token keeps a late sender
+// from renewing another's jog.
 
 /// In a jog's `axis`: R1 and R2 together, both outwards or both inwards.
 inline constexpr std::uint32_t kBothHeads = kAxisCount;

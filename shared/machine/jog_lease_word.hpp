@@ -5,8 +5,8 @@
 
 namespace psicarve {
 
-// The word `jog_lease` of the segment: whose lease it is, and its beat; beat 0 lets go. Apart from the rest
-// of jog_lease.hpp, because the tick reads it. RT: yes.
+// The word `jog_lease` of the segment: the token of the lease, and its beat; beat 0 ends the jog. Apart from
+// the rest of jog_lease.hpp, because the tick reads it. RT: yes.
 
 constexpr std::uint64_t jog_lease_word(std::uint32_t token, std::uint32_t beat) noexcept {
     return (std::uint64_t{token} << 32U) | beat;

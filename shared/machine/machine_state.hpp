@@ -22,11 +22,11 @@ enum class MachineState : std::uint8_t {
     stopping = 10,     ///< slowing down on the path, then retracting, spindle off: the job ends
     alarm = 11,        ///< outputs safe
     backing_off = 12,  ///< in alarm, the one motion allowed: one axis away from its tripped sensor
-    testing = 13,      ///< drives off but for what is tested: one output by hand
+    testing = 13,      ///< drives off except for the axis under test: one output by hand
 };
 inline constexpr std::uint8_t kMachineStateCount = 14;
 
-/// What happened, as far as the state is concerned.
+/// Events that change the state.
 enum class MachineEvent : std::uint8_t {
     home,
     home_done,
@@ -65,7 +65,7 @@ std::optional<MachineState> next_state(MachineState from, MachineEvent event) no
 std::string_view name_of(MachineState state) noexcept;
 /// No axis moves and none will before a command comes: off, ready, waiting, held, alarm.
 bool is_at_rest(MachineState state) noexcept;
-/// A job was started and has not ended: positioning to stopping.
+/// A job was started and has not ended: all states from positioning to stopping.
 bool runs_job(MachineState state) noexcept;
 
 /// Why the machine is in alarm. The numbers are part of the segment's layout.
@@ -81,12 +81,13 @@ enum class AlarmCause : std::uint8_t {
     port_error = 8,
     plan_starved = 9,  ///< the planner did not keep ahead of the tick
     guard_lost = 10,
-    core_lost = 11,           ///< said by its guard: the core died, drives and spindle are off
-    supervisor_stalled = 12,  ///< found by the tick: for a second nobody would have heard a command
+    core_lost = 11,           ///< the guard says it: the core died, drives and spindle are off
+    supervisor_stalled = 12,  ///< the tick finds it: for a second the supervisor has read no command
 };
 inline constexpr std::uint8_t kAlarmCauseCount = 13;
 std::string_view name_of(AlarmCause cause) noexcept;  ///< "limit", "emergency stop", ...
-/// Of a port that has not taken the safe state; in place of the alarm's own, which comes after it.
+/// For a port that has not taken the safe state; shown in place of the alarm's own remedy, which comes after
+/// it.
 inline constexpr std::string_view kSilentPortRemedy =
     "The port does not answer: drives and spindle may be ON. Switch the machine off by its own switch, then "
     "see to the port's card, cable and driver.";

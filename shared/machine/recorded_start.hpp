@@ -5,7 +5,7 @@
 
 namespace psicarve {
 
-/// In the value of a start in the flight recorder: it was a dry run.
+/// In the value of a recorded start (flight recorder): it was a dry run.
 inline constexpr std::uint64_t kRecordedDryRun = std::uint64_t{1} << 63U;
 
 /// In the same value: the first layer that is carved; 0: the job from its beginning.

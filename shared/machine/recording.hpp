@@ -7,14 +7,14 @@
 
 namespace psicarve {
 
-// A process may have the core record every pin for it: it sends the command `record` with a token of its own
-// choice, and from then on the pieces of a pin trace come through the ring `recording` of the segment, under
-// that token, until the process sends `record` again (value 0) or is no more. One recording at a time. The
+// A process may have the core record every pin for it. It sends the command `record` with a token that it
+// chooses; from then on the core puts the pieces of a pin trace, under that token, into the ring `recording`
+// of the segment, until the process sends `record` again (value 0) or is dead. One recording at a time. The
 // reader renews its lease by storing token and a new beat, and says in `recording_taken` how many entries of
-// the ring it has: a core on the virtual clock waits for it, one by the wall clock never does, and a reader
-// that was too slow knows how many pieces it lost.
+// the ring it has: a core on the virtual clock waits for it, one on the real clock never does, and a reader
+// that is too slow knows how many pieces it lost.
 
-/// A reader that stores no new beat for so long is taken for dead; its recording ends.
+/// A reader that stores no new beat for this long counts as dead; its recording ends.
 inline constexpr std::chrono::milliseconds kRecordingLease{2000};
 
 }  // namespace psicarve

@@ -44,10 +44,10 @@ enum class Signal : std::uint8_t {
     psi_index,
     y_limit,  // bits 13..16: the axis' own sensor, by axis, 1 = tripped
     estop,    // bit 17
-    /// Bit 18, an output of its own kind: it toggles while the core ticks. No trace or record has it.
+    /// Bit 18, an output apart from the others: it toggles while the core ticks. No trace or record has it.
     charge_pump,
 };
-inline constexpr std::size_t kSignalCount = 18;        ///< that traces, records and commands know
+inline constexpr std::size_t kSignalCount = 18;        ///< in traces, records and commands
 inline constexpr std::size_t kOutputSignalCount = 13;  ///< signals 0..12 leave the core; the others enter it
 
 /// Logical levels of all signals: bit n is signal n; 1 = active (step high, direction positive, drive
@@ -87,7 +87,7 @@ inline constexpr SignalWord kInputMask = ((SignalWord{1} << kSignalCount) - 1) &
 
 /// Names as in the profile's [port.pins] and in pin traces: r1_step, psi_index, estop ...
 std::string_view name_of(Signal signal) noexcept;
-/// Not the charge pump: nobody orders it about.
+/// Does not know the charge pump: no command sets it.
 std::optional<Signal> signal_from_name(std::string_view name) noexcept;
 
 }  // namespace psicarve

@@ -30,13 +30,13 @@ static_assert(sizeof(AlarmRecord) == 32, "bump kLayoutVersion");
 /// How the last jog or move ended.
 enum class MoveEnd : std::uint32_t {
     none = 0,        ///< none yet, or it is under way, or stop or an alarm cut it short
-    reached = 1,     ///< where it was sent to
+    reached = 1,     ///< where it was sent
     released = 2,    ///< a jog: its sender let go
-    lease_gone = 3,  ///< a jog: its sender renewed its lease no more
+    lease_gone = 3,  ///< a jog: its sender stopped renewing its lease
 };
 
-/// The core's state as everybody sees it: written by the supervisor as a whole, read as a whole. Fixed-width
-/// only.
+/// The core's state as it shows it to all processes: the supervisor writes it as a whole, readers read it as
+/// a whole. Fixed-width only.
 struct CoreStatus {
     std::uint64_t tick;       ///< ticks since the core started (missed ones counted)
     std::uint64_t heartbeat;  ///< grows with every write, whatever the clock
@@ -58,8 +58,8 @@ struct CoreStatus {
     std::uint64_t job_generation;  ///< accepted job, 0: none
     SignalWord signals;            ///< outputs and inputs, logical levels
     MoveEnd move_end;              ///< of the last jog or move
-    double seconds_left;       ///< of the running job as planned; none runs: carving all of the accepted one;
-                               ///< negative: unknown, or not planned yet
+    double seconds_left;       ///< of the running job as planned; when none runs: carving all of the accepted
+                               ///< one; negative: unknown, or not planned yet
     double reference_seconds;  ///< T_ref of the accepted job, whole; negative: unknown, or planner angle
     std::uint64_t job_start_tick;    ///< tick at which start was accepted
     std::uint64_t carve_first_tick;  ///< tick at which the first point was left; 0: not yet
@@ -70,16 +70,17 @@ struct CoreStatus {
     std::uint64_t lateness_histogram[kLatenessBins];
     std::uint64_t alarm_count;          ///< alarms since the core started
     AlarmRecord alarms[kAlarmHistory];  ///< alarm n stands at n % kAlarmHistory
-    std::uint64_t waited_ticks;         ///< in which the pins kept a due iteration waiting, since start
+    std::uint64_t waited_ticks;         ///< ticks in which the pins kept a due iteration waiting, since start
     std::uint32_t override_percent;     ///< of the planned feed
     std::uint8_t is_dry;                ///< 1: the job at hand, or the last, was a dry run
-    std::uint8_t is_left_forecast;      ///< 1: seconds_left is in part a forecast: not all is planned yet
+    std::uint8_t is_left_forecast;      ///< 1: part of seconds_left is a forecast: not all is planned yet
     std::uint16_t is_port_silent;  ///< 1: the port has not taken the safe state; `signals` may stand on it
     std::uint64_t trace_lost;      ///< pin changes that no trace could take (real clock only)
-    // How the tick's thread is treated (real clock only), and what it cost it: counted outside of the tick.
+    // How the tick's thread is set up (real clock only), and what interrupted it: counted outside of the
+    // tick.
     std::uint32_t realtime_asked;     ///< bit by RealtimeStep: tried
     std::uint32_t realtime_done;      ///< bit by RealtimeStep: in force
-    std::int32_t tick_cpu;            ///< the processor that it keeps to; -1: any
+    std::int32_t tick_cpu;            ///< the processor that the tick is bound to; -1: any
     std::uint32_t tick_priority;      ///< of SCHED_FIFO; 0: not scheduled so
     std::uint64_t tick_minor_faults;  ///< page faults since its first tick, without the disk
     std::uint64_t tick_major_faults;  ///< page faults that waited for the disk
@@ -89,7 +90,7 @@ struct CoreStatus {
     std::int64_t sim_true_position_pulses[kAxisCount];
     std::uint64_t sim_ignored_pulses[kAxisCount];  ///< drive disabled
     std::uint64_t sim_timing_lost[kAxisCount];     ///< driver timing violated
-    std::uint64_t sim_stalls[kAxisCount];          ///< motor asked for more than it can
+    std::uint64_t sim_stalls[kAxisCount];          ///< motor asked for more than its torque gives
 };
 static_assert(std::is_trivially_copyable_v<CoreStatus> && sizeof(CoreStatus) % 8 == 0, "bump kLayoutVersion");
 
@@ -133,7 +134,8 @@ enum class OrderPart : std::uint16_t {
     centre = 3,  ///< of an arc; axis: 0 or 1, its first or second axis; value [pulses]
 };
 
-/// FlightRecord::answer of a gap that was too long for the rotors that turned: no other is counted with it.
+/// FlightRecord::answer of a gap that was too long for the rotors that turned: this record counts that gap
+/// alone.
 inline constexpr std::uint32_t kAlarmingGap = 0;
 /// No rotor turned.
 inline constexpr std::uint32_t kAnyGap = 0xFFFF'FFFF;

@@ -32,9 +32,9 @@ struct OutputRegisters {
     friend bool operator==(const OutputRegisters&, const OutputRegisters&) = default;
 };
 
-/// Between logical levels and register bytes: the one place that knows pins, active-low wiring, the meaning
-/// of the direction levels (`positive`) and the port's own inversions. Tables made once; look-ups RT: yes.
-/// Two enables on one pin: the pin is active while either is.
+/// Translates between logical levels and register bytes: the one place that knows pins, active-low wiring,
+/// the meaning of the direction levels (`positive`) and the port's own inversions. Tables made once; look-ups
+/// RT: yes. A pin that two enables share is active while either is.
 class PinMap {
 public:
     /// Refuses pins that cannot carry their signal and two different signals on one output pin (enables may
@@ -51,9 +51,9 @@ public:
     }
     SignalWord decode_status(std::uint8_t status) const noexcept { return (*decode_status_)[status]; }
 
-    /// The other side of the connector, for a machine that hangs on it: pin n's electric level is bit n of a
-    /// pin word. What the register bytes put on the pins; and which logical levels a machine wired like this
-    /// sees: a drive whose enable is not wired is always on.
+    /// The machine's side of the connector: bit n of a pin word is the electric level of pin n. What the
+    /// register bytes put on the pins; and which logical levels a machine wired like this sees: a drive whose
+    /// enable is not wired is always on.
     std::uint32_t pins_from_registers(OutputRegisters registers) const noexcept;
     SignalWord outputs_from_registers(OutputRegisters registers) const noexcept;
     /// The status byte that the port's hardware would show for these logical input levels; unwired inputs
@@ -72,7 +72,7 @@ private:
     std::array<int, kSignalCount> pins_{};         ///< as in the profile, sign = active low
     std::array<bool, kSignalCount> active_low_{};  ///< as the pin shows it; a direction's sign included
     int charge_pump_pin_ = 0;                      ///< as in the profile
-    OutputRegisters charge_pump_;                  ///< its bit, which is not in the table
+    OutputRegisters charge_pump_;                  ///< its bit, which the table does not hold
     std::shared_ptr<const std::array<OutputRegisters, std::size_t{1} << kOutputSignalCount>> encode_;
     std::shared_ptr<const std::array<SignalWord, 256>> decode_status_;
 };

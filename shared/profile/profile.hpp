@@ -52,7 +52,7 @@ struct LinearAxisProfile {
     double tip_offset_mm = 0.0;
     double tool_wear_mm = 0.0;
 
-    /// A head's real tip stands this much further out than counted: as touched off, and worn since.
+    /// How much further out a head's real tip stands than counted: as touched off, and by wear since.
     double tip_mm() const noexcept { return tip_offset_mm + tool_wear_mm; }
 
     friend bool operator==(const LinearAxisProfile&, const LinearAxisProfile&) = default;
@@ -99,11 +99,11 @@ struct ToolProfile {
     friend bool operator==(const ToolProfile&, const ToolProfile&) = default;
 };
 
-/// 0: not known.
+/// The blank on the table. 0: not known.
 struct BlankProfile {
     double radius_mm = 0.0;
     double height_mm = 0.0;  ///< above the table
-    /// Of its axis from the table's, towards direction 0 and 90 degrees.
+    /// Position of its axis from the table's, towards direction 0 and 90 degrees.
     double offset_x_mm = 0.0;
     double offset_z_mm = 0.0;
     double depth_limit_mm = 0.0;  ///< no tip goes deeper below its surface; 0: no limit
@@ -116,23 +116,24 @@ struct BlankProfile {
     friend bool operator==(const BlankProfile&, const BlankProfile&) = default;
 };
 
-/// In what the blank that a job was made for is another than the one that a machine's profile tells of.
+/// How the blank that a job was made for differs from the one in a machine's profile.
 struct BlankDifference {
     enum class In : std::uint8_t { radius, height, place };
     In in = In::radius;
     double job_mm = 0.0;
-    double machine_mm = 0.0;  ///< place: how far the one stands from the other, and `job_mm` 0
-    /// The machine's is somewhere where the job's is not, so that heads go through it that should be outside.
+    double machine_mm = 0.0;  ///< place: distance between the two axes, and `job_mm` is 0
+    /// The machine's blank stands where the job's does not, so that heads would go through it where they
+    /// should be outside.
     bool is_in_the_way = false;
 };
-/// Nothing: they are the same, or one of them is not known.
+/// Nothing: the blanks are the same, or one of them is not known.
 std::optional<BlankDifference> blank_difference(const BlankProfile& job, const BlankProfile& machine);
 /// "the job was made for a blank of 9.00 mm radius, ..."
 std::string blank_difference_text(const BlankDifference& difference);
 
 /// Passes before the finishing pass.
 struct RoughingProfile {
-    double stepdown_mm = 0.0;  ///< that each goes further in; 0: none
+    double stepdown_mm = 0.0;  ///< how much further in each goes; 0: none
     double allowance_mm = 0.3;
     double stepover_mm = 0.0;  ///< between layers; 0: as the tool allows
 
@@ -153,8 +154,8 @@ struct PortProfile {
     friend bool operator==(const PortProfile&, const PortProfile&) = default;
 };
 
-/// The machine profile: what spec'd keys say, in the units users write. Defaults are the built-in profile
-/// `default`.
+/// The machine profile: values of the specified keys, in the units users write. Defaults are the built-in
+/// profile `default`.
 struct Profile {
     std::string name = "default";
     double core_radius_mm = 1.5;
@@ -184,14 +185,14 @@ Result<Profile> parse_profile(std::string_view toml, std::string_view file_name)
 /// The same for a file; the message names it as `path`.
 Result<Profile> load_profile(const std::string& path);
 
-/// Every key with its value, as TOML that parse_profile reads back to an equal profile, and with comments
-/// (unit and meaning) that an editor of the file wants. Deterministic.
+/// Every key with its value, as TOML that parse_profile reads back to an equal profile, with comments (unit
+/// and meaning) for people who edit the file. Deterministic.
 std::string profile_to_toml(const Profile& profile);
-/// XXH3 of that text: whether two processes mean the same machine.
+/// XXH3 of that text: equal for equal profiles.
 std::uint64_t profile_hash(const Profile& profile);
 
-/// Everything that is wrong with a profile, in the order of its lines: all that single keys show, or else the
-/// first thing that does not go together.
+/// Everything that is wrong with a profile, in the order of its lines: all faults of single keys, or, where
+/// there are none, the first contradiction between keys.
 struct ProfileProblem {
     std::int64_t line;  ///< 0: the file gives none of the keys
     std::string key;    ///< empty: the text is no TOML
@@ -199,11 +200,12 @@ struct ProfileProblem {
 };
 std::vector<ProfileProblem> profile_problems(std::string_view toml);
 
-/// A text as far as it can be read. Keys with a wrong value have the built-in one in `profile`.
+/// What could be read of a text. Keys with a wrong value have the built-in one in `profile`.
 struct ProfileReading {
     Profile profile;
-    std::vector<ProfileProblem> problems;  ///< as profile_problems() has them
-    bool is_each_value_read;  ///< false: `problems` names those that are not; true: they do not go together
+    std::vector<ProfileProblem> problems;  ///< the result of profile_problems()
+    bool is_each_value_read;  ///< false: `problems` names the keys that are not; true: it names a
+                              ///< contradiction between keys
 };
 ProfileReading read_profile(std::string_view toml);
 
@@ -218,7 +220,7 @@ struct ProfileKey {
     std::string explanation;  ///< one sentence
     bool matters_to_motion;   ///< a job made for another value is refused by the core
     ProfileValue value;
-    std::vector<std::string> words;  ///< of which a word is one
+    std::vector<std::string> words;  ///< the words that are allowed
 };
 const std::vector<ProfileKey>& profile_keys();
 /// Least and greatest value of a key that is a number, in its unit. Requires a key of profile_keys().
@@ -231,17 +233,17 @@ ProfileBounds profile_bounds(std::string_view path);
 /// The values of profile_keys(), as TOML: 10.0, 400, "max", [0.0, 60.0].
 std::vector<std::string> profile_values(const Profile& profile);
 
-/// The dotted paths of keys that matter to motion and whose values differ. Empty: a job made for one runs on
-/// the other.
+/// The dotted paths of keys that matter to motion and whose values differ. Empty: a job made for one profile
+/// runs on the other.
 std::vector<std::string> motion_differences(const Profile& a, const Profile& b);
 /// For what a machine refuses a job: motion_differences, and the blank's radius where the machine's profile
 /// has one and the job's none. A job that knows its own blank is carved from that.
 std::vector<std::string> job_differences(const Profile& job, const Profile& machine);
-/// Those of motion_differences that say where on the workpiece a table's pulses are. Empty: a job's pulses
-/// can be judged by either, by its limits and its timing.
+/// Those of motion_differences that say where on the workpiece a table's pulses are. Empty: either profile
+/// can judge a job's pulses by its limits and its timing.
 std::vector<std::string> place_differences(const Profile& a, const Profile& b);
 
-/// Refuses a blank that reaches further out than a head of the machine does: it would stand in the blank
+/// Refuses a blank that reaches further out than a head of the machine can: the head would stand in the blank
 /// before the carving begins.
 Result<void> check_heads_clear(const BlankProfile& blank, const Profile& machine);
 
@@ -256,7 +258,7 @@ struct AxisMotion {
         0;  ///< lowest position the axis may be asked for (psi: none, see has_travel)
     std::int64_t travel_max_pulses = 0;  ///< highest; past a limit sensor's edge is outside
     /// The last position at which the limit sensor is clear: its edge lies between this and the next pulse.
-    /// The index: the first at which it is tripped, turning positive.
+    /// For an index: the first position at which it is tripped, turning positive.
     std::int64_t home_position_pulses = 0;
     std::int64_t overtravel_pulses = 0;
     std::int64_t backlash_pulses = 0;
@@ -270,9 +272,10 @@ AxisMotion axis_motion(const Profile& profile, Axis axis);
 std::int64_t tick_period_ns(const Profile& profile) noexcept;
 /// Shortest time from one step pulse of an axis to the next that the ticks can make.
 std::int64_t pulse_period_ns(const Profile& profile) noexcept;
-/// Whole ticks, one at least, from an edge to the next that must come so much later, with room for the write.
+/// Whole ticks, at least one, from an edge to the next that must come `time_ns` later, with room for the
+/// write.
 std::int64_t ticks_between_edges(std::int64_t time_ns, std::int64_t period_ns) noexcept;
-/// What a pulse within a tick takes of it, with room for the writes themselves.
+/// How much of a tick a pulse within it takes, with room for the writes themselves.
 std::int64_t pulse_within_tick_ns(const Profile& profile) noexcept;
 /// Least counted position of a head: the core radius with the tip offset taken off, rounded as tables are.
 std::int64_t core_radius_pulses(const Profile& profile, Axis head) noexcept;

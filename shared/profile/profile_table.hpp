@@ -16,8 +16,8 @@
 
 namespace psicarve::profile_detail {
 
-// Inside of the profile's source files: the one table of keys that reads, prints, checks, compares and
-// documents the profile. Nobody else includes this.
+// Internal to the profile's source files: the one table of keys that reads, prints, checks, compares and
+// documents the profile. No other file includes this.
 
 /// Where a key's value lives in a Profile.
 using Field = std::variant<double*, std::int64_t*, int*, bool*, std::string*, std::array<double, 2>*,
@@ -49,7 +49,7 @@ struct KeySpec {
 const std::vector<KeySpec>& key_table();
 const KeySpec* find_key(std::string_view path);
 
-/// The same field, for reading alone.
+/// The same field, read-only.
 Field field_of(const KeySpec& key, const Profile& profile);
 /// The value as TOML: 10.0, 400, "max", [0.0, 60.0].
 std::string value_as_toml(const KeySpec& key, const Profile& profile);
@@ -59,16 +59,16 @@ std::string number_as_toml(double value);
 /// A number for messages: as short as possible, no needless ".0".
 std::string number_text(double value);
 
-/// What is wrong with a profile, before file and line are known.
+/// A contradiction in a profile, before file and line are known.
 struct Problem {
     std::string key;                ///< the key that the message names
     std::vector<std::string> also;  ///< other keys that take part: where the file does not give `key`, the
                                     ///< first of these that it gives tells the line
     std::string text;               ///< "what is wrong; remedy"
-    bool blame_later = false;       ///< name whichever of the keys the file gives last
+    bool blame_later = false;       ///< name the key that the file gives last
 };
 
-/// Values against each other; each alone is within its bounds. The built-in profile passes.
+/// Checks values against each other; each alone is within its bounds. The built-in profile passes.
 std::optional<Problem> check_profile(const Profile& profile);
 std::optional<Problem> check_pins(const Profile& profile);
 std::optional<Problem> check_pulse_rates(const Profile& profile);

@@ -16,31 +16,33 @@
 
 namespace psicarve {
 
-/// The two files of one segment and one kind of machine: what is written goes to the newer, which takes the
-/// older's name when it is full. No other segment's and no other kind's has one of these names.
+/// The two files of one segment and one kind of machine: the core writes to the newer, which takes the
+/// older's name when it is full. No other segment and no other kind of machine uses these names.
 struct JournalFiles {
     explicit JournalFiles(const StateNames& names);
     std::string newer;
     std::string older;
 };
 
-/// Each of the two is at most so large.
+/// The greatest size of each file.
 inline constexpr std::uint64_t kMostJournalBytes = std::uint64_t{4} << 20;
 
-/// Reads a journal while a core may be writing it, from the oldest record on; and what has come since, again
-/// and again, whether the files were exchanged meanwhile or the core is another. One owner's thread; waits
-/// for a disk that hangs.
+/// Reads a journal, from the oldest record on, while a core may be writing it; each further call reads what
+/// has come since, also when the files were exchanged or the core is another. One thread only; waits for a
+/// disk that hangs.
 class JournalTail {
 public:
     explicit JournalTail(JournalFiles files) : files_(std::move(files)) {}
 
-    /// What was not read yet, in its order. A file that cannot be read hides nothing of the other.
+    /// The records that were not read yet, in their order. A file that cannot be read does not hide the
+    /// other.
     std::vector<JournalRecord> read_more();
-    /// Of files that are there but cannot be read, so far; each once, however often it is tried again.
+    /// Files that exist but cannot be read, so far; each once, however often it is tried again.
     const std::vector<Error>& errors() const noexcept { return errors_; }
     /// There is, or was, a file.
     bool has_found_file() const noexcept { return open_ != nullptr; }
-    /// Lines that are no records, so far. What the newer file ends with may become one yet, and is not.
+    /// Lines that are no records, so far. The unfinished line at the newer file's end may become one, and
+    /// does not count.
     std::uint64_t damaged_count() const noexcept { return damaged_count_; }
 
 private:
@@ -66,12 +68,12 @@ private:
 
     JournalFiles files_;
     Opened open_;
-    Opened before_;  ///< read to its end; open, so that no other gets its inode
+    Opened before_;  ///< read to its end; stays open, so that no other file gets its inode
     std::uint64_t damaged_count_ = 0;
     std::vector<Error> errors_;
 };
 
-/// Both files at once. An error: none of them can be read, and there is one.
+/// Reads both files. An error: there is one, and none can be read.
 Result<std::vector<JournalRecord>> read_journal(const JournalFiles& files);
 
 }  // namespace psicarve

@@ -55,27 +55,28 @@ struct Snapshot {
     std::optional<Checkpoint> checkpoint;  ///< passes is_checkpoint; may be of another job
 };
 
-/// Says whether the file begins like one of ours (so that `carve FILE` can tell a job from a model).
+/// Whether the file begins like a job or snapshot file (so that `carve FILE` can tell a job from a model).
 bool looks_like_snapshot(std::span<const std::byte> first_bytes) noexcept;
-/// The same of a file. One that cannot be read is none: its reader says why.
+/// The same for a file's name. False for a file that cannot be read: its reader says why.
 bool is_snapshot_file(const std::string& path);
 
-/// Trusts nothing: magic, version, ABI hash, sizes, offsets, checksum, then the job blob. "FILE: what is
-/// wrong".
+/// Trusts no byte: checks magic, version, ABI hash, sizes, offsets, checksum, then the job blob. Error:
+/// "FILE: what is wrong".
 Result<Snapshot> parse_snapshot(std::span<const std::byte> bytes, const std::string& file_name);
 Result<Snapshot> load_snapshot(const std::string& path);
 
-/// The same snapshot gives the same bytes.
+/// Equal snapshots give equal bytes.
 std::vector<std::byte> snapshot_bytes(const Snapshot& snapshot);
 /// What the header's checksum must be for these bytes of a file; 0 when they are too few.
 std::uint64_t snapshot_checksum(std::span<const std::byte> bytes);
-/// Written as write_file_atomically does (atomic_file.hpp): the old file stays intact whatever happens.
-/// A snapshot is for its owner alone (0600), or for a group as well (0660); a job file for whom the umask
-/// says.
+/// Writes as write_file_atomically does (atomic_file.hpp): the old file stays intact whatever happens. A
+/// snapshot is for its owner alone (0600), or for a group as well (0660); a job file gets what the umask
+/// leaves.
 Result<void> save_snapshot(const Snapshot& snapshot, const std::string& path, const std::string& group = {});
-/// A job file of a blob that is a job, which everybody may read. Needs no memory for another copy of it.
+/// Writes a blob that is a job to a job file, which all users may read. Needs no memory for another copy of
+/// it.
 Result<void> save_job_for_everybody(std::span<const std::byte> job_blob, const std::string& path);
-/// The bytes of save_snapshot to an open descriptor, which may be a pipe; `name` for messages.
+/// Writes the bytes of save_snapshot to an open descriptor, which may be a pipe; `name` is for messages.
 Result<void> write_snapshot(const Snapshot& snapshot, int descriptor, const std::string& name);
 
 }  // namespace psicarve

@@ -9,21 +9,21 @@
 
 namespace psicarve {
 
-/// The interprocess mutex among publishers and snapshot takers: pthread, PROCESS_SHARED + ROBUST +
-/// PRIO_INHERIT + ERRORCHECK, in shared memory. `boost::interprocess::scoped_lock<RobustMutex>` accepts it.
+/// The interprocess mutex of publishers and snapshot takers: pthread, PROCESS_SHARED + ROBUST + PRIO_INHERIT
+/// + ERRORCHECK, in shared memory. `boost::interprocess::scoped_lock<RobustMutex>` accepts it.
 ///
-/// Owner death: the next locker gets the lock, marks it consistent and sees `recovered()` true: what the dead
-/// one was doing is half done. All that the mutex guards is written so that this is harmless: a slot not in
-/// use, and only then the publication. A stopped holder is waited for no longer than the time limit. The core
-/// never takes it. Not for the tick.
+/// Owner death: the next locker gets the lock, marks it consistent and sees `recovered()` true: the work of
+/// the dead owner is half done. All that the mutex guards is written so that this is harmless: first a slot
+/// that is not in use, and only then the publication. A locker waits for a stopped owner until the time
+/// limit. The core never locks it. Not for the tick.
 class RobustMutex {
 public:
     /// Once, by the creator of the segment, before `ready`.
     static Result<void> initialise(MutexStorage& storage);
 
-    /// By whoever alone serves the segment, as it begins: made anew where its bytes are no mutex. Nobody
-    /// holds one of those, and who tries to lock it meanwhile is refused. Otherwise it stays as it is, held
-    /// or not.
+    /// The process that alone serves the segment calls this as it begins: it makes the mutex anew where its
+    /// bytes are no mutex. No process can hold such a one, and a process that tries to lock it meanwhile is
+    /// refused. A valid mutex stays as it is, held or not.
     static Result<void> make_whole(MutexStorage& storage);
 
     explicit RobustMutex(MutexStorage& storage) noexcept : storage_(&storage) {}

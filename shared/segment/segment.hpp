@@ -23,37 +23,39 @@ struct SegmentOptions {
     std::uint32_t capacity_layers = kDefaultCapacityLayers;
     std::uint32_t capacity_points = kDefaultCapacityPoints;
     std::string group;  ///< mode 0660 and this group instead of 0600
-    /// The name is ours: truncated or overwritten contents are no reason to leave it to them.
+    /// The name belongs to this program: it replaces an object whose contents are truncated or overwritten.
     bool replaces_damaged = false;
-    /// How long another process may take to make it.
+    /// How long another process may take to make the segment.
     std::chrono::milliseconds patience{5000};
 };
 
-/// Whether /dev/shm has room for one job of this capacity now. A segment is sparse and made all the same:
-/// this is for capacities that somebody asks for.
+/// Whether /dev/shm has room for one job of this capacity now: for capacities that a user asks for. A segment
+/// is sparse, and can be made without that room.
 Result<void> check_shared_memory_for(std::uint32_t capacity_layers, std::uint32_t capacity_points);
 
-/// How long a core that has just got the lock may take until the words no longer name the one before it.
+/// How long a core that has just got the lock may take to sign: until then the words may name the core before
+/// it.
 inline constexpr std::chrono::milliseconds kSigningLimit{50};
 
-/// Somebody holds the core's lock. The lock says that there is a core; the words say which.
+/// A process holds the core's lock. The lock shows that there is a core; the words say which.
 struct CoreGlance {
-    std::uint32_t pid;  ///< as the words have it; 0: one that is starting or ending
-    bool is_signed;     ///< by a process that lives; else of the one before, or one that we cannot see
+    std::uint32_t pid;  ///< as the words say; 0: a core that is starting or ending
+    bool is_signed;     ///< the pid is of a living process; false: of the core before, or of one that this
+                        ///< process cannot see
 };
 
 /// The mapped shared-memory object. Move-only; unmaps when destroyed, never removes.
 /// Not for the tick. Exceptions of Boost end here.
 class Segment {
 public:
-    /// Whoever comes first creates (O_EXCL), others attach. A half-made or stale object of a dead creator is
-    /// taken over, whatever its version; garbage, another version in use, another owner or a wrong size is
-    /// refused with what is wrong and the remedy.
+    /// The first process creates the segment (O_EXCL), later ones attach. A half-made or stale object of a
+    /// dead creator is taken over, whatever its version. Refused: garbage, another version in use, another
+    /// owner, a wrong size; the error says what is wrong and the remedy.
     static Result<Segment> create_or_attach(const SegmentOptions& options);
     /// ErrorCode::no_core when there is no such object.
     static Result<Segment> attach(const std::string& name, const std::string& group = {});
-    /// Whoever made it, as long as the kernel lets us write it: for orders to stop alone, which must not fail
-    /// for want of an option.
+    /// Attaches whatever its owner, as long as the kernel lets us write it: only for orders to stop, which
+    /// must not fail for want of an option.
     static Result<Segment> attach_to_stop(const std::string& name);
     static Result<void> remove(const std::string& name);
 
@@ -68,47 +70,47 @@ public:
     std::uint32_t capacity_layers() const noexcept;
     std::uint32_t capacity_points() const noexcept;
     std::uint64_t slot_bytes() const noexcept;
-    /// What the user should know about what was found, in one line; else empty.
+    /// One line that the user should see about the object that was found; else empty.
     const std::string& warning() const noexcept;
 
     /// False once the name no longer leads to this object (unlinked, replaced), its size shrank or its first
     /// bytes were overwritten. A process that touches a truncated segment is not killed by SIGBUS: it goes on
     /// with zeros of its own (segment_fault_guard.hpp), and this is false from then on.
     bool is_still_linked() const noexcept;
-    /// Takes the name away from this very object, whatever stands in it now; nothing when it leads elsewhere.
+    /// Removes the name of this very object, whatever it contains; leaves the name where it leads elsewhere.
     Result<void> give_up_name();
 
-    // Slot 0 or 1. Slots are read and written through the file descriptor: a full /dev/shm or an object that
+    // Slots (0 or 1) are read and written through the file descriptor: a full /dev/shm or an object that
     // shrank is then an error message, where a mapped page would be a SIGBUS.
-    /// Makes sure that the slot's first `bytes` exist as memory and gives back what lies behind them.
+    /// Makes sure that the slot's first `bytes` exist as memory and frees the memory behind them.
     Result<void> reserve_slot(std::uint32_t index, std::uint64_t bytes);
     Result<void> write_slot(std::uint32_t index, std::span<const std::byte> bytes);
     Result<void> read_slot(std::uint32_t index, std::span<std::byte> bytes) const;
 
     // --- core side
     // -------------------------------------------------------------------------------------------
-    /// Makes this process the segment's core: held by a lock that dies with the process. Refused with the
-    /// first one's pid. Clears status, verdict, commands and rings that a dead core left behind; the
+    /// Makes this process the segment's core, by a lock that dies with the process. Refused with the pid of
+    /// the core that holds it. Clears status, verdict, commands and rings that a dead core left; the
     /// published job stays. A child that is forked afterwards must close its copies of our file descriptors,
     /// or the lock lives as long as the child.
     Result<void> claim_core();
-    /// The same in two steps, for a core that may still fail to start: nobody else can claim it from the
-    /// first on, but only the second lets others see a core.
+    /// The same in two steps, for a core that may still fail to start: from the first on no other process can
+    /// claim it, but only the second lets others see a core.
     Result<void> take_core_lock();
-    /// Between the two: mode 0600, or 0660 and of this group, however it was left. Refused when another
-    /// user's segment is not as asked for.
+    /// Between the two: sets mode 0600, or 0660 and this group, whatever it was before. Refused when another
+    /// user's segment has other rights.
     Result<void> fit_rights(const std::string& group);
-    /// One that is ours and that no core serves becomes another user's, job and all; any other stays as it
-    /// is. For whoever goes on as that user.
+    /// Gives a segment that is ours and that no core serves to another user, job included; any other stays as
+    /// it is. For a core that goes on as that user.
     static Result<void> hand_over(const std::string& name, uid_t user, gid_t group);
     void sign_core() noexcept;
     void release_core() noexcept;
-    /// A living core serves the segment: its pid, else nothing. Asks the lock, not the words.
-    /// Waits up to kSigningLimit for one that has got the lock and has not signed.
+    /// The pid of the living core that serves the segment, else nothing. Asks the lock, not the words. Waits
+    /// up to kSigningLimit for one that has got the lock and has not signed.
     std::optional<std::uint32_t> core_pid() const noexcept;
-    /// The same for whoever must not wait; nothing when nobody has the lock.
+    /// The same for callers that must not wait; nothing when no process holds the lock.
     std::optional<CoreGlance> glance_at_core() const noexcept;
-    /// What a living core says of its disk; unknown where there is none. Waits for nothing.
+    /// Where the living core keeps its checkpoint; unknown without a core. Does not wait.
     CoreKeeping core_keeping() const noexcept;
 
     struct Mapping;  ///< segment_mapping.hpp, for the segment's own sources
@@ -131,17 +133,17 @@ struct PublishedJob {
 Result<std::uint64_t> publish_job(Segment& segment, std::span<const std::byte> job_blob,
                                   std::chrono::milliseconds limit = std::chrono::milliseconds{5000});
 /// Waits until the core has judged that generation: success, the core's reason (machine_refused), no_core as
-/// soon as none serves, or timed_out. A refused one is published no longer: what was accepted before it is.
+/// soon as none serves, or timed_out. A refused job is published no longer: the job accepted before it is.
 Result<void> wait_for_acceptance(Segment& segment, std::uint64_t generation, std::chrono::milliseconds limit);
-/// Copies the job that matters, under the mutex: the one that the core accepted, also when another was
-/// published and refused since; else the published one, unless it was refused. Generation 0 and no bytes:
-/// there is none.
+/// Copies the current job, under the mutex: the one that the core accepted, also when another was published
+/// and refused since; else the published one, unless it was refused. Generation 0 and no bytes: there is
+/// none.
 Result<PublishedJob> copy_current_job(Segment& segment, std::chrono::milliseconds limit);
 
 // --- commands (any process but the core)
 // -----------------------------------------------------------------------
 /// Sends one command and waits for its answer: done, or the core's reason (machine_refused); no_core when
-/// none serves. `remark`: what is to be known of what was done, mostly nothing.
+/// none serves. `remark`: what the core adds to "done", mostly nothing.
 Result<void> send_command(Segment& segment, const Command& command, std::chrono::milliseconds limit,
                           std::string* remark = nullptr);
 void request_stop(Segment& segment) noexcept;
@@ -149,23 +151,23 @@ void request_emergency_stop(Segment& segment) noexcept;
 
 // --- core side of both
 // -------------------------------------------------------------------------------------------
-/// A job newer than `known_generation`, copied and checked; nothing when there is none, or when publishers
-/// were faster than the copy (ask again); an error when what was published is wrong (the caller refuses it by
-/// acknowledge_job), also when nobody published what the generation's word says. Takes no lock. A new segment
-/// begins again at generation 1.
+/// A job newer than `known_generation`, copied and checked. Nothing: there is none, or publishers were faster
+/// than the copy (ask again). An error: what was published is wrong, or no publisher wrote the generation
+/// that the word says (the caller refuses it by acknowledge_job). Takes no lock. A new segment begins again
+/// at generation 1.
 Result<std::optional<PublishedJob>> take_published_job(Segment& segment, std::uint64_t known_generation);
 /// The word alone, which may be damaged.
 std::uint64_t published_generation(const Segment& segment) noexcept;
-/// Whether a slot holds what a publisher wrote for this generation; its blob is not looked at.
+/// Whether a slot holds a publisher's job of this generation; its blob is not looked at.
 bool is_published(const Segment& segment, std::uint64_t generation) noexcept;
-/// Of the published job's blob, as its publisher said; nothing: there is none.
+/// Checksum of the published job's blob, as its publisher said; nothing: there is none.
 std::optional<std::uint64_t> published_checksum(const Segment& segment) noexcept;
-/// What the core wants to be known of the published job that it has accepted; mostly nothing.
+/// The core's remark on the published job that it has accepted; mostly empty.
 std::string job_remark(const Segment& segment);
-/// `reason`: why it is refused, or what of an accepted one is to be known.
+/// `reason`: why the job is refused, or the remark on an accepted one.
 void acknowledge_job(Segment& segment, std::uint64_t generation, bool accepted, const std::string& reason);
 
-/// The segment's words of stop and emergency stop, as somebody read them.
+/// The segment's words of stop and emergency stop, as read at one time.
 struct StopsSeen {
     std::uint32_t stops = 0;
     std::uint32_t emergency_stops = 0;
@@ -179,10 +181,10 @@ struct ReceivedCommand {
     StopsSeen stops_seen;  ///< by the sender, before the command was pending
     Command command;
 };
-/// Whether who sent a command still lives is asked of the kernel, which takes as long as a wake-up; or has
-/// been asked a moment ago.
+/// Whether to ask the kernel if the sender of a command still lives, which takes as long as a wake-up, or to
+/// trust an answer of a moment ago.
 enum class SenderLook : std::uint8_t { asks, trusts };
-/// The pending command with the lowest sequence number, marked taken; who asks also frees slots whose senders
+/// The pending command with the lowest sequence number, marked taken; `asks` also frees slots whose senders
 /// died. Nothing in it is checked: kind, axis and values may be anything.
 std::optional<ReceivedCommand> take_command(Segment& segment, SenderLook look = SenderLook::asks);
 void answer_command(Segment& segment, const ReceivedCommand& command, AnswerKind kind,

@@ -5,8 +5,8 @@
 
 namespace psicarve {
 
-/// For a core that has just claimed the segment: what the core before it left behind is answered as refused
-/// where its sender still waits, and freed where it does not. Commands being written stay.
+/// A core that has just claimed the segment calls this: it refuses the commands that the core before it left
+/// where the sender still waits, and frees the others. Commands being written stay.
 void clear_commands_of_dead_core(SegmentHeader& header) noexcept;
 
 }  // namespace psicarve

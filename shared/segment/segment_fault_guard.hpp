@@ -5,10 +5,10 @@
 
 namespace psicarve {
 
-/// Keeps a process alive when somebody truncates a shared-memory object that it has mapped. The first guard
+/// Keeps a process alive when a shared-memory object that it has mapped is truncated. The first guard
 /// installs a SIGBUS handler for the process: a fault inside a guarded range puts private zero pages over the
-/// whole range and notes that it is lost; any other fault goes to whoever handled SIGBUS before.
-/// (Signal handlers need memory of static storage: a table of eight ranges, more are simply not guarded.)
+/// whole range and marks it as lost; any other fault goes to the handler that was there before. (Signal
+/// handlers need memory of static storage: a table of eight ranges, further ones are not guarded.)
 class SegmentFaultGuard {
 public:
     SegmentFaultGuard(void* begin, std::size_t bytes) noexcept;

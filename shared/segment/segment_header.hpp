@@ -13,13 +13,13 @@ namespace psicarve {
 /// What the first bytes of a shared-memory object say about it.
 enum class HeaderState {
     usable,
-    half_made,        ///< nothing in it yet, or ours and not ready: its creator is at work, or dead
+    half_made,        ///< empty, or ours and not ready: its creator is at work, or dead
     earlier_boot,     ///< ours, left over from an earlier boot
-    left_behind,      ///< of another layout or build, its creator is dead, and no core serves it
-    not_ours,         ///< no magic: somebody else's, or garbage
+    left_behind,      ///< of another layout or build; its creator is dead, and no core serves it
+    not_ours,         ///< no magic: another program's, or garbage
     foreign_version,  ///< made by a program with another layout
     foreign_abi,      ///< same version, other sizes: another compiler or word width
-    wrong_numbers,    ///< capacities or offsets that cannot be
+    wrong_numbers,    ///< capacities or offsets that are impossible
     wrong_size,       ///< truncated or longer than it says
 };
 
@@ -35,13 +35,13 @@ struct HeaderFacts {
     std::uint64_t creator_start_time = 0;
 };
 
-/// Reads through the file descriptor, so that no object, however short, can end in SIGBUS.
+/// Reads through the file descriptor, so that no object, however short, can cause SIGBUS.
 HeaderFacts examine_header(const SegmentObject& object);
-/// Nobody's any more: whoever needs the name may take it.
+/// The object has no user any more: a process that needs the name may take it.
 constexpr bool is_stale(HeaderState state) noexcept {
     return state == HeaderState::earlier_boot || state == HeaderState::left_behind;
 }
-/// Not as any program of ours leaves it.
+/// Its contents are not as this program leaves them.
 constexpr bool is_damaged(HeaderState state) noexcept {
     return state == HeaderState::not_ours || state == HeaderState::wrong_numbers ||
            state == HeaderState::wrong_size;

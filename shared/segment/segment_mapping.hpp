@@ -13,7 +13,7 @@
 
 namespace psicarve {
 
-/// What a Segment holds. For the segment's own sources only.
+/// The inside of a Segment, for the segment's own sources only.
 struct Segment::Mapping {
     Mapping(SegmentObject mapped_object, boost::interprocess::mapped_region mapped, const HeaderFacts& facts,
             std::string segment_name)
@@ -35,7 +35,7 @@ struct Segment::Mapping {
     std::uint32_t capacity_layers;
     std::uint32_t capacity_points;
     SegmentGeometry geometry;          ///< our own, checked; never re-read from shared memory
-    std::uint32_t core_owner_pid = 0;  ///< who claimed the core through this object; 0: nobody
+    std::uint32_t core_owner_pid = 0;  ///< the process that claimed the core through this object; 0: none
 };
 
 }  // namespace psicarve

@@ -12,8 +12,8 @@
 
 namespace psicarve {
 
-/// What stands at byte N of the object as far as locks are concerned: open-file-description locks, which the
-/// kernel releases however their holder dies.
+/// The bytes of the object that are locked: open-file-description locks, which the kernel releases however
+/// their holder dies.
 enum class LockByte : std::int64_t {
     creator = 0,  ///< held while the object is being made, or taken away
     core = 1,     ///< held by the core as long as it serves the segment
@@ -22,9 +22,8 @@ enum class LockByte : std::int64_t {
 /// The number of --group NAME; refused when there is no such group.
 Result<gid_t> group_id(const std::string& group);
 
-/// Whether an object with these facts may be used by us: our own, or with --group one that is of this group,
-/// for it alone (0660), and was made by its service user or a member of it; and nothing that every user may
-/// read or write.
+/// Whether we may use an object with these facts: it is ours, or, with --group, it is of this group, for it
+/// alone (0660), and was made by its service user or a member of it; and no other user may read or write it.
 Result<void> check_segment_owner(const std::string& name, const struct ::stat& facts,
                                  const std::string& group);
 
@@ -37,11 +36,11 @@ class SegmentObject {
 public:
     /// "/psicarve" from "psicarve" or "/psicarve"; refuses what is no name of a shared-memory object.
     static Result<std::string> checked_name(const std::string& name);
-    /// Nothing when the name is free; refuses an object that is not ours or the group's.
+    /// Nothing when the name is free; refuses an object that is neither ours nor the group's.
     static Result<std::optional<SegmentObject>> open(const std::string& name, const std::string& group);
-    /// The same of any object that the kernel lets us write: for orders to stop.
+    /// The same for any object that the kernel lets us write: for orders to stop.
     static Result<std::optional<SegmentObject>> open_whosoever(const std::string& name);
-    /// Nothing when somebody else was first.
+    /// Nothing when another process was first.
     static Result<std::optional<SegmentObject>> create(const std::string& name, const std::string& group);
     static Result<void> unlink(const std::string& name);
 
@@ -50,7 +49,7 @@ public:
 
     bool try_lock(LockByte byte) noexcept;
     void unlock(LockByte byte) noexcept;
-    /// Held by somebody who opened the object apart from us.
+    /// A process that opened the object apart from us holds the lock.
     bool is_locked_by_another(LockByte byte) const noexcept;
 
     /// The name still leads to this object.
@@ -61,10 +60,10 @@ public:
     /// Makes these bytes exist as memory: an error instead of a SIGBUS when /dev/shm is full.
     Result<void> reserve(const std::string& name, std::uint64_t offset, std::uint64_t bytes);
 
-    /// 0600, or 0660 with a group: as asked for, however it was made. Refused when it is another's and not
-    /// so.
+    /// Sets 0600, or 0660 and the group, whatever it was before. Refused when the object is another user's
+    /// and has other rights.
     Result<void> fit_rights(const std::string& name, const std::string& group);
-    /// For that user alone (0600), when it is ours; another's stays as it is.
+    /// Gives the object to that user alone (0600), when it is ours; another's stays as it is.
     Result<void> give_to_user(const std::string& name, uid_t user, gid_t group);
 
 private:

@@ -17,9 +17,10 @@ namespace psicarve {
 // fences (which ThreadSanitizer does not model). On x86-64 these are plain moves.
 
 inline constexpr int kRecordRetries = 1000;
-/// After so many failed tries the writer may be one that waits for our processor.
+/// After this many failed tries the writer may be a process that waits for our processor.
 inline constexpr int kRetriesBeforeYield = 16;
-/// On a busy computer each may take some milliseconds: a reader must not wait a second for a dead writer.
+/// On a busy computer each yield may take some milliseconds: a reader must not wait a second for a dead
+/// writer.
 inline constexpr int kMostYields = 16;
 
 template <typename T>
@@ -45,7 +46,7 @@ T load_words(const AtomicWord64 (&words)[sizeof(T) / 8]) noexcept {
     return value;
 }
 
-/// One writer only. Never waits. Also mends a record that a writer before us left half written.
+/// One writer only. Never waits. Also mends a record that a dead writer left half written.
 template <typename T>
 void write_record(SharedRecord<T>& record, const T& value) noexcept {
     const std::uint64_t writing = record.sequence.load(std::memory_order_relaxed) | 1U;
@@ -85,13 +86,13 @@ void replace_newest_in_ring(SharedRing<T, kEntries>& ring, const T& value) noexc
     store_words<T>(ring.words[(ring.published.load(std::memory_order_relaxed) - 1) % kEntries], value);
 }
 
-/// One writer only: what stands in the ring so far belongs to an earlier writer and is not read any more.
+/// One writer only: all entries so far belong to an earlier writer, and readers skip them.
 template <typename T, std::size_t kEntries>
 void begin_ring_anew(SharedRing<T, kEntries>& ring) noexcept {
     ring.first.store(ring.published.load(std::memory_order_relaxed), std::memory_order_release);
 }
 
-/// Reads a ring from where it stands; several readers do not know of each other.
+/// Reads a ring from its own position; several readers are independent of each other.
 template <typename T, std::size_t kEntries>
 class RingReader {
 public:
@@ -104,7 +105,7 @@ public:
     /// The next entry; nothing when there is none yet.
     std::optional<T> next() noexcept {
         // Each turn either returns or moves on to entries that are newer by a whole ring: a reader that is
-        // slower than that again and again gives up for this time.
+        // slower than that again and again gives up this call.
         for (int attempt = 0; attempt < kRecordRetries; ++attempt) {
             const std::uint64_t published = ring_->published.load(std::memory_order_acquire);
             if (position_ > published) position_ = published;  // not our ring any more, or overwritten

@@ -20,7 +20,7 @@ namespace psicarve {
 //               kind 3  end       the trace covers d more ticks and is complete. Nothing follows; a file
 //                                 without this record was cut off
 //
-// A job (from version 2 on) is what the pins do from here on, until the next one: a record of kind 0 whose
+// A job (from version 2 on) is what the pins carve from here on, until the next one: a record of kind 0 whose
 // change is 0; then the number of its bytes, its checksum (job_checksum, 8 bytes, little-endian), and the
 // blob as it stands in a job file (shared/job/job.hpp), which carries the machine's profile.
 //
@@ -58,7 +58,7 @@ inline constexpr std::size_t kLeb128MaxBytes = 10;
 /// The longest record: a head and four positions.
 inline constexpr std::size_t kTraceRecordMaxBytes = 5 * kLeb128MaxBytes;
 
-/// A longer job is none: it is garbage.
+/// A longer job is garbage.
 inline constexpr std::uint64_t kMostTraceJobBytes = std::uint64_t{1} << 36;
 
 /// Writes `value` seven bits a byte, lowest first, and returns the place after it. Needs kLeb128MaxBytes of
@@ -88,8 +88,8 @@ constexpr const std::uint8_t* decode_leb128(const std::uint8_t* in, const std::u
 
 inline constexpr std::size_t kTraceChecksumBytes = 8;
 
-/// The record of a job, in the tick of the record before it, up to its blob; as encode_leb128. Needs
-/// kTraceRecordMaxBytes of room.
+/// The record of a job, in the tick of the record before it, up to its blob. Returns as encode_leb128 does.
+/// Needs kTraceRecordMaxBytes of room.
 constexpr std::uint8_t* encode_trace_job_head(std::uint8_t* out, std::uint64_t job_bytes,
                                               std::uint64_t checksum) noexcept {
     out = encode_leb128(out, trace_record_head(0, TraceRecordKind::pins));

@@ -15,17 +15,16 @@
 
 namespace psicarve {
 
-/// Where a pin trace goes, buffered: a file descriptor of our own, or whoever takes the bytes. A failed write
-/// (disk full, reader gone) is kept as one error, after which everything is dropped: never a signal, never a
-/// crash. A file that we made under a name is removed then: a part that looks like a whole helps nobody, and
-/// a full disk needs the room.
+/// Where a pin trace goes, buffered: a file descriptor of our own, or a function that takes the bytes. A
+/// failed write (disk full, reader gone) is kept as one error, after which everything is dropped: never a
+/// signal, never a crash. A file that we made under a name is removed then: it would look like a whole trace,
+/// and a full disk needs the room.
 class TraceOutput {
 public:
     /// `path` is a file, "-" for standard output or "fd:N" for a descriptor that is already open and becomes
-    /// ours. An existing file is overwritten; one that is a symbolic link, or a pipe that nobody reads,
-    /// is refused.
+    /// ours. An existing file is overwritten; a symbolic link, or a pipe without a reader, is refused.
     static Result<TraceOutput> open(const std::string& path);
-    /// Called with what has gathered, at every flush.
+    /// Called with the gathered bytes, at every flush.
     using Taker = std::function<void(std::span<const std::uint8_t> bytes)>;
     explicit TraceOutput(Taker taker);
 
@@ -44,7 +43,8 @@ public:
     void commit(const std::uint8_t* end) noexcept { used_ = static_cast<std::size_t>(end - buffer_.get()); }
     void write(std::string_view text) noexcept;
     void flush() noexcept;
-    /// Counts what was taken, also while a write waits; may be read on other threads, and outlives this.
+    /// Counts the bytes that were taken, also while a write waits; may be read on other threads, and outlives
+    /// this.
     std::shared_ptr<const std::atomic<std::uint64_t>> written_bytes() const noexcept { return written_; }
     std::optional<Error> take_error();
     /// The trace will not be whole: a file that we made under a name is removed; nothing more is written.

@@ -13,52 +13,53 @@
 
 namespace psicarve::supervisor {
 
-/// What a checkpoint that goes to the disk is there for.
+/// Why a checkpoint is written to the disk.
 enum class Keeping : std::uint8_t {
-    carved,     ///< so far it is carved
+    carved,     ///< the carving has come this far
     announced,  ///< a run begins that will make the record of its job false, and has carved nothing yet
-    as_before,  ///< it came to nothing: what stood there stands again
+    as_before,  ///< that run carved nothing: the record before it is valid again
 };
 struct ToKeep {
     Checkpoint checkpoint;  ///< as_before: what the segment knows of the job; empty: nothing
     Keeping why;
 };
 
-/// Writes into the segment how far a carving has come, a layer at a time, while it carves and as it ends in
-/// whatever way. A run of the whole job begins anew: what was carved before it may be another piece's. How
-/// far that was stands beside it until it is passed, so that a start by mistake leaves a way back. One that
-/// begins with a later layer goes on from where the checkpoint stands, if it leaves no layer out, or, with
-/// exactly the layer behind the run before, goes back to that one's piece; any other leaves the checkpoint at
-/// the first layer that is not carved. A record of the other kind of machine is none. The supervisor's
-/// thread.
+/// Writes into the segment how far a carving has come, a layer at a time, while it carves and as it ends,
+/// however it ends. A run of the whole job begins anew, since the layers carved before may be another
+/// piece's; how far those came stands beside it until it is passed, so that a start by mistake leaves a way
+/// back. A run that begins with a later layer continues from the checkpoint, if it leaves no layer out; or,
+/// with exactly the layer behind the run before, it goes back to that run's piece; any other leaves the
+/// checkpoint at the first layer that is not carved. A record of the other kind of machine does not count.
+/// Used by the supervisor's thread.
 class CheckpointKeeper {
 public:
     explicit CheckpointKeeper(bool is_simulator) noexcept : is_simulator_(is_simulator) {}
 
-    /// Before anything is served: a record of the other kind of machine goes. True: there was one.
+    /// Call it before the core serves: removes a record of the other kind of machine. True: there was one.
     bool clear_foreign(SegmentHeader& header) const noexcept;
-    /// What is to be kept on a disk, too, where that has changed: what was written; and of a run that begins
-    /// the same job anew what will be, from its start on. A disk is slower than the first point is left, and
-    /// whoever goes on by what it said before would plunge into a fresh blank. `most_told`: behind the most
-    /// layers that the disk may say are carved of this job, whatever the segment knows.
+    /// Returns what must go to the disk, too, when that has changed: the checkpoint just written; and, from
+    /// the start of a run that begins the same job anew, the one that it will write. The disk may be slower
+    /// than the run is to leave its first point, and an operator who continued from the old record would
+    /// plunge into a fresh blank. `most_told`: the greatest number of layers that the disk may say are carved
+    /// of this job, whatever the segment knows.
     std::optional<ToKeep> note(SegmentHeader& header, const cycle::Sample& sample, const LoadedJob* job,
                                std::uint32_t most_told) noexcept;
 
-    /// What came of what a disk has of the job at hand.
+    /// The result of taking over a disk's record of the current job.
     struct TakenOver {
-        std::optional<Checkpoint> to_keep;  ///< the disk says more than the segment: this belongs there
+        std::optional<Checkpoint> to_keep;  ///< the disk says more than the segment: write this to it
         std::string remark;                 ///< the two disagree; else empty
     };
-    /// Into a segment that never had a record, never into one that is damaged. Where the segment knows of
-    /// this job itself and the two disagree, it is the lower layer.
+    /// Copies the disk's record into a segment that never had one, never into one that is damaged. Where the
+    /// segment has a record of this job and the two disagree, the lower layer is taken.
     TakenOver take_over(SegmentHeader& header, const Checkpoint& left, const LoadedJob& job) const;
-    /// Nothing is known of a piece of this job from here on, until the next run.
+    /// Forgets the piece of this job, until the next run.
     void forget(SegmentHeader& header, const RecordName& record) noexcept;
-    /// Whether the segment knows of this job and that kind of machine, whatever the sequence.
+    /// Whether the segment has a record of this job and that kind of machine, whatever the sequence.
     bool knows(const SegmentHeader& header, const RecordName& record) const noexcept;
-    /// Another job is at hand: a new segment gives generations that were given before.
+    /// Another job is the current one: a new segment repeats earlier generations.
     void note_new_job() noexcept { run_generation_ = 0; }
-    /// The segment was replaced: the new one holds no checkpoint yet.
+    /// The segment was replaced by one without a checkpoint: writes the last one again.
     void write_anew(SegmentHeader& header) const noexcept;
 
 private:

@@ -13,7 +13,7 @@
 
 namespace psicarve::supervisor {
 
-/// How far the piece is carved, in the segment and on a disk. The supervisor's thread.
+/// Remembers how far the piece is carved, in the segment and on a disk. Used by the supervisor's thread.
 class PieceMemory {
 public:
     explicit PieceMemory(const CheckpointPlace& place)
@@ -22,17 +22,17 @@ public:
           keeper_(place.is_simulator),
           file_(place) {}
 
-    /// Before this core serves a segment.
+    /// Call it before this core serves a segment.
     void enter(SegmentHeader& header) const;
     /// The segment was replaced: the new one holds no checkpoint yet.
     void write_anew(SegmentHeader& header) const noexcept { keeper_.write_anew(header); }
-    /// It is the job at hand from here on. What is to be known of it, where there is something.
+    /// Makes it the current job. Returns what the operator should know of its piece; mostly empty.
     std::string take_job(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job);
-    /// Every round. Null: there is no job.
+    /// Call it every round. Null: there is no job.
     void note(SegmentHeader& header, const cycle::Sample& sample,
               const std::shared_ptr<const LoadedJob>& job);
-    /// This record and no other: gone from the segment, and to go from the disk. Empty: it is done; else why
-    /// it is not, and nothing was forgotten.
+    /// Forgets exactly this record, in the segment and, later, on the disk. Returns empty, or why nothing was
+    /// forgotten.
     std::string forget(SegmentHeader& header, const RecordName& record);
 
 private:

@@ -7,12 +7,12 @@
 
 namespace psicarve::guard {
 
-/// `status` is the text of /proc/PID/status.
+/// Whether the text of /proc/PID/status shows a process that is dying.
 bool says_dying(std::string_view status) noexcept;
 
 /// Whether a process has been killed, though it may take long to be gone: on a busy computer a process with
-/// much memory was seen to need 200 ms for it. Who asks may not be let at /proc/PID later, nor see it (mount
-/// option hidepid), so it is opened at once. Not copied.
+/// much memory was seen to need 200 ms for it. The file in /proc/PID is opened at once, because the watching
+/// process may lose the right to it, or not see it later (mount option hidepid). Not copied.
 class DyingWatch {
 public:
     explicit DyingWatch(pid_t pid) noexcept;

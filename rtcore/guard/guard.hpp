@@ -12,8 +12,8 @@ namespace psicarve::guard {
 
 /// What a guard needs of the core that it watches.
 struct GuardDuty {
-    port::SafeState safe_state;  ///< of the port that was opened before the two part
-    std::string segment_name;    ///< in which it says what became of the core
+    port::SafeState safe_state;  ///< of the port that was opened before the two processes part
+    std::string segment_name;    ///< where the guard says what became of the core
     std::string group;
 };
 
@@ -23,10 +23,10 @@ struct GuardDuty {
 ///           writes the safe state when the core is gone or has not ticked for half a second
 ///           <───────────── a pipe each way, that closes when its writer is gone ─────────────>
 ///
-/// The core leads a process group of its own: a terminal and a shell reach it by the guard alone.
-/// Comes back in the core with the link to its guard. In the guard it comes back when all is over, with the
-/// exit code: the core's own, or 128 + the signal that killed it. Needs no real-time rights: it sleeps until
-/// something happens. An error: there is no guard, and no second process.
+/// The core leads a process group of its own: a terminal and a shell reach it by the guard alone. Returns in
+/// the core with the link to its guard. Returns in the guard when all is over, with the exit code: the core's
+/// own, or 128 + the signal that killed it. The guard needs no real-time rights: it sleeps until something
+/// happens. An error: there is no guard, and no second process.
 Result<std::variant<GuardLink, int>> part_from_guard(const GuardDuty& duty);
 
 }  // namespace psicarve::guard

@@ -8,7 +8,7 @@
 
 namespace psicarve::guard {
 
-/// Whether somebody who counts up again and again has not done so for too long.
+/// Whether a counter that should grow has stood still for too long.
 class Silence {
 public:
     using Time = std::chrono::steady_clock::time_point;
@@ -20,8 +20,8 @@ private:
     std::chrono::nanoseconds length_{};
 };
 
-/// The core's side of what ties it to its guard. That the core is gone the guard learns from the pipe that
-/// closes with it, whatever it dies of. Move-only.
+/// The core's link to its guard. However the core dies, the guard learns of it from the pipe that closes
+/// then. Move-only.
 class GuardLink {
 public:
     /// Takes both descriptors: `from_guard` closes when the guard ends, `to_guard` with us.
@@ -34,10 +34,11 @@ public:
     void note_tick() noexcept { page_.note_tick(); }
     void set_ticking(bool is_ticking) noexcept { page_.set_ticking(is_ticking); }
 
-    /// The tick. True once for each time that the guard has made the port safe under us. RT: yes.
+    /// For the tick: true once for each time that the guard has made the port safe behind the core's back.
+    /// RT: yes.
     bool guard_has_acted() noexcept;
-    /// Supervisor, again and again. Asks, does not wait: it is dead, or has not looked at us for a long time,
-    /// as one that is stopped.
+    /// For the supervisor, repeatedly; does not wait. True: the guard is dead, or has not looked at the core
+    /// for a long time, as when it is stopped.
     bool is_guard_lost(Silence::Time now) noexcept;
 
 private:

@@ -8,8 +8,8 @@
 
 namespace psicarve::guard {
 
-/// A word or two that core and guard share: memory of theirs alone, made before they part. Neither waits for
-/// the other. Move-only.
+/// The counters that core and guard share: memory of these two processes alone, made before they part.
+/// Neither waits for the other. Move-only.
 class GuardPage {
 public:
     static Result<GuardPage> make();
@@ -17,18 +17,18 @@ public:
     GuardPage& operator=(GuardPage&&) = delete;
     ~GuardPage();
 
-    /// The core's tick: it lives. RT: yes.
+    /// The core's tick says that it lives. RT: yes.
     void note_tick() noexcept { words_->ticks.fetch_add(1, std::memory_order_relaxed); }
-    /// Ticks come from now on, or none will: whether silence means anything.
+    /// Says that ticks come from now on, or that none will: whether silence means a fault.
     void set_ticking(bool is_ticking) noexcept { words_->is_ticking.store(is_ticking ? 1 : 0); }
     bool is_ticking() const noexcept { return words_->is_ticking.load() != 0; }
     std::uint64_t ticks() const noexcept { return words_->ticks.load(std::memory_order_relaxed); }
 
-    /// The guard: the port is put into its safe state under a core that does not tick.
+    /// The guard says that it has put the port into its safe state because the core does not tick.
     void note_act() noexcept { words_->acts.fetch_add(1); }
     std::uint32_t acts() const noexcept { return words_->acts.load(std::memory_order_acquire); }
 
-    /// The guard: it lives.
+    /// The guard says that it lives.
     void note_look() noexcept { words_->looks.fetch_add(1, std::memory_order_relaxed); }
     std::uint64_t looks() const noexcept { return words_->looks.load(std::memory_order_relaxed); }
 

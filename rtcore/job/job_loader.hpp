@@ -14,26 +14,27 @@
 
 namespace psicarve::supervisor {
 
-/// Copies a published job out of the segment and checks it, which takes half a second with a hundred
-/// megabytes: in a thread of its own, so that nobody who wants something else of the supervisor waits for it.
-/// One at a time. The supervisor's thread, all methods.
+/// Copies a published job out of the segment and checks it, which takes half a second for a hundred
+/// megabytes: in a thread of its own, so that no other request to the supervisor waits for it. One at a time.
+/// The supervisor's thread calls all methods.
 class JobLoader {
 public:
-    /// `has_thread` false: begin() does it all, as on the virtual clock, where time waits.
+    /// `has_thread` false: begin() does it all, as on the virtual clock, which stands still meanwhile.
     JobLoader(const Profile& profile, bool has_thread);
 
-    /// What came of a look. Neither job nor reason: nothing was there to be taken, or publishers were faster.
+    /// The result of a look. Neither job nor reason: there was no job to take, or publishers were faster.
     struct Outcome {
         std::uint64_t generation = 0;
-        bool is_published = false;  ///< false: nobody published that generation, its word is damaged
+        bool is_published = false;  ///< false: no publisher wrote that generation, its word is damaged
         std::shared_ptr<const LoadedJob> job;
         std::string refusal;
     };
-    /// Requires that it is not busy. `generation`: of the published job as it was seen, should it be damaged.
+    /// Requires that it is not busy. `generation`: of the published job as it was seen, for a report if it is
+    /// damaged.
     void begin(std::shared_ptr<Segment> segment, std::uint64_t known_generation, std::uint64_t generation);
     /// From begin() until its outcome was taken.
     bool is_busy() const noexcept { return is_busy_; }
-    /// Once it is there.
+    /// Nothing until the look is done.
     std::optional<Outcome> take_outcome();
 
 private:

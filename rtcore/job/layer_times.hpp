@@ -17,18 +17,18 @@ namespace psicarve::supervisor {
 /// "layer,seconds": when each of a job's layers is over as planned, counted from the job's first point.
 std::string layer_times_csv(const plan::JobEstimate& estimate, const JobView& job);
 
-/// That into a file, whose content goes, or into a descriptor's (/proc/self/fd/N).
+/// Writes that into a file, replacing its content, or into a descriptor's (/proc/self/fd/N).
 Result<void> write_layer_times(const std::string& path, const plan::JobEstimate& estimate,
                                const JobView& job);
 
-/// Has them written beside the supervisor's thread, which waits for no disk.
+/// Writes the layer times in another thread than the supervisor's, which waits for no disk.
 class LayerTimesFile {
 public:
-    /// `path` empty: nobody asks. `files`, which writes, outlives this.
+    /// `path` empty: writes nothing. `files`, the thread that writes, outlives this.
     LayerTimesFile(std::string path, rtcore::SideThread& files) : path_(std::move(path)), files_(&files) {}
 
-    /// Again and again, with what is known of the job at hand; null: nothing yet. True once the times are
-    /// written, were refused, or wait for a disk that hangs: then whoever asks may be told that they are
+    /// Call it repeatedly, with the estimate of the job at hand; null: none yet. True once the times are
+    /// written, were refused, or wait for a disk that hangs: then the supervisor may report that they are
     /// known.
     bool tell(const std::shared_ptr<const plan::JobEstimate>& estimate,
               const std::shared_ptr<const LoadedJob>& job);

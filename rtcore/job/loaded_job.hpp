@@ -19,11 +19,11 @@ struct LoadedJob {
     std::uint64_t checksum;  ///< XXH3 over the blob
     std::vector<std::byte> blob;
     JobView view;
-    std::string remark;  ///< what is to be known of it before it is carved; mostly nothing
+    std::string remark;  ///< what the operator should know before it is carved; mostly empty
 };
 
-/// Checks a blob against everything: its own structure, the machine's limits, and the profile it was made
-/// for. A job made for another machine is refused with the keys that differ.
+/// Checks a blob completely: its own structure, the machine's limits, and the profile it was made for.
+/// Refuses a job made for another machine, with the keys that differ.
 Result<std::shared_ptr<const LoadedJob>> load_job(std::vector<std::byte> blob, std::uint64_t generation,
                                                   const Profile& core_profile);
 

@@ -18,7 +18,7 @@
 
 namespace psicarve::supervisor {
 
-/// What a core says of itself when it begins.
+/// What a core records of itself when it begins.
 struct JournalStart {
     JournalPlace place;
     std::uint64_t profile_hash = 0;
@@ -26,24 +26,24 @@ struct JournalStart {
     bool is_virtual_clock = false;
 };
 
-/// Writes down what happens to the machine, for whoever asks after this core is gone. A thread of its own
-/// writes; whoever notes something never waits for it. Without a folder it does nothing. One owner's thread.
+/// Writes down what happens to the machine, for readers after this core has ended. A thread of its own
+/// writes; the caller never waits for it. Without a folder it does nothing. Used by one thread.
 class Journal {
 public:
     explicit Journal(const JournalStart& start);
 
-    /// Every report of the tick. `sample`: no older than it; `job`: the one at hand, or null.
+    /// Call it for every report of the tick. `sample`: no older than it; `job`: the current one, or null.
     void note_report(const cycle::Report& report, const cycle::Sample& sample, const LoadedJob* job);
-    /// Before the sender is told: afterwards it may be gone.
+    /// Call it before the sender gets the answer: afterwards the sender may be gone.
     void note_answer(const ReceivedCommand& received, AnswerKind kind, const std::string& reason,
                      std::uint64_t tick);
-    /// A published job became the one at hand.
+    /// A published job became the current one.
     void note_job(const LoadedJob& job, std::uint64_t tick);
     void note_refused_job(const std::string& reason, std::uint64_t tick);
-    /// Every round.
+    /// Call it every round.
     void note_round(const cycle::Sample& sample);
-    /// The last thing: nothing is written behind it. Waits until all is, but no longer than a SideThread does
-    /// for a disk that hangs.
+    /// The last call: nothing is written after it. Waits until all is written, but only as long as a
+    /// SideThread does for a disk that hangs.
     void note_end(const cycle::Sample& sample);
 
 private:
@@ -55,7 +55,7 @@ private:
     void tell_missed(const cycle::Sample& sample);
     bool may_put(JournalKind kind) noexcept;
 
-    /// With the thread, which may outlive this; null: nothing is kept, or no more.
+    /// shared with the thread, which may outlive this; null: nothing is kept, or no longer
     std::shared_ptr<JournalDesk> desk_;
     std::array<JournalAllowance, kJournalKindCount> allowances_;
     MachineState state_ = MachineState::off;

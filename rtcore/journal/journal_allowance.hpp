@@ -8,8 +8,8 @@
 
 namespace psicarve::supervisor {
 
-/// How many records of a kind may be written: so many at once, and then one in each interval. What is too
-/// much is counted, and told of at most once a minute: a flood cannot push out what happened before it.
+/// Limits the records of a kind: a burst of so many, and then one in each interval. The others are counted,
+/// and the count is recorded at most once a minute: so a flood cannot push out what happened before it.
 class JournalAllowance {
 public:
     using Time = std::chrono::steady_clock::time_point;
@@ -17,7 +17,7 @@ public:
     static constexpr std::chrono::seconds kInterval{10};
     static constexpr std::chrono::seconds kTellingInterval{60};
 
-    /// False: it is counted instead.
+    /// False: the record is counted instead of written.
     bool take(Time now) noexcept {
         if (begun_ == Time{}) begun_ = now;
         const auto regained = static_cast<std::uint64_t>((now - begun_) / kInterval);
@@ -30,14 +30,14 @@ public:
         --left_;
         return true;
     }
-    /// How many were left out since it was told last, when it is time to tell; else 0.
+    /// How many were left out since the last report, when the next report is due; else 0.
     std::uint64_t take_left_out(Time now) noexcept {
         if (left_out_ == 0) return 0;
         if (told_ != Time{} && now - told_ < kTellingInterval) return 0;
         told_ = now;
         return std::exchange(left_out_, 0);
     }
-    /// All of them, at the end.
+    /// How many were left out, due or not: for the end.
     std::uint64_t take_rest() noexcept { return std::exchange(left_out_, 0); }
 
 private:

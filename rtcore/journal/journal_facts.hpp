@@ -11,12 +11,12 @@
 
 namespace psicarve::supervisor {
 
-/// Which axis, what the sensors said and where all stood.
+/// Which axis, what the sensors showed and where all axes stood.
 JournalFacts facts_of_alarm(const cycle::Report& report);
-/// What was asked for, in numbers as they were sent, and by whom. Trusts nothing in it.
+/// The command's numbers as they were sent, and its sender. Trusts none of them.
 JournalFacts facts_of_command(const ReceivedCommand& received);
 JournalFacts facts_of_job(const LoadedJob& job);
-/// How far the job at hand has come.
+/// Adds how far the current job has come.
 void add_progress(JournalFacts& facts, const cycle::Sample& sample);
 
 }  // namespace psicarve::supervisor

@@ -8,8 +8,8 @@
 
 namespace psicarve::supervisor {
 
-/// The core's own profile: the built-in one for an empty path, else a TOML file, or a job or snapshot file
-/// whose profile is meant.
+/// The core's own profile: the built-in one for an empty path, else a TOML file, or the profile in a job or
+/// snapshot file.
 Result<Profile> load_core_profile(const std::string& path);
 
 }  // namespace psicarve::supervisor

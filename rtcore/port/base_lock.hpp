@@ -9,26 +9,27 @@
 
 namespace psicarve::port {
 
-// What keeps two cores from one port that no driver has. A lock is a descriptor: it is this process's and
-// that of those that inherit it, and goes with the last of them, however they end.
+// Locks that keep two cores from one port that no driver has claimed. A lock is a descriptor: it belongs to
+// this process and to those that inherit it, and ends with the last of them, however they end.
 
-/// Locks so many bytes of a device at which nobody is let who may not use the port anyway (/dev/port: its
-/// bytes are the addresses). Nothing: it is not there, or we are not let at it. Refused with who has it.
+/// Locks `count` bytes of a device that only processes with the right to the port can open (/dev/port: its
+/// bytes are the addresses). Nothing: the device is not there, or we may not open it. A refusal names the
+/// holder.
 Result<std::optional<int>> lock_range(const std::string& device, std::uint16_t first, std::uint16_t count);
 
-/// A name that the kernel gives to one process at a time (shared/computer/abstract_name.hpp), whatever it may
-/// open. Refused with who has it.
+/// Takes a name that the kernel gives to one process at a time (shared/computer/abstract_name.hpp), whatever
+/// files that process may open. A refusal names the holder.
 Result<int> lock_name(const std::string& name);
 
-// The kernel's claim of a port says that somebody has it, not who; and what other users' processes have open
-// nobody may look up. So whoever has claimed a device signs it: a lock of one byte far behind whatever it
-// holds, which keeps nobody out, and of which the kernel tells every user whose it is. It is of the process
-// that signs alone, and goes with it.
+// The kernel's claim of a port shows that a process has it, but not which; and no user may look up what other
+// users' processes have open. So a core that has claimed a device signs it: it locks one byte far behind its
+// other locks, which keeps no process out, and whose holder the kernel tells every user. The lock belongs to
+// the signing process alone, and ends with it.
 
-/// Whether it worked or not, the port is ours.
+/// The port is ours whether signing worked or not.
 void sign_device(int descriptor) noexcept;
 
-/// "psicarve-rtcore (pid 4711)"; empty: nobody has signed, or it is none of those that we may know of.
+/// "psicarve-rtcore (pid 4711)"; empty: unsigned, or by a process that we may not see.
 std::string signer_of(int descriptor);
 
 }  // namespace psicarve::port

@@ -7,15 +7,15 @@
 
 namespace psicarve::port {
 
-/// From here on every signal that would end the process writes the safe state of the port that is watched
-/// over, if any, and then ends the process as it would have. Before anybody else handles SIGBUS, so that what
-/// they do not want comes here. SIGKILL cannot be handled.
+/// From here on every signal that would end the process writes the safe state of the watched port, if there
+/// is one, and then ends the process as it would have. Call it before any other code handles SIGBUS, so that
+/// faults which that code passes on arrive here. SIGKILL cannot be handled.
 void handle_fatal_signals();
 
-/// The one port of this process; nothing: there is none any more.
+/// Sets the one port to watch; nothing: there is none any more.
 void watch_over(const std::optional<SafeState>& safe_state) noexcept;
 
-/// The process is about to end by a signal: nobody writes to the port but the signal's handler. RT: yes.
+/// The process is about to end by a signal: only the signal's handler writes to the port. RT: yes.
 bool fatal_signal_came() noexcept;
 
 }  // namespace psicarve::port

@@ -13,11 +13,11 @@
 namespace psicarve::port {
 
 /// A real port that this process, and no other core, has for itself; in its safe state since it was opened.
-/// Whoever holds it may hand SafeState(access(), pin map) to a process that inherits from this one. At its
-/// end the port is given back as it stands.
+/// Its owner may hand SafeState(access(), pin map) to a process that inherits from this one. The destructor
+/// gives the port back as it stands.
 class OpenPort {
 public:
-    /// Takes the descriptors: what keeps others out of the port.
+    /// Takes the descriptors, which keep other processes out of the port.
     OpenPort(std::vector<int> descriptors, const PortAccess& access, std::string name) noexcept
         : descriptors_(std::move(descriptors)), access_(access), name_(std::move(name)) {}
     OpenPort(OpenPort&& other) noexcept
@@ -35,7 +35,7 @@ public:
     const std::string& modes() const noexcept { return modes_; }
     void note_modes(std::string modes) { modes_ = std::move(modes); }
 
-    /// This one's way to the registers, and whatever keeps others out of the other, too.
+    /// Keeps this port's access to the registers, and also holds the locks of the other.
     void keep(OpenPort&& other);
 
 private:
@@ -45,8 +45,8 @@ private:
     std::string modes_;
 };
 
-/// Opens a real port for this process alone and writes its safe state, for some seconds if it does not take
-/// it at once, or says why not. Signals that would end the process wait meanwhile.
+/// Opens a real port for this process alone and writes its safe state, retrying for some seconds, or says why
+/// not. Signals that would end the process are held back meanwhile.
 Result<OpenPort> open_port(const PortAddress& address, const PinMap& pin_map);
 
 }  // namespace psicarve::port

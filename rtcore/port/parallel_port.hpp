@@ -13,8 +13,8 @@
 
 namespace psicarve::port {
 
-/// A real parallel port. Writes only registers that change, none with an edge sooner than the drivers' times
-/// allow, and the safe state last of all:
+/// A real parallel port. Writes only registers that change, no edge sooner than the drivers' times allow,
+/// and, as its last write, the safe state:
 ///
 ///     healthy ──an access fails──> silent ──the safe state is taken──> safe ──take_up_again()──> healthy
 ///                                    ^ └── try_safe_state() each tick     │
@@ -23,8 +23,8 @@ namespace psicarve::port {
 /// RT: yes, all but construction and destruction.
 class ParallelPort final : public Port {
 public:
-    /// The port holds the safe state already, as open_port() leaves it. `patience`: how long the end goes on
-    /// trying when the hardware does not take the safe state; nobody does after it but a guard.
+    /// The port holds the safe state already, as open_port() leaves it. `patience`: how long the destructor
+    /// keeps trying when the hardware does not take the safe state; after it only a guard can.
     ParallelPort(OpenPort open, const PinMap& pin_map, const PulseTimes& pulse_times,
                  std::chrono::milliseconds patience);
     ~ParallelPort() override;
@@ -32,7 +32,7 @@ public:
     ParallelPort& operator=(const ParallelPort&) = delete;
 
     SignalWord read_inputs(std::int64_t time_ns) noexcept override;
-    /// Waits first, where a step or a direction would change too soon.
+    /// Waits first where a step or a direction would change too soon.
     void write_outputs(SignalWord levels, std::int64_t time_ns) noexcept override;
     void forget_written() noexcept override { is_in_doubt_ = true; }
     /// Spins: a sleep would take longer than a pulse.

@@ -13,9 +13,9 @@ inline constexpr std::uint16_t kControlOffset = 2;
 /// What is read at an address where no device answers.
 inline constexpr std::uint8_t kNothingThere = 0xff;
 
-/// The registers of a parallel port that is open already, by a descriptor or by an address. It owns nothing:
-/// a plain value that any thread may use, a signal handler too, and any process that has the descriptor or
-/// the right to the addresses. RT: yes; one system call or one bus access each.
+/// The registers of an open parallel port, by a descriptor or by an address. It owns nothing: a plain value
+/// that any thread may use, a signal handler too, and any process that has the descriptor or the right to the
+/// addresses. RT: yes; one system call or one bus access each.
 class PortAccess {
 public:
     /// A descriptor of /dev/parportN with the port claimed.
@@ -34,14 +34,14 @@ private:
     std::uint16_t base_;
 };
 
-/// What makes a port harmless, whoever writes it: spindle off, drives off, steps low.
+/// The safe state of a port, for any process to write: spindle off, drives off, steps low.
 class SafeState {
 public:
     SafeState(const PortAccess& access, const PinMap& pin_map) noexcept
         : access_(access), registers_(pin_map.encode(0)) {}
 
-    /// Both registers, whatever they held; the second one even when the first one failed. May be called from
-    /// a signal handler, and by another process than the one that opened the port.
+    /// Writes both registers, whatever they held; the second one even when the first one failed. May be
+    /// called from a signal handler, and by another process than the one that opened the port.
     bool write() const noexcept {
         const bool is_data_safe = access_.write(PortRegister::data, registers_.data);
         const bool is_control_safe = access_.write(PortRegister::control, registers_.control);

@@ -10,7 +10,7 @@ namespace psicarve::port {
 
 enum class PortKind : std::uint8_t { simulated, ppdev, raw };
 
-/// What --port says.
+/// The port that --port names.
 struct PortAddress {
     PortKind kind = PortKind::simulated;
     std::string device;      ///< ppdev: the path
@@ -19,9 +19,9 @@ struct PortAddress {
     bool is_simulated() const noexcept { return kind == PortKind::simulated; }
 };
 
-/// "sim", "ppdev:/dev/parport0" or "io:0x378". Says nothing about whether there is such a port.
+/// Reads "sim", "ppdev:/dev/parport0" or "io:0x378". Does not check whether there is such a port.
 Result<PortAddress> parse_port_address(const std::string& text);
-/// As parse_port_address() reads it.
+/// The text that parse_port_address() reads back.
 std::string port_text(const PortAddress& address);
 
 }  // namespace psicarve::port

@@ -9,9 +9,9 @@
 
 namespace psicarve::port {
 
-/// Opens and claims /dev/parportN for this process alone, its data lines driven and its safe state written:
-/// claiming switches things on (docs/hardware.md). Once it is claimed, what is refused is left safe, too, as
-/// far as it takes that.
+/// Opens and claims /dev/parportN for this process alone, with its data lines driven and its safe state
+/// written: claiming switches outputs on (docs/hardware.md). A port that is refused after the claim is left
+/// in its safe state, too, if the hardware takes it.
 Result<OpenPort> open_ppdev(const std::string& device, const PinMap& pin_map);
 
 /// "SPP, PS/2, EPP": what a port can do, by the kernel's PARPORT_MODE bits.

@@ -10,8 +10,9 @@
 
 namespace psicarve::port {
 
-/// A driver's times on the clock that it lives by. Ticks keep them by their count alone: one whose write was
-/// delayed, however, is followed by one that comes on time, and what lies between two edges is what lies
+/// Keeps a driver's times on the clock of the hardware. Ticks keep them by their count alone; but a tick
+/// whose write was delayed is followed by one on time, and the time between two edges is the time between two
+/// writes.
 /// between two writes.
 ///
 ///     tick      |----------|----------|
@@ -27,18 +28,18 @@ public:
           setup_ns_(port.dir_setup_ns),
           hold_ns_(port.dir_hold_ns) {}
 
-    /// Whether such a write has edges that count.
+    /// Whether this change has edges that the driver times.
     static bool has_edges(SignalWord from, SignalWord to) noexcept {
         return ((from ^ to) & (kStepMask | kDirMask)) != 0;
     }
-    /// Not before this may `to` follow `from` on the pins. At any time where nothing is enabled any more:
+    /// The earliest time at which `to` may follow `from` on the pins. At once where nothing stays enabled:
     /// what makes a machine safe does not wait.
     std::int64_t earliest_ns(SignalWord from, SignalWord to) const noexcept;
-    /// `to` stands on the pins, since `now_ns` at the latest.
+    /// Notes that `to` stands on the pins, since `now_ns` at the latest.
     void note(SignalWord from, SignalWord to, std::int64_t now_ns) noexcept;
 
 private:
-    // So long ago that adding a time overflows nothing.
+    // So long ago that adding a time to it cannot overflow.
     static constexpr std::int64_t kLongAgo_ns = std::numeric_limits<std::int64_t>::min() / 2;
     struct Edges {
         std::int64_t rose_ns = kLongAgo_ns;

@@ -9,15 +9,15 @@
 
 namespace psicarve::port {
 
-/// Where the kernel shows what it has; tests have places of their own.
+/// Where the kernel lists its ports; tests have other places.
 struct KernelPlaces {
     std::string proc = "/proc";
     std::string dev = "/dev";
 };
 
 /// Opens the addresses of a parallel port to this thread and those that it starts: only where the kernel
-/// lists one, or at one of the three classic bases. Where the kernel has a driver for it, it is claimed there
-/// as well, so that nobody else gets it. Nothing of the port is touched before the locks of its base are
+/// lists one, or at one of the three classic bases. Where the kernel has a driver for it, the port is claimed
+/// there as well, so that no other program gets it. The port is not touched before the locks of its base are
 /// ours; its safe state is written.
 Result<OpenPort> open_raw(std::uint16_t base, const PinMap& pin_map, const KernelPlaces& places = {});
 

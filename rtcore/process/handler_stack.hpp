@@ -6,8 +6,8 @@
 
 namespace psicarve::rtcore {
 
-/// While it lives, a fatal signal of this thread is handled on a stack of its own: the thread's may be full,
-/// which is what the signal says. The handler of fatal signals runs there alone.
+/// While it lives, the handler of fatal signals runs on a stack of its own for this thread: the thread's own
+/// stack may be full, and that may be the fault. Nothing else runs on that stack.
 class HandlerStack {
 public:
     HandlerStack();

@@ -7,8 +7,8 @@
 
 namespace psicarve::rtcore {
 
-/// What waits for somebody to take it; a newer one takes the place of an older. Any thread, no locks. Not for
-/// the tick.
+/// Holds one thing until a reader takes it; a newer one replaces an older. Any thread, no locks. Not for the
+/// tick.
 template <typename T>
 class Newest {
 public:
@@ -17,7 +17,7 @@ public:
     Newest& operator=(const Newest&) = delete;
     ~Newest() { take(); }
 
-    /// False: another waited, and whoever was told of that one takes this instead.
+    /// False: it replaced one that waited, and the reader that was told of that one takes this instead.
     bool put(T thing) {
         const std::unique_ptr<T> before{waiting_.exchange(new T{std::move(thing)})};
         return before == nullptr;

@@ -9,13 +9,14 @@
 
 namespace psicarve::supervisor {
 
-/// Makes the folder, and those above it, for everybody to look into, whatever the umask; one that is there
-/// stays as it is. Where another user could put something else into its place nothing is changed of what
-/// stands there: then the umask has its way.
+/// Makes the folder, and those above it, readable for all users, whatever the umask; a folder that exists
+/// stays as it is. Where another user could replace what stands there, it changes no rights: then the umask
+/// decides.
 Result<void> make_state_folder(const std::string& folder);
 
-/// By root, for a user who may not: only where nobody but root can put something else into its place, and
-/// only what this call has made becomes that user's. Elsewhere nothing: the user makes it, or cannot.
+/// Root calls it for a user who may not make the folder: only where nobody but root can replace it, and only
+/// what this call has made is given to that user. Elsewhere it does nothing: the user makes the folder, or
+/// cannot.
 void make_state_folder_for(const std::string& folder, uid_t user, gid_t group);
 
 }  // namespace psicarve::supervisor

@@ -5,11 +5,11 @@
 
 namespace psicarve::rtcore {
 
-/// "psicarve-rtcore: LINE" on standard error. Waits as long as whoever reads it lets it.
+/// Writes "psicarve-rtcore: LINE" to standard error. Waits as long as the reader lets it.
 void say(std::string_view line) noexcept;
 
-/// The same, but what cannot be said at once is not said: nobody's safety waits for a reader. Only a regular
-/// file on a disk that hangs makes it wait.
+/// The same, but drops the line when it cannot be written at once: safety must not wait for a reader. Only a
+/// regular file on a disk that hangs makes it wait.
 void try_to_say(std::string_view line) noexcept;
 
 }  // namespace psicarve::rtcore

@@ -6,7 +6,7 @@
 
 namespace psicarve::rtcore {
 
-/// The machine's own clock: CLOCK_MONOTONIC, which nobody can set. RT: yes; sleeping is the tick's one
+/// The machine's own clock: CLOCK_MONOTONIC, which no program can set. RT: yes; sleeping is the tick's one
 /// system call.
 class RealClock {
 public:
@@ -15,8 +15,8 @@ public:
     void sleep_until_ns(std::int64_t deadline_ns) const noexcept;
 };
 
-/// How long the computer has slept since it was started: what its clocks differ by, to a look's length at
-/// least. Nothing when the look was interrupted.
+/// How long the computer has slept since it was started: the difference between two of its clocks, exact to
+/// the time of one look. Nothing when the look was interrupted.
 std::optional<std::int64_t> slept_ns() noexcept;
 
 }  // namespace psicarve::rtcore

@@ -7,8 +7,7 @@
 
 namespace psicarve::supervisor {
 
-/// Watches the count of missed ticks for more than the profile allows in any second in which the machine
-/// moves.
+/// Watches whether more ticks are missed than the profile allows in any second in which the machine moves.
 class MissedTicks {
 public:
     using Time = std::chrono::steady_clock::time_point;
@@ -16,13 +15,13 @@ public:
     /// 0: never too many.
     explicit MissedTicks(std::int64_t allowed_per_s) noexcept : allowed_per_s_(allowed_per_s) {}
 
-    /// Again and again, with the count so far. True once the limit is passed; what led to it is forgotten
-    /// then, and at rest.
+    /// Call it repeatedly, with the count so far. True once the limit is passed; it then forgets the ticks
+    /// counted, and so it does at rest.
     bool is_too_many(std::uint64_t missed_ticks, bool moves, Time now) {
         const std::uint64_t missed = missed_ticks - missed_seen_;
         missed_seen_ = missed_ticks;
         if (!moves) return forget();
-        // Seen now, whenever it was: a gap may have held us up as well.
+        // It counts as missed now: a gap may have held up this caller as well.
         if (missed > 0) gaps_.push_back({now, missed});
         in_a_second_ += missed;
         while (!gaps_.empty() && now - gaps_.front().seen >= std::chrono::seconds{1}) {

@@ -12,7 +12,7 @@
 
 namespace psicarve::rtcore {
 
-/// Bins of one microsecond besides the coarse ones; the last also holds what came later still.
+/// Bins of one microsecond besides the coarse ones; the last also holds all later ticks.
 inline constexpr std::size_t kFineBins = 10'000;
 
 struct PeriodicReport {
@@ -50,7 +50,7 @@ public:
         if (lateness_ns < kNsPerBin) return 0;
         return std::min(static_cast<std::size_t>(lateness_ns / kNsPerBin), kFineBins - 1);
     }
-    /// Bin n holds 2^n .. 2^(n+1) ns; bin 0 also what came early, the last one also what came later still.
+    /// Bin n holds 2^n .. 2^(n+1) ns; bin 0 also ticks that came early, the last bin also all later ones.
     static std::size_t bin_of(std::int64_t lateness_ns) noexcept {
         if (lateness_ns < 2) return 0;
         const auto width = static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(lateness_ns)));
@@ -71,8 +71,8 @@ private:
 };
 
 struct PeriodicTick {
-    std::uint64_t tick;           ///< since the loop began; missed ones have numbers too
-    std::uint64_t missed_before;  ///< ticks left out since the last one that ran
+    std::uint64_t tick;           ///< since the loop began; missed ticks are numbered too
+    std::uint64_t missed_before;  ///< ticks skipped since the last one that ran
     std::int64_t lateness_ns;
     std::int64_t deadline_ns;  ///< on the loop's clock
 };
@@ -86,10 +86,10 @@ struct PeriodicOptions {
 ///     deadline     |----0----|----1----|----2----|----3----|----4----|
 ///     runs at       0         1 . . . . . . late . >3       4            tick 2 is missed, counted, gone
 ///
-/// Ticks are numbered by their deadline. One that comes late runs late; when whole deadlines have passed only
-/// the newest of them runs, the others are skipped and counted. Nothing is ever made up for: at most one step
-/// a period. What must lie between two edges on the pins is the port's business (PulseTimes). RT: yes, as far
-/// as `clock` and `step` are.
+/// Ticks are numbered by their deadline. A late tick runs late; when whole deadlines have passed only the
+/// newest of them runs, the others are skipped and counted. Nothing is made up for: at most one step a
+/// period. The port keeps the times between two edges on the pins (PulseTimes). RT: yes, as far as `clock`
+/// and `step` are.
 template <typename Clock, typename Step>
 void run_periodic(Clock& clock, const PeriodicOptions& options, PeriodicStats& stats, Step&& step) noexcept {
     std::int64_t deadline_ns = clock.now_ns();

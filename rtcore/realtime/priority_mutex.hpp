@@ -5,8 +5,8 @@
 
 namespace psicarve::rtcore {
 
-/// A mutex of this process alone whose holder runs at the priority of whoever waits for it. For
-/// std::scoped_lock. RT: yes, where a lock is allowed at all (schedule two-timer).
+/// A mutex of this process alone with priority inheritance: its holder runs at the priority of the thread
+/// that waits for it. For std::scoped_lock. RT: yes, where a lock is allowed at all (schedule two-timer).
 class PriorityMutex {
 public:
     PriorityMutex() noexcept {

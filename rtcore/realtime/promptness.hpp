@@ -3,9 +3,10 @@
 
 namespace psicarve::rtcore {
 
-/// Lets a thread that is waited for run at once when it wakes: before everything ordinary, after every tick.
-/// At the least real-time priority, while raised; without the right to it, or where the thread is a real-time
-/// one anyway, nothing changes. All by that thread. For short work: what takes long is done lowered.
+/// Lets a thread that others wait for run at once when it wakes: before all ordinary threads, after every
+/// tick. While raised it has the least real-time priority; without the right to it, or where the thread is a
+/// real-time one anyway, nothing changes. All calls come from that thread. For short work: lower it before
+/// long work.
 class Promptness {
 public:
     explicit Promptness(bool is_wanted) noexcept : is_possible_(is_wanted) {}

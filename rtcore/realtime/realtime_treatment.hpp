@@ -20,10 +20,11 @@ struct RealtimeWish {
     bool takes_any_cpu = false;  ///< false: an isolated one, when there is one
     int priority = kTickPriority;
     std::string lateness_path;  ///< empty: not written
-    bool is_needed = false;     ///< real hardware: nothing runs without what keeps the tick in time
+    bool is_needed = false;     ///< real hardware: the core refuses to run without what keeps the tick in
+                                ///< time
 };
 
-/// What of it everybody may know; zero on the virtual clock.
+/// What the core shows of it in the segment; zero on the virtual clock.
 struct RealtimeFacts {
     std::uint32_t asked = 0;  ///< bit by RealtimeStep
     std::uint32_t done = 0;
@@ -34,25 +35,26 @@ struct RealtimeFacts {
     bool has_rights() const noexcept { return (done & kNeededRealtimeSteps) == kNeededRealtimeSteps; }
 };
 
-/// The steps that make the tick come in time, in their order, and what came of them. Made before the core's
-/// parts, which are large; lives until the end.
+/// Takes the steps that make the tick come in time, in their order, and keeps their results. Made before the
+/// core's parts, which are large; lives until the end.
 class RealtimeTreatment {
 public:
     explicit RealtimeTreatment(const RealtimeWish& wish);
 
-    /// Once all that the tick touches has been made, before threads start.
+    /// Call it once all that the tick touches has been made, before threads start.
     void touch_memory();
-    /// In the thread that will tick. Says on standard error how everything went. False: it must not tick.
+    /// Call it in the thread that will tick. Reports all steps on standard error. False: the thread must not
+    /// tick.
     bool treat_this_thread();
-    /// Schedule two-timer: in the thread that interpolates, once the other ticks. Below it, beside it.
+    /// Schedule two-timer: call it in the thread that interpolates, once the other ticks. Sets it below the
+    /// tick, beside its processor.
     void treat_interpolation_thread() const;
-    /// The last thing before its first tick.
+    /// The last call before the first tick.
     void begin_counting();
 
-    /// Any thread, once treat_this_thread() has returned. Reads the kernel's counts now and then, not every
-    /// time.
+    /// Any thread, once treat_this_thread() has returned. Reads the kernel's counts only now and then.
     RealtimeFacts facts();
-    /// When the last tick is over: the file that was wished for. Schedule two-timer: of both its threads.
+    /// Call it after the last tick: writes the file asked for. Schedule two-timer: of both threads.
     void write_lateness(const rtcore::PeriodicStats& stats,
                         const rtcore::PeriodicStats& interpolation_stats) const;
 

@@ -13,7 +13,7 @@
 namespace psicarve::rtcore {
 
 /// One step of preparing for real time: what was tried, whether it worked, and what to do if not. A program
-/// goes on without; it is for its caller to say so, and to refuse real hardware.
+/// can go on without it; its caller reports that, and refuses real hardware.
 struct SetupStep {
     enum class Outcome : std::uint8_t { done, refused, not_asked };
     RealtimeStep step{};
@@ -22,12 +22,12 @@ struct SetupStep {
     std::string remedy;  ///< empty unless refused
 };
 
-/// For the whole process, before other threads start and before large sparse memory is mapped: heap that is
-/// never given back, pages locked that are there now, later ones when they are first touched.
+/// Prepares the whole process, before other threads start and before large sparse memory is mapped: the heap
+/// never returns memory, pages that are there now are locked, later ones when they are first touched.
 std::vector<SetupStep> set_up_process_memory();
 
-/// Every page of the heap so far, and of some in reserve, is there from now on. Before other threads start,
-/// after what the tick uses was made.
+/// Makes every page of the heap so far, and of a reserve, present from now on. Call it before other threads
+/// start, after what the tick uses was made.
 SetupStep touch_heap();
 
 /// Writes to every page of it without changing a byte, so that none of them faults later.
@@ -36,18 +36,19 @@ void touch_pages(void* begin, std::size_t bytes) noexcept;
 /// Whether this kernel is PREEMPT_RT. `root` stands before /sys and /proc.
 bool has_realtime_kernel(const std::string& root = {});
 
-/// The processor for the tick when none is named: the last of those that the kernel keeps free of everything
-/// else (isolcpus) and that this process may use; nothing when there is none. `root` stands before /sys.
+/// The processor for the tick when none is named: the last isolated one (isolcpus) that this process may use;
+/// nothing when there is none. `root` stands before /sys.
 std::optional<int> isolated_cpu(const std::string& root = {});
 
-/// The calling thread, and those that it starts from here on, leave this processor, as far as another is
+/// Moves the calling thread, and those that it starts from here on, off this processor, if another is
 /// allowed.
 void keep_off_cpu(int cpu) noexcept;
 
-/// For the calling thread: its stack touched, this processor alone (nothing: any), SCHED_FIFO at `priority`.
+/// Prepares the calling thread: touches its stack, binds it to this processor (nothing: any), sets SCHED_FIFO
+/// at `priority`.
 std::vector<SetupStep> set_up_realtime_thread(int priority, std::optional<int> cpu = std::nullopt);
 
-/// While it lives no processor falls into a sleep that it wakes from late: /dev/cpu_dma_latency, held open
+/// While it lives no processor enters a sleep state that it wakes from late: holds /dev/cpu_dma_latency open
 /// with 0.
 class WakeLatencyHold {
 public:

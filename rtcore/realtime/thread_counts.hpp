@@ -9,7 +9,7 @@
 
 namespace psicarve::rtcore {
 
-/// What the kernel counted of a thread.
+/// What the kernel counts for a thread.
 struct ThreadCounts {
     std::uint64_t minor_faults = 0;  ///< a page was not mapped, but in memory
     std::uint64_t major_faults = 0;  ///< a page came from the disk
@@ -20,8 +20,8 @@ struct ThreadCounts {
     ThreadCounts since(const ThreadCounts& before) const noexcept;
 };
 
-/// Of a thread of this process, read from /proc by any other: the thread itself makes no system call for it.
-/// Nothing when there is no such thread. `root` stands before /proc.
+/// Reads the counts of a thread of this process from /proc, in any other thread: the thread itself makes no
+/// system call for it. Nothing when there is no such thread. `root` stands before /proc.
 std::optional<ThreadCounts> counts_of_thread(pid_t thread, const std::string& root = {});
 
 }  // namespace psicarve::rtcore

@@ -8,12 +8,13 @@
 
 namespace psicarve::supervisor {
 
-/// A port whose inputs come from a recording while its outputs go to the port behind it: a replay shows the
-/// core the switches as they were. RT: yes.
+/// A port whose inputs come from a recording while its outputs go to the port behind it: in a replay the core
+/// sees the switches as they were. RT: yes.
 class RecordedInputsPort final : public port::Port {
 public:
-    /// `heeded`: inputs that are tripped, too, when they are so now. What a hand or a carriage does to a real
-    /// machine nobody has recorded; of a simulated one nothing, lest a replay differ from what was recorded.
+    /// `heeded`: inputs that count as tripped, too, when the port behind shows them so now: on a real
+    /// machine, where no recording knows what a hand or a carriage does today. None on a simulated machine,
+    /// lest a replay differ from what was recorded.
     RecordedInputsPort(std::unique_ptr<port::Port> behind, SignalWord heeded) noexcept
         : behind_(std::move(behind)), heeded_(heeded) {}
 

@@ -13,7 +13,7 @@
 
 namespace psicarve::supervisor {
 
-/// One thing that a recorded run's tick saw from outside.
+/// One event that reached the tick of a recorded run from outside.
 struct ReplayStep {
     enum class Kind : std::uint8_t { request, stop, emergency_stop, inputs, gap };
     std::uint64_t tick;  ///< counted from the beginning of the replay
@@ -27,8 +27,8 @@ struct ReplayStep {
     cycle::MotionOrder order;  ///< jog, jog_on, move
 };
 
-/// What a recorder holds, made ready to be applied again: from the first moment at which the machine was
-/// homed and at rest, to the last entry.
+/// The content of a recorder, ready to be applied again: from the first moment at which the machine was homed
+/// and at rest, to the last entry.
 struct ReplayScript {
     std::array<std::int64_t, kAxisCount> start_position_pulses{};
     SignalWord start_inputs = 0;
@@ -37,7 +37,7 @@ struct ReplayScript {
     std::uint64_t first_tick = 0;  ///< tick of the recorded run that is tick 0 here
 };
 
-/// Nothing when the recorder never saw the machine homed and at rest, or nothing after that.
+/// Nothing when the recorder never saw the machine homed and at rest, or holds nothing after that.
 std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>& records);
 
 }  // namespace psicarve::supervisor

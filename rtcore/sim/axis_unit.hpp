@@ -25,7 +25,7 @@ public:
     /// When settle() is due; kForeverNs at rest.
     std::int64_t settle_due_ns() const noexcept { return settle_due_ns_; }
     void settle() noexcept { come_to_rest(motor_.settle()); }
-    /// The mechanics move without a pulse.
+    /// Moves the mechanics without a pulse.
     void slip(std::int64_t pulses) noexcept;
 
     std::int64_t position_pulses() const noexcept { return load_pulses_.get(); }
@@ -46,7 +46,7 @@ private:
     Sensor sensor_;
     int direction_ = -1;
     bool enabled_ = false;
-    bool last_pulse_counts_ = false;  ///< followed, and its timing may still prove wrong
+    bool last_pulse_counts_ = false;  ///< the motor followed it, and its timing may still prove wrong
     bool at_stop_ = false;
     int last_direction_ = 0;  ///< of the last pulse
     std::int64_t direction_changed_ns_ = -kForeverNs;

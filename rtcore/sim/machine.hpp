@@ -16,10 +16,10 @@
 
 namespace psicarve::sim {
 
-/// The machine behind the connector of a simulated port. It sees register bytes in time and nothing of the
-/// core. Bit for bit the same for the same bytes at the same times. Every method but report() and
-/// position_pulses() belongs to one thread, the tick's; these two may be called from any (each number is
-/// whole, the set of them need not be of one instant). RT: yes, after construction.
+/// The machine behind the connector of a simulated port. It sees register bytes in time and nothing else of
+/// the core. The same bytes at the same times give bit for bit the same machine. Only one thread, the tick's,
+/// calls its methods, except report() and position_pulses(), which any may call (each number is whole, the
+/// set of them need not be of one instant). RT: yes, after construction.
 class Machine {
 public:
     explicit Machine(const SimConfig& config);
@@ -33,15 +33,15 @@ public:
     }
 
     SimReport report() const noexcept;
-    /// Where the axis really is.
+    /// The axis' true position.
     std::int64_t position_pulses(Axis axis) const noexcept { return axes_[index_of(axis)].position_pulses(); }
 
-    /// What the tips leave of a blank that stands on the table from here on.
+    /// Puts a blank on the table, from which the tips cut from here on.
     void set_workpiece(std::unique_ptr<Workpiece> workpiece) noexcept { workpiece_ = std::move(workpiece); }
     const Workpiece* workpiece() const noexcept { return workpiece_.get(); }
 
-    // Faults while it runs, besides those in its configuration. They act at once.
-    /// The axis' mechanics move by themselves.
+    // Faults set while it runs, besides those in its configuration. They act at once.
+    /// The axis' mechanics move without a pulse.
     void slip(Axis axis, std::int64_t pulses) noexcept;
     void set_sensor_fault(Axis axis, SensorFault fault) noexcept;
     /// An input shows this level, whatever the truth, until it is released.
@@ -51,7 +51,7 @@ public:
 private:
     struct RunningFault {
         InputFault fault;
-        std::int64_t start_ns;  ///< kForeverNs while its trigger has not come
+        std::int64_t start_ns;  ///< kForeverNs until its trigger comes
         int approach;           ///< the trigger lies in this direction: +1, -1
     };
 

@@ -22,10 +22,11 @@ namespace psicarve::sim {
 /// then it pulls in where it is.
 ///
 /// A rotor that learns of an acceleration from the pulses alone sets out late, and a motor with nothing to
-/// spare never makes up for it. That is the spring's weakness and not the motor's: so before the rotor falls
-/// it is asked whether any motion within the limits stays within an eighth of the slip (RotorReach, on what
-/// is remembered of the field). If one does the rotor takes it up. So a demand within the limits never
-/// stalls, however little there is to spare, and one beyond them does as soon as no motion is left.
+/// spare never makes up for it. That is a weakness of this spring model, not of the motor. So before the
+/// rotor falls out of step, RotorReach says, from what is remembered of the field, whether any motion within
+/// the limits stays within an eighth of the slip. If one does the rotor takes it up. So a demand within the
+/// limits never stalls, however little there is to spare, and one beyond them does as soon as no motion is
+/// left.
 ///
 /// Work is done at step edges alone; between them nothing is simulated. RT: yes.
 class Motor {
@@ -45,7 +46,7 @@ public:
 
     /// The drive was switched off: a rotor faster than start-stop coasts to rest. True when it ran past.
     bool release() noexcept { return comes_to_rest(false); }
-    /// It stands here now, at rest: a mechanical stop, or a slip.
+    /// Places the rotor here, at rest: a mechanical stop, or a slip.
     void put(std::int64_t pulses) noexcept;
 
     /// Where the motor is, in whole pulses.
@@ -62,7 +63,7 @@ private:
     bool take_up_another_motion() noexcept;
     bool comes_to_rest(bool is_held) noexcept;
 
-    /// Where the field was.
+    /// A past position of the field.
     struct Moment {
         std::int64_t time_ns;
         std::int64_t field_pulses;
@@ -72,7 +73,7 @@ private:
     MotorConfig config_;
     double spring_s_;  ///< T
     double room_pulses_;
-    std::int64_t moment_ns_;  ///< between two moments at least
+    std::int64_t moment_ns_;  ///< least time between two moments
     std::int64_t lead_ns_;    ///< how long before the first pulse a rotor may set out, within the room
     std::int64_t settle_ns_;
     std::int64_t field_pulses_;

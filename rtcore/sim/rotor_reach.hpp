@@ -8,12 +8,13 @@
 
 namespace psicarve::sim {
 
-/// Every state (position, speed) that a rotor may be in if it stays in a room around its field, carried from
-/// one moment to the next. Empty: no motion within the motor's limits does, so a real rotor has lost its
-/// field.
+/// The set of all states (position, speed) that a rotor can be in if it stays in a room around its field,
+/// carried from one moment to the next. Empty: no motion within the motor's limits stays there, so a real
+/// rotor has lost its field.
 ///
-/// Speeds within +-start_stop_pps change at will: a range of positions says it all. Faster states, upward and
-/// downward, are a convex polygon each; what starts from the slow ones joins the polygon's hull. RT: yes.
+/// Speeds within +-start_stop_pps change at will: a range of positions describes these states. Faster states,
+/// upward and downward, are a convex polygon each; states that start from the slow ones join the polygon's
+/// hull. RT: yes.
 class RotorReach {
 public:
     struct Room {
@@ -29,11 +30,11 @@ public:
 
     void start_at_rest(Room room) noexcept;
     void start_anywhere(Room room) noexcept;
-    /// Time passes, and the rotor is in the room at its end. Exact to accel * time^2 / 16 pulses.
+    /// Lets time pass; the rotor is in the room at its end. Exact to accel * time^2 / 16 pulses.
     void advance(double time_s, Room room) noexcept;
 
     bool is_empty() const noexcept { return !can_rest() && up_.size == 0 && down_.size == 0; }
-    /// Whether it may be no faster than start-stop.
+    /// Whether a state is left with a speed of at most start-stop.
     bool can_rest() const noexcept { return slow_.low <= slow_.high; }
     /// One of the states, well inside.
     State middle() const noexcept;
@@ -48,7 +49,7 @@ private:
         void add(State state) noexcept { at[size++] = state; }
         void take_hull() noexcept;
         void reduce() noexcept;
-        /// Keeps what lies where `pulses * state.pulses + pps * state.pps <= limit`.
+        /// Keeps the part where `pulses * state.pulses + pps * state.pps <= limit`.
         void clip(double pulses, double pps, double limit) noexcept;
     };
     Room advance_branch(Corners& branch, double sign, double time_s, Room room) const noexcept;

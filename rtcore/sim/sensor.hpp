@@ -13,7 +13,7 @@ class Sensor {
 public:
     Sensor(const SensorConfig& config, std::int64_t pulses_per_turn, std::int64_t start_pulses) noexcept;
 
-    /// Where the axis is now. True when what the contact shows may differ from before.
+    /// Tells it the axis' position. True when the contact may show something else than before.
     bool move_to(std::int64_t position_pulses, std::int64_t time_ns) noexcept;
     /// What the contact shows at `time_ns`: the truth, chatter after a change, or a fault.
     bool shows(std::int64_t time_ns) noexcept;

@@ -12,9 +12,8 @@
 
 namespace psicarve::sim {
 
-// The simulated machine in its own words: where things are, what its motors can do, how it is wired, what is
-// wrong with it. Positions are pulses in the profile's coordinates (zero and positive direction as in a
-// file).
+// The simulated machine's configuration: where things are, what its motors can do, how it is wired, its
+// faults. Positions are pulses in the profile's coordinates (zero and positive direction as in a file).
 
 enum class SensorKind : std::uint8_t { none, low_end, high_end, index };
 enum class SensorFault : std::uint8_t { none, never_trips, always_trips };
@@ -25,11 +24,12 @@ struct SensorConfig {
     std::int64_t edge_pulses = 0;
     std::int64_t width_pulses = 1;  ///< index: how far the table turns while it is tripped
     SensorFault fault = SensorFault::none;
-    std::int64_t bounce_ns = 0;                    ///< after each change the contact chatters for so long ...
-    std::int64_t bounce_half_period_ns = 100'000;  ///< ... and changes its mind every so often
+    std::int64_t bounce_ns = 0;                    ///< after each change the contact chatters for this time
+                                                   ///< ...
+    std::int64_t bounce_half_period_ns = 100'000;  ///< ... and toggles at this interval
 };
 
-/// What the motor on its axis can really do. See motor.hpp for what these mean.
+/// What the axis' motor can really do. motor.hpp explains the values.
 struct MotorConfig {
     double speed_pps = 0.0;
     double accel_pps2 = 0.0;
@@ -79,7 +79,7 @@ struct WiringConfig {
 
 inline constexpr std::int64_t kForeverNs = std::numeric_limits<std::int64_t>::max() / 2;
 
-/// An input that for a while does not show what it should: a pressed switch, a glitch, a chattering contact.
+/// An input that shows a wrong level for a while: a pressed switch, a glitch, a chattering contact.
 struct InputFault {
     Signal signal = Signal::estop;
     std::int64_t start_ns = 0;  ///< since the start of time, or after the trigger
@@ -88,7 +88,7 @@ struct InputFault {
     std::optional<Axis> trigger_axis;
     std::int64_t trigger_pulses = 0;
     std::int64_t duration_ns = kForeverNs;
-    bool level = true;                ///< what it shows: tripped, or not
+    bool level = true;                ///< the level it shows: tripped, or not
     std::int64_t half_period_ns = 0;  ///< > 0: it shows `level` and the truth in turns of this length
 };
 
@@ -113,8 +113,8 @@ struct SimConfig {
     const AxisConfig& axis(Axis which) const noexcept { return axes[index_of(which)]; }
 };
 
-// What the usual machine has to spare over its profile: a motor that is asked for no more than the profile
-// says must never stall, however the ticks fall.
+// What the usual machine has to spare over its profile: a motor that gets no more than the profile's demands
+// must never stall, however the ticks fall.
 inline constexpr double kSpeedReserve_ratio = 1.3;
 inline constexpr double kAccelReserve_ratio = 1.5;
 inline constexpr double kStartStopReserve_ratio = 1.3;
@@ -126,8 +126,8 @@ inline constexpr double kYStartOffSensor_mm = 5.0;
 /// The usual machine for a profile: heads, with their errors, and sensors where the profile says, mechanical
 /// stops an overtravel beyond, motors with the reserves above, drivers with exactly the profile's timing,
 /// wired as in [port.pins]. It starts with the heads in the middle of their travel, y a little off its
-/// sensor, psi a quarter turn before its index; all of it within its coordinates, so that homing finds
-/// nothing to correct.
+/// sensor, psi a quarter turn before its index; all of it within its coordinates, so that homing has nothing
+/// to correct.
 SimConfig sim_config_from_profile(const Profile& profile);
 
 }  // namespace psicarve::sim

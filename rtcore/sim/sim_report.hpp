@@ -24,7 +24,7 @@ struct AxisReport {
     std::uint64_t slipped_pulses = 0;       ///< distance between count and rotor when it fell out of step
     std::uint64_t crashes = 0;              ///< times it ran into a mechanical stop
     std::uint64_t pulses_lost_at_stop = 0;  ///< pulses into a stop
-    std::uint64_t sensor_changes = 0;       ///< of its own sensor, as the pin shows it
+    std::uint64_t sensor_changes = 0;       ///< of the axis' own sensor, as the pin shows it
 
     std::uint64_t timing_lost() const noexcept {
         return lost_dir_setup + lost_dir_hold + lost_step_high + lost_step_low;
@@ -33,7 +33,7 @@ struct AxisReport {
 
 struct SimReport {
     std::array<AxisReport, kAxisCount> axes;  ///< by Axis
-    std::int64_t spindle_on_ns = 0;           ///< of the turns that have ended
+    std::int64_t spindle_on_ns = 0;           ///< sum over the spindle's runs that have ended
     std::uint64_t spindle_starts = 0;
 
     const AxisReport& axis(Axis which) const noexcept { return axes[index_of(which)]; }

@@ -19,7 +19,7 @@ public:
     SignalWord outputs(std::uint8_t data, std::uint8_t control) const noexcept {
         return from_data_[data] | from_control_[control & 0xF] | always_on_;
     }
-    /// What is on whatever the registers say: drives whose enable is not wired.
+    /// Signals that are on whatever the registers say: drives whose enable is not wired.
     SignalWord always_on() const noexcept { return always_on_; }
     /// Pins that no input is wired to are low.
     std::uint8_t status(SignalWord inputs) const noexcept;
@@ -33,7 +33,7 @@ private:
     };
     std::array<SignalWord, 256> from_data_{};
     std::array<SignalWord, 16> from_control_{};
-    SignalWord always_on_ = 0;  ///< a drive whose enable input hangs in the air is on
+    SignalWord always_on_ = 0;  ///< a drive whose enable input is not connected is on
     std::array<InputPlace, kSignalCount> inputs_{};
 };
 

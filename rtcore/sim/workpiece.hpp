@@ -16,7 +16,7 @@
 
 namespace psicarve::sim {
 
-/// A cell of the blank's skin of which a tip took something, as somebody with a caliper finds it.
+/// A cell of the blank's surface that a tip has cut, as a caliper would measure it.
 struct Cut {
     double direction_deg;  ///< the workpiece direction of the cell's middle, 0 to 360
     double height_mm;      ///< its middle above the table
@@ -24,16 +24,17 @@ struct Cut {
     Axis head;             ///< whose tip went deepest
 };
 
-/// The blank on the simulated table and what the two tips leave of it. Tips are points; what one meets is
-/// gone, spindle or not. It goes by where carriages and table truly are, and by how the heads truly stand
-/// (HeadConfig): a machine that is not as its core believes carves another piece. cut() belongs to the tick's
-/// thread; the others may be called when it has ended, first_touch_pulses() at any time.
+/// The blank on the simulated table and what the two tips leave of it. Tips are points; they cut whether the
+/// spindle turns or not. It uses the true positions of carriages and table, and the true mounting of the
+/// heads (HeadConfig): a machine that differs from its core's profile carves another piece. cut() belongs to
+/// the tick's thread; the others may be called when it has ended, first_touch_pulses() at any time.
 class Workpiece {
 public:
     /// Nothing when there is no memory for a blank of this size.
     static std::unique_ptr<Workpiece> make(const SimConfig& config);
 
-    /// Carriages and table stand here now. RT: yes, but for a page fault where no tip has been before.
+    /// Tells it where carriages and table are now. RT: yes, but for a page fault where no tip has been
+    /// before.
     void cut(Axis head, const std::array<std::int64_t, kAxisCount>& positions_pulses) noexcept;
 
     /// From the table up, each height by direction.

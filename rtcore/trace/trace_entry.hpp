@@ -18,13 +18,13 @@ struct TraceEntry {
     SignalWord levels;
     Kind kind;
     std::uint32_t offset_ns;  ///< inside the tick
-    std::uint32_t token;  ///< kinds begin and end: whose recording; kind job: its generation's lower half,
-                          ///< then where it lies
+    std::uint32_t token;      ///< kinds begin and end: the recording's token; kind job: the lower half of its
+                              ///< generation, then its place in TraceThread
     std::array<std::int64_t, kAxisCount> position_pulses;  ///< kinds position and begin
 };
 
 inline constexpr std::size_t kTraceRingEntries = 65536;
-/// Written by the tick, read by whoever writes trace files.
+/// Written by the tick, read by the thread that writes trace files.
 using TraceRing = SpscRing<TraceEntry, kTraceRingEntries>;
 
 }  // namespace psicarve::trace

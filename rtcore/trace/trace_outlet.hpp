@@ -18,49 +18,50 @@
 
 namespace psicarve::supervisor {
 
-/// All traces of a run and the recording that goes on: empties the tick's ring into each. Never waits for a
-/// disk or a reader: each trace has a thread of its own. One thread's.
+/// Feeds all traces of a run and the current recording: empties the tick's ring into each. Never waits for a
+/// disk or a reader: each trace has a thread of its own. Used by one thread.
 class TraceOutlet {
 public:
-    /// What becomes of a pin change that a trace has no room for, as whoever reads it is slower than the
+    /// What happens to a pin change that a trace has no room for, because its reader is slower than the
     /// machine.
     enum class WhenFull : std::uint8_t {
-        loses,  ///< counted, and said
-        waits,  ///< in the tick's ring: its owner must let time stand still
+        loses,  ///< it is counted and reported
+        waits,  ///< it stays in the tick's ring: the ring's owner must stop the virtual clock
     };
     explicit TraceOutlet(WhenFull when_full = WhenFull::waits) : when_full_(when_full) {}
 
     Result<void> open(const std::vector<std::string>& paths, const trace::TraceStart& start);
     bool is_open() const noexcept { return !files_.empty(); }
 
-    /// The job that goes to the traces when the next one begins. One that they carry is not carried twice in
-    /// a row.
+    /// The job that goes to the traces when the next one begins. A job that a trace carries already is not
+    /// written twice in a row.
     void set_job(trace::TracedJob job) { job_ = std::move(job); }
 
     /// Takes the bytes of a recording; without bytes: it has ended.
     using RecordingTaker = std::function<void(std::uint32_t token, std::span<const std::uint8_t> bytes)>;
-    /// Whoever carries recordings to the processes that asked for them; nothing: nobody does any more.
+    /// The function that brings recordings to the processes that asked for them; nothing: no recording is
+    /// carried any more.
     void set_recording_taker(RecordingTaker taker);
-    /// What goes on is not carried any further.
+    /// Ends the current recording.
     void drop_recording() noexcept { const auto dropped = std::exchange(recording_, std::nullopt); }
 
-    /// Everything the ring holds now; `waits`: as far as there is room for it.
+    /// Takes all entries from the ring; with `waits`: as many as there is room for.
     void drain(trace::TraceRing& ring);
     void flush();
-    /// Nothing more comes; `lost_before`: so much was lost on the way here. Then wait_until_finished().
+    /// Ends the traces; `lost_before`: pin changes lost on the way here. Then call wait_until_finished().
     void finish(std::uint64_t end_tick, std::uint64_t lost_before = 0);
-    /// Of all of them; whether the limit passed first is asked again and again.
+    /// Waits for all traces; asks again and again whether the limit has passed.
     bool wait_until_finished(std::chrono::milliseconds limit);
-    /// Shrinks as long as somebody still takes what is written.
+    /// Entries not written yet: shrinks as long as the readers take what is written.
     std::size_t left() const noexcept;
     std::uint64_t written_bytes() const noexcept;
-    /// Those that have not finished are given up.
+    /// Gives up the traces that have not finished.
     void give_up();
 
     /// Pin changes that some trace had no room for.
     std::uint64_t lost() const noexcept { return lost_; }
-    /// A line for each trace that could not be written or lost something, the first time only, and what is
-    /// missing at the end.
+    /// A line for each trace that could not be written or lost something, the first time only, and the sum of
+    /// what is missing at the end.
     std::vector<std::string> take_errors();
 
 private:
@@ -70,7 +71,7 @@ private:
         std::uint64_t lost = 0;
         std::optional<std::uint64_t> carried_checksum{};  ///< of the last job in it
     };
-    /// The trace that another process asked for; its tick 0 is the one in which it was asked for.
+    /// The trace that another process asked for; its tick 0 is the tick of the request.
     struct Recording {
         std::uint32_t token;
         std::uint64_t first_tick;
@@ -86,7 +87,7 @@ private:
     WhenFull when_full_;
     std::vector<File> files_;
     std::vector<std::string> errors_;
-    std::optional<trace::TracedJob> job_;  ///< that would begin
+    std::optional<trace::TracedJob> job_;  ///< goes to the traces when its kind job entry comes
     std::uint64_t lost_ = 0;
     bool has_unflushed_ = true;  ///< at first the traces' heads
     std::int64_t period_ns_ = 0;

@@ -16,45 +16,45 @@
 
 namespace psicarve::trace {
 
-/// One trace, written by a low-priority thread of its own: a disk or a pipe's reader that stands still keeps
-/// nobody but this trace waiting, nor does a computer that is busy: there is no mutex for it to hold. All
-/// methods are those of the one thread that hands over entries.
+/// One trace, written by a low-priority thread of its own: when a disk or a pipe's reader stands still, or
+/// the computer is busy, only this trace waits; it has no mutex to hold. One thread calls all methods: the
+/// one that hands over entries.
 ///
 ///     tick ── TraceRing ──> supervisor ── TraceRing of each trace ──> its thread ── write() ──> file, pipe
 ///                                         full: room() says so
 class TraceThread {
 public:
     explicit TraceThread(std::unique_ptr<TraceWriter> writer);
-    /// Without finish() the trace is left without its end. Never waits long: what hangs is left to the end of
-    /// the process.
+    /// Without finish() the trace is left without its end. Waits briefly at most: a thread that hangs is left
+    /// to the end of the process.
     ~TraceThread();
     TraceThread(const TraceThread&) = delete;
     TraceThread& operator=(const TraceThread&) = delete;
 
     std::size_t room() const noexcept { return TraceRing::capacity() - shared_->ring.size(); }
-    /// False when there is no room. It is not written before wake().
+    /// False when there is no room. The entry may stay unwritten until wake().
     bool put(const TraceEntry& entry) noexcept { return shared_->ring.push(entry); }
-    /// Not too many jobs wait to be written.
+    /// True while few enough jobs wait to be written.
     bool takes_job() const noexcept { return !shared_->jobs[next_job_place_].is_full.load(); }
     /// False when there is no room, or not takes_job(). As put().
     bool put_job(const TracedJob& job) noexcept;
     void wake();
-    /// Also hand what has gathered to the operating system, once all is written.
+    /// Hands what has gathered to the operating system, too, once all is written.
     void flush();
 
-    /// Nothing more comes. A trace that is not whole is left without its end. Then wait, as often as need be.
+    /// Ends the trace; one that is not whole is left without its end record. Then wait, as often as needed.
     void finish(std::uint64_t end_tick, bool is_whole);
     bool wait_until_finished(std::chrono::milliseconds limit);
-    /// So much has not been written yet.
+    /// Entries not written yet.
     std::size_t left() const noexcept { return shared_->ring.size(); }
-    /// So much of what has been written was taken.
+    /// Bytes written that the operating system has taken.
     std::uint64_t written_bytes() const noexcept { return written_bytes_->load(std::memory_order_relaxed); }
 
     /// The first failed write, once.
     std::optional<Error> take_error();
 
 private:
-    /// The jobs among the ring's entries. Each place is the writer's while it is full.
+    /// The jobs among the ring's entries. Each place belongs to the writer while it is full.
     struct JobPlace {
         TracedJob job{};  ///< written before is_full
         std::atomic<bool> is_full{false};
@@ -63,8 +63,8 @@ private:
     struct Shared {
         std::array<JobPlace, kJobPlaces> jobs;
         TraceRing ring;
-        std::unique_ptr<TraceWriter> writer;  ///< the thread's
-        EventWord told;                       ///< of each of the following four
+        std::unique_ptr<TraceWriter> writer;  ///< used by the thread alone
+        EventWord told;                       ///< signals each of the following four
         std::atomic<bool> must_flush{false};
         std::atomic<bool> must_finish{false};
         std::atomic<bool> must_drop{false};

@@ -24,15 +24,15 @@ Finding check_swap(const SystemFiles& files);
 Finding check_hypervisor(const SystemFiles& files);
 /// `free_bytes` of /dev/shm; nothing: unknown.
 Finding check_shared_memory(std::optional<std::uint64_t> free_bytes);
-// port_checks.cpp: one for each device, or one that says there is none. `has_raw_access`: a core with --port
-// io:... is let at the addresses; then also one for each address where a core has a port, and where no device
-// can be driven one for each address that a core would take.
+// port_checks.cpp: one finding for each device, or one that says there is none. `has_raw_access`: a core with
+// --port io:... may access the addresses; then also one for each address at which a core drives a port, and,
+// where no device can be driven, one for each address that a core would take.
 std::vector<Finding> check_ports(const SystemFiles& files, bool has_raw_access);
-/// What the kernel says to a core with --port io:... Nobody has to have it who has a device that can be
-/// driven.
+/// Whether the kernel lets a core with --port io:... access the addresses. A user with a device that can be
+/// driven does not need that.
 Finding check_raw_access(const std::optional<RawRefusal>& refusal, bool has_device);
 
-/// All of them, in the order of the report.
+/// All checks, in the order of the report.
 std::vector<Finding> check_all(const SystemFiles& files);
 
 /// The worst verdict of them.

@@ -9,11 +9,11 @@ namespace psicarve::doctor {
 
 enum class Verdict : std::uint8_t { ok, warning, problem };
 
-/// One thing that was looked at before a machine is driven from this computer.
+/// The result of one check that is made before a machine is driven from this computer.
 struct Finding {
     std::string name;  ///< "locked memory"
     Verdict verdict = Verdict::ok;
-    std::string seen;     ///< what is there
+    std::string seen;     ///< what the check found
     std::string meaning;  ///< why it matters; empty when ok
     std::string remedy;   ///< what to do; empty when ok
 };

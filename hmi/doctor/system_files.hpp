@@ -9,14 +9,14 @@
 
 namespace psicarve::doctor {
 
-/// What the kernel tells about the computer in /proc, /sys and /dev, all below a root: "" is this computer, a
+/// The kernel's files about the computer in /proc, /sys and /dev, all below a root: "" is this computer, a
 /// folder is one that a test made up.
 class SystemFiles {
 public:
     explicit SystemFiles(std::string root = {}) : root_(std::move(root)) {}
 
     std::string path_of(const std::string& path) const { return root_ + path; }
-    /// Without white space at its ends; nothing when it cannot be read.
+    /// The file's text without white space at its ends; nothing when it cannot be read.
     std::optional<std::string> text(const std::string& path) const;
     bool exists(const std::string& path) const;
     /// Names in a folder, sorted; empty when there is none.
@@ -25,9 +25,9 @@ public:
     std::optional<std::string> field(const std::string& path, std::string_view name) const;
     /// The soft limit in /proc/self/limits; its greatest value when unlimited.
     std::optional<std::uint64_t> limit(std::string_view name) const;
-    /// Number of a Linux capability, as in capabilities(7): has this process got it?
+    /// Whether this process has a Linux capability, by its number in capabilities(7).
     bool has_capability(unsigned number) const;
-    /// By mode, owner, groups and capabilities of this process: may it write to the file?
+    /// Whether this process may write to the file, by mode, owner, groups and capabilities.
     bool may_write(const std::string& path) const;
     /// Free bytes on the file system of a folder.
     std::optional<std::uint64_t> free_bytes(const std::string& folder) const;

@@ -9,8 +9,8 @@
 
 namespace psicarve::flat {
 
-/// The strokes as they are seen: of a dashed one its dashes, each a stroke that stays open; a dash without
-/// length is a point, twice. Refuses more of them than a drawing may have points.
+/// The strokes as they look: a dashed one becomes its dashes, each a stroke that stays open; a dash without
+/// length is a point, twice. Refuses more dashes than a drawing may have points.
 Result<std::vector<Path>> seen_strokes(std::vector<Path> paths, const std::string& file);
 
 }  // namespace psicarve::flat

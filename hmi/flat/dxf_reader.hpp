@@ -10,8 +10,8 @@
 namespace psicarve::flat {
 
 /// The lines of an ASCII DXF file in mm, seen from above: LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE
-/// with bulges, SPLINE, and blocks where they are inserted. What stands on layers that are off or frozen, and
-/// on paper, is not drawn; other kinds of entities are named in a warning. `scale` multiplies every length.
+/// with bulges, SPLINE, and blocks where they are inserted. Layers that are off or frozen, and paper space,
+/// are not drawn; a warning names other kinds of entities. `scale` multiplies every length.
 /// Source: Autodesk's DXF reference (group codes, arbitrary axis algorithm).
 Result<Drawing> read_dxf(std::string_view text, const std::string& file, double scale);
 

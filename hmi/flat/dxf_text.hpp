@@ -12,7 +12,7 @@
 
 namespace psicarve::flat {
 
-/// A pair of lines of a DXF file: what the value means, and the value.
+/// A pair of lines of a DXF file: the code, which gives the value's meaning, and the value.
 struct DxfGroup {
     int code = 0;
     std::string_view value;
@@ -33,18 +33,18 @@ struct DxfElement {
     Point point(int x_code) const noexcept { return {number(x_code, 0.0), number(x_code + 10, 0.0)}; }
 };
 
-/// Walks through the elements of an ASCII DXF file. Every group is judged when it is read: what code and
-/// value are of one another is Autodesk's table of group codes.
+/// Walks through the elements of an ASCII DXF file. Checks every group as it is read: Autodesk's table of
+/// group codes says which values a code may have.
 class DxfText {
 public:
     DxfText(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
 
-    /// From here on; `line` is the number of the line that begins there, from 1.
+    /// Continues from here; `line` is the number of the line that begins there, from 1.
     void go_to(std::size_t position, std::size_t line) noexcept {
         position_ = position;
         line_ = line;
     }
-    /// The next element. Refuses a file that ends without its EOF, and groups that are none.
+    /// The next element. Refuses a file that ends without its EOF, and invalid groups.
     Result<void> next(DxfElement& out);
     std::size_t position() const noexcept { return position_; }
     std::size_t line() const noexcept { return line_; }

@@ -9,8 +9,8 @@
 
 namespace psicarve::flat {
 
-/// Cuts a counter-clockwise ring without crossings into n - 2 triangles, likewise turned; corners are indices
-/// into it. Of a ring that rounding has made cross itself every edge is used all the same.
+/// Cuts a counter-clockwise ring without crossings into n - 2 triangles of the same orientation; corners are
+/// indices into it. Every edge is used even where rounding has made the ring cross itself.
 std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<Point>& ring);
 
 }  // namespace psicarve::flat

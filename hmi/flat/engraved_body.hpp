@@ -10,8 +10,8 @@
 
 namespace psicarve::flat {
 
-/// The cylinder with its grooves, as triangles between samples of their cross-section; what is exact goes
-/// with it in Mesh::grooves.
+/// The cylinder with its grooves, as triangles between samples of their cross-section; Mesh::grooves keeps
+/// the exact form.
 Result<model::Mesh> engraved_body(std::shared_ptr<const Grooves> grooves, const std::string& format,
                                   const std::string& file);
 

@@ -5,11 +5,11 @@
 
 namespace psicarve::flat {
 
-/// How a camera held the picture, 1 to 8 as TIFF and Exif count, from the content of a JPEG's APP1 marker; 1,
+/// The camera's orientation, 1 to 8 as TIFF and Exif count, from the content of a JPEG's APP1 marker; 1,
 /// upright, where it does not say or is damaged.
 int exif_orientation(Bytes marker) noexcept;
 
-/// The picture as it is to be seen.
+/// Turns the picture upright.
 void turn_upright(GreyImage& image, int orientation);
 
 }  // namespace psicarve::flat

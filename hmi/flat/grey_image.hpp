@@ -21,19 +21,19 @@ struct GreyImage {
     std::vector<std::string> warnings;  ///< colour was made grey, transparency white
 };
 
-// A picture is at most so large: 200 MB as we hold it.
+// The size limit of a picture: 200 MB in memory.
 inline constexpr std::uint64_t kMostPixels = 100'000'000;
 inline constexpr std::uint32_t kMostSide = 65'535;
 
-/// Refuses sizes that are none, or more than we hold.
+/// Refuses impossible sizes, and those above the limit.
 Result<void> check_image_size(std::uint64_t width, std::uint64_t height, const std::string& file);
 
-/// Brightness of a colour as television has it (BT.601), whatever its gamma: what drawing programs show as
-/// grey.
+/// Brightness of a colour by the television standard (BT.601), whatever its gamma: the grey that drawing
+/// programs show.
 constexpr std::uint16_t grey_of(std::uint32_t red, std::uint32_t green, std::uint32_t blue) noexcept {
     return static_cast<std::uint16_t>((299U * red + 587U * green + 114U * blue + 500U) / 1000U);
 }
-/// Over white paper.
+/// Blends a pixel over white paper.
 constexpr std::uint16_t over_white(std::uint32_t grey, std::uint32_t alpha) noexcept {
     return static_cast<std::uint16_t>((grey * alpha + 65535U * (65535U - alpha) + 32767U) / 65535U);
 }

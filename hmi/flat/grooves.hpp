@@ -15,7 +15,7 @@ namespace psicarve::flat {
 struct GrooveStroke {
     std::vector<Point> points;  ///< a closed one does not repeat its first point
     bool is_closed = false;
-    double half_floor_mm = 0.0;  ///< how far to both sides of it the groove is as deep as it gets
+    double half_floor_mm = 0.0;  ///< half the width over which the groove has its full depth
 };
 
 /// Line art wrapped round a cylinder, and the grooves that a tool leaves along it. Lengths in mm.
@@ -28,17 +28,18 @@ struct Grooves {
     std::vector<std::string> warnings;
 
     double round_mm() const noexcept;  ///< once round the cylinder
-    /// How far beside its floor a groove reaches.
+    /// How far a groove reaches beside its floor.
     double wall_mm() const noexcept { return tool::half_width(tool, depth_mm); }
     double widest_floor_mm() const noexcept;
-    /// What a groove's cross-section is: how deep it is so far beside its floor.
+    /// A groove's cross-section: its depth at a distance beside its floor.
     double depth_beside_mm(double beside_mm) const noexcept;
-    /// How deep the tool's tip can stand there without touching what the grooves leave.
+    /// How deep the tool's tip can go there without touching the walls of the grooves.
     double tip_depth_mm(double beside_mm) const noexcept;
 };
 
-/// The drawing's shown lines as the options' engraving asks: at its own size or all round, from its start on,
-/// in the middle of the height. Refuses what is wider than the cylinder is round, or higher than it.
+/// The drawing's visible lines, placed as the options' engraving says: at its own size or all round, from its
+/// start on, in the middle of the height. Refuses a drawing wider than the cylinder's circumference, or
+/// higher than the cylinder.
 Result<Grooves> grooves_of(const Drawing& drawing, const FlatOptions& options, const std::string& file);
 
 }  // namespace psicarve::flat

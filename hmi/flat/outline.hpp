@@ -9,14 +9,14 @@
 
 namespace psicarve::flat {
 
-// Strokes whose ends are no farther apart belong together; so does an outline's end to its beginning.
+// Stroke ends no farther apart than this count as joined; so do an outline's end and its beginning.
 inline constexpr double kJoinGap_mm = 0.01;
 
-/// Strokes that end where others begin, made into one; rings become closed.
+/// Joins strokes that end where others begin; rings become closed.
 std::vector<Path> joined(std::vector<Path> strokes);
 
-/// The outermost outlines of a drawing: where outlines overlap they are one, and what lies inside another is
-/// not looked at.
+/// The outermost outlines of a drawing: overlapping outlines become one, and outlines inside another are
+/// ignored.
 struct Outline {
     std::vector<std::vector<Point>> outers;  ///< counter-clockwise, no crossings [mm]
     Point centroid;                          ///< of their area
@@ -24,7 +24,7 @@ struct Outline {
     std::vector<std::string> warnings;
 };
 
-/// Not one stroke, joined to those it touches, is closed or filled. A drawing without strokes has no lines.
+/// Whether no stroke, joined to those it touches, is closed or filled. False for a drawing without strokes.
 bool has_only_open_lines(const Drawing& drawing);
 
 /// Refuses a drawing without a closed outline; says where an open one has its gap.

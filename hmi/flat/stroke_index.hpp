@@ -9,25 +9,25 @@
 
 namespace psicarve::flat {
 
-/// Half the sides of the rectangle that a place stands for.
+/// Half the sides of the rectangle around a place.
 struct HalfCell {
     double along_mm = 0.0;
     double height_mm = 0.0;
 };
 
-/// How far places of a cylinder's surface are from the strokes on it, along that surface.
+/// Distances of places on a cylinder from the strokes on it, along its surface.
 class StrokeIndex {
 public:
-    /// What is farther away than `reach_mm` from all floors is not told apart.
+    /// Places farther than `reach_mm` from all floors get no exact distance.
     StrokeIndex(const Grooves& grooves, double reach_mm);
 
-    /// How far beside the nearest floor of a groove the place is; negative: on it. Infinite beyond the reach.
+    /// Distance of the place from the nearest floor of a groove; negative: on it. Infinite beyond the reach.
     /// `along_mm`: round the cylinder, any number of turns.
     double beside_floor_mm(double along_mm, double height_mm) const {
         return beside_floor_mm(along_mm, height_mm, {});
     }
-    /// The same of all the places up to half a cell's sides away, whichever of them is the nearest. Half a
-    /// cell's diagonal counts to the reach.
+    /// The least such distance over all the places up to half a cell's sides away. Half a cell's diagonal
+    /// counts towards the reach.
     double beside_floor_mm(double along_mm, double height_mm, const HalfCell& around) const;
 
 private:
@@ -47,7 +47,7 @@ private:
     std::size_t columns_ = 1;
     std::size_t rows_ = 1;
     std::vector<Piece> pieces_;
-    std::vector<std::vector<std::uint32_t>> cells_;  ///< the pieces within reach of each
+    std::vector<std::vector<std::uint32_t>> cells_;  ///< for each cell the pieces within its reach
 };
 
 }  // namespace psicarve::flat

@@ -10,16 +10,16 @@
 
 namespace psicarve::flat {
 
-/// The edge of a viewport: what lies beyond it, who shows the drawing hides. It begins at (0, 0).
+/// The edge of a viewport: viewers hide what lies beyond it. It begins at (0, 0).
 struct SvgFrame {
     const SvgElement* element = nullptr;
-    Affine placement;  ///< of what is in it to mm
+    Affine placement;  ///< from the frame's content to mm
     SvgViewport size;
-    const SvgFrame* outer = nullptr;  ///< that it stands in
+    const SvgFrame* outer = nullptr;  ///< the frame that holds this one
 };
 
-/// The frame, or one outside of it, that hides a part of a path that is seen, of those from `first_path` on;
-/// nothing where none does.
+/// The frame, or one that holds it, that hides a part of a visible path, of those from `first_path` on; null
+/// where none does.
 const SvgFrame* hiding_frame(const SvgFrame* frame, const std::vector<Path>& paths, std::size_t first_path);
 
 }  // namespace psicarve::flat

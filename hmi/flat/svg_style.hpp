@@ -13,7 +13,7 @@
 
 namespace psicarve::flat {
 
-/// What of an element's style decides about lines.
+/// The style properties that decide about lines.
 enum class SvgProperty : std::uint8_t {
     display,
     visibility,
@@ -35,14 +35,14 @@ enum class SvgProperty : std::uint8_t {
 };
 inline constexpr std::size_t kSvgPropertyCount = 17;
 
-/// What one element says itself; parts of the style sheet's and the element's own text.
+/// The style of one element; its values are views of the style sheet and of the element's text.
 class SvgStyle {
 public:
-    /// Empty where it says nothing.
+    /// Empty where the property is not set.
     std::string_view operator[](SvgProperty property) const noexcept {
         return values_[static_cast<std::size_t>(property)];
     }
-    /// The value with the highest rank stays, of equal ones the last.
+    /// Keeps the value with the highest rank, of equal ones the last.
     void set(SvgProperty property, std::string_view value, std::uint64_t rank) noexcept;
 
 private:
@@ -50,8 +50,8 @@ private:
     std::array<std::uint64_t, kSvgPropertyCount> ranks_{};
 };
 
-/// The cascade of an SVG file: attributes, the rules of <style>, style="...". Of rules those are followed
-/// whose selector is a name, classes and an id of one element (`rect`, `.a`, `rect.a.b`, `#c`, `*`, lists of
+/// The cascade of an SVG file: attributes, the rules of <style>, style="...". Follows the rules whose
+/// selector is a name, classes and an id of one element (`rect`, `.a`, `rect.a.b`, `#c`, `*`, lists of
 /// these).
 class SvgStyles {
 public:
@@ -60,8 +60,8 @@ public:
     SvgStyles& operator=(const SvgStyles&) = delete;
 
     SvgStyle of(const SvgElement& element) const;
-    /// The selector of the first rule that is not followed and says something of these properties, in quotes;
-    /// empty when all are followed.
+    /// The selector of the first rule that is not followed and sets one of these properties, in quotes; empty
+    /// when all are followed.
     const std::string& first_unread() const noexcept { return first_unread_; }
 
 private:

@@ -12,7 +12,7 @@
 
 namespace psicarve::flat {
 
-/// One element of an SVG file: what can be drawn, and nothing of other name spaces.
+/// One element of an SVG file: only elements that can be drawn, none of other name spaces.
 struct SvgElement {
     std::string name;
     std::vector<std::pair<std::string, std::string>> attributes;  ///< xlink:href as "href"
@@ -30,7 +30,8 @@ struct SvgTree {
     std::string style_sheet;  ///< all <style> elements, one after another
 };
 
-/// Refuses what is not well-formed, not SVG, or cut short: "FILE line N: ...". Elements a million, 200 deep.
+/// Refuses a text that is not well-formed, not SVG, or cut short: "FILE line N: ...". At most a million
+/// elements, 200 deep.
 Result<SvgTree> read_svg_tree(std::string_view text, const std::string& file);
 
 }  // namespace psicarve::flat

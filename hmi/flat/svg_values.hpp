@@ -22,7 +22,7 @@ public:
     std::optional<double> next() noexcept;
     /// An arc's flag: one character, which may touch the next number.
     std::optional<bool> next_flag() noexcept;
-    /// The letter that stands next, if it is one; else nothing moves.
+    /// Takes the next character if it is a letter; else stays where it is.
     char next_letter() noexcept;
     bool at_end() noexcept;
     std::string_view rest() const noexcept { return text_; }
@@ -35,18 +35,18 @@ private:
 /// "10", "1.5mm", "2in", "50%" in user units; a percentage is of `whole`. Nothing where it is no length.
 std::optional<double> svg_length(std::string_view text, double whole);
 
-/// A transform list as attributes have it, or CSS with its units; nothing where it is none, or none of a
+/// A transform list as attributes have it, or CSS with its units; nothing where it is invalid, or not of a
 /// plane.
 std::optional<Affine> svg_transform(std::string_view text);
-/// "10px 50%", "center", "left top": where a CSS transform turns about [user units]; the sides are those of
-/// the viewport. Nothing where it is no place.
+/// "10px 50%", "center", "left top": the origin of a CSS transform [user units]; the sides are those of the
+/// viewport. Nothing where it is invalid.
 std::optional<Point> svg_origin(std::string_view text, double width, double height);
 
 /// Dashes and gaps in turn, an even number of them [user units]; none where strokes are whole. Nothing where
-/// the list is not right, which is then as if it were not there.
+/// the list is wrong: then it is ignored.
 std::optional<std::vector<double>> svg_dashes(std::string_view text, double whole);
 
-/// Draws a path's data as far as it is right, as the standard asks. False where it is not.
+/// Draws a path's data up to the first fault, as the standard requires. False where there is one.
 bool draw_svg_path(std::string_view data, PathMaker& maker);
 
 }  // namespace psicarve::flat

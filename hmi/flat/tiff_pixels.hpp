@@ -11,10 +11,10 @@
 
 namespace psicarve::flat {
 
-/// What is done with the first sample behind grey or red, green and blue.
+/// The use of the first sample behind grey or red, green and blue.
 enum class TiffAlpha : std::uint8_t { none, associated, unassociated };
 
-/// How a TIFF's directory says that its pixels are stored.
+/// The storage of a TIFF's pixels, by its directory.
 struct TiffShape {
     std::uint16_t bits = 1;
     std::uint16_t samples = 1;
@@ -26,19 +26,20 @@ struct TiffShape {
 
     bool is_grey() const noexcept { return kind == PHOTOMETRIC_MINISBLACK || kind == PHOTOMETRIC_MINISWHITE; }
     unsigned colours() const noexcept { return is_grey() ? 1 : 3; }
-    /// Whether samples are taken as they stand; else libtiff makes eight bits of red, green and blue of them.
+    /// Whether samples are used unchanged; else libtiff makes eight bits of red, green and blue of them.
     bool is_as_it_stands() const noexcept;
 };
 
 TiffShape tiff_shape(TIFF* tiff);
 
-/// Refuses, by what it is, a picture that is sound and cannot be read here.
+/// Refuses, naming its kind, a valid picture that cannot be read here.
 Result<void> check_tiff_kind(TIFF* tiff, const TiffShape& shape, const std::string& file);
 
-/// Into `image.values`, whose width and height are set, as they are stored: not yet upright. False: damaged.
+/// Reads into `image.values`, whose width and height are set, as they are stored: not yet upright. False:
+/// damaged.
 bool read_tiff_pixels(TIFF* tiff, const TiffShape& shape, GreyImage& image);
 
-/// 1 where the file does not say, or nothing that there is.
+/// 1 where the file does not say, or gives an invalid value.
 std::uint16_t tiff_orientation(TIFF* tiff);
 
 }  // namespace psicarve::flat

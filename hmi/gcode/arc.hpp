@@ -8,7 +8,7 @@
 
 namespace psicarve::gcode {
 
-/// In the plane's two axes [mm].
+/// A point by the plane's two axes [mm].
 struct PlanePoint {
     double first_mm = 0.0;
     double second_mm = 0.0;
@@ -22,16 +22,17 @@ struct ArcFault {
 /// An arc whose ends are this close is a whole circle.
 inline constexpr double kSamePlaceMm = 1e-6;
 
-/// What is wrong with a centre: none of the radii may be zero, nor may they differ by more than 0.5 mm, or by
-/// more than both 0.005 mm and a thousandth. Source: grbl 1.1, gcode.c.
+/// The fault of a centre, if any: none of the radii may be zero, nor may they differ by more than 0.5 mm, or
+/// by more than both 0.005 mm and a thousandth. Source: grbl 1.1, gcode.c.
 std::optional<ArcFault> centre_fault(const PlanePoint& start, const PlanePoint& end,
                                      const PlanePoint& centre);
 
-/// Centre of an arc of a radius; of more than half a turn where it is negative. Nothing: `fault` says why.
+/// Centre of an arc from its radius; a negative radius means more than half a turn. Nothing: `fault` says
+/// why.
 std::optional<PlanePoint> centre_of_radius(const PlanePoint& start, const PlanePoint& end, double radius_mm,
                                            bool is_clockwise, std::optional<ArcFault>& fault);
 
-/// How far it turns, > 0 counterclockwise, with `turns` begun turns (their sign the direction).
+/// Angle of an arc, > 0 counterclockwise, over `turns` begun turns (their sign is the direction).
 double sweep_rad(const PlanePoint& start, const PlanePoint& end, const PlanePoint& centre,
                  int turns) noexcept;
 

@@ -17,7 +17,7 @@ struct Word {
     double value = 0.0;
 };
 
-/// One line of a program, as read: what its words mean together is not judged.
+/// One line of a program, as read: does not judge what its words mean together.
 class Block {
 public:
     void begin(std::uint64_t line) noexcept {
@@ -25,12 +25,12 @@ public:
         count_ = 0;
         is_deleted_ = false;
     }
-    /// A word takes two bytes at least: there is room for all of a line.
+    /// A word takes at least two bytes, so there is room for all words of a line.
     void add(const Word& word) noexcept { words_[count_++] = word; }
     void mark_deleted() noexcept { is_deleted_ = true; }
 
     std::uint64_t line() const noexcept { return line_; }
-    bool is_deleted() const noexcept { return is_deleted_; }  ///< begins with /
+    bool is_deleted() const noexcept { return is_deleted_; }  ///< the block begins with /
     std::span<const Word> words() const noexcept { return {words_.data(), count_}; }
 
 private:

@@ -12,17 +12,17 @@
 
 namespace psicarve::gcode {
 
-/// Which numbers mean what, where controls differ.
+/// Codes whose meaning differs between controls.
 enum class Dialect : std::uint8_t {
     ngc,  ///< G20 and G21 are the units
-    iso,  ///< so are G70 and G71
+    iso,  ///< G70 and G71, too
 };
 
-/// A block's words by what they are: codes by group, values by letter. Words that something takes are
-/// marked; what is left over has no use.
+/// A block's words by their function: codes by group, values by letter. The interpreter marks each word that
+/// it uses; a word left over has no use.
 class BlockMeaning {
 public:
-    /// Nothing, or what forbids the block whatever the modes are.
+    /// Nothing, or the fault that makes the block wrong in every mode.
     std::optional<Problem> read(const Block& block, Dialect dialect);
 
     std::uint64_t line() const noexcept { return line_; }
@@ -40,12 +40,12 @@ public:
     std::uint32_t column(char letter) const noexcept { return columns_[slot_of(letter)]; }
     AxisMask axes() const noexcept { return axes_; }
     double axis_value(std::size_t axis) const noexcept { return value(kAxisLetters[axis]); }
-    /// Of the first axis word; the block's first column where there is none.
+    /// Column of the first axis word; the block's first column where there is none.
     std::uint32_t axis_column() const noexcept;
 
     void take(char letter) noexcept { taken_ |= bit_of(letter); }
     void take_axes() noexcept { are_axes_taken_ = true; }
-    /// A word that nothing took.
+    /// The first word that was not used.
     std::optional<Problem> left_over() const;
 
     Problem problem(std::uint32_t column, ProblemCode code, std::string what) const;

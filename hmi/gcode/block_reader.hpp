@@ -10,9 +10,9 @@
 
 namespace psicarve::gcode {
 
-/// Reads one line, without its line feed, into `block`: words in the order in which they stand, capitals and
-/// small letters alike, blanks and comments left out. Nothing, or the first thing that cannot be read; what
-/// stands before it is in the block.
+/// Reads one line, without its line feed, into `block`: words in their order, capitals and small letters
+/// alike, without blanks and comments. Nothing, or the first thing that cannot be read; the words before it
+/// are in the block.
 std::optional<Problem> read_block(std::string_view line, std::uint64_t line_number, Block& block);
 
 /// Whether the line holds nothing but % and blanks.

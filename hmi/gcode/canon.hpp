@@ -25,7 +25,7 @@ enum class CanonKind : std::uint8_t {
     end,           ///< code: 2 or 30, 0: by %
 };
 
-/// What a machine is to do next, in machine coordinates.
+/// The next action of a machine, in machine coordinates.
 struct CanonRecord {
     CanonKind kind = CanonKind::end;
     std::uint64_t line = 0;
@@ -34,7 +34,7 @@ struct CanonRecord {
     double value = 0.0;
     Position start{};
     Position end{};
-    AxisMask placed = 0;           ///< axes whose place the program itself has told by now
+    AxisMask placed = 0;           ///< axes whose place the program has set by now
     AxisMask start_placed = 0;     ///< the same before
     double feed_per_min = 0.0;     ///< mm, or degrees where only rotary axes move; 0: rapid
     const Plane* plane = nullptr;  ///< of an arc

@@ -30,7 +30,7 @@ enum class CodeGroup : std::uint8_t {
 inline constexpr std::size_t kCodeGroupCount = 18;
 inline constexpr int kNoCode = -1;
 
-/// Codes are counted in tenths: G92.1 is 921. What is known of one.
+/// What is known of a code. Codes are counted in tenths: G92.1 is 921.
 enum class CodeStanding : std::uint8_t { unknown, known, compensation, tool_table, not_read };
 struct CodeEntry {
     CodeStanding standing = CodeStanding::unknown;

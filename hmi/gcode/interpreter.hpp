@@ -24,8 +24,8 @@ struct InterpreterOptions {
     bool is_start_known = true;  ///< the program begins at the machine's zero
 };
 
-/// Executes blocks in the order of RS274/NGC, one after the other, and gives what they mean to a sink. A
-/// wrong block is told, and what depends on it is not told again.
+/// Executes blocks in the order of RS274/NGC, one after the other, and gives their meaning to a sink. A wrong
+/// block is reported once; faults that follow from it are not.
 class Interpreter {
 public:
     /// Sink and list outlive the interpreter.
@@ -34,9 +34,9 @@ public:
     void run(const Block& block);
     /// In place of run() for a block that could not be read.
     void pass_unreadable(std::string_view line) noexcept;
-    /// By the second % of a program.
+    /// The second % of a program ends it.
     void end_by_percent(std::uint64_t line);
-    /// What follows is not the program's.
+    /// The lines that follow are not part of the program.
     bool has_ended() const noexcept { return has_ended_; }
     std::uint64_t motion_count() const noexcept { return motion_count_; }
 
@@ -109,11 +109,11 @@ private:
     Position program_{};  ///< where the machine stands, in program coordinates
     Position machine_{};
     int motion_to_be_ = kNoCode;
-    AxisMask placed_ = 0;    ///< machine axes whose place the program has told
-    AxisMask doubtful_ = 0;  ///< axes that a wrong block may have meant to move
+    AxisMask placed_ = 0;    ///< machine axes whose place the program has set
+    AxisMask doubtful_ = 0;  ///< axes that a wrong block was perhaps meant to move
     UnknownZeros unknown_;
     bool is_too_far_ = false;          ///< a move of this block was left out
-    bool are_units_doubtful_ = false;  ///< a wrong block may have told others
+    bool are_units_doubtful_ = false;  ///< a wrong block may have changed the units
     bool is_distance_doubtful_ = false;
     bool is_feed_doubtful_ = false;
     bool is_motion_doubtful_ = false;

@@ -12,18 +12,18 @@
 
 namespace psicarve::gcode {
 
-/// Bytes of a program, as they come: how many were put into the room, 0 at the end.
+/// Gives the next bytes of a program: returns how many were put into the room, 0 at the end.
 using ByteSource = std::function<Result<std::size_t>(std::span<char> room)>;
 
-/// A program line by line, in the same memory however long it is.
+/// A program line by line, in constant memory however long it is.
 class LineSource {
 public:
     explicit LineSource(ByteSource bytes);
 
-    /// The next line without its line feed; valid until the next call. One that is longer than
-    /// kMostLineBytes is cut to a byte more than that. False: there is none.
+    /// The next line without its line feed; valid until the next call. A line longer than kMostLineBytes is
+    /// cut to a byte more than that. False: there is none.
     Result<bool> next(std::string_view& line);
-    /// Of the line that next() gave, from 1.
+    /// Number of the line that next() gave, from 1.
     std::uint64_t number() const noexcept { return number_; }
 
 private:

@@ -9,9 +9,9 @@
 
 namespace psicarve::gcode {
 
-/// Judges motion by a machine with the letters X = R1, Z = R2, Y and C = Psi, as far as it can be told
+/// Judges motion by a machine with the letters X = R1, Z = R2, Y and C = Psi, as far as that is possible
 /// without planning: letters, arcs, travel of ends and arcs, core radius, the tips' distance at ends,
-/// outputs. Axes whose place the program has not told yet are not judged.
+/// outputs. Does not judge axes whose place the program has not set yet.
 class MachineCheck : public CanonSink {
 public:
     /// The list outlives the check.
@@ -42,7 +42,7 @@ private:
 
     ProblemList& problems_;
     std::array<LinearAxis, 3> axes_;
-    double tips_mm_;  ///< what both heads' tips stand further out than counted, together
+    double tips_mm_;  ///< how much further out than counted both heads' tips stand, together
     double clearance_mm_;
 };
 

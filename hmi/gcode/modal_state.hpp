@@ -12,7 +12,7 @@ enum class FeedMode : std::uint8_t { inverse_time, per_minute, per_revolution };
 
 inline constexpr double kMmPerInch = 25.4;
 
-/// What holds from block to block; as it is when a program begins.
+/// The modes that hold from block to block, with their values at a program's begin.
 struct ModalState {
     int motion = 800;
     const Plane* plane = &kPlaneXy;
@@ -20,23 +20,23 @@ struct ModalState {
     bool has_absolute_centres = false;
     FeedMode feed_mode = FeedMode::per_minute;
     double mm_per_unit = 1.0;
-    /// As it was written, per minute, turn or move; 0: none is given.
+    /// As written, per minute, turn or move; 0: none is given.
     double feed_number = 0.0;
-    double feed_mm = 0.0;  ///< the same, were it a length in the units of its time
+    double feed_mm = 0.0;  ///< the same, taken as a length in the units of that time
     bool retracts_to_start = false;
     double spindle_rpm = 0.0;
     bool is_spindle_on = false;
     double tool = 0.0;
 };
 
-/// Letters of what a program has set where it had not told the place: what it comes to is not known.
+/// Letters that a program has set where it had not set the place before: the result is not known.
 struct UnknownZeros {
     AxisMask shift = 0;
     std::array<AxisMask, 9> origins{};
     std::array<AxisMask, 2> references{};
 };
 
-/// Of a drilling cycle, kept while the same one goes on [mm, s].
+/// Words of a drilling cycle, kept while the same one goes on [mm, s].
 struct CycleWords {
     double clear_mm = 0.0;    ///< R
     double depth_mm = 0.0;    ///< the word of the axis across the plane

@@ -64,7 +64,7 @@ inline constexpr std::size_t kProblemCodeCount = 47;
 std::string_view name_of(ProblemCode code) noexcept;
 /// What to do about it, one clause.
 std::string_view remedy_of(ProblemCode code) noexcept;
-/// Told, and the program is good all the same.
+/// The problem is reported, and the program is valid all the same.
 bool is_warning(ProblemCode code) noexcept;
 
 struct Problem {

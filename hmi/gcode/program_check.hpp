@@ -10,13 +10,13 @@
 namespace psicarve::gcode {
 
 struct ProgramFacts {
-    std::uint64_t line_count = 0;  ///< that were read: up to the program's end
+    std::uint64_t line_count = 0;  ///< lines read: up to the program's end
     std::uint64_t motion_count = 0;
     bool has_end = false;
 };
 
-/// Reads a program to its end and gives what it means to `sink`. All that is wrong goes to `problems`; a
-/// program without an end is. Memory does not grow with the program. An error is one of reading the bytes.
+/// Reads a program to its end and gives its meaning to `sink`. All faults go to `problems`; a missing end is
+/// one. Memory does not grow with the program. An error means that the bytes could not be read.
 Result<ProgramFacts> interpret_program(LineSource& lines, const InterpreterOptions& options, CanonSink& sink,
                                        ProblemList& problems);
 

@@ -27,7 +27,7 @@ public:
     void set_current(std::size_t system, const Position& machine, AxisMask axes,
                      const Position& program) noexcept;
 
-    /// G92: the machine's place gets these coordinates.
+    /// G92: the machine's present place gets these coordinates.
     void set_shift(const Position& machine, AxisMask axes, const Position& program) noexcept;
     void clear_shift() noexcept;    ///< G92.1
     void suspend_shift() noexcept;  ///< G92.2
@@ -50,7 +50,7 @@ private:
     Position shift_{};
     Position kept_shift_{};
     Position tool_{};
-    // Worked out of them.
+    // Calculated from them.
     Position sum_{};
     double sine_ = 0.0;
     double cosine_ = 1.0;

@@ -11,12 +11,13 @@
 
 namespace psicarve::machine {
 
-/// A program to start. It reads nothing, has a process group of its own (Ctrl-C reaches us alone, and we tell
-/// it to end), blocks no signal and handles each by default, whatever we do with ours.
+/// A program to start. It reads nothing, has a process group of its own (Ctrl-C reaches only this process,
+/// which tells the child to end), blocks no signal and handles each by default, whatever this process does
+/// with its own.
 struct ChildStart {
     std::vector<std::string> arguments;  ///< the first is the program's path
     int output = -1;                     ///< descriptor of its standard output
-    std::optional<int> errors = {};      ///< descriptor of what it complains; nothing: with ours
+    std::optional<int> errors = {};      ///< descriptor of its standard error; nothing: ours
     std::vector<int> inherited = {};     ///< descriptors that it has under the same number
 };
 

@@ -17,8 +17,8 @@
 
 namespace psicarve::machine {
 
-/// How to start a core of our own, on the simulated machine. It keeps no state on a disk: nobody's piece is
-/// on that table.
+/// How to start a core of our own, on the simulated machine. It keeps no state on a disk: there is no real
+/// piece on its table.
 struct CoreLaunch {
     std::string segment_name = kDefaultSegmentName;
     bool on_real_clock = false;
@@ -28,10 +28,11 @@ struct CoreLaunch {
     std::uint32_t capacity_layers = kDefaultCapacityLayers;
     std::uint32_t capacity_points = kDefaultCapacityPoints;
     std::string group;
-    std::string layer_times_path;    ///< for the layers' planned times; empty: nobody asks
-    bool no_estimate = false;        ///< nobody asks for the time left: the processor is for the carving
+    std::string layer_times_path;    ///< file for the layers' planned times; empty: not written
+    bool no_estimate = false;        ///< the time left is not calculated: all processor time is for the
+                                     ///< carving
     std::vector<int> inherited_fds;  ///< keep their numbers in the child
-    /// Carves on and serves its segment when we are killed; else it ends when we die.
+    /// The core carves on and serves its segment when this process is killed; else it ends with it.
     bool outlives_us = false;
     bool is_private = false;  ///< the segment is removed when the core has ended
 };
@@ -39,15 +40,15 @@ struct CoreLaunch {
 /// The path of psicarve-rtcore: beside the running program, else in PATH. Nothing when there is none.
 std::optional<std::string> find_core_program();
 
-/// A core that is our child. It has a process group of its own: Ctrl-C in the terminal reaches us alone, and
-/// we end it in order. Unless it was told to outlive us it also ends by itself when we die, whatever kills
-/// us.
+/// A core that is our child. It has a process group of its own: Ctrl-C in the terminal reaches this process
+/// alone, which ends the core in order. Unless it is to outlive us it also ends by itself when this process
+/// dies, whatever kills it.
 ///
 /// A child that ends with us watches the *thread* that started it: call start() on a thread that lives as
 /// long as the core.
 class CoreProcess {
 public:
-    /// Starts it and waits until it serves its segment. Fails with what it said on its standard error.
+    /// Starts it and waits until it serves its segment. A failure has the text of the core's standard error.
     static Result<CoreProcess> start(const CoreLaunch& launch);
 
     CoreProcess(CoreProcess&& other) noexcept;
@@ -62,9 +63,9 @@ public:
     void terminate() noexcept;
     /// Ends it: by command, else SIGTERM, else SIGKILL, each with a time limit. Removes a private segment.
     void end() noexcept;
-    /// Asks it by command to end and waits as long as `goes_on` says so; false when it runs on.
+    /// Asks it by command to end and waits as long as `goes_on` returns true; false when it still runs.
     bool end_while(const std::function<bool()>& goes_on);
-    /// What it said on standard error, at most the last few kilobytes, without the final line end.
+    /// The last few kilobytes of its standard error, without the final line end.
     std::string messages() const;
 
 private:

@@ -10,20 +10,20 @@
 
 namespace psicarve::machine {
 
-/// What nobody goes on with any more.
+/// An unfinished piece that is not to be continued.
 struct ForgottenPiece {
     Checkpoint checkpoint{};
-    std::string source_name;  ///< of its job; empty: the segment alone knew of it
-    std::string path;         ///< where it was kept; likewise
+    std::string source_name;  ///< of its job; empty: only the segment knew of it
+    std::string path;         ///< where it was kept; empty: as above
 };
 
-/// Nobody goes on with the unfinished piece of this segment any more: what segment and disk know of it goes,
-/// and stays away after a power cut. Where there is a core, it does so, and is waited for; it refuses while a
-/// job runs. The segment's piece comes first: another core's record goes only where the segment holds none,
-/// or where it is `wanted`. Without a core it is done here, if the files are the user's. `folder`: where
-/// cores keep it; empty: where they do by themselves. `wanted`: no other than that (sequence 0: whichever of
-/// its job). bad_input: there is none, or it cannot be taken away. machine_refused: also where the core keeps
-/// it in no folder looked at, or another piece has come there. May wait for a disk.
+/// Forgets the unfinished piece of this segment, in the segment and on the disk, for good, also after a power
+/// cut. Where there is a core, the core does it, and this waits for it; the core refuses while a job runs.
+/// The segment's piece comes first: another core's record is removed only where the segment holds none, or
+/// where it is `wanted`. Without a core it is done here, if the files are the user's. `folder`: where cores
+/// keep it; empty: their default folders. `wanted`: only that record (sequence 0: any of its job). bad_input:
+/// there is none, or it cannot be removed. machine_refused: also where the core keeps it in no folder looked
+/// at, or another piece has come there. May wait for a disk.
 Result<ForgottenPiece> forget_piece(const std::string& segment_name, const std::string& group,
                                     const std::string& folder, const std::optional<RecordName>& wanted = {});
 

@@ -29,9 +29,9 @@ private:
 /// A jog by a distance ends by itself: its lease may be long enough for a busy computer.
 inline constexpr std::chrono::milliseconds kDistanceJogLease{1000};
 
-/// A jog that we began and hold: it goes on only while renew() is called again and again, at least every
-/// kJogRenewal. Ends in order when it is released or destroyed; by itself when this process dies or hangs.
-/// The link outlives it. One thread.
+/// A jog that this process began and holds: it goes on only while renew() is called repeatedly, at least
+/// every kJogRenewal. Ends in order when it is released or destroyed; by itself when this process dies or
+/// hangs. The link outlives it. One thread.
 class HeldJog {
 public:
     /// By a distance [mm; psi: deg]; `speed` [mm/s; deg/s], 0: the axis' home speed.
@@ -41,7 +41,8 @@ public:
     static Result<HeldJog> on(MachineLink& link, JogAxis axis, bool up, double speed,
                               std::chrono::milliseconds lease = kJogLease);
 
-    /// No jog, but held alike: with the drives off one output alone is active, or sends so many pulses.
+    /// An output test, held the same way: with the drives off one output alone is active, or sends `pulses`
+    /// pulses.
     static Result<HeldJog> test(MachineLink& link, Signal output, std::uint32_t pulses = 0,
                                 double rate_hz = 0.0, std::chrono::milliseconds lease = kJogLease);
 
@@ -49,7 +50,7 @@ public:
     HeldJog& operator=(HeldJog&&) = delete;
     ~HeldJog() { release(); }
 
-    /// Cheap; writes to the segment no more often than it has to.
+    /// Cheap; writes to the segment only as often as needed.
     void renew() noexcept;
     void release() noexcept;
 

@@ -13,16 +13,17 @@
 
 namespace psicarve::machine {
 
-/// Something that may never end, as a look at a disk that hangs: a thread does it that nobody ever waits for
-/// longer than he wants, not even this object's or the program's end. One at a time. One owner's thread.
+/// Runs a task that may never end, such as a look at a disk that hangs, in a thread that the caller waits for
+/// only as long as it wants; neither the destructor nor the program's end waits. One task at a time. One
+/// owner's thread.
 template <typename Outcome>
 class LooseWork {
 public:
-    /// `work` owns what it uses: it may outlive everything. Not while another is under way.
+    /// `work` owns what it uses: it may outlive everything. Requires that no other task runs.
     void begin(std::function<Outcome()> work) {
         auto promise = std::make_shared<std::promise<Outcome>>();
         outcome_ = promise->get_future();
-        // Signals are the program's.
+        // Signals belong to the program's other threads.
         sigset_t all{};
         sigset_t before{};
         sigfillset(&all);
@@ -31,7 +32,7 @@ public:
         pthread_sigmask(SIG_SETMASK, &before, nullptr);
     }
     bool is_under_way() const noexcept { return outcome_.valid(); }
-    /// What came of it, once; nothing: it goes on.
+    /// The task's result, once; nothing: it still runs.
     std::optional<Outcome> take(std::chrono::milliseconds patience = std::chrono::milliseconds{0}) {
         if (!outcome_.valid() || outcome_.wait_for(patience) != std::future_status::ready)
             return std::nullopt;

@@ -17,14 +17,13 @@
 
 namespace psicarve::machine {
 
-/// A core that keeps its lock but writes no status for this long is stopped or hangs.
+/// A core that holds its lock but writes no status for this long is stopped or hangs.
 inline constexpr std::chrono::milliseconds kSilenceLimit{3000};
 inline constexpr std::chrono::milliseconds kCommandLimit{5000};
-/// Copying and checking the largest job takes a while on a small machine; a core that dies is noticed at
-/// once.
+/// Copying and checking the largest job takes a while on a small machine; a dead core is noticed at once.
 inline constexpr std::chrono::milliseconds kAcceptanceLimit{60'000};
 
-/// Called with every new status while a wait goes on (at least every 100 ms); an error ends the wait.
+/// Called with every new status during a wait (at least every 100 ms); an error ends the wait.
 using StatusWatch = std::function<Result<void>(const CoreStatus&)>;
 
 /// "alarm: limit of r1 (tick 123): what to do". Requires an alarm in the status.
@@ -46,13 +45,13 @@ public:
     /// Success when a living core serves the segment.
     Result<void> require_core() const;
 
-    /// What the core, or a dead one, wrote last; nothing when none ever did.
+    /// The last status that the core, or a dead one, wrote; nothing when none ever did.
     std::optional<CoreStatus> last_status() const noexcept;
-    /// What the core, or a dead one, drives, as its --port says it; empty: not known.
+    /// The port of the core, or of a dead one, as --port names it; empty: not known.
     std::string port_name() const;
     /// How far the last carving has come, checked; nothing when there was none.
     std::optional<Checkpoint> checkpoint() const noexcept;
-    /// Whether it is of the job that is published now.
+    /// Whether it belongs to the job that is published now.
     bool is_of_published_job(const Checkpoint& checkpoint) const noexcept;
     /// A status that the living core wrote after this call began. no_core when none serves or it is silent.
     Result<CoreStatus> status();
@@ -60,19 +59,19 @@ public:
     /// Sends one command and waits for the answer: done, or the core's reason (machine_refused).
     Result<void> send(CommandKind kind, std::optional<Axis> axis = {});
     Result<void> send(const Command& command);
-    /// What the core wants to be known of the last command that it did; mostly nothing.
+    /// The core's remark on the last command that it did; mostly empty.
     const std::string& command_remark() const noexcept { return command_remark_; }
     void stop() noexcept { request_stop(segment_); }
     void emergency_stop() noexcept { request_emergency_stop(segment_); }
 
     /// Publishes a job and, when a core serves, waits until it has judged it. Returns the generation.
     Result<std::uint64_t> publish(std::span<const std::byte> job_blob);
-    /// What the core wants to be known of the job that it has accepted; mostly nothing.
+    /// The core's remark on the job that it has accepted; mostly empty.
     std::string job_remark() const { return psicarve::job_remark(segment_); }
 
     /// After a command's answer: waits for one of `wanted`, as long as it takes. Ends early with an error
     /// when the core is gone or silent (no_core), in alarm or at rest in another state (machine_refused), or
-    /// when `watch` says so.
+    /// when `watch` returns one.
     Result<CoreStatus> wait_for_state(const std::vector<MachineState>& wanted, const StatusWatch& watch = {});
     /// After stop or emergency stop, which have no answer: waits for one of `wanted`, no longer than
     /// `rest_limit` (timed_out) while the machine rests in another state.
@@ -81,7 +80,7 @@ public:
 
 private:
     explicit MachineLink(Segment segment) noexcept : segment_(std::move(segment)) {}
-    /// Sleeps until a status newer than `seen_heartbeat` is there, or a while has passed.
+    /// Sleeps until there is a status newer than `seen_heartbeat`, or a while has passed.
     std::optional<CoreStatus> next_status(std::uint64_t seen_heartbeat);
     Error silent_core() const;
 

@@ -19,7 +19,7 @@ namespace psicarve::machine {
 /// file. The core waits on the pipe when the verifier is slower (virtual clock).
 class PipeVerification {
 public:
-    /// The job's blob outlives this. Takes the pipe's read end. The follower is told on that thread.
+    /// The job's blob outlives this. Takes the pipe's read end. The follower is called on that thread.
     static Result<std::unique_ptr<PipeVerification>> start(const JobView& job, const Profile& profile,
                                                            UniqueFd read_end,
                                                            verify::Verifier::Follower follower = {});
@@ -32,7 +32,7 @@ public:
     Result<verify::VerifyReport> finish();
     /// Grows as long as the trace is still read and followed.
     std::uint64_t progress() const noexcept { return progress_.load(std::memory_order_relaxed); }
-    /// After finish(): the piece as it came out of the pins, as far as they were seen.
+    /// After finish(): the piece as the pins carved it, as far as they were read.
     const verify::CarvedSurface& surface() const noexcept { return verifier_.surface(); }
 
 private:

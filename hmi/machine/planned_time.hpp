@@ -13,15 +13,15 @@
 
 namespace psicarve::machine {
 
-/// What the core's planner says of a job.
+/// The core's plan of a job.
 struct PlannedTime {
     double carve_seconds = 0.0;
-    std::vector<double> layer_seconds;  ///< of each layer with the way to it; all together carve_seconds
+    std::vector<double> layer_seconds;  ///< of each layer with the way to it; their sum is carve_seconds
     std::optional<double> reference_seconds;  ///< T_ref; none with planner angle
 };
 
-/// Has a core of our own plan the job from end to end; nothing is carved. `goes_on` is asked now and then;
-/// once it says no the answer is `cancelled`.
+/// Lets a core of our own plan the whole job, without carving. `goes_on` is asked now and then; when it
+/// returns false the answer is `cancelled`.
 Result<PlannedTime> planned_time(std::span<const std::byte> blob, const JobView& job, const Profile& profile,
                                  const std::function<bool()>& goes_on = {});
 

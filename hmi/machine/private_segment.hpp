@@ -5,7 +5,7 @@
 
 namespace psicarve::machine {
 
-/// A segment name that nobody else uses: for a core of this process alone.
+/// A unique segment name: for a core of this process alone.
 std::string private_segment_name();
 
 /// Removes the private segments that killed processes left behind.

@@ -22,11 +22,11 @@
 
 namespace psicarve::machine {
 
-/// The pins of a core that others started: it records them for us into the segment; a thread of ours hands
-/// what comes to the verifier and, if asked for, to a trace file.
+/// The pins of a core that another process started: the core records them into the segment, and a thread of
+/// ours gives the pieces to the verifier and, if asked for, to a trace file.
 class RecordedPins {
 public:
-    /// Whether a binary file carries the job; to be left out where another may be run.
+    /// Whether a binary file carries the job; to be left out where another job may run.
     enum class FileJob : std::uint8_t { carried, left_out };
     /// Has the core record from here on; it must be at rest. `trace_path` empty: no file. The link and the
     /// job's blob outlive this.
@@ -38,11 +38,11 @@ public:
     RecordedPins(const RecordedPins&) = delete;
     RecordedPins& operator=(const RecordedPins&) = delete;
 
-    /// Ends the recording and gives what the pins came to; an error when not all of them came through.
+    /// Ends the recording and returns the verification; an error when pieces were lost.
     Result<verify::VerifyReport> finish();
     /// After finish().
     const verify::CarvedSurface& surface() const noexcept { return verification_->surface(); }
-    /// After finish(): why there is no whole trace file, if one was asked for.
+    /// After finish(): why there is no complete trace file, if one was asked for.
     const std::optional<Error>& trace_failure() const noexcept { return trace_failure_; }
 
 private:
@@ -61,8 +61,8 @@ private:
     RingReader<RecordingPiece, kRecordingPieces> pieces_;
     UniqueFd pipe_;  ///< to the verifier
     std::optional<TraceOutput> file_;
-    std::span<const std::byte> job_blob_;  ///< that the file carries behind its head; empty: it does not
-    std::size_t bytes_before_job_ = 0;     ///< to come
+    std::span<const std::byte> job_blob_;  ///< carried by the file behind its head; empty: not carried
+    std::size_t bytes_before_job_ = 0;     ///< bytes still to come
     std::unique_ptr<PipeVerification> verification_;
     enum class Phase : std::uint8_t { running, ending, given_up };
     std::atomic<Phase> phase_{Phase::running};

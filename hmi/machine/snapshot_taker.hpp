@@ -8,8 +8,8 @@
 
 namespace psicarve::machine {
 
-/// Copies job, status and flight recorder out of the segment, with a living core or without. The mutex is
-/// held while the job is copied, no longer than `limit` waited for.
+/// Copies job, status and flight recorder out of the segment, with a living core or without. Holds the mutex
+/// while it copies the job, and waits for it no longer than `limit`.
 Result<Snapshot> take_snapshot(MachineLink& link, std::chrono::milliseconds limit);
 
 }  // namespace psicarve::machine

@@ -28,7 +28,7 @@ private:
     int fd_ = -1;
 };
 
-/// Memory that reads and writes like a file; goes with its last descriptor. Closed in a child unless handed
+/// Memory that reads and writes like a file; freed with its last descriptor. Closed in a child unless handed
 /// on.
 Result<UniqueFd> open_memory_file(const char* name);
 /// The same, filled and rewound.

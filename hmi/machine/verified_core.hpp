@@ -18,15 +18,15 @@ namespace psicarve::machine {
 class VerifiedCore {
 public:
     /// Starts the core that `launch` describes, with the profile, and a trace into our verifier besides those
-    /// that `launch` names; `follower` is told until finish(). The job's blob outlives this.
+    /// that `launch` names; `follower` is called until finish(). The job's blob outlives this.
     static Result<VerifiedCore> start(CoreLaunch launch, const JobView& job, const Profile& profile,
                                       verify::Verifier::Follower follower = {});
 
     MachineLink& link() noexcept { return link_; }
     CoreProcess& core() noexcept { return core_; }
 
-    /// Ends the core in order, once its trace is read however long that takes, and gives what its pins came
-    /// to; an error when the trace was cut off. `meanwhile` is called again and again while it is waited for.
+    /// Ends the core in order, once its trace is read, however long that takes, and returns the verification;
+    /// an error when the trace was cut off. `meanwhile` is called repeatedly while it waits.
     Result<verify::VerifyReport> finish(const std::function<void()>& meanwhile = [] {});
     /// After finish().
     const verify::CarvedSurface& surface() const noexcept { return verification_->surface(); }

@@ -7,8 +7,8 @@
 
 namespace psicarve::manual {
 
-// Scripts that complete what is typed after a program's name: commands, options and their values. The same
-// table gives the same bytes.
+// Scripts that complete the words after a program's name: commands, options and their values. Equal tables
+// give equal bytes.
 
 std::string bash_completion(const CommandTable& program);
 std::string zsh_completion(const CommandTable& program);

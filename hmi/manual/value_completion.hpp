@@ -9,11 +9,12 @@
 
 namespace psicarve::manual {
 
-/// What a shell may offer where a value stands.
+/// What a shell may offer for a value.
 struct ValueCompletion {
-    std::vector<std::string> words;    ///< as they are typed; one that ends in = or : goes on
+    std::vector<std::string> words;    ///< as they are typed; the user goes on typing behind one that ends in
+                                       ///< = or :
     std::vector<std::string> endings;  ///< of files, without their dot
-    bool any_file = false;             ///< whatever they end in
+    bool any_file = false;             ///< files of any ending
     bool groups = false;               ///< the computer's groups
     bool users = false;
 
@@ -21,12 +22,12 @@ struct ValueCompletion {
     bool is_empty() const { return words.empty() && !is_of_files() && !groups && !users; }
 };
 
-/// By its type, "x|y|z", "JOB", "OUT.png"; a FILE is what its option is named after (--profile FILE).
+/// By its type, "x|y|z", "JOB", "OUT.png"; for a FILE by the option's name (--profile FILE).
 ValueCompletion completion_of(const OptionRow& option);
-/// By its words or its name; a FILE is what its group of commands is named after (profile check FILE).
+/// By its words or its name; for a FILE by the name of its group of commands (profile check FILE).
 ValueCompletion completion_of(const ArgumentRow& argument, const std::vector<std::string>& command_words);
 
-/// Whether a value of this option is not to be followed by a blank.
+/// Whether the user goes on typing behind this value, so that no blank follows it.
 bool goes_on(const std::string& word);
 
 /// Whether the option has a value.

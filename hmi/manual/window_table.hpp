@@ -7,7 +7,7 @@
 
 namespace psicarve::manual {
 
-/// What psicarve-hmi takes: its parser, its --help, its page and its completion go by this.
+/// The options of psicarve-hmi: its parser, --help, manual page and completion all use this.
 const CommandTable& window_table();
 /// The option of this name, as "--segment"; null: there is none.
 const OptionRow* window_option(const std::string& name);

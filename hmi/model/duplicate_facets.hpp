@@ -7,9 +7,9 @@
 
 namespace psicarve::model {
 
-/// Takes out every facet that stands there once more, and says how many those were. A facet that lies upon
-/// another one the other way round is a wall between two bodies and stays, unless nearly all facets are such
-/// pairs: then the model was written with both sides of its surface, and one of them is taken out.
+/// Removes every repeated facet, and returns how many those were. A facet that lies upon another one the
+/// other way round is a wall between two bodies and stays, unless nearly all facets are such pairs: then the
+/// model was written with both sides of its surface, and one side is removed.
 std::uint64_t drop_duplicates(TriangleList& triangles);
 
 }  // namespace psicarve::model

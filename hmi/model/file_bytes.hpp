@@ -11,8 +11,8 @@
 
 namespace psicarve::model {
 
-/// A regular file that is read, never mapped: a file that somebody shortens while we read is then a short
-/// read and an error message, not a SIGBUS.
+/// A regular file that is read, never mapped: when another program shortens it meanwhile, the result is a
+/// short read and an error message, not a SIGBUS.
 class InputFile {
 public:
     static Result<InputFile> open(const std::string& path);
@@ -25,7 +25,7 @@ public:
     std::uint64_t size_bytes() const noexcept { return size_bytes_; }
     const std::string& path() const noexcept { return path_; }
 
-    /// Fills `target` from `offset_bytes`; less than asked for is an error.
+    /// Fills `target` from `offset_bytes`; reading fewer bytes is an error.
     Result<void> read(std::uint64_t offset_bytes, std::span<char> target) const;
     Result<std::vector<char>> read_all() const;
 

@@ -6,10 +6,10 @@
 
 namespace psicarve::model {
 
-/// What a file is whose first bytes are these, when it is of a kind that programs save and that is not read
-/// here, and what to do: "a GIF picture, which is not read; save it as PNG". Empty for others.
+/// Names the kind of a file by its first bytes, when programs save that kind and it is not read here, and
+/// says what to do: "a GIF picture, which is not read; save it as PNG". Empty for other files.
 std::string_view foreign_kind(std::string_view head) noexcept;
-/// The same; of others what can be read at all.
+/// The same; for other files, the kinds that can be read.
 std::string why_not_read(std::string_view head);
 
 }  // namespace psicarve::model

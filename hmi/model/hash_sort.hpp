@@ -10,9 +10,9 @@
 
 namespace psicarve::model {
 
-/// As std::sort, for what begins with a hash: `hash_of` an element decides first, and equal hashes are rare
-/// or equal through and through. Two rounds by the highest bits bring nearly all to their places. Takes as
-/// much memory again.
+/// As std::sort, for elements that begin with a hash: `hash_of` an element decides first, and equal hashes
+/// are rare or belong to equal elements. Two rounds by the highest bits bring nearly all to their places.
+/// Takes as much memory again.
 template <typename T, typename HashOf>
 void sort_by_hash(std::vector<T>& values, const HashOf& hash_of) {
     constexpr unsigned kBits = 11;
@@ -41,7 +41,7 @@ void sort_by_hash(std::vector<T>& values, const HashOf& hash_of) {
     }
 }
 
-/// Which hashes a sorted list may hold: most that it does not are known by one bit.
+/// Which hashes a sorted list may hold: one bit rules out most of those that it does not hold.
 class HashSieve {
 public:
     explicit HashSieve(const std::vector<std::uint64_t>& hashes) {

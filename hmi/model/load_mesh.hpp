@@ -8,8 +8,9 @@
 
 namespace psicarve::model {
 
-/// Reads STL (both kinds), OBJ, PLY, 3MF or OFF; what the file holds decides, then its extension. What cannot
-/// be carved is refused in one line "FILE: what, where"; what can be carved with flaws has warnings.
+/// Reads STL (both kinds), OBJ, PLY, 3MF or OFF, decided by the content, then by the extension. A model that
+/// cannot be carved is refused in one line "FILE: what, where"; one that can be carved with flaws gets
+/// warnings.
 Result<Mesh> load_mesh(const std::string& path);
 
 /// Whether the file is of a kind that load_mesh reads, by its beginning and name alone; refuses others as

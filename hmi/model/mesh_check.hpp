@@ -11,7 +11,7 @@
 
 namespace psicarve::model {
 
-/// Looks at every facet once, in constant memory, while a reader makes them.
+/// Checks every facet once, in constant memory, while a reader makes them.
 /// Whether a mesh is closed is decided by sums over hashed edges: in a closed, consistently turned mesh each
 /// edge comes once in each direction and the sum is zero. A wrong "closed" has a chance of about 2^-64.
 class MeshCheck {
@@ -23,7 +23,7 @@ public:
     /// Appends the facet unless accept says no.
     void add_to(TriangleList& list, const Triangle& triangle);
 
-    /// Bounding box, volume and closedness of what was accepted.
+    /// Bounding box, volume and closedness of the accepted facets.
     MeshFacts facts(const std::array<double, 3>& origin);
 
 private:
@@ -44,8 +44,8 @@ private:
 /// The step between two floats at the farthest coordinate of the box: what a file of floats can tell apart.
 double float_step_at(const MeshFacts& facts) noexcept;
 
-/// The last step of every reader: refuses meshes nobody can carve ("FILE: what, where"), counts open edges
-/// and duplicate facets where the quick check found something, and writes the warnings.
+/// The last step of every reader: refuses meshes that cannot be carved ("FILE: what, where"), counts open
+/// edges and duplicate facets where the quick check found something, and writes the warnings.
 Result<void> judge_mesh(Mesh& mesh, const std::string& file);
 
 }  // namespace psicarve::model

@@ -7,10 +7,10 @@
 
 namespace psicarve::model {
 
-/// Where an open descriptor is read by name, as what came by standard input is.
+/// The folder in which an open descriptor can be read by name, as standard input is.
 inline constexpr std::string_view kDescriptorFolder = "/proc/self/fd/";
 
-/// What a job says it was made from: the file's name without its folder, or "standard input".
+/// The source's name in a job: the file's name without its folder, or "standard input".
 inline std::string source_name_of(const std::string& path) {
     if (path.starts_with(kDescriptorFolder)) return "standard input";
     return std::filesystem::path(path).filename().string();

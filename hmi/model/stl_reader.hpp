@@ -13,7 +13,7 @@ namespace psicarve::model {
 inline constexpr std::uint64_t kStlHeaderBytes = 84;  ///< 80 of free text, 4 of facet count
 inline constexpr std::uint64_t kStlFacetBytes = 50;
 
-/// Whether the size is exactly what the binary header's facet count asks for. Requires >= 84 bytes of head.
+/// Whether the size is exactly what the binary header's facet count requires. Requires >= 84 bytes of head.
 bool is_exact_binary_stl(std::span<const char> head, std::uint64_t size_bytes) noexcept;
 
 /// Reads facets, hashes the bytes and checks the facets in one pass over the file. A file shorter than
@@ -21,7 +21,7 @@ bool is_exact_binary_stl(std::span<const char> head, std::uint64_t size_bytes) n
 /// Anything after the last facet is ignored.
 Result<Mesh> read_binary_stl(const InputFile& file);
 
-/// ASCII STL, several solids in a file included. Refused with the line where it goes wrong.
+/// ASCII STL, several solids in a file included. A refusal names the line.
 Result<Mesh> read_ascii_stl(const InputFile& file);
 
 }  // namespace psicarve::model

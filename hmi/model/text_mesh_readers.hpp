@@ -7,7 +7,7 @@
 
 namespace psicarve::model {
 
-/// Wavefront OBJ: points and faces, nothing else is looked at.
+/// Wavefront OBJ: reads points and faces, ignores all else.
 Result<Mesh> read_obj(const InputFile& file);
 
 /// Object File Format, also with normals or colours; text only.

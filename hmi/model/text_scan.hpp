@@ -11,10 +11,10 @@ namespace psicarve::model {
 /// The text behind the mark that some editors put before UTF-8.
 std::string_view without_byte_order_mark(std::string_view text) noexcept;
 
-/// Words of a text, and where they stand.
+/// The words of a text, and their lines.
 class Words {
 public:
-    /// A byte order mark before the first word is passed over.
+    /// Skips a byte order mark before the first word.
     explicit Words(std::string_view text);
 
     /// The next word, also of a later line; empty at the end.
@@ -34,14 +34,14 @@ private:
     std::size_t start_ = 0;
 };
 
-/// Whether the word is this one, written in any case.
+/// Whether the word is this one, in upper or lower case.
 bool is_word(std::string_view word, std::string_view lower_case) noexcept;
 
 /// The whole word as a number; NaN and infinity are numbers too, and one too large for a double is infinite.
 std::optional<double> number(std::string_view word) noexcept;
 std::optional<long long> whole_number(std::string_view word) noexcept;
 
-/// The beginning of foreign text for a message, in quotes; what is no plain character is shown as '?'.
+/// The beginning of foreign text for a message, in quotes; unusual characters are shown as '?'.
 std::string quoted(std::string_view text, std::size_t most_characters = 20);
 
 }  // namespace psicarve::model

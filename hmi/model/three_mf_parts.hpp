@@ -18,11 +18,11 @@ namespace psicarve::model {
 using Placement3mf = std::array<double, 12>;
 inline constexpr Placement3mf kUnmoved3mf{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
 
-/// More objects and components than this are nothing that can be carved, whether they stand in the file or
-/// come about by putting them together.
+/// A file with more objects and components than this is refused, whether they stand in the file or arise from
+/// putting them together.
 inline constexpr std::size_t kMostObjects3mf = 100'000;
 
-/// An object's name: the model part it stands in (0 is the one that the package begins with), and its number
+/// An object's name: the model part that holds it (0 is the one that the package begins with), and its number
 /// there.
 using ObjectKey = std::pair<std::size_t, std::uint64_t>;
 
@@ -31,7 +31,7 @@ struct PlacedObject {
     Placement3mf placement = kUnmoved3mf;
 };
 
-/// One object: a mesh of its own, or others put together.
+/// One object: a mesh of its own, or an assembly of others.
 struct Object3mf {
     std::vector<std::array<double, 3>> points;
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -43,7 +43,7 @@ struct Package3mf {
     std::string unit = "millimeter";  ///< of the part that the package begins with
     double mm_per_unit = 1.0;
     std::map<ObjectKey, Object3mf> objects;
-    std::vector<PlacedObject> build;  ///< what is to be made
+    std::vector<PlacedObject> build;  ///< the objects to be made
 };
 
 /// Reads the model part that the package begins with, and those that it names.

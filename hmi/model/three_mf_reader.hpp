@@ -7,7 +7,7 @@
 
 namespace psicarve::model {
 
-/// Reads what a 3MF archive's build places, in mm whatever unit it is written in. Looks at geometry alone.
+/// Reads what a 3MF archive's build places, in mm whatever unit it is written in. Reads geometry alone.
 Result<Mesh> read_3mf(const InputFile& file);
 
 }  // namespace psicarve::model

@@ -25,7 +25,8 @@ private:
 using ElementTaker = std::function<Result<void>(std::string_view space, std::string_view name,
                                                 const XmlAttributes& attributes)>;
 
-/// Walks through an XML part of an archive. What `take` refuses is told with part and line before it.
+/// Walks through an XML part of an archive. When `take` refuses an element, the message begins with part and
+/// line.
 Result<void> read_xml(ZipArchive& archive, const std::string& part, const ElementTaker& take);
 
 }  // namespace psicarve::model

@@ -16,8 +16,8 @@ struct zip;
 
 namespace psicarve::model {
 
-/// How much of itself an archive may unpack to, all in all. A few kilobytes can unpack to terabytes: beyond
-/// `free_bytes` it may be no more than `most_ratio` times the archive, which models are far from.
+/// How many bytes an archive may unpack to in total. A few kilobytes can unpack to terabytes: beyond
+/// `free_bytes` the limit is `most_ratio` times the archive's size, which models stay far below.
 struct UnpackLimits {
     std::uint64_t most_bytes = std::uint64_t{4} << 30U;
     std::uint64_t free_bytes = std::uint64_t{64} << 20U;
@@ -34,7 +34,7 @@ public:
     /// Whether there is a part of this name; case does not count, nor does a leading '/'.
     bool has(const std::string& part) const;
 
-    /// Unpacks a part piece by piece: its size, as the archive announces it, is never allocated.
+    /// Unpacks a part piece by piece: never allocates the size that the archive announces.
     Result<void> read(const std::string& part,
                       const std::function<Result<void>(std::string_view piece)>& take);
 
@@ -51,7 +51,7 @@ private:
 
     std::unique_ptr<struct zip, Closer> archive_;
     std::string file_;
-    std::uint64_t unpackable_bytes_;  ///< what may still come out of it
+    std::uint64_t unpackable_bytes_;  ///< how much may still be unpacked
 };
 
 }  // namespace psicarve::model

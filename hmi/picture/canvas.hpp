@@ -41,9 +41,9 @@ public:
     void line(double x0, double y0, double x1, double y1, const Rgb& colour, double width_px = 1.0);
     void fill(const Box& box, const Rgb& colour, double corner_px = 0.0);
     void frame(const Box& box, const Rgb& colour);
-    /// From one colour at the top to another at the bottom.
+    /// Fills a box, from one colour at the top to another at the bottom.
     void shade(const Box& box, const Rgb& top, const Rgb& bottom, double corner_px);
-    /// A soft dark ellipse, as far as it lies within the box.
+    /// Draws the part of a soft dark ellipse that lies within the box.
     void shadow(const Box& within, double x, double y, double half_width, double half_height);
     void image(double x, double y, const PixelImage& image);
 
@@ -62,7 +62,7 @@ private:
     std::unique_ptr<cairo_t, Free> context_;
 };
 
-/// Text from outside as valid UTF-8: what is not becomes '?'.
+/// Text from outside as valid UTF-8: invalid bytes become '?'.
 std::string as_utf8(const std::string& bytes);
 
 }  // namespace psicarve::verify

@@ -10,8 +10,8 @@
 
 namespace psicarve::verify {
 
-/// Colours of deviations: blue too deep, white as wanted, red material left; by a scale that reaches to the
-/// surface's largest.
+/// Colours of deviations: blue too deep, white as wanted, red material left; the scale reaches to the
+/// surface's largest deviation.
 class DeviationScale {
 public:
     explicit DeviationScale(std::int64_t largest_pulses);
@@ -23,7 +23,7 @@ private:
 };
 
 /// The piece unrolled, direction 0 at the left, the highest layer at the top. A pixel shows the largest
-/// deviation among its cells, so that a single stray cut is seen; the relief shines through in grey.
+/// deviation among its cells, so that a single stray cut is visible; the relief shines through in grey.
 PixelImage draw_deviation_map(const CarvedSurface& surface, const DeviationScale& scale, std::size_t width_px,
                               std::size_t height_px);
 

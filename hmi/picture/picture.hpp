@@ -12,7 +12,7 @@
 
 namespace psicarve::verify {
 
-/// What the picture's words need to know besides the piece itself.
+/// The picture's text, besides the piece itself.
 struct PictureCaption {
     std::string model_name;
     std::uint32_t layers = 0;
@@ -23,11 +23,11 @@ struct PictureCaption {
 };
 PictureCaption caption_of(const JobView& job, const VerifyReport& report);
 
-/// An 800 pixel wide PNG: the carved piece from two sides, shaded, beside the unrolled map of what differs
+/// An 800 pixel wide PNG: the carved piece from two sides, shaded, beside the unrolled map of its deviations
 /// from the job.
 Result<std::vector<std::byte>> picture_png(const CarvedSurface& surface, const PictureCaption& caption);
 
-/// The same into a file, atomically: the old file stays intact whatever happens.
+/// Writes it to a file, atomically: the old file stays intact whatever happens.
 Result<void> write_picture(const std::string& path, const CarvedSurface& surface,
                            const PictureCaption& caption);
 

@@ -34,7 +34,7 @@ struct PieceGrid {
 };
 
 PieceGrid make_piece_grid(const CarvedSurface& surface);
-/// Of radii row by row from the lowest height to the highest; at least one row.
+/// Makes the grid from radii row by row, from the lowest height to the highest; at least one row.
 PieceGrid make_piece_grid(std::size_t columns, std::vector<float> radii_mm, std::vector<float> heights_mm);
 
 }  // namespace psicarve::verify

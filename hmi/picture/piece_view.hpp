@@ -9,15 +9,14 @@
 
 namespace psicarve::verify {
 
-/// Pixels as cairo wants them: 0xAARRGGBB, colours premultiplied by alpha.
+/// Pixels in cairo's form: 0xAARRGGBB, colours premultiplied by alpha.
 struct PixelImage {
     std::size_t width = 0;
     std::size_t height = 0;
     std::vector<std::uint32_t> argb;
 };
 
-/// Where the piece is looked at from: parallel light rays, no vanishing point, so that lengths can be
-/// measured.
+/// The view of the piece: parallel projection without a vanishing point, so that lengths can be measured.
 struct PieceCamera {
     double azimuth_rad = 0.0;    ///< workpiece direction that faces the viewer
     double elevation_rad = 0.0;  ///< above the horizon

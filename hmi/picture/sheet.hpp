@@ -7,7 +7,7 @@
 
 #include "hmi/picture/canvas.hpp"
 
-/// What the pictures of verify and carve have in common: one sheet, its colours, fonts and degree axis.
+/// Shared by the pictures of verify and carve: the sheet, its colours, fonts and degree axis.
 namespace psicarve::verify::sheet {
 
 constexpr int kWidth_px = 800;
@@ -23,7 +23,7 @@ constexpr double kElevation_rad = 0.36;  ///< of the eye above the piece
 constexpr double kFirstAzimuth_deg = 30.0;
 constexpr double kSecondAzimuth_deg = 210.0;
 
-/// An empty one.
+/// An empty sheet.
 inline Canvas blank() {
     return {kWidth_px, kHeight_px, kPaper};
 }
@@ -36,12 +36,12 @@ std::string format(const char* pattern, Values... values) {
     return {text, static_cast<std::size_t>(std::clamp(length, 0, static_cast<int>(sizeof text) - 1))};
 }
 
-/// A view of the piece within its box, and from where it is seen below it.
+/// A view of the piece within its box, with the direction that it is seen from below it.
 void draw_view(Canvas& canvas, const Box& box, const PieceGrid& grid, double azimuth_deg, double px_per_mm);
 
 /// 0° to 360° along the bottom of an unrolled map, with the name of the axis.
 void draw_degrees(Canvas& canvas, const Box& map, const char* name);
-/// A height beside a map: `part` of the way up, from 0 to 1.
+/// Writes a height beside a map: `part` of the way up, from 0 to 1.
 void draw_height(Canvas& canvas, const Box& map, double part, const std::string& text);
 
 }  // namespace psicarve::verify::sheet

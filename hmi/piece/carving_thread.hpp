@@ -13,21 +13,21 @@
 
 namespace psicarve::piece {
 
-/// A thread of its own for a carver, begun when there is something to carve, so that whoever tells the
-/// positions goes on meanwhile, until some ten thousand of them wait. What is carved is the same.
+/// Runs a carver in a thread of its own, begun with the first cut, so that the thread that reports positions
+/// goes on meanwhile, until some ten thousand of them wait. The result is the same.
 ///
-/// settle() is called by one thread at a time; finish() after the last of them. Nobody else uses the carver
-/// and its stock before finish() has returned.
+/// One thread at a time calls settle(); finish() after the last of them. No other code uses the carver and
+/// its stock before finish() has returned.
 class CarvingThread {
 public:
     /// The carver outlives this.
     explicit CarvingThread(PieceCarver& carver) : carver_(carver) {}
-    /// Leaves out what waits.
+    /// Drops the positions that wait.
     ~CarvingThread();
     CarvingThread(const CarvingThread&) = delete;
     CarvingThread& operator=(const CarvingThread&) = delete;
 
-    /// As PieceCarver's. Waits while too much waits.
+    /// As PieceCarver's. Waits while too many positions wait.
     void settle(const verify::Positions& positions, bool spindle_on);
     /// Waits until all is carved, and ends the thread. Once.
     void finish();
@@ -43,10 +43,10 @@ private:
     void carve();
 
     PieceCarver& carver_;
-    Batch told_;  ///< of the telling thread alone
+    Batch told_;  ///< used by the reporting thread alone
     std::mutex mutex_;
     std::condition_variable wake_;
-    std::deque<Batch> waiting_;  ///< under the mutex, as both below
+    std::deque<Batch> waiting_;  ///< under the mutex, as the next two
     bool is_told_all_ = false;
     bool is_dropped_ = false;
     std::thread thread_;

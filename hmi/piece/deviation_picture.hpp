@@ -10,11 +10,11 @@
 
 namespace psicarve::piece {
 
-/// An 800 pixel wide PNG: the piece unrolled, coloured by how far it is from the model, with the colours'
+/// An 800 pixel wide PNG: the piece unrolled, coloured by its distance from the model, with the colours'
 /// scale and the histogram. A pixel shows the largest deviation among its places.
 Result<std::vector<std::byte>> deviation_png(const PieceDeviation& deviation, const std::string& model_name);
 
-/// The same into a file, atomically.
+/// Writes it to a file, atomically.
 Result<void> write_deviation_picture(const std::string& path, const PieceDeviation& deviation,
                                      const std::string& model_name);
 

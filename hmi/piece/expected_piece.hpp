@@ -12,14 +12,14 @@
 
 namespace psicarve::piece {
 
-/// The piece that a job's tables come to without being carved: the tips straight from point to point, cutting
-/// at every pulse of psi or, of a tool that has a size, twice in every column. Links between layers are left
+/// The piece that a job's tables describe, without carving: the tips go straight from point to point, cutting
+/// at every pulse of psi or, for a tool that has a size, twice in every column. Links between layers are left
 /// out: they cut nothing that both layers would not.
 StockMap expected_piece(const verify::JobGeometry& geometry, const Profile& profile, std::size_t columns);
-/// Asks the progress at every layer. ErrorCode::cancelled.
+/// Calls the progress at every layer. ErrorCode::cancelled.
 Result<StockMap> expected_piece(const verify::JobGeometry& geometry, const Profile& profile,
                                 std::size_t columns, const slice::Progress& progress);
-/// Of this blank, and with it of the model's ridges, if there are any.
+/// From this blank; also cuts the model's ridges, if there are any.
 Result<StockMap> expected_piece(const verify::JobGeometry& geometry, const Profile& profile, StockMap blank,
                                 Ridges* ridges, const slice::Progress& progress);
 

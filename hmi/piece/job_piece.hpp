@@ -15,19 +15,19 @@
 
 namespace psicarve::piece {
 
-/// The piece that a job's tables and its tool will leave, after the last of its passes, and how far it will
-/// be from its model.
+/// The piece that a job's tables and its tool will leave, after the last of its passes, and its deviation
+/// from the model.
 struct JobPiece {
     StockMap piece;
-    std::vector<std::size_t> rows;            ///< of the piece, that are carved
+    std::vector<std::size_t> rows;            ///< the carved rows of the piece
     std::optional<PieceDeviation> deviation;  ///< on these rows; nothing without a model
 };
 
-/// The rows of the piece that are seen: those that are carved, and what is left of the blank below and above
-/// them. Between carved ones those that no layer reaches are not.
+/// The visible rows of the piece: the carved ones, and the rest of the blank below and above them. Rows
+/// between carved ones that no layer reaches are left out.
 std::vector<std::size_t> shown_rows(const JobPiece& piece);
 
-/// `columns` cells once round, see blank_of(). `model`: null where nobody knows it. ErrorCode::cancelled.
+/// `columns` cells once round, see blank_of(). `model`: null when it is not known. ErrorCode::cancelled.
 Result<JobPiece> job_piece(const JobView& job, const Profile& profile, const PlacedModel* model,
                            std::size_t columns, const slice::SliceOptions& options);
 

@@ -10,20 +10,20 @@
 
 namespace psicarve::piece {
 
-/// What a piece lacks of its model, seen from the model: how far its surface is from what is left. A thin
-/// fin that was cut off lies far outside of a piece whose own surface is as the model is beside the fin.
+/// The parts of the model that a piece lacks, seen from the model: the distance from its surface to the
+/// piece. A thin fin that was cut off lies far outside of a piece whose own surface equals the model beside
+/// the fin.
 class MissingParts {
 public:
-    /// `wanted_mm`: the model's radii in all cells; `rows`: those that are compared, not empty. All outlive
-    /// this.
+    /// `wanted_mm`: the model's radii in all cells; `rows`: the rows to compare, not empty. All outlive this.
     MissingParts(const StockMap& carved, std::span<const float> wanted_mm, std::span<const std::size_t> rows);
 
-    /// Of the model's place in a cell [mm]; 0 where the cells beside it hold material as far out: that near a
-    /// map does not tell.
+    /// For the model's place in a cell [mm]; 0 where the cells beside it hold material as far out: a map does
+    /// not resolve less.
     double at_cell(std::size_t row, std::size_t column) const;
-    /// Of what was cut off a ridge: the way to what is left in its row, and in those above and below where
-    /// layers lie so close that nothing else is left there. Sheets that stay between layers are not the
-    /// ridge.
+    /// For the part of a ridge that was cut off: the distance to the material that is left in its row, and in
+    /// those above and below where layers lie so close that nothing else is left there. Sheets that stay
+    /// between layers do not belong to the ridge.
     double at_ridge(const Ridges& ridges, std::size_t index) const;
 
 private:

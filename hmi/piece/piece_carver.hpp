@@ -14,23 +14,23 @@
 namespace psicarve::piece {
 
 /// A blank as big as the profile says, else as the job needs, in cells about as wide as high: `columns` of
-/// them once round, fewer where 40 of them would be less than the tool's diameter. Of a point tool the rows
-/// are the layers, if these are evenly apart, and each column one that a pulse of psi points at.
+/// them once round, fewer where 40 of them would be less than the tool's diameter. For a point tool the rows
+/// are the layers, if these are evenly apart, and each column is one that a pulse of psi points at.
 StockMap blank_of(const verify::JobGeometry& geometry, const Profile& profile, std::size_t columns);
 
-/// Carves a stock map with both heads' tools along the pulses: told every position, it cuts at every one of
+/// Carves a stock map with both heads' tools along the pulses: it gets every position and cuts at each one of
 /// psi and Y, at the deepest that either head had there. One thread.
 class PieceCarver {
 public:
-    /// With the stock a model's ridges are cut, if there are any; both outlive this.
+    /// Cuts a model's ridges together with the stock, if there are any; both outlive this.
     PieceCarver(const verify::JobGeometry& geometry, const Profile& profile, StockMap& stock,
                 Ridges* ridges = nullptr);
 
-    /// After each instant in which an axis stepped; nothing is cut with the spindle off.
+    /// Call it after each instant in which an axis stepped; cuts nothing with the spindle off.
     void settle(const verify::Positions& positions, bool spindle_on);
-    /// Only of the model's ridges, for steps between those that are settled.
+    /// Cuts only the model's ridges, for steps between those that are settled.
     void settle_ridges(const verify::Positions& positions);
-    /// Before anyone looks at the stock.
+    /// Call it before the stock is read.
     void finish();
 
 private:

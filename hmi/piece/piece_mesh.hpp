@@ -16,9 +16,9 @@ enum class MeshFormat { stl, ply };
 /// and the top. Binary, little endian.
 std::vector<std::byte> mesh_bytes(const StockMap& stock, MeshFormat format);
 
-/// By the file's extension: .stl or .ply; anything else is bad input. Atomically.
+/// Writes by the file's extension: .stl or .ply; any other is bad input. Atomically.
 Result<void> write_piece(const std::string& path, const StockMap& stock);
-/// The same question before the work.
+/// Checks the extension before the work.
 Result<MeshFormat> mesh_format_of(const std::string& path);
 
 }  // namespace psicarve::piece

@@ -23,12 +23,12 @@ struct PlacedModel {
     double core_mm = 0.0;  ///< no head goes further in
 };
 
-/// Where the job's report says that the model stands. Refuses a model that is not the one that was sliced.
+/// Places the model where the job's report says. Refuses a model that is not the one that was sliced.
 Result<PlacedModel> place_as_sliced(std::shared_ptr<const model::Mesh> mesh, const JobView& job,
                                     const Profile& profile);
 
-/// The radii that the model asks for at a stock map's heights and directions [mm], row by row: those of its
-/// outermost surface, at least the core radius.
+/// The model's radii at a stock map's heights and directions [mm], row by row: those of its outermost
+/// surface, at least the core radius.
 Result<std::vector<float>> wanted_radii(const PlacedModel& model, const StockMap& stock,
                                         const slice::SliceOptions& options);
 

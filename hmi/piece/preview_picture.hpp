@@ -12,15 +12,15 @@
 
 namespace psicarve::piece {
 
-/// What stands in a preview beside the piece.
+/// The text of a preview, beside the piece.
 struct PreviewText {
     std::string title;
-    std::vector<std::string> lines;  ///< a name of up to 11 characters, filled up with blanks, and what it is
+    std::vector<std::string> lines;  ///< a name of up to 11 characters, padded with blanks, and its value
     std::vector<std::string> warnings;
 };
 
-/// An 800 pixel wide PNG: some rows of a piece from two sides within the outline of the blank where it
-/// stands, if its size is known, lines of text beside it, and the warnings below, broken where they are long.
+/// An 800 pixel wide PNG: some rows of a piece from two sides within the outline of the blank, if its size is
+/// known, lines of text beside it, and the warnings below, wrapped.
 Result<std::vector<std::byte>> preview_png(const StockMap& piece, std::span<const std::size_t> rows,
                                            const BlankProfile& blank, const PreviewText& text);
 

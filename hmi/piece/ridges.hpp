@@ -13,24 +13,25 @@
 
 namespace psicarve::piece {
 
-/// A place on one of the model's edges that stands further out than the model does around it, in the cells of
-/// a stock map without what is less than five of them wide: cells tell little of it, or nothing.
+/// A place on one of the model's edges that stands further out than the model around it, compared in the
+/// cells of a stock map without features less than five of them wide: cells show little of such an edge, or
+/// nothing.
 struct Ridge {
     double direction_rad = 0.0;
     double height_mm = 0.0;
     double radius_mm = 0.0;
-    double above_mm = 0.0;  ///< what is around it
+    double above_mm = 0.0;  ///< height above the model around it
     std::size_t row = 0;    ///< of the map's nearest cell
     std::size_t column = 0;
 };
 
-/// The ridges of a model, and how deep a tool has cut them: along the ray through each, and along rays as
-/// far beside it as the machine's pulses are apart, since a ray that only grazes a flank says nothing.
+/// The ridges of a model, and how deep a tool has cut them: along the ray through each, and along rays beside
+/// it, one pulse of the machine away, since a ray that only grazes a flank shows nothing.
 class Ridges {
 public:
     /// Before anything is cut. `wanted_mm`: the model's radii in the map's cells; `rows`: those that the job
-    /// carves. Edges are looked at once a cell of their length and where layers are; of a cell the place that
-    /// stands out most counts, and of all cells those 2048 where most stands out.
+    /// carves. Edges are sampled once for each cell of their length and at each layer; in a cell the place
+    /// that stands out most counts, and of all cells the 2048 that stand out most.
     Ridges(const PlacedModel& model, const tool::Tool& tool, const StockMap& blank,
            std::span<const float> wanted_mm, std::span<const std::size_t> rows,
            const verify::JobGeometry& geometry);
@@ -39,8 +40,8 @@ public:
     void cut(double direction_rad, double height_mm, double tip_mm);
 
     std::span<const Ridge> all() const noexcept { return ridges_; }
-    /// How much of a ridge is gone, the shortest way to what is left of it; 0 where that is as little as the
-    /// rays are apart.
+    /// How much of a ridge is missing, the shortest way to what is left of it; 0 where that is less than the
+    /// distance of the rays.
     double missing_mm(std::size_t index) const noexcept;
     /// Whether between the layers below and above a height the tool leaves no more than a row of the map,
     /// along the radius. A point leaves all of it.

@@ -10,9 +10,9 @@
 
 namespace psicarve::piece {
 
-/// How far a place is from a surface that is given by its radii in a stock map's cells: triangles between
-/// neighbouring cells. Looks as far round as the cells within reach of what it has found, at most 8 of them:
-/// beyond that the answer is the way along the radius, if nothing nearer was met.
+/// The distance of a place from a surface that is given by its radii in a stock map's cells: triangles
+/// between neighbouring cells. Searches the cells within the distance that it has found, at most 8 to each
+/// side: beyond that the answer is the way along the radius, if nothing nearer was found.
 class SurfaceDistance {
 public:
     /// The rows of a map that make up the surface.
@@ -25,9 +25,9 @@ public:
     SurfaceDistance(const StockMap& stock, std::span<const float> radii_mm);
     SurfaceDistance(const StockMap& stock, std::span<const float> radii_mm, Rows rows);
 
-    /// Of the place at this radius in the middle of a cell [mm].
+    /// For the place at this radius in the middle of a cell [mm].
     double of(std::size_t row, std::size_t column, double radius_mm) const;
-    /// Of any place, whose nearest cell this is, or `most_mm` where nothing is nearer.
+    /// For any place, whose nearest cell this is; `most_mm` where nothing is nearer.
     double of(std::size_t row, std::size_t column, const std::array<double, 3>& place, double most_mm) const;
 
 private:

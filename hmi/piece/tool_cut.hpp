@@ -11,10 +11,10 @@
 
 namespace psicarve::piece {
 
-/// Further to the side no tool's front is seen from the axis.
+/// The greatest angle to the side at which a tool's front is seen from the axis.
 inline constexpr double kWidest_rad = 1.5;
 
-/// Cells of a stock map that a tool may reach: columns that its front is seen in from the axis, the first of
+/// Cells of a stock map that a tool may reach: columns in which its front is seen from the axis, the first of
 /// them unwrapped, and rows within its radius.
 struct ReachedColumns {
     ReachedColumns(const tool::Tool& tool, std::size_t column_count, double direction_rad,
@@ -28,7 +28,7 @@ struct ReachedRows {
     std::size_t end = 0;
 };
 
-/// Takes out of a stock map what a tool whose axis lies on a radius reaches from one place. On the ray in the
+/// Cuts out of a stock map what a tool whose axis lies on a radius reaches from one place. On the ray in the
 /// direction D from the tool's axis, dy above it, material ends where the ray enters the tool:
 ///
 ///     flat   rho = r / cos D
@@ -37,20 +37,20 @@ struct ReachedRows {
 ///     tan(angle/2)
 ///
 /// with r the tip's radius, all within the tool's radius R across: (rho sin D)^2 + dy^2 <= R^2. A ray that
-/// leaves the tool's side again before the blank's surface is left alone. A point tool cuts the one cell that
-/// it stands in, both where it is at most `point_reach_mm` from the boundary of two rows, or none when its
-/// direction is further than `point_reach_rad` from the column. One thread.
+/// leaves the tool's side again before the blank's surface is left uncut. A point tool cuts the one cell that
+/// it stands in, both cells where it is at most `point_reach_mm` from the boundary of two rows, or none when
+/// its direction is further than `point_reach_rad` from the column. One thread.
 class ToolCut {
 public:
     ToolCut(const tool::Tool& tool, StockMap& stock, double point_reach_rad = 7.0,
             double point_reach_mm = 0.0);
 
-    /// The tool's axis at a direction and height, its tip at a radius >= 0.
+    /// Cuts with the tool's axis at a direction and height, its tip at a radius >= 0.
     void at(double direction_rad, double height_mm, double tip_mm);
-    /// How far it would cut there, along the radius, where it would cut most [mm]; not for a point. Changes
+    /// The depth of its cut there, along the radius, where it would cut most [mm]; not for a point. Changes
     /// nothing.
     double bite_mm(double direction_rad, double height_mm, double tip_mm);
-    /// Cells looked at so far.
+    /// Cells tested so far.
     std::uint64_t contacts() const noexcept { return contacts_; }
 
 private:
@@ -79,7 +79,7 @@ private:
     std::size_t first_ = 0;
     std::uint64_t contacts_ = 0;
     bool only_measures_ = false;
-    float deepest_ = 0.0F;  ///< of what was measured
+    float deepest_ = 0.0F;  ///< found by the last measurement
 };
 
 }  // namespace psicarve::piece

@@ -12,9 +12,9 @@
 namespace psicarve::piece {
 
 /// Cuts what ToolCut cuts at the same places one after the other, to the last bit, several places at a time:
-/// those that follow each other at one height, near each other. Cells are looked at in blocks of a row's
-/// columns. Which places can change a block is told by bounds, first for all places of several blocks, and of
-/// those that can the deepest comes first, behind which most of the others find nothing.
+/// those that follow each other at one height, near each other. Tests cells in blocks of a row's columns.
+/// Bounds tell which places can change a block, first for all places of several blocks; of those that can,
+/// the deepest comes first, and most of the others find nothing left.
 ///
 /// The same result, since
 ///   - a bound is the entry itself, computed from the least and the most of what a block's columns have:
@@ -22,19 +22,20 @@ namespace psicarve::piece {
 ///   - where all a block's cells are within the tool's side at all places, each ends at the least entry,
 ///     whatever the order, for cells only become smaller; elsewhere the places come in their own order.
 ///
-/// Nobody else gives the stock anything back. One thread.
+/// No other code adds material to the stock. One thread.
 class ToolSweep {
 public:
     ToolSweep(const tool::Tool& tool, StockMap& stock, double point_reach_rad = 7.0,
               double point_reach_mm = 0.0);
 
     /// The tool's axis at a direction (0 <= direction < one turn) and height, its tip at a radius >= 0. May
-    /// be cut later.
+    /// cut it later.
     void at(double direction_rad, double height_mm, double tip_mm);
-    /// Cuts what is left to be cut; before anyone looks at the stock.
+    /// Cuts all that waits; call it before the stock is read.
     void flush();
 
-    /// From the first of the places that are cut together to any other, to either side.
+    /// The greatest angle between the first of the places that are cut together and any other, to either
+    /// side.
     static constexpr double kMostTurn_rad = 0.05;
 
 private:
@@ -45,7 +46,7 @@ private:
     using PerColumn = std::array<float, kColumns>;
     using PerPlace = std::array<float, kPlaces>;
     using PerBlock = std::array<float, kBlocks>;
-    /// What an entry is computed from; see the shapes in the .cpp.
+    /// The values from which an entry is computed; see the shapes in the .cpp.
     template <typename Values>
     struct Terms {
         Values ahead;
@@ -53,13 +54,13 @@ private:
         Values spread;
         Values sine2;
     };
-    /// Of several columns or places the least, and of `spread` the most as well.
+    /// The least over several columns or places, and of `spread` the most as well.
     template <typename Values>
     struct Bounds {
         Terms<Values> least;
         Values most_spread;
     };
-    /// Columns beside each other, as seen from each place.
+    /// Neighbouring columns, as seen from each place.
     struct Block {
         std::array<Terms<PerColumn>, kPlaces> at;
         Bounds<PerPlace> bounds;
@@ -97,7 +98,7 @@ private:
     std::vector<float> top_mm_;  ///< nothing in a block of the map stands further out
     std::vector<Place> places_;
     double height_mm_ = 0.0;
-    std::size_t first_block_ = 0;              ///< of a row, that a place reaches
+    std::size_t first_block_ = 0;              ///< of a row: the first that a place reaches
     std::vector<Block> blocks_;                ///< from there on, round the row's end
     std::vector<Bounds<PerBlock>> stretches_;  ///< of all places, blocks_ by kBlocks
 };

@@ -13,32 +13,32 @@
 
 namespace psicarve::piece {
 
-/// Cells once round of a piece that a view follows: as many as it draws.
+/// Cells once round of a piece for a view that follows the carving: as many as it draws.
 inline constexpr std::size_t kViewColumns = 480;
 /// A blank for a view that follows the carving: at most `columns` cells once round, fewer where the blank is
 /// so tall that its map would have more than a million cells.
 StockMap view_blank_of(const verify::JobGeometry& geometry, const Profile& profile, std::size_t columns);
 
-/// Of the places that the axes come through, those that tell on a map, for a tool that has a size: each a
-/// quarter of a cell from the one before, or deeper than it by a sixteenth.
+/// Of the places that the axes pass, those that change a map, for a tool that has a size: each a quarter of a
+/// cell from the one before, or deeper than it by a sixteenth.
 class ToolWay {
 public:
     using Cut = std::function<void(const verify::Positions&)>;
 
     ToolWay(const verify::JobGeometry& geometry, const StockMap& stock);
 
-    /// The axes have come here straight from the place before.
+    /// The axes have moved here straight from the place before.
     void go(const verify::Positions& to, const Cut& cut);
-    /// Nobody saw how the axes come to the next place.
+    /// The way of the axes to the next place is not known.
     void lift() noexcept { told_.reset(); }
-    /// As the job says: a layer's points, up to before a step. Lifted before and behind it.
+    /// Moves as the job says: a layer's points, up to before a step. Lifted before and behind it.
     void go_layer(std::uint32_t layer, std::uint32_t end_step, const Cut& cut);
-    /// From now on places are half as dense.
+    /// Halves the density of the places from now on.
     void coarsen() noexcept { near_ratio_ *= 2.0; }
 
-    /// The way from one place straight to another, without the former: two places to a cell.
+    /// The straight way from one place to another, without the former: two places to a cell.
     void between(const verify::Positions& from, const verify::Positions& to, const Cut& cut) const;
-    /// Cells of the map, of direction or height, that this way leads through.
+    /// Cells of the map, of direction or height, on this way.
     double cells_between(const verify::Positions& from, const verify::Positions& to) const noexcept;
 
 private:

@@ -7,11 +7,11 @@
 
 namespace psicarve::profile {
 
-// What measurements at the machine say about its profile. Each function puts the values into the draft, or
-// refuses (bad_input) what cannot have been measured and leaves the draft as it is.
+// Turns measurements at the machine into values of its profile. Each function puts them into the draft, or
+// refuses (bad_input) an impossible measurement and leaves the draft as it is.
 
-/// A head's tip touches a pin that stands on the axis, while the core counts `counted_mm` for it: the tip's
-/// offset, with a tool that counts as new from now on.
+/// A head's tip touches a pin that stands on the axis, while the core counts `counted_mm` for it. Sets the
+/// tip's offset, and the tool's wear to none.
 Result<void> touch_off(ProfileDraft& draft, Axis head, double pin_diameter_mm, double counted_mm);
 
 /// Two marks on a round blank, R1's and R2's, that would fall together on a machine without error: each made

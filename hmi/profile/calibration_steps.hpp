@@ -14,20 +14,20 @@
 
 namespace psicarve::profile {
 
-// What whoever asks for the measurements, in a terminal or a window, has in common.
+// What the terminal's and the window's calibration have in common.
 
-/// In the order in which they are asked for: later ones rely on earlier ones.
+/// In the order in which they are asked: later ones rely on earlier ones.
 enum class CalibrationStep : std::uint8_t { touch_off_r1, touch_off_r2, two_marks, wear_r1, wear_r2 };
 inline constexpr std::array kCalibrationSteps{CalibrationStep::touch_off_r1, CalibrationStep::touch_off_r2,
                                               CalibrationStep::two_marks, CalibrationStep::wear_r1,
                                               CalibrationStep::wear_r2};
 
-/// The head that a step is about; two_marks: R2, which is set by R1.
+/// The head that a step measures; two_marks: R2, which is set by R1.
 constexpr Axis head_of(CalibrationStep step) noexcept {
     return step == CalibrationStep::touch_off_r1 || step == CalibrationStep::wear_r1 ? Axis::r1 : Axis::r2;
 }
 
-/// What a step asks for; nothing: no answer.
+/// The measurements that a step asks for; nothing: no answer.
 struct CalibrationAnswers {
     std::optional<double> diameter_mm;  ///< of the pin, or of the blank with the two marks
     std::optional<double> counted_mm;   ///< touch-off: where the head is counted to stand
@@ -36,12 +36,12 @@ struct CalibrationAnswers {
     std::optional<double> wear_mm;
 };
 
-/// Puts what was measured into the draft; a step without answers leaves it. Errors: bad_input when an answer
-/// is missing or cannot have been measured; the draft stays as it is.
+/// Puts the measurements into the draft; a step without answers leaves it. Errors: bad_input when an answer
+/// is missing or impossible; the draft stays as it is.
 Result<void> take_answers(ProfileDraft& draft, CalibrationStep step, const CalibrationAnswers& answers);
 
-/// Where a core counts a head to stand [mm], by the profile in a file. Only one that counts by this very
-/// profile, homed and at rest, knows. Errors: machine_refused.
+/// The position at which a core counts a head [mm], by the profile in a file. Requires a core that uses this
+/// very profile and is homed and at rest. Errors: machine_refused.
 Result<double> counted_place_mm(const std::string& path, const Profile& on_file,
                                 std::uint64_t core_profile_hash, const CoreStatus& status, Axis head);
 

@@ -10,7 +10,7 @@
 
 namespace psicarve::session {
 
-/// A signal and where it leaves the computer.
+/// A signal and its pin.
 struct PinRow {
     Signal signal;
     Phrase name;               ///< "R1 step"
@@ -21,10 +21,10 @@ struct PinRow {
 
 Phrase name_of_signal(Signal signal);
 
-/// What stands at a pin of the connector, where there is little room: "R1 Ψ en" of a pin that enables both.
+/// A short label for a pin of the connector: "R1 Ψ en" for a pin that enables both.
 Phrase pin_label(const std::vector<Signal>& signals);
 
-/// Outputs by pin, then inputs by pin; what is not wired comes last.
+/// Outputs by pin, then inputs by pin; signals that are not wired come last.
 std::vector<PinRow> pin_rows(const Profile& profile);
 
 /// The sensors that stop a machine and are tripped now: limit switches and the emergency stop.

@@ -11,35 +11,35 @@
 
 namespace psicarve::profile {
 
-/// A machine profile while somebody edits it: every key of profile_keys() by its index, as typed, checked
-/// after each change. What is saved keeps every byte of the file but the changed values.
+/// A machine profile while it is edited: every key of profile_keys() by its index, as typed, checked after
+/// each change. Saving keeps every byte of the file but the changed values.
 class ProfileDraft {
 public:
     /// The built-in profile; it has no file until it is saved as one.
     ProfileDraft();
     /// Wrong values of a file show at their keys. Errors: bad_input when it cannot be read, is no TOML, or
-    /// has keys that nobody knows or a table where a value belongs.
+    /// has unknown keys or a table where a value belongs.
     static Result<ProfileDraft> open(const std::string& path);
 
-    /// Empty: not from a file.
+    /// Empty: the draft is not from a file.
     const std::string& path() const noexcept { return path_; }
     static std::string backup_path(const std::string& path) { return path + ".bak"; }
-    /// Of the backups before it: 1 is the next older one, up to kOlderBackups.
+    /// The older backups: 1 is the next older one, up to kOlderBackups.
     static std::string older_backup_path(const std::string& path, int age) {
         return backup_path(path) + "." + std::to_string(age);
     }
     static constexpr int kOlderBackups = 4;
-    /// Where they would be, newest first.
+    /// The paths of all possible backups, newest first.
     static std::vector<std::string> backups_of(const std::string& path);
 
     const std::string& typed(std::size_t key) const { return entries_[key].typed; }
     void type(std::size_t key, std::string_view text);
-    /// What stands in the file, as it would be typed.
+    /// The value in the file, as it would be typed.
     std::string saved(std::size_t key) const;
 
     bool is_changed(std::size_t key) const;
     bool differs_from_built_in(std::size_t key) const;
-    /// Of a value as profile_values() has it. What is no value differs.
+    /// Compares with a value as profile_values() gives it. A text that is no value differs.
     bool differs_from(std::size_t key, std::string_view toml) const;
     /// "what is wrong; remedy", or nothing.
     const std::string& problem(std::size_t key) const { return entries_[key].problem; }
@@ -49,24 +49,25 @@ public:
     void undo(std::size_t key) { type(key, saved(key)); }
     void undo_all();
 
-    /// The profile that this is. Errors: bad_input as long as something is wrong.
+    /// The profile with all changes. Errors: bad_input as long as something is wrong.
     Result<Profile> profile() const;
 
-    /// Into its file, whose old state becomes the backup. Errors: bad_input while something is wrong, when
-    /// somebody else has changed the file meanwhile, or where a value cannot be put in its place; those of
+    /// Writes the file, whose old state becomes the backup. Errors: bad_input while something is wrong, when
+    /// another program has changed the file meanwhile, or where a value cannot be put in its place; those of
     /// write_file_atomically: the old file stays.
     Result<void> save();
-    /// Whether save() leaves a backup: none of a file in which nothing stood.
+    /// Whether save() leaves a backup: not of an empty file.
     bool keeps_backup() const noexcept { return !file_text_.empty(); }
-    /// Under another name from now on; what stood there becomes the backup.
+    /// Saves under another name, which is the draft's from now on; an old file of that name becomes the
+    /// backup.
     Result<void> save_as(const std::string& path);
-    /// A backup's values into the draft; nothing is saved yet.
+    /// Reads a backup's values into the draft, without saving.
     Result<void> take_backup(const std::string& backup);
 
 private:
     struct Entry {
         std::string typed;
-        std::string toml;        ///< of what is typed; empty: that is no value
+        std::string toml;        ///< of what is typed; empty: no value
         std::string saved_toml;  ///< what the file says
         std::string problem;
     };

@@ -7,15 +7,15 @@
 
 namespace psicarve::profile {
 
-/// Bytes of a UTF-8 text by line and column, both from 1, columns in code points, as toml++ counts them: a
-/// byte order mark at the beginning counts as nothing. Keeps a view of the text.
+/// Finds bytes of a UTF-8 text by line and column, both from 1, columns in code points, as toml++ counts
+/// them: a byte order mark at the beginning does not count. Keeps a view of the text.
 class TextPlaces {
 public:
     explicit TextPlaces(std::string_view text);
 
-    /// The end of the text for what lies beyond it.
+    /// For a place beyond the text, its end.
     std::size_t offset_of(std::size_t line, std::size_t column) const;
-    /// Where the line begins in which this byte stands, and where the next one does, or the text ends.
+    /// Where the line of this byte begins; and where the next line begins, or the text ends.
     std::size_t line_begin(std::size_t offset) const;
     std::size_t line_end(std::size_t offset) const;
     std::size_t text_begin() const noexcept { return begins_.front(); }

@@ -12,7 +12,7 @@ namespace psicarve::profile {
 /// A key's value as an editor's field shows it: without quotes and brackets, "0.0 ... 60.0" for a range.
 std::string typed_from_toml(const ProfileKey& key, std::string_view toml);
 
-/// What somebody typed as TOML, or nothing: it is no value of this kind at all. Bounds are not looked at.
+/// The typed text as TOML, or nothing: it is no value of this kind at all. Does not check bounds.
 std::optional<std::string> toml_from_typed(const ProfileKey& key, std::string_view typed);
 
 }  // namespace psicarve::profile

@@ -23,7 +23,7 @@ struct PassSettings {
     double known_blank_mm = 0.0;  ///< no material is further out (known_blank_mm of shared/job/outside.hpp)
 };
 
-/// One layer of a roughing pass, as the job has it.
+/// One layer of a roughing pass in the job's form.
 struct RoughLayer {
     std::size_t ring = 0;
     std::array<std::vector<std::int32_t>, kHeads> radii;  ///< by head and point, counted
@@ -35,14 +35,14 @@ struct RoughLayer {
 struct RoughPass {
     double depth_mm = 0.0;
     std::vector<RoughLayer> layers;
-    std::uint64_t cut_points = 0;  ///< where the tool has something to remove
-    std::uint64_t air_points = 0;  ///< where it passes over what is clear
+    std::uint64_t cut_points = 0;  ///< where the tool has material to remove
+    std::uint64_t air_points = 0;  ///< where it passes over cleared space
 };
 
-/// The greatest ridge that the tool leaves between two cuts so far apart [mm].
+/// The greatest ridge that the tool leaves between two cuts this far apart [mm].
 double ridge_mm(const ToolProfile& tool, double apart_mm);
 
-/// Plans a pass to a depth from what the passes before have left, and takes it off that.
+/// Plans a pass to a depth in the stock that the passes before have left, and cuts it out of that.
 ///
 ///     tip over a cell = max(finished tip + allowance, depth)
 ///

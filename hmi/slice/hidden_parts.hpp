@@ -11,12 +11,12 @@
 
 namespace psicarve::slice {
 
-/// The walls of a model that rays from the axis meet in some directions or heights.
+/// Counts of the walls of a model that rays from the axis meet in some directions or at some heights.
 struct WallCount {
     std::uint64_t walls = 0;
     std::uint64_t hidden = 0;  ///< behind another one in the same direction
     std::uint64_t rays = 0;
-    std::uint64_t open = 0;  ///< rays that count walls as none of a closed body
+    std::uint64_t open = 0;  ///< rays whose walls cannot belong to a closed body
 
     double hidden_share() const noexcept {
         return walls > 0 ? static_cast<double>(hidden) / static_cast<double>(walls) : 0.0;
@@ -28,15 +28,15 @@ struct WallCount {
 
 /// Where a radial tool cannot reach a model, and where its mesh is open.
 struct HiddenParts {
-    std::vector<WallCount> sectors;  ///< as many degrees wide each as make a turn, from direction 0 on
+    std::vector<WallCount> sectors;  ///< of equal width, as many as make a turn, from direction 0 on
     std::vector<WallCount> layers;   ///< at the heights asked for
 
-    /// Neighbours for which `share` says more than `least`, from index to the one behind the last; those of
-    /// a turn may go on behind its end.
+    /// Neighbours whose `share` is above `least`, from `begin` to one past the last; a run of sectors may
+    /// pass direction 0.
     struct Run {
         std::size_t begin;
         std::size_t end;
-        double share;  ///< of all that lies in it
+        double share;  ///< over the whole run
     };
     using Share = double (WallCount::*)() const noexcept;
     static std::vector<Run> runs(const std::vector<WallCount>& counts, Share share, double least,

@@ -22,8 +22,8 @@ struct CutFacet {
 /// row that rises from a bottom to a top may cut what has lowest z <= top and bottom < highest z.
 class LayerBuckets {
 public:
-    /// Heights are ascending, in stored coordinates (file units less the mesh's origin). Rows that do not
-    /// rise: give the same heights twice.
+    /// Heights are ascending, in stored coordinates (file units less the mesh's origin). For rows that do not
+    /// rise give the same heights twice.
     LayerBuckets(const model::TriangleList& triangles, Up up, std::span<const double> bottoms,
                  std::span<const double> tops);
 

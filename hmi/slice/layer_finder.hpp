@@ -8,7 +8,7 @@
 
 namespace psicarve::slice {
 
-/// Finds layers by height: guesses as if they were evenly spaced, then looks.
+/// Finds layers by height: guesses as if they were evenly spaced, then corrects.
 class LayerFinder {
 public:
     /// Requires ascending heights, one at least, that outlive the finder.

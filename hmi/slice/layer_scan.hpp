@@ -15,14 +15,16 @@ namespace psicarve::slice {
 
 /// Totals of one layer. Radii in file units.
 struct LayerTotals {
-    std::uint32_t open_cells = 0;    ///< directions whose wall count does not fit the layer's: a hole there
+    std::uint32_t open_cells = 0;    ///< directions whose wall count differs in parity from the layer's: a
+                                     ///< hole there
     std::uint32_t empty_cells = 0;   ///< directions that meet no wall
     std::uint32_t hidden_walls = 0;  ///< walls behind another in the same direction
     std::uint32_t walls = 0;
     std::uint32_t turned_cells = 0;  ///< directions where outsides and insides do not alternate
     bool has_section = false;        ///< the layer cuts the model at all
     bool contains_axis = false;      ///< the axis is inside the section
-    bool is_odd = false;             ///< most directions meet an odd number of walls; of one solid: as above
+    bool is_odd = false;             ///< most directions meet an odd number of walls; for a single solid this
+                                     ///< equals contains_axis
     double radius_sum = 0.0;         ///< over all walls
     double outer_sum = 0.0;          ///< over the outermost walls
     double radius_max = 0.0;
@@ -81,17 +83,17 @@ public:
 
     /// Draws a segment as seen from the axis at (0, 0).
     void add_segment(const SectionSegment& segment) noexcept;
-    /// The same of several, kMostAtOnce at most: quicker, as no end waits for what is drawn before it.
+    /// Draws several, kMostAtOnce at most: quicker, since they do not wait for each other.
     void add_segments(std::span<const SectionSegment> segments) noexcept;
     static constexpr std::size_t kMostAtOnce = 64;
-    /// The same, in one sorted cell alone.
+    /// Draws a segment in one sorted cell alone.
     void add_segment_in(const SectionSegment& segment, std::uint32_t cell) noexcept;
 
     /// Whether an odd number of walls stands in a sorted cell so far: its ray has left the solid for good.
     bool is_odd(std::uint32_t cell) const noexcept {
         return ((walls_[cell] ^ walls_[cell] >> 16U) & 1U) != 0;
     }
-    /// Ends the layer: its totals and radii, valid until the next segment. Clears the cells for the next.
+    /// Ends the layer and clears the cells: its totals and radii are valid until the next segment.
     const LayerTotals& finish() noexcept;
     std::span<const double> radius() const noexcept { return result_; }
     std::span<const std::uint32_t> wall_counts() const noexcept { return result_walls_; }

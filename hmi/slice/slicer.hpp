@@ -14,7 +14,7 @@
 
 namespace psicarve::slice {
 
-/// Called on the caller's thread with what part of the work is done, 0 to 1; false ends the work.
+/// Called on the caller's thread with the share of the work that is done, 0 to 1; false ends the work.
 using Progress = std::function<bool(double done_ratio)>;
 
 /// Called once for each layer, in no fixed order, from `thread_count` threads.
@@ -24,7 +24,7 @@ struct SliceOptions {
     unsigned thread_count = 1;  ///< the result is the same, bit for bit, for any number
     Progress progress;
 
-    /// For a part of the work that is so much of the whole, from `begin` on. Outlived by this.
+    /// For a part of the work, `share` of the whole, that begins at `begin`. This object outlives it.
     SliceOptions part(double begin, double share) const {
         SliceOptions options{thread_count, {}};
         if (progress)
@@ -55,7 +55,7 @@ Result<RadialMap> radial_map(const model::Mesh& mesh, const Placement& placement
                              std::span<const double> heights, const Directions& directions,
                              const SliceOptions& options);
 
-/// The part of the surface, all walls, that lies behind others; 0 where no wall does.
+/// The share of the surface (all walls) that lies behind others; 0 where no wall does.
 double undercut_share(std::span<const LayerTotals> layers);
 
 /// Heights of the layers: i at bottom + (i + 1/2) * height / count.

@@ -26,12 +26,12 @@ public:
 
     /// Stored coordinates. Odd rows begin half a turn on.
     void begin_row(std::size_t row, double bottom, double top) noexcept;
-    /// Draws into `scan` what the row meets of a facet.
+    /// Draws into `scan` where the row cuts a facet.
     void add(const FacetCutter& cutter, const model::Triangle& facet, LayerScan& scan) const noexcept;
 
     /// Directions whose wall count shows a hole, before the scan is finished: the rays of both heads begin in
-    /// one point of the axis, so one of two that differ has met a hole. Both have where they differ from the
-    /// row's both ends. (Between unlike ends the axis enters or leaves the solid.)
+    /// one point of the axis, so when the two differ, one of them has met a hole. Both have where they differ
+    /// from the row's both ends. (Between unlike ends the axis enters or leaves the solid.)
     std::uint32_t open_cells(const LayerScan& scan) const noexcept;
 
 private:

@@ -24,7 +24,7 @@ public:
     std::uint32_t layer_count() const noexcept { return geometry_.row_count(); }
     std::uint32_t direction_count() const noexcept { return geometry_.direction_count(); }
     double layer_height_mm(std::uint32_t layer) const noexcept;
-    /// Layers that rise as they turn: never lower than the one before in the same direction, but not level.
+    /// Whether rows rise as they turn: never lower than the one before in the same direction, but not level.
     bool is_spiral() const noexcept { return geometry_.is_spiral(); }
     double height_mm(std::uint32_t layer, std::uint32_t direction) const noexcept;
     double blank_radius_mm() const noexcept { return geometry_.blank_radius_mm(); }
@@ -34,8 +34,8 @@ public:
     std::span<const float> radii_mm(std::uint32_t layer) const noexcept {
         return {radius_mm_.data() + std::size_t{layer} * direction_count(), direction_count()};
     }
-    /// Carved minus wanted radius of a cell [pulses]; negative: too deep. The way between two points is rule
-    /// 1's business and leaves no mark here as long as that rule holds.
+    /// Carved minus wanted radius of a cell [pulses]; negative: too deep. The way between two points is
+    /// judged by rule 1 and changes nothing here as long as that rule holds.
     std::int32_t deviation_pulses(std::uint32_t layer, std::uint32_t direction) const noexcept;
     /// The largest of these, without its sign, among the cells that hold a point of the job or were cut too
     /// deep.
@@ -43,9 +43,9 @@ public:
     /// Cells that no tip reached. R2's errors of angle and height leave such cells in a complete carving.
     std::uint64_t uncarved_cells() const noexcept;
 
-    // For the verifier as it follows the pins:
+    // For the verifier as it follows the pins.
 
-    /// A tip stands here.
+    /// A tip reaches this radius in a cell.
     void touch(std::uint32_t layer, std::uint32_t cell, float radius_mm) noexcept {
         const std::size_t index = std::size_t{layer} * direction_count() + cell;
         float& radius = radius_mm_[index];
@@ -53,14 +53,14 @@ public:
         reached_[index] = 1;
         is_touched_ = true;
     }
-    /// For who shows an earlier state again: the cell as it was then.
+    /// For code that shows an earlier state again: sets the cell as it was then.
     void put(std::uint32_t layer, std::uint32_t cell, float radius_mm) noexcept {
         radius_mm_[std::size_t{layer} * direction_count() + cell] = radius_mm;
         is_touched_ = true;
     }
-    /// How far from the wanted radius a tip came at a point; the deepest stays.
+    /// Notes how far from the wanted radius a tip came at a point; the deepest stays.
     void note_deviation(std::uint32_t layer, std::uint32_t cell, std::int64_t pulses) noexcept;
-    /// A fresh blank.
+    /// Makes it a fresh blank.
     void clear();
 
 private:

@@ -19,7 +19,7 @@ using Positions = std::array<std::int64_t, kAxisCount>;
 inline constexpr std::size_t kHeadCount = 2;
 inline constexpr std::array<Axis, kHeadCount> kHeads{Axis::r1, Axis::r2};
 
-/// The layers that a trace is to have carved: as `psicarve start --from-layer` and `--layers` count them.
+/// The layers that a trace should have carved: counted as by `psicarve start --from-layer` and `--layers`.
 struct LayerRange {
     std::uint32_t first = 0;
     std::uint32_t count = 0;  ///< 0: all that follow
@@ -37,9 +37,9 @@ struct HeadGeometry {
     }
 };
 
-/// Where the job's points lie on the workpiece: everything that verifying needs besides the pins. The surface
-/// that is wanted is the finishing pass': its rows count from 0 with that pass' first layer.
-/// Directions are workpiece directions in psi pulses, 0 <= direction < one revolution.
+/// Where the job's points lie on the workpiece: all that verifying needs besides the pins. The wanted surface
+/// is the finishing pass': its rows count from 0 with that pass' first layer. Directions are workpiece
+/// directions in psi pulses, 0 <= direction < one revolution.
 class JobGeometry {
 public:
     static Result<JobGeometry> make(const JobView& job, const Profile& profile,
@@ -52,7 +52,7 @@ public:
     /// Layer of the job that is the surface's first row.
     std::uint32_t first_row_layer() const noexcept { return job_.finishing_layer(); }
     std::uint32_t row_count() const noexcept { return layer_count() - first_row_layer(); }
-    /// Of the layers that are to be carved.
+    /// In the layers that are to be carved.
     std::uint64_t total_points() const noexcept {
         return std::uint64_t{end_layer_ - first_layer_} * point_count();
     }
@@ -64,10 +64,10 @@ public:
     double tolerance_mm() const noexcept { return tolerance_mm_; }
     double y_pulses_per_mm() const noexcept { return y_pulses_per_mm_; }
     double blank_radius_mm() const noexcept { return blank_radius_mm_; }
-    /// Rows that rise as they turn: each holds every direction once, at a height of its own.
+    /// Whether rows rise as they turn: each holds every direction once, at a height of its own.
     bool is_spiral() const noexcept { return job_.joining() == Joining::spiral && row_count() > 1; }
     std::int64_t height(std::uint32_t row) const noexcept { return row_heights()[row]; }
-    /// Of a row where the piece's direction is this.
+    /// Height of a row at this direction of the piece.
     std::int64_t height(std::uint32_t row, std::int64_t direction_pulses) const noexcept;
 
     /// Axis positions of the point that is carved as the layer's `step`-th; psi is the job's absolute angle.
@@ -77,7 +77,7 @@ public:
     /// outermost rows than half the distance to their neighbours.
     std::optional<std::uint32_t> row_at(std::int64_t height_pulses,
                                         std::int64_t direction_pulses) const noexcept;
-    /// The row that a head's tip works on at a point of the finishing pass; nothing before that.
+    /// The row that a head's tip carves at a point of the finishing pass; nothing before that.
     std::optional<std::uint32_t> row_of_point(std::size_t h, std::uint32_t layer,
                                               std::uint32_t point) const noexcept;
 
@@ -88,22 +88,22 @@ public:
     /// Direction of a cell's middle.
     std::int64_t direction_of(std::uint32_t cell) const noexcept;
 
-    /// Wanted real radius, on the straight lines between the row's points [mm]. Nothing where the job says
-    /// nothing (a large height error can leave such places).
+    /// Wanted real radius, on the straight lines between the row's points [mm]. Nothing where the job has no
+    /// radius (a large height error can leave such places).
     std::optional<double> wanted_mm(std::uint32_t row, std::int64_t direction_pulses) const noexcept;
 
     /// Real radius that a head must not undercut at a Y position: its own side of the nearest row, which was
-    /// sampled where its tip stands; where that says nothing, the other head's row at the tip's height; then
-    /// the nearer end of its own row across the gap that an angle error leaves [mm].
+    /// sampled where its tip stands; where there is none, the other head's row at the tip's height; then the
+    /// nearer end of its own row across the gap that an angle error leaves [mm].
     std::optional<double> floor_mm(std::size_t h, std::int64_t y_pulses,
                                    std::int64_t direction_pulses) const noexcept;
 
-    /// Where a tip may stand: at this height of the piece no deeper than this.
+    /// A place where a tip may be: at this height of the piece no deeper than this radius.
     struct KnownTip {
         std::int64_t height_pulses;
         double radius_mm;
     };
-    /// The deeper of what stands next below and next above a tip in a direction, in either head's rows and in
+    /// The deeper of the radii next below and next above a tip in a direction, in either head's rows and in
     /// `more` [mm]. For level layers beside a spiral's rows, which in one direction each head has at heights
     /// of its own.
     std::optional<double> least_around(std::int64_t tip_height_pulses, std::int64_t direction_pulses,
@@ -111,11 +111,11 @@ public:
 
 private:
     enum class Gap { empty, bridged };
-    /// On a head's side of this row; where a spiral's rings meet the rows that rise, on the deeper of the
-    /// two.
+    /// On a head's side of this row; where a spiral's rings meet the rows that rise, the deeper of the two.
     std::optional<double> least_near(std::size_t h, std::uint32_t row, std::int64_t y_pulses,
                                      std::int64_t direction_pulses) const noexcept;
-    /// Of the piece, where this head carves the row's point in this direction; it must have one there.
+    /// Height on the piece at which this head carves the row's point in this direction; it must have one
+    /// there.
     std::int64_t tip_height(std::size_t h, std::uint32_t row, std::int64_t direction_pulses) const noexcept;
     std::optional<double> on_row(std::size_t h, std::uint32_t row, std::int64_t direction_pulses,
                                  Gap gap = Gap::bridged) const noexcept;
@@ -133,7 +133,7 @@ private:
     std::uint32_t first_layer_ = 0;
     std::uint32_t end_layer_ = 0;
     double blank_radius_mm_ = 0.0;
-    std::int64_t outer_margin_low_ = 0;  ///< how far below the lowest row still counts as that row
+    std::int64_t outer_margin_low_ = 0;  ///< a tip this far below the lowest row still counts as in that row
     std::int64_t outer_margin_high_ = 0;
 };
 

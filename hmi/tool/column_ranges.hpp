@@ -11,13 +11,13 @@
 
 namespace psicarve::tool {
 
-/// Columns, by index: those of the first range and those of the second, either may be empty.
+/// Columns, by index: a first and a second range, either may be empty.
 struct ColumnRanges {
     std::array<std::uint32_t, 2> first{};
     std::array<std::uint32_t, 2> end{};
 };
 
-/// Which columns of a turn a tool of some radius may touch parts of a mesh from.
+/// Finds the columns of a turn from which a tool of some radius may touch parts of a mesh.
 class ColumnFinder {
 public:
     /// Ascending directions within one turn, the first in [0, 2 pi).

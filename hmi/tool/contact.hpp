@@ -14,7 +14,7 @@ struct Column {
     double cosine;
     double sine;
     std::span<const double> heights;  ///< ascending
-    std::span<double> tips;           ///< one a height
+    std::span<double> tips;           ///< one for each height
 };
 
 /// Raises the tips in a column's rows to where a tool touches parts of a mesh.

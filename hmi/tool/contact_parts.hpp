@@ -24,8 +24,8 @@ struct Facet {
     double distance;  ///< normal * p for points of the facet's plane
 };
 
-/// What of a mesh a tool can touch: facets that have an area, and edges that stand out. A hollow edge, or one
-/// within a plane, need not be looked at: whatever convex body touches it touches one of its facets, too.
+/// The parts of a mesh that a tool can touch: facets that have an area, and edges that stand out. A hollow
+/// edge, or one within a plane, is left out: a convex body that touches it touches one of its facets, too.
 /// Where a mesh is open or contradicts itself all edges are kept.
 struct ContactParts {
     std::vector<Facet> facets;

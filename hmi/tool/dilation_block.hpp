@@ -12,7 +12,7 @@
 
 namespace psicarve::tool::dilation {
 
-/// What is the same for all blocks.
+/// The data that all blocks share.
 struct DilationScene {
     DilationScene(const SampledRadii& sampled, const Tool& moved, unsigned thread_count);
 
@@ -21,7 +21,7 @@ struct DilationScene {
     SurfaceTiles fine;    ///< of kFineSide
     SurfaceTiles coarse;  ///< of kCoarseSide
     TurnTable table;
-    std::vector<double> reach_columns;  ///< as far as the tool may reach, by row of coarse tiles
+    std::vector<double> reach_columns;  ///< how far the tool may reach, by row of coarse tiles
 };
 
 /// Tips of kLanes x kBlockRows places at a time, which go along their rows once round.
@@ -29,7 +29,7 @@ class DilationBlock {
 public:
     DilationBlock(const DilationScene& scene, std::size_t first_row);
 
-    /// All of the rows, in the order of `tips`.
+    /// Fills all rows, in the order of `tips`.
     void fill_rows(std::vector<float>& tips);
 
 private:

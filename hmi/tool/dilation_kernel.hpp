@@ -18,10 +18,10 @@
 /// left, sample by sample.
 namespace psicarve::tool::dilation {
 
-// So many places are a block: neighbours in a row, and rows.
+// The size of a block in places: neighbours in a row, and rows.
 inline constexpr std::size_t kLanes = 8;
 inline constexpr std::size_t kBlockRows = 8;
-// What single precision may take from a squared length.
+// Margins for the rounding of a squared length in single precision.
 inline constexpr float kRimSlack = 1.0F + 1e-6F;
 inline constexpr float kPruneSlack = 1.0F + 1e-4F;
 
@@ -34,7 +34,7 @@ struct DilationTool {
     float slope;
 };
 
-/// Several places seen as one, for bounds that hold for each of them.
+/// Several places as one, for bounds that hold for each of them.
 struct BlockView {
     float cosine = 0.0F;  ///< of the middle direction
     float sine = 0.0F;
@@ -51,7 +51,7 @@ struct BlockView {
     float distance = 0.0F;
 };
 
-/// Above 0: no tip of the block is raised by anything of the tile, for each of four tiles from `first` on.
+/// Above 0: nothing in the tile raises any tip of the block, for each of four tiles from `first` on.
 ///
 /// A sample raises a tip if it stands within the tool's radius of its axis and further out than the tool's
 /// surface there. `outermost` is as far out as any sample may stand in any place's direction, and `s` as near
@@ -80,7 +80,8 @@ inline Quad block_excess(const DilationTool& tool, const BlockView& view, const 
         const Quad across_size = size_of(across);
         const Quad turn = (size_of(out) + across_size) * view.aside;
         const Quad s = root(across * across + up * up) - reach - turn - view.above;
-        // Beyond a right angle a place of the block may see as much of a tile as is behind its middle.
+        // Beyond a right angle a place of the block may see parts of a tile that are behind the block's
+        // middle.
         const Quad forward = view.aside >= 1.0F ? size_of(out) : larger(out, none);
         const Quad outermost = smaller(most_radius, forward + reach + across_size * view.aside);
         const Quad behind = kShape == Shape::ball ? view.least_tip + tool.radius - outermost
@@ -109,7 +110,7 @@ inline Quad block_excess(const DilationTool& tool, const BlockView& view, const 
                                   view.bulge + bulge * cosine + reach * sine, view.reach);
     const float radius2 = tool.radius * tool.radius * kPruneSlack;
     Quad apart = from_disc - radius2;
-    // Mostly none of the four is near the disc.
+    // Usually none of the four is near the disc.
     if (negative_bits(apart) != 0) {
         const Quad off = bulge + view.bulge * cosine + view.reach * sine;
         const Quad from_tile =
@@ -142,18 +143,18 @@ private:
     std::vector<float> sine2_;
 };
 
-/// The samples of one row that stand together, seen by four places.
+/// Neighbouring samples of one row, seen by four places.
 struct Run {
     const float* radius = nullptr;
     std::size_t count = 0;
-    /// Of the first sample against the first place, in the table; falls from one to the next.
+    /// Angle between the first sample and the first place, as index of the table; falls from one to the next.
     std::size_t turn = 0;
     float up2 = 0.0F;
     std::int32_t row = 0;
     std::int32_t column = 0;  ///< of the first one
 };
 
-/// Four tips, and the sample that each is held by.
+/// Four tips, and the sample that holds each.
 struct HeldQuad {
     Quad tips{};
     QuadMask row{};
@@ -197,8 +198,8 @@ inline constexpr std::size_t kRowQuads = kLanes / kQuad;
 inline constexpr std::size_t kBlockQuads = kBlockRows * kRowQuads;
 static_assert(kBlockQuads <= 32, "a bit each");
 
-/// As block_excess() looks beside and behind, with one place instead of a disc, for the four of the block's
-/// quad `i` and one tile.
+/// As block_excess(), with one place instead of a disc, for the four places of the block's quad `i` and one
+/// tile.
 template <Shape kShape>
 inline Quad place_excess(const DilationTool& tool, const PlaceBlock& places, const SurfaceTiles& tiles,
                          std::size_t tile, std::size_t i) {
@@ -216,8 +217,8 @@ inline Quad place_excess(const DilationTool& tool, const PlaceBlock& places, con
     return larger(s - tool.radius, behind - outermost);
 }
 
-/// Of which of the block's quads a tile may raise any tip, by bits, row after row. No branch in it for a
-/// ball: a square root is waited for long, and so are several side by side.
+/// The quads of the block of which a tile may raise a tip, as bits, row after row. No branch for a ball: the
+/// processor waits long for a square root, and several run side by side.
 template <Shape kShape>
 inline unsigned near_quads(const DilationTool& tool, const PlaceBlock& places, const SurfaceTiles& tiles,
                            std::size_t tile) {
@@ -240,7 +241,7 @@ inline unsigned near_quads(const DilationTool& tool, const PlaceBlock& places, c
     const float reach = tiles.reach[tile];
     const float most_radius = tiles.most_radius[tile];
     const float radius2 = tool.radius * tool.radius * kPruneSlack;
-    unsigned below = 0;  // of which some tip's centre is nearer to the axis than some sample
+    unsigned below = 0;  // quads of which some tip's centre is nearer to the axis than some sample
     for (std::size_t i = 0; i < kBlockQuads; ++i) {
         const std::size_t row = i / kRowQuads;
         const std::size_t lane = i % kRowQuads * kQuad;
@@ -262,7 +263,7 @@ inline unsigned near_quads(const DilationTool& tool, const PlaceBlock& places, c
     return near;
 }
 
-/// Where four tips would stand by one sample; 0 where it is not below the tool.
+/// Radii of four tips that one sample allows; 0 where it is not below the tool.
 template <Shape kShape>
 inline Quad tips_by(const DilationTool& tool, const Quad& out, const Quad& s2) {
     const Quad none{};
@@ -298,8 +299,8 @@ inline bool may_raise(const DilationTool& tool, const Run& run, const TurnTable&
     return negative_bits(lowest) != 0;
 }
 
-/// may_raise() of the rows of a whole tile, by bits; the next row's samples are `stride` on. `run` is the
-/// first one, `up2` is each one's.
+/// may_raise() for the rows of a whole tile, as bits; `stride` leads to the next row's samples. `run` is the
+/// first one, `up2` holds one value for each.
 template <Shape kShape>
 inline unsigned may_raise_rows(const DilationTool& tool, const Run& run, std::size_t stride,
                                const std::array<float, kQuad>& up2, const TurnTable& table,

@@ -10,9 +10,9 @@
 #include <xmmintrin.h>
 #endif
 
-// Such a function becomes one with all that it calls, for wide registers' instructions too, which need fewer
-// copies. The same operations in the same order, so the same bits, with or without; sanitizers start too late
-// for the linker's choice between the two.
+// Such a function and all that it calls are compiled into one, also for wide registers' instructions, which
+// need fewer copies. Both do the same operations in the same order, so they give the same bits; sanitizers
+// start too late for the linker's choice between the two.
 #if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define PSICARVE_WHOLE_FOR_WIDE_REGISTERS __attribute__((flatten, target_clones("avx2", "default")))
@@ -20,7 +20,7 @@
 #define PSICARVE_WHOLE_FOR_WIDE_REGISTERS
 #endif
 
-/// Four numbers at a time, as the simplest vectors of the processor hold.
+/// Four numbers at a time, as the smallest vectors of the processor hold.
 namespace psicarve::tool::dilation {
 
 inline constexpr std::size_t kQuad = 4;
@@ -62,7 +62,7 @@ inline Quad smaller(const Quad& a, const Quad& b) noexcept {
     return a < b ? a : b;
 #endif
 }
-/// Without its sign.
+/// The absolute value.
 inline Quad size_of(const Quad& value) noexcept {
     return larger(value, -value);
 }

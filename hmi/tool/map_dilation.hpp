@@ -23,16 +23,16 @@ struct SampledRadii {
 ///
 ///     allowance + max of r cos(D) - h(s),   s = hypot(r sin(D), y - y0) <= R,   |D| < 90 degrees
 ///
-/// over all samples (r, D from the column, y) alone, at least 0: fast whatever the mesh was, and too deep by
-/// what lies between samples, for which the allowance is there. In single precision: to about 1e-6 of the
+/// over all samples (r, D from the column, y) alone, at least 0: fast for every mesh, and too deep by the
+/// surface's bulge between samples, which the allowance covers. In single precision: to about 1e-6 of the
 /// radii, and where a tool's rim touches to the square root of that. Requires a tool that has a size, at
 /// least one row and 4 columns. ErrorCode::cancelled, out_of_room.
 Result<std::vector<float>> dilated(const SampledRadii& surface, const Tool& tool, double allowance,
                                    const slice::SliceOptions& options);
 
-/// An allowance for what a smooth surface does between its samples under a ball or a flat tool: by how they
-/// are bent, and how a ball sinks in between. Where a surface steps from one sample to the next no allowance
-/// would do; such places are left out. Enough for this share of the samples; 1: for all.
+/// An allowance for the bulge of a smooth surface between its samples under a ball or a flat tool: by its
+/// curvature, and how a ball sinks in between. Where a surface steps from one sample to the next no allowance
+/// suffices; such places are left out. Enough for this share of the samples; 1: for all.
 double sample_allowance(const SampledRadii& surface, const Tool& tool, double share);
 
 }  // namespace psicarve::tool

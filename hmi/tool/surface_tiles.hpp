@@ -8,9 +8,9 @@ namespace psicarve::tool {
 
 struct SampledRadii;
 
-/// Squares of so many samples a side, fewer at the upper edge and before the seam, row after row. All samples
-/// of a tile lie within `reach` of its place, and within `bulge` of the plane through that with its normal.
-/// One without a surface is out of any tool's reach. Four may be read from each on.
+/// Square tiles of samples, smaller at the upper edge and before the seam, row after row. All samples of a
+/// tile lie within `reach` of its place, and within `bulge` of the plane through that with its normal. A tile
+/// without a surface is out of any tool's reach. Four tiles may be read from each on.
 struct SurfaceTiles {
     static constexpr std::size_t kReadPast = 3;
 

@@ -9,9 +9,9 @@ namespace psicarve::tool {
 
 using Shape = ToolShape;
 
-/// The cutting end of a tool whose axis lies on its head's radius. Lengths in whatever unit the mesh has.
+/// The cutting end of a tool whose axis lies on its head's radius. Lengths in the unit of the mesh.
 struct Tool {
-    Shape shape = Shape::ball;  ///< of a point the slicer and grooves know themselves
+    Shape shape = Shape::ball;  ///< not point: the slicer and the grooves handle a point themselves
     double radius = 1.5;
     double angle_deg = 60.0;  ///< of a vee: between its flanks
 
@@ -26,10 +26,10 @@ Tool tool_of(const ToolProfile& profile, double per_mm) noexcept;
 /// How far behind the tip the tool's surface stands at the distance s from its axis, 0 <= s <= radius:
 /// ball R - sqrt(R^2 - s^2), flat 0, vee s / tan(angle / 2).
 double rise(const Tool& tool, double s) noexcept;
-/// How far from its axis the tool is as wide as this, so far behind its tip: its own radius from where it is
-/// widest on. Of a point 0.
+/// Half the tool's width at a distance behind its tip: its own radius from where it is widest on. 0 for a
+/// point.
 double half_width(const Tool& tool, double behind_tip) noexcept;
-/// Of a vee's flank: 1 / tan(angle / 2); of others 0.
+/// For a vee's flank: 1 / tan(angle / 2); else 0.
 double flank_slope(const Tool& tool) noexcept;
 
 }  // namespace psicarve::tool

@@ -9,9 +9,9 @@
 
 namespace psicarve::verify {
 
-/// What a motor's pulse does to its tip: after a reversal the screw's backlash goes by first. At the begin of
-/// a trace the tips rest against the flank that pushes them up, as the core takes it; whatever the truth,
-/// the way to the first home sensor settles it.
+/// How a motor's pulses move its tip: after a reversal they first cross the screw's backlash. At the begin of
+/// a trace the tips are taken to rest against the flank that pushes them up, as the core takes it; where that
+/// is wrong, the way to the first home sensor corrects it.
 class Backlash {
 public:
     explicit Backlash(const Profile& profile) {

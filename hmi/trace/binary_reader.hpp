@@ -17,7 +17,7 @@ namespace psicarve::verify {
 /// Reads the compact binary trace of shared/trace/trace_format.hpp.
 class BinaryReader final : public TraceReader {
 public:
-    /// Between two records: all that reading needs to go on from there.
+    /// A place between two records: all that a reader needs to continue from there.
     struct Place {
         std::uint64_t offset = 0;  ///< in the file
         std::int64_t tick = 0;
@@ -27,13 +27,13 @@ public:
 
     /// Waits for the header and checks it.
     static Result<std::unique_ptr<TraceReader>> open(ByteSource source);
-    /// The same, for who wants to come back to a place.
+    /// The same, for callers that come back to a place.
     static Result<std::unique_ptr<BinaryReader>> open_binary(ByteSource source);
-    /// Goes on from a place of the same file; the source stands there.
+    /// Continues from a place of the same file; the source stands there.
     static std::unique_ptr<BinaryReader> resume(ByteSource source, const TraceStart& start,
                                                 const Place& place);
 
-    /// Behind the events that were returned.
+    /// The place behind the events that were returned.
     Place place() const noexcept { return {source_.offset(), tick_, time_ns_, levels_}; }
 
     const TraceStart& start() const noexcept override { return start_; }
@@ -45,8 +45,8 @@ public:
         std::uint64_t checksum = 0;
         std::vector<std::byte> blob;  ///< as it stands there: only its checksum was compared
     };
-    /// Passes over events up to the next job; nothing: the trace ends without one. bad_input when the job is
-    /// damaged; else as read(). `keeps_blob` false: without the blob, which is not looked at.
+    /// Skips events up to the next job; nothing: the trace ends without one. bad_input when the job is
+    /// damaged; else as read(). `keeps_blob` false: skips the blob without checking it.
     enum class WhenDamaged : std::uint8_t { refuses, returns };
     Result<std::optional<Job>> next_job(bool keeps_blob, WhenDamaged when_damaged = WhenDamaged::refuses);
 
@@ -70,7 +70,7 @@ private:
     std::size_t jobs_begun_ = 0;
     std::uint64_t job_checksum_ = 0;  ///< of the last job
     bool ended_ = false;
-    const char* garbage_ = nullptr;  ///< what is wrong with the record at the source's front
+    const char* garbage_ = nullptr;  ///< the fault of the record at the source's front
 };
 
 }  // namespace psicarve::verify

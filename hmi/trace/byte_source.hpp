@@ -22,12 +22,12 @@ public:
     ByteSource& operator=(const ByteSource&) = delete;
     ByteSource& operator=(ByteSource&&) = delete;
 
-    /// Bytes that are here and not yet consumed. Valid until the next refill.
+    /// Bytes that were read and not yet consumed. Valid until the next refill.
     std::string_view unread() const noexcept { return {buffer_.data() + begin_, end_ - begin_}; }
     void consume(std::size_t bytes) noexcept { begin_ += bytes; }
 
     /// Waits for more bytes behind the unread ones. False at the end of the file. bad_input when the unread
-    /// bytes already fill the buffer: no record of ours is that long.
+    /// bytes already fill the buffer: no valid record is that long.
     Result<bool> refill();
     /// Refills until `bytes` are unread or the file ends.
     Result<void> want(std::size_t bytes);

@@ -14,14 +14,15 @@
 
 namespace psicarve::verify {
 
-/// Which wire an identifier of a value-change dump stands for.
+/// Maps the identifiers of a value-change dump to signals.
 class VcdWires {
 public:
     static constexpr std::int8_t kUndeclared = -2;
     static constexpr std::int8_t kNotOurs = -1;
 
     VcdWires() { short_.fill(kUndeclared); }
-    /// The first wire with a signal's name counts; the same name in another scope is somebody else's.
+    /// The first wire with a signal's name counts; the same name in another scope belongs to another
+    /// program's signal.
     void declare(std::string_view identifier, std::string_view name, std::string_view bits);
     /// The signal's number, kNotOurs or kUndeclared.
     std::int8_t find(std::string_view identifier) const noexcept {
@@ -41,18 +42,18 @@ private:
     SignalWord present_ = 0;
 };
 
-/// From the file's unit of time to ns, in whole numbers.
+/// Converts the file's unit of time to ns, in whole numbers.
 struct VcdTimescale {
     std::int64_t multiply = 1;
     std::int64_t divide = 1;
 
     /// "1 ns", "10us", "100 ps" and their like.
     static std::optional<VcdTimescale> from_text(std::string_view text);
-    /// Nothing when it does not fit.
+    /// Nothing when the time does not fit.
     std::optional<std::int64_t> to_ns(std::uint64_t time) const noexcept;
 };
 
-/// What a comment of ours says; other comments say nothing.
+/// The content of a comment that our writer made; other comments have none.
 struct VcdComment {
     std::optional<std::array<std::int64_t, kAxisCount>> position_pulses;
     std::optional<std::int64_t> period_ns;

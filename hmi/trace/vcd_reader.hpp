@@ -14,9 +14,9 @@
 
 namespace psicarve::verify {
 
-/// Reads a value-change dump (IEEE 1364, four-state) as we and other tools write it: any timescale and
-/// scopes, vectors of one bit, x and z as 0. Wires are found by the signals' names. A wire that changes twice
-/// at one instant keeps both changes.
+/// Reads a value-change dump (IEEE 1364, four-state) as our writer and other tools make it: any timescale and
+/// scopes, vectors of one bit, x and z as 0. Finds wires by the signals' names. A wire that changes twice at
+/// one instant keeps both changes.
 class VcdReader final : public TraceReader {
 public:
     /// Waits for the declarations and the values at the first instant.
@@ -26,7 +26,7 @@ public:
     Result<std::size_t> read(std::span<TraceEvent> events) override;
 
 private:
-    /// What the next word belongs to.
+    /// The meaning of the next word.
     enum class Expect { anything, comment, skipped_block, timescale, variable, vector_wire, real_wire };
     enum class Got { word, incomplete, end };
 
@@ -55,7 +55,7 @@ private:
     Expect expect_ = Expect::anything;
     std::string block_;  ///< words of the block being read, bounded
     char vector_value_ = '0';
-    bool declared_ = false;  ///< $enddefinitions was there
+    bool declared_ = false;  ///< $enddefinitions was read
     bool opened_ = false;    ///< the first instant is over: changes are events
     bool has_time_ = false;
     std::int64_t time_ns_ = 0;
@@ -64,7 +64,7 @@ private:
     SignalWord changed_ = 0;  ///< wires that changed since then
     std::size_t word_bytes_ = 0;
     std::int64_t last_event_ns_ = 0;
-    std::optional<Error> failure_;       ///< told once the events before it are handed out
+    std::optional<Error> failure_;       ///< reported once the events before it are handed out
     std::array<TraceEvent, 4> pending_;  ///< events made but not yet handed out
     std::size_t pending_count_ = 0;
 };

@@ -11,13 +11,13 @@
 
 namespace psicarve::verify {
 
-/// Stands before rule 1 and keeps from it what a hold does on a machine that lifts its heads then: after a
-/// rest both go outwards together, table and Y still, come back to the very pulse, and rest again. A slow
-/// carving over a crest looks the same: so only what rule 1 would object to is kept from it, and whatever is
-/// not wholly such a lift is handed on as it was.
+/// Stands before rule 1 and hides from it the lift that a hold makes on a machine that lifts its heads then:
+/// after a rest both heads go outwards together, table and Y still, come back to the very pulse, and rest
+/// again. Slow carving over a crest looks the same: so the filter hides only motion that rule 1 would object
+/// to, and hands on unchanged whatever is not exactly such a lift.
 class LiftFilter {
 public:
-    /// On a machine that does not lift all is handed on.
+    /// On a machine that does not lift, all is handed on.
     LiftFilter(PathRule& path, const Profile& profile) noexcept;
 
     void begin(const Positions& positions, bool spindle_on);
@@ -51,8 +51,8 @@ private:
     bool lifts_;
     std::array<Head, kHeadCount> heads_;
     Instant last_{};
-    Instant base_{};             ///< where the heads went out from
-    std::vector<Instant> held_;  ///< since then: a lift, or not, nobody knows yet
+    Instant base_{};             ///< where the outward motion began
+    std::vector<Instant> held_;  ///< since then: not known yet whether it is a lift
     std::deque<Instant> waiting_;
 };
 

@@ -17,8 +17,8 @@ namespace psicarve::verify {
 /// except jumps of at most j_k at rest or reversal, and the count is within 1.5 pulses of p(t) at all times.
 /// docs/motor_limits.md says how it is decided.
 ///
-/// Whatever stops pulses at once (emergency stop, limit, a drive switched off) is not judged: what was known
-/// of the motion is forgotten then.
+/// An event that stops pulses at once (emergency stop, limit, a drive switched off) is not judged: the rule
+/// forgets the motion then.
 class MotorRule {
 public:
     MotorRule(const Profile& profile, OffenceLog& log);
@@ -42,7 +42,7 @@ private:
         std::int64_t silent_until_ns = 0;  ///< not judged before
         std::vector<Entry> history;        ///< ring
         std::uint64_t entries = 0;         ///< since it was last forgotten
-        bool is_broken = false;            ///< at `broken_at`, and what follows it is being gathered
+        bool is_broken = false;            ///< at `broken_at`; the events after it are being gathered
         Entry broken_at;
         std::uint64_t gathered = 0;
     };

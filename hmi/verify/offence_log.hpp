@@ -12,15 +12,15 @@
 
 namespace psicarve::verify {
 
-/// What the carving is at, for messages.
+/// The place that the carving has reached, for messages.
 struct CarvePlace {
     std::optional<std::uint32_t> layer;
     std::optional<std::uint32_t> point;
-    const JobPass* pass = nullptr;  ///< of a job that has several
+    const JobPass* pass = nullptr;  ///< if the job has several
 };
 
-/// Counts breaches and keeps the earliest of each rule. Counting is cheap; words are only made for what is
-/// kept.
+/// Counts breaches and keeps the earliest of each rule. Counting is cheap; only a breach that is kept gets
+/// words.
 class OffenceLog {
 public:
     /// Counts one. True when it is the rule's earliest so far: then call describe.
@@ -34,7 +34,7 @@ public:
 
     void set_judged(int rule) noexcept { rules_[static_cast<std::size_t>(rule) - 1].judged = true; }
     const RuleResult& result(int rule) const noexcept { return rules_[static_cast<std::size_t>(rule) - 1]; }
-    /// Puts back what a rule's result was: an attempt at carving turned out to be none.
+    /// Puts back a rule's earlier result: an attempt at carving does not count.
     void restore(int rule, const RuleResult& earlier) {
         rules_[static_cast<std::size_t>(rule) - 1] = earlier;
     }
@@ -44,7 +44,7 @@ private:
     std::array<RuleResult, kRuleCount> rules_;
 };
 
-/// "r1" as people read it: "R1", "psi", "Y".
+/// "r1" as shown to people: "R1", "psi", "Y".
 std::string shown_name(Axis axis);
 /// A number without needless digits.
 std::string shown_number(double value);

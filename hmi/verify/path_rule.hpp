@@ -20,11 +20,11 @@ namespace psicarve::verify {
 /// deeper than the job asks at that place. Carves the surface on the way.
 ///
 /// An attempt at carving begins where the first point is reached with the spindle on, psi up to whole turns,
-/// or a later layer's first point is: then carving goes on with that layer. It ends
-/// when the spindle stops or homing comes; a last way that only leads outward, psi and Y still, is the
-/// retraction and not judged as a line. What began with the first layer last counts, and all that went on
-/// from it: breaches before are dropped, and layers that none of it carved are one. After a breach the rule
-/// goes on with the next point, so that one lost pulse does not hide all that follows.
+/// or where a later layer's first point is: then carving goes on with that layer. It ends when the spindle
+/// stops or homing comes; a last way that only leads outward, psi and Y still, is the retraction and not
+/// judged as a line. The last attempt that began with the first layer counts, and all attempts that went on
+/// from it: breaches before are dropped, and a layer that none of them carved is a breach. After a breach the
+/// rule goes on with the next point, so that one lost pulse does not hide all that follows.
 class PathRule {
 public:
     PathRule(const JobGeometry& geometry, CarvedSurface& surface, OffenceLog& log);
@@ -35,7 +35,7 @@ public:
     /// Homing defined the positions anew.
     void redefine(std::int64_t time_ns, const Positions& positions);
     void finish(std::int64_t time_ns);
-    /// Whether a breach would be counted, were the trial told that. Nothing of it counts.
+    /// Whether telling a trial of this rule would count a breach. The rule itself stays as it is.
     bool objects_to(const std::function<void(PathRule& trial)>& tell) const;
 
     const CarvePlace& place() const noexcept { return place_; }
@@ -43,44 +43,44 @@ public:
     double max_line_deviation_mm() const noexcept { return max_line_mm_; }
     double max_line_deviation_pulses() const noexcept { return max_line_pulses_; }
     double carve_seconds() const noexcept;
-    /// Of a job of several passes whose carving is complete.
+    /// For a job of several passes whose carving is complete.
     std::vector<PassTime> pass_times() const;
 
 private:
-    /// How far off a point a path is still taken to be on its way there.
+    /// How far off a point a path still counts as on its way there.
     static constexpr std::int64_t kNearPulses = 64;
-    /// Of a link: what is more than that counts at once.
+    /// Strays kept for one link; further ones count at once.
     static constexpr std::size_t kMostHeld = 16;
 
     enum class Phase { approach, segment, link, done };
     struct Heading {
         PathLine line;
-        std::uint32_t surface_layer = 0;  ///< row of the carved surface that the tip works on
+        std::uint32_t surface_layer = 0;  ///< row of the carved surface that the tip is carving
         bool has_surface = false;
-        std::uint32_t from_layer = 0;  ///< of a spiral: on which it worked at the point it comes from
+        std::uint32_t from_layer = 0;  ///< for a spiral: the row at the point that the tip comes from
         std::uint32_t from_cell = 0;
         std::uint32_t cell = 0;
-        bool is_too_deep = false;  ///< told already for this stay
+        bool is_too_deep = false;  ///< reported already for this stay
         std::optional<std::int64_t>
             closest;  ///< radius nearest to the wanted one, while psi stood at the point's
     };
 
-    /// The instant at which the axes were nearest to the point aimed at.
+    /// The instant at which the axes were nearest to the target point.
     struct Nearest {
         Positions at{};
         std::int64_t most_off = std::numeric_limits<std::int64_t>::max();  ///< by any axis
         unsigned axes_off = 0;                                             ///< bit by axis
 
         void note(const Positions& now, const Positions& wanted) noexcept;
-        /// Nothing when several axes were off, or far.
+        /// Nothing when several axes were off, or one was far off.
         std::optional<Axis> only_axis_off() const noexcept;
     };
     struct Stray {
         Offence offence;
         CarvePlace place;
-        std::int64_t most_off = 0;  ///< of a head too deep, as long as it was [pulses]
+        std::int64_t most_off = 0;  ///< greatest depth of a head while it was too deep [pulses]
     };
-    /// What was found while the heads only went outward: nothing, should that be how the attempt ends.
+    /// Breaches found while the heads only went outward: they do not count if the attempt ends so.
     struct Retraction {
         std::optional<Stray> stray;
         double max_line_mm = 0.0;
@@ -121,7 +121,7 @@ private:
     void miss_rest_of_layer(std::int64_t time_ns, const Positions& at);
     void note_closest(const Positions& at);
     void stray(std::int64_t time_ns, std::size_t h, const PathLine::Distance& distance);
-    /// Where Y is to be on the straight way between two points [pulses], and how far off it may be.
+    /// Where Y should be on the straight way between two points [pulses], and how far off it may be.
     struct HeightLine {
         double at;
         double allowed;
@@ -138,7 +138,7 @@ private:
     std::optional<double> floor_of_way(std::size_t h, const Positions& at, std::int64_t direction) const;
     void end_early(std::int64_t time_ns);
     void report(std::int64_t time_ns, Offence offence);
-    /// Of the finishing pass, that lies at this height; nothing during roughing.
+    /// The layer of the finishing pass at this height; nothing during roughing.
     std::optional<std::uint32_t> layer_at(const Positions& at) const noexcept;
     std::int64_t forward(std::int64_t psi_pulses) const noexcept;
     void mark(std::uint32_t layer, std::uint32_t cell, double radius_mm) noexcept {
@@ -149,7 +149,7 @@ private:
     }
 
     JobGeometry geometry_;
-    CarvedSurface* surface_;  ///< nothing: a trial leaves no mark
+    CarvedSurface* surface_;  ///< null: a trial carves nothing
     OffenceLog& log_;
     Phase phase_ = Phase::approach;
     Positions last_{};
@@ -157,7 +157,7 @@ private:
     std::int64_t psi_offset_ = 0;  ///< whole turns between the trace's count and the job's angle
     Positions from_{};             ///< job's counts
     Positions to_{};
-    std::uint32_t layer_ = 0;  ///< of the point aimed at
+    std::uint32_t layer_ = 0;  ///< of the target point
     std::uint32_t step_ = 0;
     std::optional<Positions>
         link_from_;  ///< of a pass' first point, until the next one is aimed at: where it came from
@@ -165,33 +165,34 @@ private:
     std::int64_t cells_at_psi_ = 0;
     std::array<Heading, kHeadCount> headings_;
     Nearest near_;
-    bool strayed_ = false;       ///< told already for this segment or link
-    bool is_miss_told_ = false;  ///< of the point aimed at
-    bool is_guess_ = false;      ///< the first point was only passed nearby
+    bool strayed_ = false;       ///< reported already for this segment or link
+    bool is_miss_told_ = false;  ///< reported already for the target point
+    bool is_guess_ = false;      ///< the path only passed near the first point
     CarvePlace place_;
     RuleResult before_attempt_;
     RuleResult before_guess_;
     RuleResult at_start_;            ///< when the attempt began
-    RuleResult held_;                ///< of the last attempt, ended: counts unless another follows
-    std::uint64_t held_before_ = 0;  ///< offences that were there before it
+    RuleResult held_;                ///< of the last attempt, which has ended: counts unless another follows
+    std::uint64_t held_before_ = 0;  ///< offences before that attempt
     bool is_holding_ = false;
     bool is_complete_ = false;  ///< the last attempt reached the last point
     bool is_outward_ = false;   ///< this instant
     Retraction retraction_;
-    std::vector<Stray> too_deep_in_link_;  ///< unless one axis alone missed the link's end
-    std::optional<CarvePlace> ended_at_;   ///< where the last attempt ended before its time
+    std::vector<Stray> too_deep_in_link_;  ///< dropped if one axis alone missed the link's end
+    std::optional<CarvePlace> ended_at_;   ///< where the last attempt ended early
     std::int64_t ended_ns_ = 0;
     Nearest ended_near_;
-    std::optional<Positions> ended_on_path_;  ///< as the trace counts, where it ended between two points
+    std::optional<Positions> ended_on_path_;  ///< position by the trace's count, where it ended between two
+                                              ///< points
     std::vector<std::uint32_t> visited_of_;   ///< points, by layer
-    std::uint64_t visited_ = 0;               ///< of the layers that are to be carved
-    std::uint32_t begun_layer_ = 0;           ///< with which the attempt began
-    bool is_elsewhere_ = false;             ///< in layers that are not to be judged, until the spindle stops
-    std::optional<std::int64_t> begins_y_;  ///< at which `beginning_` begin
-    std::vector<std::uint32_t> beginning_;  ///< layers
+    std::uint64_t visited_ = 0;               ///< in the layers that are to be carved
+    std::uint32_t begun_layer_ = 0;           ///< first layer of the attempt
+    bool is_elsewhere_ = false;               ///< carves layers that are not judged, until the spindle stops
+    std::optional<std::int64_t> begins_y_;    ///< height at which `beginning_` begin
+    std::vector<std::uint32_t> beginning_;    ///< layers
     bool has_left_ = false;
-    std::int64_t left_ns_ = 0;     ///< the first point
-    std::int64_t arrived_ns_ = 0;  ///< at the last
+    std::int64_t left_ns_ = 0;     ///< when the first point was left
+    std::int64_t arrived_ns_ = 0;  ///< when the last point was reached
     std::vector<std::int64_t> pass_ended_ns_;
     double max_line_mm_ = 0.0;
     double max_line_pulses_ = 0.0;

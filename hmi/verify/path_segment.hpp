@@ -11,7 +11,7 @@ namespace psicarve::verify {
 /// The straight line between two neighbouring points of a layer, in one head's plane (r*dpsi, R) [mm].
 class PathLine {
 public:
-    /// r is the larger of the two ends' radii, so that no way between them is shown shorter than it is.
+    /// r is the larger of the two ends' radii, so that no way between them seems shorter than it is.
     static PathLine between(const JobGeometry& geometry, std::size_t h, const Positions& from,
                             const Positions& to);
 
@@ -19,7 +19,7 @@ public:
         double mm;         ///< from the line between the ends
         double across_mm;  ///< its part across the line
         bool is_allowed;
-        double judged_mm;   ///< what is held against `allowed_mm`: the way across, or beyond the line's ends
+        double judged_mm;   ///< compared with `allowed_mm`: the way across, or beyond the line's ends
         double allowed_mm;  ///< of that
     };
     Distance distance(std::int64_t psi_passed_pulses, std::int64_t radius_passed_pulses) const noexcept;

@@ -27,7 +27,7 @@ public:
 
     /// `period_ns` 0: the profile's. Wires that the trace does not have are not judged.
     void begin(SignalWord initial_levels, SignalWord present, std::int64_t period_ns);
-    /// Any change of levels, before the pulses of the same event are judged.
+    /// Call it for any change of levels, before the pulses of the same event are judged.
     void levels_changed(SignalWord before, SignalWord now, std::int64_t time_ns);
     void rising(Axis axis, bool positive, std::int64_t time_ns, const CarvePlace& place);
     void positions_redefined();
@@ -41,11 +41,11 @@ private:
         bool tripped = false;
         bool tripped_while_carving = false;  ///< with the spindle on
         std::int64_t tripped_ns = kNever;
-        std::int64_t crash_ns = kNever;     ///< last trip with the spindle on that was no chatter
+        std::int64_t crash_ns = kNever;     ///< last trip with the spindle on, chatter excluded
         std::int64_t disabled_ns = kNever;  ///< when the drive was last switched off
         std::int64_t beyond_pulses = 0;     ///< net way past the sensor since it tripped
-        bool is_leaving = false;            ///< its last pulse since then led away from the sensor
-        std::uint64_t waiting = 0;          ///< pulses whose judgement depends on what follows
+        bool is_leaving = false;            ///< the last pulse since then led away from the sensor
+        std::uint64_t waiting = 0;          ///< pulses whose judgement depends on later events
         std::int64_t first_waiting_ns = 0;
         CarvePlace first_waiting_place;
     };
@@ -72,7 +72,7 @@ private:
     std::int64_t reaction_ns_ = 0;  ///< the core's time to act on an input
     std::int64_t filter_ns_ = 0;
     std::int64_t estop_ns_ = kNever;  ///< when it last tripped
-    bool is_calm_ = true;             ///< no input has tripped yet: nothing but the drive to look at
+    bool is_calm_ = true;             ///< no input has tripped yet: only the drive needs checking
 };
 
 }  // namespace psicarve::verify

@@ -11,7 +11,7 @@
 
 namespace psicarve::verify {
 
-/// Rule 2: what the motor drivers need to see each pulse.
+/// Rule 2: the times that the motor drivers need to see each pulse.
 ///
 ///     dir   ====X=====================X====
 ///     step  ________/--------\____________/----

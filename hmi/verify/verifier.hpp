@@ -18,12 +18,12 @@
 namespace psicarve::verify {
 
 /// Judges a pin trace against a job, event by event, so that it can run beside the core that writes the
-/// trace. Knows the job, the profile and the pins; nothing of what made them.
+/// trace. It knows the job, the profile and the pins, and nothing of the program that made them.
 ///
 /// Call order: begin, feed (any number of times), finish. One thread. The job's blob outlives the verifier.
 class Verifier {
 public:
-    /// Refuses jobs that cannot be judged: no points, no layers, a sweep or a scale of nothing.
+    /// Refuses jobs that cannot be judged: no points, no layers, a zero sweep or scale.
     static Result<Verifier> make(const JobView& job, const Profile& profile, const LayerRange& layers = {});
 
     Verifier(Verifier&&) noexcept;
@@ -34,12 +34,12 @@ public:
     void feed(std::span<const TraceEvent> events);
     VerifyReport finish();
 
-    /// Told all positions [pulses] and whether the spindle ran, after each instant in which either changed.
+    /// Gets all positions [pulses] and whether the spindle runs, after each instant in which either changed.
     using Follower =
         std::function<void(const std::array<std::int64_t, kAxisCount>& positions, bool spindle_on)>;
     void set_follower(Follower follower);
 
-    /// The piece as it came out of the pins so far.
+    /// The piece as the pins have carved it so far.
     const CarvedSurface& surface() const noexcept;
 
 private:
@@ -48,8 +48,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The whole of a trace through a verifier (`psicarve verify`). The verifier is kept for its surface.
-/// `goes_on` is asked now and then; once it says no the answer is `cancelled`.
+/// Feeds a whole trace to a verifier (`psicarve verify`). The caller keeps the verifier for its surface.
+/// `goes_on` is asked now and then; when it returns false the answer is `cancelled`.
 Result<VerifyReport> verify_trace(Verifier& verifier, TraceReader& trace,
                                   const std::function<bool()>& goes_on = {});
 

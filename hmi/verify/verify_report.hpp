@@ -13,7 +13,7 @@ namespace psicarve::verify {
 
 inline constexpr std::size_t kRuleCount = 4;
 
-/// How a measured value has to stand to the allowed one.
+/// How a measured value must compare with the allowed one.
 enum class Bound : std::uint8_t { at_most, at_least, exactly };
 
 /// One breach of one of the four rules that pulses must obey, with all that a person needs to find it.
@@ -23,24 +23,24 @@ struct Offence {
         fault;  ///< what kind, one word for programs: "point-missed", "direction-setup", "disabled"...
     std::optional<Axis> axis;
     std::int64_t time_ns = 0;
-    std::optional<std::uint32_t> layer;  ///< that was being carved
+    std::optional<std::uint32_t> layer;  ///< the layer being carved
     std::optional<std::uint32_t> point;  ///< index in the layer's row
     std::string pass;                    ///< "roughing pass 2"; empty: the job has but one
     double measured = 0.0;
     double allowed = 0.0;
     Bound bound = Bound::at_most;
-    std::string unit;      ///< of both: "ns", "pulses", "mm"
+    std::string unit;      ///< of both values: "ns", "pulses", "mm"
     std::string sentence;  ///< one clear line that names all of it
 };
 
-/// What became of one rule.
+/// The result of one rule.
 struct RuleResult {
     bool judged = false;
     std::uint64_t offences = 0;
     std::optional<Offence> first;
 };
 
-/// A pass of a job that has several, as the trace carved it.
+/// A pass of a job with several, as the trace carved it.
 struct PassTime {
     std::string name;
     std::uint32_t layers = 0;
@@ -53,7 +53,7 @@ struct VerifyReport {
     std::array<std::uint64_t, kAxisCount> pulses{};  ///< rising step edges in the whole trace
     std::uint64_t points_visited = 0;                ///< exactly, in order; a point counts for both heads
     std::uint64_t points_total = 0;
-    std::uint32_t first_layer = 0;  ///< of those that were to be carved
+    std::uint32_t first_layer = 0;  ///< the first of those to be carved
     std::uint32_t layer_count = 0;
     bool is_whole_job = true;
     /// Largest difference between carved and wanted radius at those points after all motion of the trace.
@@ -61,8 +61,8 @@ struct VerifyReport {
     std::uint64_t uncarved_cells = 0;        ///< of the surface, that no tip reached
     double max_line_deviation_mm = 0.0;      ///< largest distance from the straight line between two points
     double max_line_deviation_pulses = 0.0;  ///< the largest in pulses across the line (another place, maybe)
-    /// From leaving the first point to reaching the last, or of what was carved last, if it went on from a
-    /// layer; 0: neither.
+    /// From leaving the first point to reaching the last; where the carving went on from a layer, of the last
+    /// attempt; 0: neither.
     double carve_seconds = 0.0;
     double trace_seconds = 0.0;
     std::uint64_t events = 0;

@@ -9,8 +9,8 @@
 
 namespace psicarve::verify {
 
-/// Part of what a motor may be doing: motions that stay within the start-stop speeds, or motions one way that
-/// never come down to them. While there are such motions nobody needs to know of others.
+/// Some of the motions that a motor may be making: those that stay within the start-stop speeds, or those one
+/// way that never come down to them. As long as one of them exists the others need not be calculated.
 class MotionWitness {
 public:
     MotionWitness() = default;
@@ -28,11 +28,11 @@ public:
     bool is_slow() const noexcept { return is_slow_; }
     /// Positions where it may be no faster than start-stop now.
     Range slow_positions() const noexcept;
-    /// Slow, and no slow motion is left out: it may be anywhere in the room.
+    /// True: slow, and no slow motion is left out: the motor may be anywhere in the room.
     bool is_anywhere() const noexcept { return is_slow_ && is_anywhere_; }
     /// No motion was left out so far.
     bool is_whole() const noexcept { return is_whole_; }
-    /// Gives all of it to a set of states that knew nothing else.
+    /// Gives all its motions to a set of states that was empty.
     void hand_to(MotorReach& reach) const;
     std::int64_t time_ns() const noexcept { return time_ns_; }
     std::int64_t count() const noexcept { return count_; }

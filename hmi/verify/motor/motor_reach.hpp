@@ -21,13 +21,14 @@ struct MotorLimits {
     static constexpr double kStepError_pulses = 2e-3;
 };
 
-/// All states that a motor may be in, given where it had to be so far.
+/// The set of all states that a motor may be in, given the rooms that it had to stay in so far.
 ///
 ///     speed                        Up to +-jump speeds change at will: a position there holds all of them,
-///       |   ______                 so a range of positions says it all (`slow`).
-///       |  / up   |                Above, acceleration is bounded. Sets are convex as long as nobody stops
-///     j |_/_______|___             on the way; what starts from `slow` while older states still run makes a
-///       |  |   slow   |            set of its own, until the two are convex together.
+///       |   ______                 so a range of positions describes these states (`slow`).
+///       |  / up   |                Above, acceleration is bounded. A set stays convex as long as the motor
+///       does
+///     j |_/_______|___             not stop; states that start from `slow` while older ones still run make a
+///       |  |   slow   |            set of their own, until the two are convex together.
 ///    -j |__|__________|            Below -jump everything is the mirror image.
 ///       |    \ down /
 ///       +--------------- position
@@ -35,20 +36,20 @@ class MotorReach {
 public:
     explicit MotorReach(const MotorLimits& limits);
 
-    /// Nothing is known but the room.
+    /// Any state in the room.
     void start_anywhere(Range room);
-    /// It is somewhere in a range, no faster than `jump`.
+    /// A position somewhere in a range, no faster than `jump`.
     void start_slow(Range positions);
     /// It is in one of these states, faster than `jump`; `states` are mirrored when it goes down.
     void start_running(const StateSet& states, bool is_upward);
-    /// Time passes, and the motor stays in the room.
+    /// Lets time pass; the motor stays in the room.
     void run(double time_s, Range room);
-    /// It is in the room now.
+    /// The motor is in the room now.
     void cut(Range room);
     /// Every speed may change by up to `jump` at once (a joint).
     void jump();
-    /// After so long in a room, begun with slow states about `slow` and any others, all that was before makes
-    /// no difference any more, not even by rounding. Infinite where that is not known.
+    /// After this long in a room, begun with slow states in `slow` and any others, the states before make no
+    /// difference any more, not even by rounding. Infinite where that is not known.
     double surely_settled_after_s(Range slow, Range room) const noexcept;
 
     bool is_empty() const noexcept { return slow_.is_empty() && up_.count == 0 && down_.count == 0; }
@@ -56,7 +57,7 @@ public:
     Range slow() const noexcept { return slow_; }
     /// Faster states one way, one convex set of them; empty when there are none.
     const StateSet& running(bool is_upward) const noexcept;
-    /// Whether one such set is all that there is.
+    /// Whether one such set holds all states.
     bool is_running_only() const noexcept { return slow_.is_empty() && up_.count + down_.count == 1; }
     const MotorLimits& limits() const noexcept { return limits_; }
     /// Largest distance that joining two sets added to their positions so far [pulses].
@@ -86,7 +87,7 @@ private:
 
     MotorLimits limits_;
     double step_s_;      ///< longest step that is exact enough
-    double full_s_ = 0;  ///< for so long `slow_` has filled the room
+    double full_s_ = 0;  ///< for how long `slow_` has filled the room
     bool is_settled_ = false;
     double widest_joint_ = 0.0;
     Range slow_ = Range::none();

@@ -12,22 +12,22 @@
 
 namespace psicarve::verify {
 
-/// Follows the pulses of one axis: after each, all states that a motor within the limits may be in, its
+/// Follows the pulses of one axis: after each, keeps all states that a motor within the limits may be in, its
 /// position never more than 1.5 pulses from the count.
 ///
-/// Most of the time a motion that is never slower, or never faster, than start-stop will do, and is cheap to
-/// follow (MotionWitness). Where it has to slow down to start-stop, or to leave it, another one goes on from
-/// where both may be (`turn`). Only when there is none is everything worked out, from as many events back as
-/// are kept (`late_`).
+/// Usually a motion suffices that is never slower, or never faster, than start-stop, and it is cheap to
+/// follow (MotionWitness). Where it has to slow down to start-stop, or to leave it, another one continues
+/// from where both may be (`turn`). Only when there is none are all motions calculated, from as many events
+/// back as are kept (`late_`).
 class TrainFollower {
 public:
     TrainFollower(const MotorLimits& limits, std::int64_t begin_ns);
 
     /// False when no motion is left: then it starts anew, with any motion, at this event.
     bool take(const TrainEvent& event);
-    /// Without events up to this time.
+    /// No event comes up to this time.
     bool wait(std::int64_t time_ns);
-    /// Any motion, from here on.
+    /// Starts with any motion, from here on.
     void start_anew(std::int64_t time_ns);
 
 private:
@@ -62,16 +62,16 @@ private:
     std::int64_t reached_ns_;
     std::int64_t count_ = 0;
 
-    // The pulses since a witness was last thought of.
+    // The pulses since a witness was last tried.
     int window_pulses_ = 0;
     std::int64_t window_ns_ = 0;
     std::int64_t window_count_ = 0;
-    int patience_ = 0;  ///< how many of them make one worth trying
+    int patience_ = 0;  ///< how many of them must pass before the next try
 
     bool has_witness_ = false;
-    bool has_turned_ = false;  ///< since it came from all that was possible
+    bool has_turned_ = false;  ///< since it came from the set of all states
     MotionWitness witness_;
-    MotionWitness earlier_;  ///< the witness as it was after the first `earlier_count_` of what is late
+    MotionWitness earlier_;  ///< the witness as it was after the first `earlier_count_` of the late events
     std::size_t earlier_count_ = 0;
     std::size_t late_count_ = 0;
     std::array<Late, kMostLate> late_;

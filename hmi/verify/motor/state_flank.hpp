@@ -47,8 +47,8 @@ public:
     double slowest() const noexcept { return speed_[0]; }
     double fastest() const noexcept { return speed_[size_ - 1]; }
 
-    /// Time passes under any acceleration up to `accel`. No speed on the way is above `ceiling`, if none is
-    /// now.
+    /// Lets time pass under any acceleration up to `accel`. No speed on the way is above `ceiling`, if none
+    /// is now.
     void run(double time_s, double accel, double ceiling) noexcept;
     /// Any speed changes by up to `jump`.
     void jump(double jump) noexcept { widen(0.0, jump, 0.0, 0.0); }
@@ -63,19 +63,20 @@ public:
     }
     /// Speeds at which it reaches `level`; empty when none does.
     Range speeds_reaching(double level) const noexcept;
-    /// Nothing but these speeds, some of which it has.
+    /// Keeps only these speeds, some of which it has.
     void keep_speeds(Range speeds) noexcept {
         if (speeds.high < fastest()) keep_slower(speeds.high);
         if (speeds.low > slowest()) keep_faster(speeds.low);
     }
-    /// Nothing reaches further than `level`.
+    /// Cuts off what reaches further than `level`.
     void cap(double level) noexcept;
-    /// Takes the reach at its slowest speed further out. False, and nothing is done, when the convex hull
-    /// would then reach further than the flank by more than `tolerance` at a speed above `exact_from`.
+    /// Extends the reach at its slowest speed. False, and unchanged, when the convex hull would then reach
+    /// further than the flank by more than `tolerance` at a speed above `exact_from`.
     bool extend_slowest(double reach, double exact_from, double tolerance) noexcept;
     /// Becomes the flank of the convex hull of two others.
     void join(const StateFlank& a, const StateFlank& b) noexcept;
-    static constexpr std::size_t kMostExactlyJoined = kMostCorners / 2;  ///< those of more are thinned first
+    static constexpr std::size_t kMostExactlyJoined = kMostCorners / 2;  ///< a flank with more corners is
+                                                                         ///< thinned first
     /// Drops corners that stand out by less than `tolerance`.
     void thin(double tolerance) noexcept;
 

@@ -12,7 +12,7 @@ public:
     StateSet() = default;  ///< the empty set
     /// Every position with every speed of two ranges.
     static StateSet box(Range positions, Range speeds);
-    /// Everything that a motor reaches within `room` when it may start anywhere in it at `slowest`.
+    /// All states that a motor reaches within `room` when it may start anywhere in it at `slowest`.
     static StateSet rest(Range room, double slowest, double fastest, double accel);
 
     bool is_empty() const noexcept { return right_.size() == 0; }
@@ -27,9 +27,9 @@ public:
     /// All positions that it holds.
     Range positions() const noexcept { return {-left_.furthest(), right_.furthest()}; }
 
-    /// Where they are after a time, under any acceleration up to +-`accel`, and never faster than `ceiling`
-    /// on the way. The error of one step is accel * time^2 / 16 pulses, four times that near the ceiling:
-    /// what is left out, never what is added.
+    /// The states after a time, under any acceleration up to +-`accel`, and never faster than `ceiling` on
+    /// the way. The error of one step is accel * time^2 / 16 pulses, four times that near the ceiling: states
+    /// are left out, never added.
     void run(double time_s, double accel, double ceiling) noexcept;
     /// Every speed may change by up to +-`jump` at once.
     void jump(double jump) noexcept;

@@ -8,9 +8,9 @@
 
 namespace psicarve::verify {
 
-/// What a stretch of pulses asks for.
+/// The limit that a stretch of pulses requires.
 struct TrainDemand {
-    bool is_speed = false;  ///< no acceleration would do: the top speed is what is exceeded
+    bool is_speed = false;  ///< no acceleration suffices: the top speed is exceeded
     double needed = 0.0;    ///< the least limit with which a motion exists [pulses/s^2 or pulses/s]
 };
 

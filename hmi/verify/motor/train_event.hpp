@@ -20,7 +20,8 @@ struct TrainEvent {
     }
 };
 
-/// How far position and count may be apart: the rule's 1.5 pulses, and what the sets of states leave out.
+/// How far position and count may be apart: the rule's 1.5 pulses, and a margin for what the sets of states
+/// leave out.
 inline constexpr double kHalfRoom_pulses = 1.5 + 0.005;
 
 /// Where the motor may be at a count.
@@ -29,7 +30,7 @@ inline Range room_at(std::int64_t count) noexcept {
     return {middle - kHalfRoom_pulses, middle + kHalfRoom_pulses};
 }
 
-/// At the edge of a pulse it is near both counts.
+/// At the edge of a pulse the motor is near both counts.
 inline Range room_between(std::int64_t before, std::int64_t after) noexcept {
     return {std::max(room_at(before).low, room_at(after).low),
             std::min(room_at(before).high, room_at(after).high)};

@@ -11,9 +11,9 @@
 namespace psicarve::cam {
 
 /// How far the profile's tool goes into the model between two neighbouring points of a layer, where it goes
-/// straight in (psi, r) from the one to the other: the most of all layers and all gaps. The model's edges are
-/// looked at in every gap; how a tool with a size touches whatever else there is, in the middle and at the
-/// worst edge of the 36 gaps where edges say most. [mm]; 0: nowhere. Errors: those of tool::tip_radii.
+/// straight in (psi, r) from the one to the other: the most over all layers and all gaps. The model's edges
+/// are tested in every gap; any other contact of a tool with a size in the middle and at the worst edge of
+/// the 36 gaps where edges go deepest. [mm]; 0: nowhere. Errors: those of tool::tip_radii.
 Result<double> sunk_between_points_mm(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan,
                                       const JobTable& table, const slice::SliceOptions& options);
 

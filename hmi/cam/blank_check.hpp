@@ -22,38 +22,38 @@ private:
     std::vector<double> most_;
 };
 
-/// Where a table's finishing pass begins, of which alone these warnings are.
+/// First layer of a table's finishing pass; these warnings are about that pass alone.
 std::size_t finishing_layer(const JobTable& table) noexcept;
 
-/// Keeps all tips of the tables above the profile's depth limit below the blank's surface, counts what that
-/// leaves, and warns of it.
+/// Keeps all tips of the tables above the profile's depth limit below the blank's surface, counts what stays
+/// uncut, and warns of it.
 void hold_depth_limit(const Profile& profile, JobTable& table, SliceReport& report);
 
 /// Warns of a blank that does not hold the model, or that the heads cannot clear. `directions_rad` and
-/// `model_mm` belong together; `top_mm` is the model's above the table.
+/// `model_mm` belong together; `top_mm` is the model's top above the table.
 void warn_about_blank_size(const Profile& profile, std::span<const double> directions_rad,
                            std::span<const double> model_mm, double top_mm, SliceReport& report);
 /// The same, and of a blank that is deeper than the tool cuts.
 void warn_about_blank(const Profile& profile, std::span<const double> directions_rad,
                       std::span<const double> model_mm, double top_mm, SliceReport& report);
-/// Likewise where the tips of a table are all that is known of a model.
+/// The same where only the tips of a table are known of a model.
 void warn_about_blank(const Profile& profile, const JobTable& table, SliceReport& report);
 
-/// Tells how far the tool of the head that stands lower reaches below the top of the table on which the blank
-/// stands.
+/// Notes how far the tool of the lower head reaches below the top of the table on which the blank stands.
 void note_what_meets_the_table(const Profile& profile, const JobTable& table, SliceReport& report);
 
-/// Of an R2 that stands so much lower than R1 that its first layers pass under the model: there the table has
-/// the core radius, or what the depth limit leaves. For a table made of a model, whose base is known.
+/// Warns of an R2 that stands so much lower than R1 that its first layers pass under the model: there the
+/// table has the core radius, or what the depth limit leaves. For a table made of a model, whose base is
+/// known.
 void warn_about_foot(const Profile& profile, const JobTable& table, SliceReport& report);
 
-/// How far the finishing pass' layers are from each other; the most.
+/// The greatest distance between the finishing pass' layers.
 double layer_pitch_mm(const Profile& profile, const JobTable& table);
-/// The most between two rows of the same direction: not in zigzag the heads take turns there, and R2 stands
-/// higher or lower by its height error.
+/// The greatest distance between two rows of the same direction: except in zigzag the heads alternate there,
+/// and R2 stands higher or lower by its height error.
 double row_gap_mm(const Profile& profile, const JobTable& table);
-/// Of rows further from each other than the tool is wide. Points need no such word, for between them the tool
-/// cuts as it goes, but where R2's height error makes the rows uneven.
+/// Warns of rows further from each other than the tool is wide. Points need no such warning, since between
+/// them the tool cuts as it goes, except where R2's height error makes the rows uneven.
 void warn_about_layers(const Profile& profile, const JobTable& table, SliceReport& report);
 
 }  // namespace psicarve::cam

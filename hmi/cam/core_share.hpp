@@ -13,10 +13,10 @@ namespace psicarve::cam {
 
 struct JobOptions;
 
-/// The least that a table sends a head to: the core radius, or the end of its travel further out, counted.
+/// The least radius in a head's table: the core radius, or the end of its travel further out, counted.
 std::int32_t least_radius_pulses(const Profile& profile, Axis head);
 
-/// How many entries of a table's finishing pass stand there, and how many it has.
+/// How many entries of a table's finishing pass have that radius, and how many it has.
 struct CoreShare {
     std::uint64_t points = 0;
     std::uint64_t all = 0;
@@ -25,14 +25,14 @@ struct CoreShare {
 };
 CoreShare core_share(const Profile& profile, const JobTable& table);
 
-/// Warns of more than a tenth: a model that is small, hollow or beside its axis loses it without a trace.
+/// Warns of more than a tenth: that part of a small or hollow model, or one beside its axis, is not carved.
 void warn_about_core(const Profile& profile, const CoreShare& share, SliceReport& report);
 
-/// Why a model is refused whose every point is at the core radius, with the unit that its file probably has.
-/// `model_radius_mm` from the axis.
+/// The refusal of a model whose every point is at the core radius, with the unit that its file probably has.
+/// `model_radius_mm`: from the axis.
 Error core_alone(const std::string& source_name, const Profile& profile, const JobOptions& options,
                  double model_radius_mm, const SliceReport& report);
-/// The same of a table of radii.
+/// The same for a table of radii.
 Error core_alone(const std::string& path, const Profile& profile);
 
 }  // namespace psicarve::cam

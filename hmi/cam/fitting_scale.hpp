@@ -8,9 +8,8 @@
 
 namespace psicarve::cam {
 
-/// The largest scale at which the model, about the plan's axis, fits the machine's travel and, where the
-/// profile tells one, the blank; which of them bounds it goes into the report's notes. Not above 0: it fits
-/// nowhere.
+/// The largest scale at which the model, about the plan's axis, fits the machine's travel and, if the profile
+/// has one, the blank; the report's notes name the one that limits it. Not above 0: it fits nowhere.
 double fitting_scale(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan,
                      SliceReport& report);
 

@@ -11,7 +11,8 @@
 
 namespace psicarve::cam {
 
-/// Which gap between two neighbouring directions a place lies in, and about where, without trigonometry.
+/// Finds the gap between two neighbouring directions that a place lies in, and about where, without
+/// trigonometry.
 class GapFinder {
 public:
     static constexpr std::size_t kUnsure = ~std::size_t{0};
@@ -28,7 +29,7 @@ public:
         ends_.back() = kTurn;
     }
 
-    /// Of (x, y); kUnsure too near to a direction to be told, or where gaps are too wide.
+    /// For (x, y); kUnsure for a place too near to a direction, or where gaps are too wide.
     std::size_t gap_at(double x, double y) const noexcept {
         if (!is_fine_) return kUnsure;
         const double diamond = slice::diamond_angle(x, y);
@@ -43,7 +44,7 @@ public:
         double least;
         double most;
     };
-    /// How far (x, y) lies along the gap that it is in, from its begin 0 to its end 1: from .. to.
+    /// How far (x, y) lies along its gap, from its begin 0 to its end 1: between from and to.
     Along along(std::size_t gap, double x, double y) const noexcept {
         // The sine of what it lies behind the gap's begin; of less than 0.5 the angle is s to s + s^3 / 4.
         const double sine =

@@ -13,19 +13,19 @@
 
 namespace psicarve::cam {
 
-/// Line art stands as it was wrapped: refuses options that would turn, move or scale its body,
-/// and another tool than the grooves are of.
+/// Line art keeps its place on the cylinder: refuses options that would turn, move or scale its body, and
+/// another tool than that of the grooves.
 Result<void> check_groove_options(const model::Mesh& mesh, const Profile& profile, const JobOptions& options);
 
-/// What a point of the table stands for: half a step each way round it. Where a stroke passes through, the
-/// tip goes all the way in, so that each place of a stroke has a point, and its points touch each other.
+/// The surface around a point of the table: half a step each way. Where a stroke passes through, the tip goes
+/// all the way in, so that each place of a stroke has a point, and its points touch each other.
 flat::HalfCell groove_cell(const flat::Grooves& grooves, const Profile& profile, const JobPlan& plan);
 
-/// Fills both tables: on the cylinder's surface, and in the grooves as deep as the tool can stand.
+/// Fills both tables: on the cylinder's surface, and in the grooves as deep as the tool can go.
 Result<void> fill_with_grooves(const flat::Grooves& grooves, const Profile& profile, const JobPlan& plan,
                                const slice::SliceOptions& options, RadiusTables& tables);
 
-/// How wide grooves may become, and what keeps them from their depth.
+/// Reports how wide grooves may become, and what keeps them from their depth.
 void report_grooves(const flat::Grooves& grooves, const Profile& profile, const JobPlan& plan,
                     SliceReport& report);
 

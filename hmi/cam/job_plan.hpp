@@ -14,7 +14,7 @@
 
 namespace psicarve::cam {
 
-/// Everything about a job that is settled before the first sample: size, place, layers, points.
+/// The decisions about a job before the first sample: size, place, layers, points.
 struct JobPlan {
     double scale = 1.0;  ///< mm per file unit
     slice::Placement placement;
@@ -25,7 +25,7 @@ struct JobPlan {
     std::vector<std::int64_t> height_pulses;  ///< Y of the table's rows: a spiral closes with a ring
 };
 
-/// Settles the plan and writes what it settled, and its warnings, into the report.
+/// Makes the plan and writes it, with its warnings, into the report.
 Result<JobPlan> plan_job(const model::Mesh& mesh, const Profile& profile, const JobOptions& options,
                          SliceReport& report);
 

@@ -10,8 +10,8 @@
 
 namespace psicarve::cam {
 
-/// Lines of numbers between commas or semicolons; empty lines and those that begin with '#' are passed over.
-/// Where the head has semicolons or tabs, these alone part numbers, and a comma stands before decimals, as
+/// Lines of numbers between commas or semicolons; skips empty lines and those that begin with '#'. Where the
+/// head has semicolons or tabs, these alone separate numbers, and a comma is the decimal mark, as
 /// spreadsheets of half of Europe write. The text outlives this.
 class NumberLines {
 public:
@@ -22,9 +22,9 @@ public:
     void part_by(char separator) { separators_ = separator == ',' ? ",;" : separator == ';' ? ";" : "\t"; }
     /// mm or pulses: far beyond every machine, and safe to calculate with.
     static constexpr double kFarthest = 1e9;
-    /// False at the end. Refused: what is no number, or is further from 0.
+    /// False at the end. Refuses what is no number, or is further from 0 than `farthest`.
     Result<bool> numbers(std::vector<double>& out, double farthest = kFarthest);
-    /// Of the line that was read last.
+    /// An error that names the line read last.
     Error wrong(const std::string& what) const;
 
 private:

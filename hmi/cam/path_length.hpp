@@ -11,7 +11,7 @@
 
 namespace psicarve::cam {
 
-/// How far R1's and R2's tip go for one layer, or for several together.
+/// The length of R1's and R2's tip's way in one layer, or in several together.
 struct LayerPath {
     std::array<double, 2> cutting_mm{};  ///< over the surface, from the layer's first point to its last
     std::array<double, 2> link_mm{};     ///< from the layer before to this one's first point
@@ -29,9 +29,9 @@ struct LayerPath {
     }
 };
 
-/// Of each layer. In a link a head that goes out, Y, and a head that goes in move one after the other, and
-/// between two passes both heads go out to where they clear the blank; what the look-ahead planner does of it
-/// at once is shorter. `least`: of this job. Approach and retraction are in none.
+/// The paths of each layer. In a link a head that goes out, Y, and a head that goes in move one after the
+/// other, and between two passes both heads go out to where they clear the blank; the look-ahead planner
+/// shortens this by moving axes at once. `least`: of this job. Approach and retraction are left out.
 std::vector<LayerPath> layer_paths(const JobView& job, const Profile& profile, const LeastTime& least);
 
 }  // namespace psicarve::cam

@@ -21,22 +21,22 @@ struct PreparedJob {
     std::vector<std::byte> blob;
     JobView view;  ///< into `blob`: move, never copy
     Profile profile;
-    std::shared_ptr<const model::Mesh> mesh;  ///< that it was sliced from, where it was asked for
+    std::shared_ptr<const model::Mesh> mesh;  ///< the mesh that it was sliced from, if asked for
     std::vector<std::string> warnings;        ///< of the slicer, and of a profile with another blank
     std::vector<std::string> notes;
-    std::vector<PulseCounts> pulses_to_end;  ///< by layer; empty: nobody has asked (job_pulses.hpp)
-    LeastTime least;                         ///< that carving it takes, when somebody has asked
+    std::vector<PulseCounts> pulses_to_end;  ///< by layer; empty: not calculated (job_pulses.hpp)
+    LeastTime least;                         ///< of its carving, if calculated
 
     PreparedJob() = default;
     PreparedJob(PreparedJob&&) = default;
     PreparedJob& operator=(PreparedJob&&) = default;
 };
 
-/// Checks the blob's structure, and that a machine with this profile can carve it. "FILE: what is wrong".
+/// Checks the blob's structure, and whether a machine with this profile can carve it. "FILE: what is wrong".
 Result<PreparedJob> prepare_blob(std::vector<std::byte> blob, Profile profile, const std::string& path);
-/// The job of a snapshot that was loaded, for the machine it was made for.
+/// The job of a loaded snapshot, for the machine it was made for.
 Result<PreparedJob> prepare_snapshot(Snapshot snapshot, const std::string& path);
-/// The same job for another machine, carved from its own blank: warns where that machine's profile tells of
+/// The same job for another machine, carved from its own blank: warns where that machine's profile has
 /// another.
 Result<PreparedJob> prepare_for(PreparedJob job, Profile machine, const std::string& path);
 

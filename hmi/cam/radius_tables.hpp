@@ -14,8 +14,8 @@
 
 namespace psicarve::cam {
 
-/// Turns sampled radii into a job's two tables: pulses, never inside the core radius, the heads never closer
-/// than their clearance, tip offsets taken off.
+/// Makes a job's two tables from sampled radii: pulses, never inside the core radius, the heads never closer
+/// than their clearance, tip offsets subtracted.
 class RadiusTables {
 public:
     /// Sizes the tables of `table`, whose counts and joining are set. `scale`: mm per file unit.
@@ -26,12 +26,12 @@ public:
     void fill_left(std::size_t layer, std::span<const double> once_round);
     void fill_right(std::size_t layer, std::span<const double> once_round);
 
-    /// After all layers are filled, before all that follows: a spiral's rows begin where those before end.
+    /// After all layers are filled, before the next two: lets a spiral's rows begin where those before end.
     void join_rows();
     /// After all layers are filled: whether the heads can go where the tables send them.
     Result<void> check_travel(const std::string& source_name) const;
-    /// After all layers are filled: counts what stands at the core radius, then keeps the heads apart and
-    /// counts what that has changed.
+    /// After all layers are filled: counts the points at the core radius, then keeps the heads apart and
+    /// counts the points that this has changed.
     void report(const Profile& profile, SliceReport& report);
 
 private:

@@ -8,12 +8,11 @@
 
 namespace psicarve::cam {
 
-/// Puts the roughing passes that the profile asks for, if any, before the finishing pass that the job is, and
-/// tells of them in its report. `level`: the same layers not rising, where the job is a spiral; else its own
-/// table.
+/// Puts the roughing passes that the profile asks for, if any, before the job's finishing pass, and adds them
+/// to its report. `level`: the same layers without rising, where the job is a spiral; else its own table.
 Result<void> rough(BuiltJob& built, const JobTable& level, const Profile& profile);
 
-/// How to slice the same layers of the same model so that they do not rise.
+/// Options that slice the same layers of the same model without rising.
 JobOptions level_options(const BuiltJob& spiral, const JobOptions& options);
 
 }  // namespace psicarve::cam

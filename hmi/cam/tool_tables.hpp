@@ -16,7 +16,7 @@ namespace psicarve::cam {
 /// begins at its bottom with the point before and reaches its top with point n: one list of heights a column.
 std::vector<double> row_heights(const JobPlan& plan, double height_error);
 
-/// Fills both tables with how far in the profile's tool can stand, R2's with its angle and height error.
+/// Fills both tables with the depth that the profile's tool can reach, R2's with its angle and height error.
 Result<void> fill_with_tool(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan,
                             const slice::SliceOptions& options, RadiusTables& tables);
 

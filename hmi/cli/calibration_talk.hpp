@@ -10,12 +10,12 @@
 
 namespace psicarve::cli {
 
-/// Where the running core counts a head to stand now [mm]; refused with the reason.
+/// The position at which the running core counts a head now [mm]; refused with the reason.
 using HeadPlace = std::function<Result<double>(Axis)>;
 
-/// Asks one thing after another on standard error, answers come on standard input; what cannot be is told and
-/// asked again. The draft then holds what was measured, and nothing is saved. machine_refused: the answers
-/// ended, or the last was no.
+/// Asks for the measurements one after another on standard error, reads answers from standard input; reports
+/// an impossible answer and asks again. The draft then holds the measurements, and nothing is saved.
+/// machine_refused: the answers ended, or the last was no.
 Result<void> talk_calibration(profile::ProfileDraft& draft, const HeadPlace& place_of);
 
 }  // namespace psicarve::cli

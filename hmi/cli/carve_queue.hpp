@@ -9,10 +9,10 @@
 
 namespace psicarve::cli {
 
-/// Carves one workpiece after the other. Between two of them somebody has to change the blank, and says so at
-/// the terminal: without a word nothing moves. `unattended`: nobody is asked. The first that does not end
-/// with 0 is the last, and so is one in which the operator broke off, even if too late for it. Errors:
-/// bad_usage when nobody is there to ask, before anything is carved; cancelled.
+/// Carves one workpiece after the other. Between two of them the operator has to change the blank, and
+/// confirms it at the terminal: without that nothing moves. `unattended`: asks no question. The first that
+/// does not end with 0 is the last, and so is one in which the operator broke off, even if too late for it.
+/// Errors: bad_usage when there is no terminal to ask at, before anything is carved; cancelled.
 Result<int> carve_in_turn(const std::vector<std::string>& paths, bool unattended,
                           const std::function<Result<int>(const std::string&)>& carve_one);
 

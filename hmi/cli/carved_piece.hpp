@@ -19,29 +19,29 @@
 
 namespace psicarve::cli {
 
-/// What is asked for of the piece that the tools leave. Empty: no such file.
+/// The files asked for of the carved piece. Empty: no such file.
 struct PieceFiles {
-    std::string model;    ///< that a job was sliced from, to compare with
+    std::string model;    ///< of the job, to compare with
     std::string mesh;     ///< .stl or .ply
-    std::string picture;  ///< of its deviation from the model, .png
+    std::string picture;  ///< of the piece's deviation from the model, .png
     bool any() const noexcept { return !model.empty() || !mesh.empty() || !picture.empty(); }
 };
 void add_piece_options(Syntax& syntax, PieceFiles& files);
-/// Before the work: wrong names, folders that cannot be written.
+/// Before the work: refuses wrong names, and folders that cannot be written.
 Result<void> check_piece_files(const PieceFiles& files);
 
-/// The piece, carved in simulation with the tool's shape while the pins are judged, by a thread of its own.
+/// The piece, carved in simulation with the tool's shape while the pins are judged, in a thread of its own.
 class CarvedPiece {
 public:
-    /// Nothing when no file is asked for and there is no model. With a model the piece is compared with it.
-    /// The job's blob outlives this.
+    /// Null when no file is asked for and there is no model. With a model the piece is compared with it. The
+    /// job's blob outlives this.
     static Result<std::unique_ptr<CarvedPiece>> make(const PreparedJob& job,
                                                      std::shared_ptr<const model::Mesh> model,
                                                      const PieceFiles& files);
 
     /// For the verifier; this outlives it.
     verify::Verifier::Follower follower();
-    /// After the verifier is done: compares, writes.
+    /// After the verifier is done: compares and writes.
     Result<void> finish();
     /// After finish(); nothing when there is no model.
     const std::optional<piece::PieceDeviation>& deviation() const noexcept { return deviation_; }
@@ -50,7 +50,7 @@ public:
 
 private:
     CarvedPiece(const verify::JobGeometry& geometry, const PreparedJob& job, const PieceFiles& files);
-    /// Before anything is carved: what the piece will be compared with.
+    /// Before anything is carved: sets the model for the comparison.
     Result<void> compare_with(std::shared_ptr<const model::Mesh> model, const PreparedJob& job);
 
     verify::JobGeometry geometry_;
@@ -65,9 +65,9 @@ private:
     std::optional<piece::PieceDeviation> deviation_;
 };
 
-/// Follower of a piece that may not be wanted.
+/// The piece's follower, or none where there is no piece.
 verify::Verifier::Follower follower_of(const std::unique_ptr<CarvedPiece>& piece);
-/// What became of it into a run's report: of a job that was carved to its end.
+/// Adds the piece's results to a run's report, if the job was carved to its end.
 void add_piece(RunReport& report, const std::unique_ptr<CarvedPiece>& piece);
 
 }  // namespace psicarve::cli

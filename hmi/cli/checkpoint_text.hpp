@@ -15,8 +15,8 @@ std::string checkpoint_text(const std::optional<Checkpoint>& checkpoint, bool is
 /// came further.
 nlohmann::ordered_json checkpoint_json(const std::optional<Checkpoint>& checkpoint, bool is_of_job);
 
-/// The core's remark on the published job, without what it says of memory and disk once the piece is carved
-/// past the lower of the two layers.
+/// The core's remark on the published job; leaves out the part about a difference between memory and disk
+/// once the piece is carved past the lower of the two layers.
 std::string current_remark(const std::string& remark, const std::optional<Checkpoint>& checkpoint);
 
 }  // namespace psicarve::cli

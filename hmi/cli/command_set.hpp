@@ -21,11 +21,11 @@ class Option;
 
 namespace psicarve::cli {
 
-/// What every command takes.
+/// The options of every command.
 struct CommonOptions {
     std::string segment = kDefaultSegmentName;
     std::string group;
-    std::string profile;  ///< TOML, or a job file whose profile is meant; empty: none given
+    std::string profile;  ///< TOML, or a job file for the profile in it; empty: none given
     bool json = false;
 };
 
@@ -35,29 +35,30 @@ using CommandBody = std::function<Result<int>(const CommonOptions&)>;
 struct CommandText {
     const char* name;
     const char* summary;  ///< one line
-    const char* details;  ///< what --help says besides; may be empty
+    const char* details;  ///< further text of --help; may be empty
     const char* example;  ///< one or more lines that can be typed
 };
 
-/// What a command reads, where it is kept: each may be "-".
+/// Where a command keeps the names of the files that it reads: each may be "-".
 struct InputTargets {
     std::vector<std::string*> files;
     std::vector<std::vector<std::string>*> lists;
 };
 
-/// Whether it was added with `Syntax::input` or `inputs`.
+/// Whether the option was added with `Syntax::input` or `inputs`.
 bool reads_standard_input(const CLI::Option& option);
 
-/// What one command takes: a thin cover over the parser, so that a command's file does not need it. Targets
-/// outlive the parsing and keep their values where the option is not given. An empty text is wrong usage.
+/// The arguments and options of one command: a thin cover over the parser, so that a command's file does not
+/// need it. Targets outlive the parsing and keep their values where the option is not given. An empty text is
+/// wrong usage.
 class Syntax {
 public:
     Syntax(CLI::App& app, std::shared_ptr<InputTargets> inputs) noexcept
         : app_(&app), inputs_(std::move(inputs)) {}
 
     Syntax& argument(const char* name, std::string& target, const char* help);
-    /// A file to read. "-": standard input, read whole before the command's body begins, to which it is a
-    /// file's name that can be read; not for --help, nor where anything else is wrong.
+    /// A file to read. "-": standard input, read whole before the command's body begins, which gets the name
+    /// of a file that can be read; not read for --help, nor after any other wrong usage.
     Syntax& input(const char* name, std::string& target, const char* help);
     Syntax& optional_input(const char* name, std::string& target, const char* help);
     /// One or more of them.
@@ -102,12 +103,12 @@ public:
     CommandSet(CLI::App& app, CommonOptions& common, CommandBody& chosen) noexcept
         : app_(&app), common_(&common), chosen_(&chosen) {}
 
-    /// The body of the command that was typed is chosen when parsing is done.
+    /// After parsing, the program runs the body of the command that was typed.
     Syntax add(const CommandText& text, CommandBody body);
     /// For commands whose output is not a report: without --json.
     Syntax add_plain(const CommandText& text, CommandBody body);
     CommandSet group(const char* name, const char* summary);
-    /// What all of them take, as --help tells it. The program's, if these are all its commands.
+    /// The commands as --help describes them; the program's table, if these are all its commands.
     manual::CommandTable table() const;
     /// The common options may also stand before the command's name.
     void add_common_options();

@@ -9,7 +9,7 @@ class App;
 
 namespace psicarve::cli {
 
-/// What the parser knows of a program or a command, and of those below it: what it prints with --help.
+/// The parser's description of a program or a command, and of those below it: the content of --help.
 manual::CommandTable table_of(const CLI::App& app);
 
 }  // namespace psicarve::cli

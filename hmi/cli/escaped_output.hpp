@@ -6,8 +6,8 @@
 
 namespace psicarve::cli {
 
-/// While it lives all that commands print to stdout leaves it as `printable` text: the one place that stands
-/// between names in files, traces and segments, and a terminal. One at a time, in a program's main thread.
+/// While it lives all output of commands to stdout leaves as `printable` text: the one place between names in
+/// files, traces and segments, and a terminal. One at a time, in a program's main thread.
 class EscapedOutput {
 public:
     EscapedOutput();
@@ -16,12 +16,12 @@ public:
     EscapedOutput& operator=(const EscapedOutput&) = delete;
 
 private:
-    std::string held_;  ///< of a letter whose other bytes are still to come
+    std::string held_;  ///< the begin of a letter whose other bytes are still to come
     std::FILE* before_;
     std::FILE* escaped_;
 };
 
-/// For what steers a terminal on purpose. What else it holds is `printable` already.
+/// Prints a text that controls a terminal on purpose. Its other parts are `printable` already.
 void print_as_it_is(const std::string& text);
 
 }  // namespace psicarve::cli

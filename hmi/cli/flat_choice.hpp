@@ -11,7 +11,7 @@
 
 namespace psicarve::cli {
 
-/// What the command line says about a drawing or picture.
+/// The command line's options for a drawing or picture.
 struct FlatChoice {
     bool is_relief = false;
     bool is_inverted = false;
@@ -29,7 +29,7 @@ struct FlatChoice {
 void add_flat_options(Syntax& syntax, FlatChoice& choice);
 bool has_any(const FlatChoice& choice);
 
-/// Without height and scale. Refuses options that are not for this kind of model. Line art is cut with the
+/// Leaves out height and scale. Refuses options that do not fit this kind of model. Line art is cut with the
 /// profile's tool, into its blank where no diameter is given.
 Result<flat::FlatOptions> flat_options(const FlatChoice& choice, flat::ModelKind kind, const Profile& profile,
                                        const std::string& path);

@@ -8,10 +8,9 @@
 
 namespace psicarve::cli {
 
-/// The worst of where a model hides parts of itself, as lines of a model's report; none where there is
-/// nothing to tell.
+/// The largest hidden parts of a model, as lines of its report; empty where there are none.
 std::vector<std::string> hidden_lines(const report::HiddenPlaces& places);
-/// The same of where it is open.
+/// The same for its open parts.
 std::vector<std::string> open_lines(const report::HiddenPlaces& places);
 /// All of both, as one JSON object.
 std::string hidden_json(const report::HiddenPlaces& places);

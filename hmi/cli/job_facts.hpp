@@ -12,7 +12,7 @@
 
 namespace psicarve::cli {
 
-/// How large the piece is that a job's finishing pass leaves: its tables with the tips where they stand.
+/// The size of the piece that a job's finishing pass leaves: its tables with the tips at their real places.
 struct JobSize {
     double least_radius_mm = 0.0;
     double greatest_radius_mm = 0.0;
@@ -25,14 +25,15 @@ JobSize job_size(const JobView& job, const Profile& profile);
 std::string size_text(const JobSize& size);
 nlohmann::ordered_json size_json(const JobSize& size);
 
-/// --time, which costs a plan of the whole job.
+/// --time, which plans the whole job.
 void add_time_option(Syntax& syntax, bool& wanted);
 /// "50:33, T_ref 50:30".
 std::string time_text(const machine::PlannedTime& planned);
-/// {"carve_seconds", "reference_seconds"}; null where nobody asked.
+/// {"carve_seconds", "reference_seconds"}; null where it was not asked for.
 nlohmann::ordered_json time_json(const std::optional<machine::PlannedTime>& planned);
 
-/// What the slicer said of a job, for people: "size       12.7 x ...\n"; empty where it said nothing.
+/// The slicer's report of a job, for people: "size       12.7 x ...
+/// "; empty without one.
 std::string slicer_text(const JobView& job);
 
 }  // namespace psicarve::cli

@@ -17,7 +17,7 @@
 
 namespace psicarve::cli {
 
-/// How a model becomes a job. Zero or empty: not given.
+/// The options that turn a model into a job. Zero or empty: not given.
 struct ModelOptions {
     std::uint32_t layer_count = 0;
     std::optional<double> layer_height_mm;
@@ -41,8 +41,8 @@ struct ModelOptions {
     std::optional<double> stepover_mm;
     bool finish_only = false;
     FlatChoice flat;
-    bool compares_axes = false;  ///< not of the command line: cam::JobOptions::compares_axes
-    bool keeps_mesh = false;     ///< not of the command line: PreparedJob::mesh is wanted
+    bool compares_axes = false;  ///< set by commands, not by options: cam::JobOptions::compares_axes
+    bool keeps_mesh = false;     ///< set by commands, not by options: fills PreparedJob::mesh
 };
 void add_model_options(Syntax& syntax, ModelOptions& options);
 
@@ -51,10 +51,10 @@ using cam::PreparedJob;
 /// Slices a model, or loads a job or snapshot. Errors: the file is wrong, or the machine cannot carve it.
 Result<PreparedJob> prepare_job(const std::string& path, const ModelOptions& options,
                                 const CommonOptions& common);
-/// The same, but that nothing is said of it: neither warnings nor notes.
+/// The same without output: neither warnings nor notes.
 Result<PreparedJob> prepare_unsaid(const std::string& path, const ModelOptions& options,
                                    const CommonOptions& common);
-/// A model as it would stand, not sliced, and the machine with what the options name.
+/// A model at its place, not sliced, and the machine with the changes that the options make.
 struct PlacedBody {
     Profile profile;
     piece::PlacedModel model;
@@ -65,22 +65,22 @@ Result<PlacedBody> place_body(const std::string& path, const ModelOptions& optio
 Result<Snapshot> load_carried_job(const std::string& path, const std::string& remedy);
 /// A job or snapshot file; of a binary trace, the job that it carries.
 Result<Snapshot> load_job_file(const std::string& path, const std::string& remedy);
-/// What another profile than the job's own is for: a job may be judged by the limits of any machine on which
-/// its pulses mean the same.
+/// What a profile other than the job's own is used for: any machine on which a job's pulses mean the same may
+/// judge it by its limits.
 enum class ProfileUse : std::uint8_t { carve, judge };
-/// The job of a snapshot that was loaded.
+/// The job of a loaded snapshot.
 Result<PreparedJob> job_of_snapshot(Snapshot snapshot, const std::string& path, const CommonOptions& common,
                                     ProfileUse use = ProfileUse::carve);
 
 /// The file that --profile names, or the one in a default place (profile_place.hpp); empty: the built-in one.
 std::string chosen_profile_path(const CommonOptions& common);
-/// That profile, of TOML or a job file. A job's own is not asked for here.
+/// That profile, from TOML or a job file; does not look into the job to be carved.
 Result<Profile> chosen_profile(const CommonOptions& common);
-/// For what can do without: a profile in the default place that cannot be read is warned of, and none. Errors
-/// of chosen_profile() where --profile names it.
+/// For commands that can do without: warns of a profile in the default place that cannot be read, and returns
+/// none. Errors of chosen_profile() where --profile names it.
 Result<std::optional<Profile>> readable_profile(const CommonOptions& common);
 
-/// An output that cannot be written is better known before the work than after it.
+/// Checks before the work, not after it, whether an output can be written.
 Result<void> check_output_folder(const std::string& path);
 
 }  // namespace psicarve::cli

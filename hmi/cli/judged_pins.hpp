@@ -10,21 +10,21 @@
 
 namespace psicarve::cli {
 
-// What the pins of a run came to, into its report.
+// Adds the verification of a run's pins to its report.
 
-/// A job that was not carved to its end is neither right nor wrong. Its pins were counted all the same.
+/// A job that was not carved to its end is neither right nor wrong, but its pulses count.
 void add_verification(RunReport& report, Result<verify::VerifyReport> verification);
 
-/// What was asked for and only a verification could give.
+/// Adds a failure for an output that was asked for and that only a verification gives.
 void miss(RunReport& report, const std::string& what);
-/// Nobody has kept the pins of this run from being judged: where they were not, it has failed.
+/// For a run whose pins must be judged: if they were not, the run has failed.
 void require_verification(RunReport& report);
 
-/// The carved piece, if it was judged and a picture was asked for.
+/// Draws the carved piece, if it was judged and a picture was asked for.
 void add_picture(RunReport& report, const JobView& job, const verify::CarvedSurface& surface,
                  const std::string& picture_path);
 
-/// Says so when the core had to leave out changes of its pins during this run.
+/// Warns when the core had to leave out changes of its pins during this run.
 void warn_of_lost_pins(const RunReport& report);
 
 }  // namespace psicarve::cli

@@ -7,7 +7,7 @@
 
 namespace psicarve::cli {
 
-/// A picture of how late ticks were, a row for each doubling, bars as long as the logarithm of their count;
+/// A histogram of the ticks' lateness, a row for each doubling, bars as long as the logarithm of their count;
 /// below it percentiles, missed ticks and what disturbed the tick.
 std::string latency_text(const machine::LatencyResult& result, const machine::LatencyWish& wish);
 

@@ -17,22 +17,22 @@
 
 namespace psicarve::cli {
 
-/// The journals of a segment, of the real machine and of a simulated one, wherever cores keep them, as one:
-/// in each of them the order of its records, between them that of their times. A disk that hangs is waited
-/// for only so long.
+/// The journals of a segment, of the real machine and of a simulated one, from all folders in which cores
+/// keep them, merged: within each the order of its records, between them that of their times. Waits for a
+/// disk that hangs only for a limited time.
 class LogSources {
 public:
-    /// `folder`: where cores keep them; empty: where they do by themselves.
+    /// `folder`: where cores keep them; empty: their default folders.
     LogSources(const std::string& segment, const std::string& folder);
 
-    /// All that is there. An error: the disk does not answer.
+    /// Reads all records. An error: the disk does not answer.
     Result<std::vector<LogEntry>> read_first();
-    /// What has come since; nothing yet where the disk takes longer than this.
+    /// The records since the last call; nothing yet where the disk takes longer than `patience`.
     std::vector<LogEntry> read_more(std::chrono::milliseconds patience);
-    /// Of what was read so far.
+    /// In what was read so far.
     bool has_found_file() const noexcept { return has_found_file_; }
     std::uint64_t damaged_count() const noexcept { return damaged_count_; }
-    /// Files that cannot be read, each told of once; they hide none of the others.
+    /// Files that cannot be read, each reported once; the others are read all the same.
     std::vector<Error> take_errors() { return std::exchange(errors_, {}); }
     Error nothing_found() const;
 
@@ -42,7 +42,7 @@ private:
         bool is_simulator;
         std::size_t told_errors = 0;
     };
-    /// The sources go along with the thread that reads them, and come back.
+    /// The sources move to the thread that reads them, and come back.
     struct Outcome {
         std::shared_ptr<std::vector<Source>> sources;
         std::vector<LogEntry> entries;
@@ -59,7 +59,7 @@ private:
     std::vector<Error> errors_;
 };
 
-/// Ctrl-C ends it sooner.
+/// Sleeps; Ctrl-C ends it early.
 void sleep_unless_asked(std::chrono::milliseconds limit);
 
 }  // namespace psicarve::cli

@@ -8,14 +8,14 @@
 
 namespace psicarve::cli {
 
-/// A record of a machine's journal, and of which kind of machine.
+/// A record of a machine's journal, with the kind of machine.
 struct LogEntry {
     JournalRecord record;
     bool is_simulator = false;
 };
 
-/// On one line, with its line feed: time, kind, machine, what happened. What files and senders call
-/// themselves stands in it as it is.
+/// One line, with its line feed: time, kind, machine, what happened. Names of files and senders are copied
+/// unchanged.
 std::string log_line(const LogEntry& entry);
 nlohmann::ordered_json log_json(const LogEntry& entry);
 

@@ -14,21 +14,21 @@
 
 namespace psicarve::cli {
 
-/// Before the work: a wrong name, a folder that cannot be written. Empty: no preview.
+/// Before the work: refuses a wrong name, or a folder that cannot be written. Empty: no preview.
 Result<void> check_preview(const std::string& path);
 
-/// What a model comes to before it is carved: its mesh, how it stands, the piece that is to be expected.
+/// The report of a model before it is carved: its mesh, its place, the expected piece.
 class ModelReport {
 public:
-    /// Of a job that was just sliced; without its mesh (a table) nothing is said of that. Outlived by the
-    /// job.
+    /// Made of a job that was just sliced; without its mesh (a table) that part is left out. The job outlives
+    /// it.
     static Result<ModelReport> make(const PreparedJob& job);
 
     /// A line each, "name: what".
     std::vector<std::string> lines() const;
     std::string text() const;
     std::string json() const;
-    /// Empty: none is wanted.
+    /// Empty: writes none.
     Result<void> write_preview(const std::string& path) const;
 
 private:

@@ -13,7 +13,7 @@ namespace psicarve::cli {
 
 /// The segment and its core; no_core when there is none of either.
 Result<machine::MachineLink> link_to_core(const CommonOptions& common);
-/// The same for orders to stop, which need no --group: whatever segment the kernel lets us write.
+/// The same for orders to stop, which need no --group: any segment that the kernel lets us write.
 Result<machine::MachineLink> link_to_stop(const CommonOptions& common);
 
 /// One command to the core, answered; then a wait for one of `wanted` (none: no wait).
@@ -21,7 +21,7 @@ struct MotionCommand {
     CommandKind kind;
     std::optional<Axis> axis;
     std::vector<MachineState> wanted;
-    Command details{};  ///< what the command says besides kind and axis
+    Command details{};  ///< the command without kind and axis
 };
 /// Ctrl-C while waiting stops the machine. Returns the status at the end.
 Result<CoreStatus> run_motion(machine::MachineLink& link, const MotionCommand& command);
@@ -29,7 +29,7 @@ Result<CoreStatus> run_motion(machine::MachineLink& link, const MotionCommand& c
 /// run_motion on the common options' segment, then the report: "home: the machine is ready".
 Result<int> motion_body(const CommonOptions& common, const MotionCommand& command);
 
-/// What --lease says of a jog or a test [s], `usual` if nothing; bad_usage beyond what the core allows.
+/// The value of --lease for a jog or a test [s], `usual` without one; bad_usage beyond what the core allows.
 Result<std::chrono::milliseconds> lease_argument(std::optional<double> asked_s,
                                                  std::chrono::milliseconds usual);
 

@@ -16,8 +16,8 @@ namespace psicarve::cli {
 /// default place where it names none.
 std::vector<NamedFile> named_files(const CLI::App& command);
 
-/// Refuses "-", as bad_usage, where no stream can stand for the file. Inputs that read standard input have
-/// been given another name by then.
+/// Refuses "-", as bad_usage, where the file cannot be a stream. Inputs that read standard input have been
+/// given another name by then.
 Result<void> check_no_stream(const std::vector<NamedFile>& files);
 
 }  // namespace psicarve::cli

@@ -8,10 +8,10 @@
 
 namespace psicarve::cli {
 
-/// Ctrl-C (SIGINT) and SIGTERM while we wait for a machine: the first asks the core to stop in order, the
-/// second is an emergency stop, the third ends the waiting. Lives until the report is out: whoever presses
-/// once more while the core ends is not to lose it. One at a time; with its end the old behaviour returns,
-/// once asked for the third.
+/// Ctrl-C (SIGINT) and SIGTERM while a command waits for a machine: the first asks the core to stop in order,
+/// the second is an emergency stop, the third ends the waiting. Lives until the report is printed: a further
+/// press while the core ends must not lose the report. One at a time; its destructor restores the old
+/// handlers, and so does the third press.
 class OperatorBreak {
 public:
     OperatorBreak();
@@ -20,14 +20,14 @@ public:
     OperatorBreak& operator=(const OperatorBreak&) = delete;
 
     bool was_asked() const noexcept;
-    /// How often any of them was asked since the program began: also what came too late for its own wait.
+    /// How many signals came since the program began: also those that came too late for their own wait.
     static unsigned asked_ever() noexcept;
-    /// To be called again and again while waiting: passes what was asked on to the core. `cancelled` once the
-    /// waiting itself is to end.
+    /// Call it repeatedly while waiting: passes the request on to the core. `cancelled` once the waiting
+    /// itself must end.
     Result<void> pass_on(machine::MachineLink& link);
-    /// The waiting is over, and what is left is the report: the third ends the program from now on.
+    /// The waiting is over, and only the report is left: the third press ends the program from now on.
     void let_third_end_us() noexcept;
-    /// What a wait that ended after a break failed with.
+    /// The error of a wait that ended after a break.
     Error error(const CoreStatus& last) const;
 
 private:

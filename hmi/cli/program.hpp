@@ -5,10 +5,10 @@
 
 namespace psicarve::cli {
 
-/// The whole of `psicarve`: reads the command line, does what it says, returns the exit code.
+/// The whole of `psicarve`: reads the command line, runs the command, returns the exit code.
 int run(int argc, char** argv);
 
-/// What psicarve takes, as --help tells it.
+/// The commands and options of psicarve, as --help describes them.
 manual::CommandTable program_table();
 
 }  // namespace psicarve::cli

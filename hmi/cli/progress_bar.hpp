@@ -7,10 +7,10 @@
 
 namespace psicarve::cli {
 
-/// Told as "3:12 left", or as "about 3:12 left".
+/// Shown as "3:12 left", or as "about 3:12 left".
 struct TimeToGo {
     double seconds = 0.0;
-    bool is_about = true;  ///< not planned to the end, or nobody plans it
+    bool is_about = true;  ///< not planned to the end, or not planned at all
 };
 
 /// One line on a terminal: "carving  [######......]  42 %  3:12 left  layer 12/500". Writes nothing at all
@@ -22,7 +22,7 @@ public:
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// `to_go`: as a core tells it; without it the time so far tells about how much.
+    /// `to_go`: the core's value; without it the bar estimates from the time so far.
     void update(double done_ratio, const std::string& detail = {}, std::optional<TimeToGo> to_go = {});
     /// A new phase: the time so far starts anew.
     void relabel(const std::string& label);
@@ -34,8 +34,7 @@ private:
     bool is_terminal_ = false;
 };
 
-/// Takes the bar off the line, before something else is written to standard error; the next update draws it
-/// again.
+/// Removes the bar from the line, before other output to standard error; the next update draws it again.
 void clear_progress_line();
 
 /// The line itself, without control characters; `width` columns at most.

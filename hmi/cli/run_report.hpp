@@ -13,7 +13,7 @@ using report::RunReport;
 /// Lines for a person.
 std::string run_text(const RunReport& report);
 
-/// Prints the report and returns the exit code; what went wrong is said on standard error too.
+/// Prints the report and returns the exit code; prints an error on standard error too.
 int print_run(const RunReport& report, bool as_json);
 
 }  // namespace psicarve::cli

@@ -8,15 +8,14 @@
 
 namespace psicarve::cli {
 
-/// Watches a running job for the person at the terminal: a bar while it goes on, Ctrl-C passed on to the
-/// core.
+/// Watches a running job for the person at the terminal: shows a bar, and passes Ctrl-C on to the core.
 class RunWatch {
 public:
-    /// `job`: what is carved. All outlive this, `operator_break` until the report is out.
+    /// `job`: the job being carved. All outlive this, `operator_break` until the report is printed.
     RunWatch(machine::MachineLink& link, const JobView& job, OperatorBreak& operator_break)
         : link_(&link), job_(&job), bar_("starting"), operator_break_(operator_break) {}
 
-    /// To be handed to a wait; outlived by this.
+    /// For a wait; this object outlives it.
     machine::StatusWatch watch() {
         return [this](const CoreStatus& status) { return look(status); };
     }

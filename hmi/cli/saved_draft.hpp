@@ -7,8 +7,8 @@
 
 namespace psicarve::cli {
 
-/// Writes what a draft changes into its file, whose old state becomes the backup, and reports it: the exit
-/// code. Nothing changed: nothing is written.
+/// Writes a draft's changes into its file, whose old state becomes the backup, and reports it: returns the
+/// exit code. Writes nothing when nothing changed.
 Result<int> save_draft(profile::ProfileDraft& draft, const CommonOptions& common);
 
 }  // namespace psicarve::cli

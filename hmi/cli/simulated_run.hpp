@@ -14,11 +14,11 @@
 namespace psicarve::cli {
 
 struct SimulatedRun {
-    /// What the core is to do; outcome as far as the core tells it.
+    /// Lets the core work; returns the outcome as the core reports it.
     std::function<machine::JobRun(machine::VerifiedCore&, const machine::StatusWatch&)> run;
     std::string picture_path;  ///< empty: no picture
     bool as_json = false;
-    const std::unique_ptr<CarvedPiece>* piece = nullptr;  ///< nothing: none is wanted
+    const std::unique_ptr<CarvedPiece>* piece = nullptr;  ///< null: no piece is wanted
 };
 
 /// Carves or replays on a core of our own: starts it, runs, ends it, judges its pins, draws the picture,

@@ -12,10 +12,10 @@ namespace psicarve::cli {
 std::string state_text(const CoreStatus& status);
 
 /// A block of lines for a person; positions in mm and degrees too when the machine's profile is known.
-/// `pass`: that the job is in, where it has several.
+/// `pass`: the current one of a job that has several.
 std::string status_text(const CoreStatus& status, const Profile* profile, const std::string& pass = {});
 
-/// One line that only changes when something a person cares about does.
+/// One line that changes only when something of interest to a person does.
 std::string status_line(const CoreStatus& status, const std::string& pass = {});
 
 }  // namespace psicarve::cli

@@ -10,8 +10,8 @@
 
 namespace psicarve::cli {
 
-// What the command line says of tool and blank, each into the profile; empty: not given, and the profile's
-// stays. ErrorCode::bad_usage names the option.
+// Read the command line's options for tool and blank into the profile; an empty text leaves the profile's
+// value. ErrorCode::bad_usage names the option.
 
 /// --tool: "point", "ball:3", "flat:2", "vee:6:60".
 Result<void> read_tool(const std::string& text, ToolProfile& tool);

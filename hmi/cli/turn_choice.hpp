@@ -9,7 +9,7 @@
 
 namespace psicarve::cli {
 
-/// What --rotate ("30" about the axis that stands upright, "90,0,30" about x, y, z) and --mirror ("x") say;
+/// Reads --rotate ("30" about the axis that stands upright, "90,0,30" about x, y, z) and --mirror ("x");
 /// empty: not given.
 Result<model::MeshTurn> mesh_turn(const std::string& rotate, const std::string& mirror, slice::Up up);
 

@@ -11,22 +11,21 @@
 
 namespace psicarve::cli {
 
-/// So long somebody who asks for something else waits for a disk.
+/// How long other commands wait for a disk.
 inline constexpr std::chrono::milliseconds kDiskPatience{1000};
 
-/// What disks know of an unfinished piece, for whoever must not wait for them: one that hangs is silent.
+/// Looks on disks for an unfinished piece without waiting for them: nothing is known from one that hangs.
 class UnfinishedLook {
 public:
-    /// `folder`: where cores keep it; empty: where they do by themselves.
+    /// `folder`: where cores keep it; empty: their default folders.
     explicit UnfinishedLook(std::string folder) : folder_(std::move(folder)) {}
 
-    /// Of a core's kind of machine; nothing: of any. `core`: where that keeps it, which goes before all else
-    /// (Segment::core_keeping). Waits at most so long, and the first time at least
-    /// kDiskPatience, or it would say that nothing is known before it has asked; what was seen a while ago is
-    /// looked at anew meanwhile.
+    /// For this kind of machine; nothing: for any. `core`: where the core keeps it, which comes first
+    /// (Segment::core_keeping). Waits at most this long, but the first time at least kDiskPatience, or it
+    /// would find nothing before it has asked; a result from a while ago is returned while it looks again.
     const std::optional<FoundCheckpoint>& look(const std::string& segment, std::optional<bool> is_simulator,
                                                const CoreKeeping& core, std::chrono::milliseconds patience);
-    /// It has not answered yet: nothing is known.
+    /// The disk has not answered yet: nothing is known.
     bool is_silent() const noexcept { return !has_answered_; }
 
 private:

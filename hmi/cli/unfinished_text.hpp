@@ -9,17 +9,17 @@
 
 namespace psicarve::cli {
 
-/// What somebody finds who wants to go on with a piece that was not finished.
+/// The state that an operator finds who wants to continue an unfinished piece.
 struct WayBack {
     std::string segment;  ///< its name
     bool has_core = false;
     bool is_published = false;   ///< the piece's job, in that segment
-    bool is_other_core = false;  ///< the core has another profile than the one that carved it
+    bool is_other_core = false;  ///< the core's profile differs from the one that carved it
 };
 
-/// For a person, in some lines: which piece, how far it is, since when, and step by step how it goes on.
+/// Some lines for a person: which piece, how far it is, since when, and step by step how to continue.
 std::string unfinished_text(const FoundCheckpoint& found, const WayBack& way);
-/// In one line whence it is known, of when, and what it says.
+/// One line: where the record is from, its time, and what it says.
 std::string disk_source_text(const FoundCheckpoint& found, bool is_other_core);
 /// {"source": ..., "next_layer": ..., "layer_count": ..., "written": "2026-11-26T19:23:05Z", ..., "steps":
 /// [...]}; null where there is none.

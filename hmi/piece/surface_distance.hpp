@@ -15,7 +15,7 @@ namespace psicarve::piece {
 /// side: beyond that the answer is the way along the radius, if nothing nearer was found.
 class SurfaceDistance {
 public:
-    /// The rows of a map that make up the surface.
+    /// The rows of a map that form the surface.
     struct Rows {
         std::size_t first = 0;
         std::size_t last = 0;

@@ -13,30 +13,30 @@
 
 namespace psicarve::replay {
 
-/// Which cell of the surface became how deep, and when: the piece at any time, forwards and backwards,
+/// The depth of each cell of the surface over time: gives the piece at any time, forwards and backwards,
 /// without the trace. Made once, on a thread of its own.
 class CarvingTimeline {
 public:
     using JobPointer = std::shared_ptr<const cam::PreparedJob>;
     static constexpr std::size_t kMostCuts = 8'000'000;
 
-    /// What the pins carved while the spindle was on.
+    /// The cuts that the pins made while the spindle was on.
     static Result<std::shared_ptr<const CarvingTimeline>> of_trace(const JobPointer& job,
                                                                    std::shared_ptr<const TraceIndex> index,
                                                                    const Progress& progress);
-    /// As planned: the job's layer n is there from time n + 1 on. For recordings that hold no pulses.
+    /// The job's plan: its layer n is there from time n + 1 on. For recordings that hold no pulses.
     static Result<std::shared_ptr<const CarvingTimeline>> of_job(const JobPointer& job,
                                                                  const Progress& progress);
 
-    /// Takes the record, which stands behind the first `from` cuts, towards a time, by so many cuts at most.
-    /// How many are in it now. A fresh record stands behind 0.
+    /// Moves the record, which contains the first `from` cuts, towards a time, by `most` cuts at most.
+    /// Returns how many cuts it contains now. A fresh record contains 0.
     std::size_t apply(session::CarvingRecord& record, std::size_t from, std::int64_t time,
                       std::size_t most) const;
-    /// Nothing is left to be done to show that time.
+    /// Whether the record shows that time already.
     bool is_applied(std::size_t from, std::int64_t time) const noexcept {
         return (from == time_.size() || time_[from] > time) && (from == 0 || time_[from - 1] <= time);
     }
-    /// When the layer's first cut was made; nothing when none was.
+    /// The time of the layer's first cut; nothing when there was none.
     std::optional<std::int64_t> begin_of_layer(std::int64_t layer) const noexcept;
     std::size_t cuts() const noexcept { return time_.size(); }
     /// False: there were more cuts than are kept, and the last are missing.

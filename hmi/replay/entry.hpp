@@ -12,7 +12,7 @@
 
 namespace psicarve::replay {
 
-/// Something that happened, on the timeline.
+/// An event on the timeline.
 struct Entry {
     std::int64_t time_ns = 0;  ///< since the recording's begin
     session::Severity severity = session::Severity::info;
@@ -20,7 +20,7 @@ struct Entry {
     bool is_major = false;  ///< gets a mark: not one of hundreds
 };
 
-/// What a file says of ticks is not trusted: later than this nothing is shown [ns], some 73 years.
+/// Ticks in a file are not trusted: later times than this are not shown [ns], some 73 years.
 inline constexpr std::int64_t kLatest_ns = std::numeric_limits<std::int64_t>::max() / 4;
 constexpr std::int64_t time_of_ticks(std::uint64_t ticks, std::int64_t period_ns) noexcept {
     const std::int64_t period = std::max<std::int64_t>(period_ns, 1);
@@ -28,15 +28,15 @@ constexpr std::int64_t time_of_ticks(std::uint64_t ticks, std::int64_t period_ns
     return static_cast<std::int64_t>(std::min(ticks, most)) * period;
 }
 
-/// What an entry of the flight recorder says.
+/// The event in an entry of the flight recorder.
 Entry entry_of(const FlightRecord& record, std::int64_t time_ns);
-/// What the pins alone tell: drives, spindle, switches, homing.
+/// The events that the pins alone show: drives, spindle, switches, homing.
 std::vector<Entry> entries_of(const std::vector<TraceIndex::PinChange>& changes);
 
-/// The first that is later than the time, or the last that is earlier; -1: none.
+/// Index of the first that is later than the time, or of the last that is earlier; -1: none.
 int next_entry(const std::vector<Entry>& entries, std::int64_t time_ns) noexcept;
 int entry_before(const std::vector<Entry>& entries, std::int64_t time_ns) noexcept;
-/// The last that is not later than the time; -1: none.
+/// Index of the last that is not later than the time; -1: none.
 int entry_at(const std::vector<Entry>& entries, std::int64_t time_ns) noexcept;
 
 }  // namespace psicarve::replay

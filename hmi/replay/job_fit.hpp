@@ -9,22 +9,22 @@
 
 namespace psicarve::replay {
 
-/// Whether a trace is of a job: at places where the machine carved, whether both heads stood where that job
-/// has them at this height and angle.
+/// Whether a trace belongs to a job: counts the places where the machine carved, and those at which both
+/// heads stood where that job has them at this height and angle.
 struct JobFit {
     static constexpr std::size_t kLeastPlaces = 8;
 
     std::size_t places = 0;
     std::size_t fitting = 0;
 
-    /// A trace that carves next to nothing, a dry run say, tells of no job.
+    /// A trace that carves next to nothing, a dry run for example, shows no job.
     bool is_known() const noexcept { return places >= kLeastPlaces; }
-    /// Ways between layers are no layer's: nine of ten places fit at least. Of the same model carved zigzag
-    /// half of them do, of another one hardly any.
+    /// Ways between layers belong to no layer: so nine of ten places fit at least. Of the same model carved
+    /// zigzag half of them fit, of another one hardly any.
     bool is_its_job() const noexcept { return is_known() && 4 * fitting > 3 * places; }
 };
 
-/// Looks at some hundred instants.
+/// Tests some hundred instants.
 Result<JobFit> job_fit(std::shared_ptr<const TraceIndex> index, const verify::JobGeometry& geometry);
 
 }  // namespace psicarve::replay

@@ -11,7 +11,7 @@
 
 namespace psicarve::replay {
 
-/// What the pins alone say of one instant of a trace.
+/// The machine at one instant of a trace, as the pins alone show it.
 struct PinMoment {
     std::int64_t time_ns = 0;
     SignalWord levels = 0;
@@ -22,10 +22,10 @@ struct PinMoment {
     friend bool operator==(const PinMoment&, const PinMoment&) = default;
 };
 
-/// Follows a trace from event to event. What it is after an event depends on the events before alone.
+/// Follows a trace from event to event. Its state depends only on the events so far.
 class PinFollower {
 public:
-    /// Backlash of this machine: pulses that only cross a gap move no tip.
+    /// `profile`: gives this machine's backlash, since pulses that only cross a gap move no tip.
     PinFollower(const verify::TraceStart& start, const Profile& profile);
 
     void take(const verify::TraceEvent& event) noexcept;

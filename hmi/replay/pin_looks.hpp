@@ -9,9 +9,8 @@
 
 namespace psicarve::replay {
 
-/// The last seconds before an instant of a trace, as the timing diagram draws them: a look every few
-/// milliseconds, and one wherever something other than a step changes. Going on a little reads only what is
-/// new. One thread.
+/// The last seconds before an instant of a trace, for the timing diagram: a sample every few milliseconds,
+/// and one at each change that is not a step. A small move forward reads only the new part. One thread.
 class PinLooks {
 public:
     using Looks = std::deque<session::LevelHistory::Look>;

@@ -8,14 +8,14 @@
 
 namespace psicarve::replay {
 
-/// The machine's states as a flight recorder tells them.
+/// The machine's states, from a flight recorder.
 class RecordStates {
 public:
     RecordStates() = default;
     explicit RecordStates(const std::vector<FlightRecord>& records);
 
     bool is_empty() const noexcept { return states_.empty(); }
-    /// Fills in state, alarm, homing, override, job and dry run of that tick, as far as entries tell.
+    /// Fills in state, alarm, homing, override, job and dry run of that tick, where entries give them.
     void fill(CoreStatus& status, std::uint64_t tick) const noexcept;
 
 private:

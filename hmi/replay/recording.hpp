@@ -19,13 +19,13 @@ namespace psicarve::replay {
 
 using JobPointer = std::shared_ptr<const cam::PreparedJob>;
 
-/// What a recording shows of one instant.
+/// What a recording shows at one instant.
 struct Shown {
     std::int64_t time_ns = 0;
-    CoreStatus status{};                            ///< what the recording does not hold is 0
-    std::optional<JobPlace> place;                  ///< while a job is carved, as far as that is known
+    CoreStatus status{};                            ///< 0 where the recording does not hold it
+    std::optional<JobPlace> place;                  ///< while a job is carved, if known
     std::int64_t carving_time = 0;                  ///< of the carving timeline
-    std::deque<session::LevelHistory::Look> looks;  ///< when they were asked for
+    std::deque<session::LevelHistory::Look> looks;  ///< if they were asked for
 };
 
 /// A trace or a snapshot.
@@ -36,16 +36,17 @@ public:
         Kind kind = Kind::trace;
         std::string path;
         std::int64_t end_ns = 0;  ///< it begins at 0
-        // Of a snapshot: the core's tick then, and how long each takes.
+        // For a snapshot: the core's tick then, and the length of each.
         std::uint64_t first_tick = 0;
         std::int64_t period_ns = 0;
         JobPointer job;   ///< may be missing
-        Profile profile;  ///< the job's; else one that was taken for the machine's
+        Profile profile;  ///< the job's; else the one assumed for the machine
         bool knows_states = false;
         bool knows_every_pulse = false;
         std::vector<Entry> entries;            ///< by time
-        std::vector<float> activity;           ///< pulses by time, even parts of it; most: 1; may be empty
-        std::vector<session::Check> contents;  ///< what is in it and what is not
+        std::vector<float> activity;           ///< pulses over time, in equal parts of it; greatest: 1; may
+                                               ///< be empty
+        std::vector<session::Check> contents;  ///< what it contains and what it lacks
         std::vector<session::Phrase> warnings;
     };
 
@@ -53,19 +54,20 @@ public:
     const Facts& facts() const noexcept { return facts_; }
     /// May read the file. One thread at a time; not the window's. 0 <= time_ns <= end_ns.
     virtual Result<Shown> at(std::int64_t time_ns, bool with_looks) = 0;
-    /// The pulses, when there are any.
+    /// The pulses, if it has any.
     virtual std::shared_ptr<const TraceIndex> index() const { return nullptr; }
 
 protected:
     Facts facts_;
 };
 
-/// A binary trace or a snapshot with more than a job in it. One that cannot be read is none.
+/// Whether the file is a binary trace or a snapshot with more than a job in it. False for one that cannot be
+/// read.
 bool is_recording(const std::string& path);
 
 struct OpenOptions {
     std::string path;
-    /// Of a trace: its job or snapshot; refused where the trace carries another. Empty: the job that it
+    /// For a trace: its job or snapshot; refused where the trace carries another. Empty: the job that it
     /// carries; else FILE.job, .psi, .snap beside it, if any.
     std::string job_path;
     Profile profile;  ///< for a trace without a job

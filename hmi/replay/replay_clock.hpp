@@ -6,13 +6,13 @@
 
 namespace psicarve::replay {
 
-/// Speeds that can be chosen, slowest first; 1: as it was.
+/// Speeds to choose from, slowest first; 1: as it was.
 inline constexpr std::array kReplaySpeeds{0.1, 1.0, 10.0, 100.0};
 
-/// Where on the timeline the operator is, and how that goes on.
+/// The operator's place on the timeline, and how it advances.
 class ReplayClock {
 public:
-    /// A new recording: at its begin, at rest, at the speed it had.
+    /// A new recording: at its begin, at rest, at the speed set before.
     void begin(std::int64_t end_ns) noexcept;
 
     std::int64_t now_ns() const noexcept { return static_cast<std::int64_t>(now_ns_); }
@@ -20,9 +20,9 @@ public:
     bool is_playing() const noexcept { return is_playing_; }
     double speed() const noexcept { return speed_; }
 
-    /// Within the recording. Goes on playing if it did.
+    /// To a time within the recording. Goes on playing if it did.
     void seek(std::int64_t time_ns) noexcept;
-    /// At the end: from the begin.
+    /// At the end it starts from the begin.
     void play() noexcept;
     void pause() noexcept { is_playing_ = false; }
     /// Requires speed > 0.
@@ -30,7 +30,7 @@ public:
     /// To the next of kReplaySpeeds.
     void faster() noexcept;
     void slower() noexcept;
-    /// So much real time has passed. Comes to rest at the end.
+    /// Real time has passed. Comes to rest at the end.
     void advance(std::int64_t passed_ns) noexcept;
 
 private:

@@ -20,8 +20,8 @@
 
 namespace psicarve::replay {
 
-/// The recording that a window shows instead of the machine. Files are read on threads of its own; the owner
-/// calls poll() and never waits. One thread, the owner's.
+/// The recording that a window shows instead of the machine. Threads of its own read files; the owner calls
+/// poll() and never waits. All calls come from one thread, the owner's.
 class ReplayDesk {
 public:
     using Clock = std::chrono::steady_clock;
@@ -29,34 +29,34 @@ public:
     explicit ReplayDesk(session::MessageLog& log);
     ~ReplayDesk();
 
-    /// A trace or a snapshot; `profile` for a trace without a job. What is open stays open until the other is
-    /// ready, and when it cannot be read.
+    /// Opens a trace or a snapshot; `profile` for a trace without a job. The open recording stays until the
+    /// new one is ready, and when that cannot be read.
     void open(const std::string& path, const Profile& profile);
-    /// A snapshot, at this tick of its core; at its begin where the flight recorder does not reach back to
-    /// it.
+    /// Opens a snapshot at this tick of its core; at its begin where the flight recorder does not reach back
+    /// that far.
     void open_at(const std::string& path, const Profile& profile, std::uint64_t tick);
-    /// The open trace again, with this job or snapshot.
+    /// Opens the trace again, with this job or snapshot.
     void add_job(const std::string& path);
-    /// Ends opening soon.
+    /// Lets opening end soon.
     void cancel() noexcept { cancels_.store(true); }
-    /// Back to the machine.
+    /// Returns to the machine.
     void leave();
 
-    /// The file that was to be opened last and could not be, until the next one is asked for.
+    /// The file that was last asked for and could not be opened, until the next one is asked for.
     const std::optional<session::RefusedFile>& refused_file() const noexcept { return refused_file_; }
     void forget_refused_file() noexcept { refused_file_.reset(); }
 
     bool is_opening() const noexcept { return is_opening_; }
     double progress_ratio() const noexcept { return progress_ratio_.load(); }
     bool is_open() const noexcept { return recording_ != nullptr; }
-    /// Grows when another recording is there, or none.
+    /// Grows when another recording is open, or none.
     std::uint64_t edition() const noexcept { return edition_; }
 
-    /// At screen rate.
+    /// Call it at screen rate.
     void poll(Clock::time_point now);
     ReplayClock& clock() noexcept { return clock_; }
     const ReplayClock& clock() const noexcept { return clock_; }
-    /// To the begin of the layer before or after, where the recording knows it.
+    /// Goes to the begin of the layer before or after, if the recording knows it.
     void step_layer(int by);
 
     // While is_open():
@@ -64,16 +64,16 @@ public:
     /// The machine as it was at shown().time_ns.
     const session::MachineSight& sight() const noexcept { return sight_; }
     const Shown& shown() const noexcept { return shown_; }
-    /// It shows the clock's time, piece and all.
+    /// Whether it shows the clock's time, piece included.
     bool is_settled() const noexcept;
-    /// Whether somebody looks at the timing diagram: it costs reading.
+    /// Whether the timing diagram is visible: it costs reading.
     void want_looks(bool wanted) noexcept { wants_looks_ = wanted; }
     const session::LevelHistory& history() const noexcept { return history_; }
-    /// The piece at that time; nothing without a job, or until it is worked out.
+    /// The piece at that time; null without a job, or until it is calculated.
     session::CarvingRecord* carving() const noexcept { return carving_.get(); }
-    /// What the tool has left of it, where it has a size.
+    /// What the tool has left of it, if it has a size.
     piece::PieceFront* tool_piece() const noexcept { return tool_piece_ ? &tool_piece_->front() : nullptr; }
-    /// Of working the piece out; 1 when there is nothing to be done.
+    /// Progress of calculating the piece; 1 when there is nothing to do.
     double carving_ratio() const noexcept { return carving_ratio_.load(); }
 
 private:
@@ -110,12 +110,12 @@ private:
     std::unique_ptr<session::CarvingRecord> carving_;
     std::shared_ptr<const CarvingTimeline> timeline_;
     std::unique_ptr<ReplayPiece> tool_piece_;
-    std::size_t cuts_ = 0;  ///< of timeline_ that are in carving_
+    std::size_t cuts_ = 0;  ///< the cuts of timeline_ that carving_ contains
     std::uint64_t edition_ = 0;
     std::optional<session::RefusedFile> refused_file_;
     bool is_opening_ = false;
     std::atomic<bool> cancels_{false};
-    std::shared_ptr<std::atomic<bool>> drops_carving_;  ///< of the piece that is being worked out
+    std::shared_ptr<std::atomic<bool>> drops_carving_;  ///< of the piece that is being calculated
     std::atomic<double> progress_ratio_{0.0};
     std::atomic<double> carving_ratio_{1.0};
     session::WorkLane opener_;  // last: their threads use the others
@@ -123,7 +123,7 @@ private:
     session::WorkLane carver_;
 };
 
-/// Why nothing can be asked for while a recording is shown.
+/// Why no order can be given while a recording is shown.
 inline std::optional<session::Phrase> lock() {
     return session::phrase("Replay moves nothing: leave replay first");
 }

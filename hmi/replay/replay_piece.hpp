@@ -11,9 +11,9 @@
 
 namespace psicarve::replay {
 
-/// What the tool has left at the time that a recording shows, worked out on a thread of its own: the newest
-/// wish counts. The owner waits only when it ends, and then for one place to be cut, or one piece to be
-/// copied.
+/// Calculates what the tool has left at the time that a recording shows, on a thread of its own: the newest
+/// request counts. The owner waits only in the destructor, and then for one place to be cut, or one piece to
+/// be copied.
 class ReplayPiece {
 public:
     explicit ReplayPiece(std::shared_ptr<const ToolTimeline> timeline);
@@ -22,7 +22,7 @@ public:
     ReplayPiece& operator=(const ReplayPiece&) = delete;
 
     void want(std::int64_t time);
-    /// The front is the piece at this time.
+    /// Whether the front is the piece at this time.
     bool shows(std::int64_t time) const { return has_wanted_ && wanted_.load() == time && lane_.is_idle(); }
     piece::PieceFront& front() noexcept { return front_; }
 
@@ -30,7 +30,7 @@ private:
     void follow();
 
     piece::PieceFront front_;
-    PieceInTime piece_;  ///< the lane's
+    PieceInTime piece_;  ///< used by the lane's thread
     bool has_wanted_ = false;
     std::atomic<std::int64_t> wanted_{0};
     std::atomic<bool> is_dropped_{false};

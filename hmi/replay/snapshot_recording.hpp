@@ -12,7 +12,8 @@
 
 namespace psicarve::replay {
 
-/// What a snapshot tells: the machine as it was at each entry of its flight recorder, and whole at the end.
+/// A snapshot as a recording: the machine at each entry of its flight recorder, and its whole status at the
+/// end.
 class SnapshotRecording final : public Recording {
 public:
     static Result<std::unique_ptr<Recording>> open(const std::string& path);

@@ -15,26 +15,27 @@
 
 namespace psicarve::replay {
 
-/// Where a tool that has a size cut, and when, and what stood there at some of these times: the piece at any
-/// time is one of them with the places behind it cut. Made once, on a thread of its own.
+/// The places and times at which a tool that has a size cut, and the stock at some of these times: the piece
+/// at any time is one of these with the places behind it cut. Made once, on a thread of its own.
 class ToolTimeline {
 public:
     using JobPointer = std::shared_ptr<const cam::PreparedJob>;
-    /// Of more, every other one is left out, as often as needed: the way between two is cut straight. Each
-    /// stretch keeps its ends, unless there are so many stretches that these alone are too many.
+    /// With more places, every other one is left out, as often as needed: the way between two is cut
+    /// straight. Each stretch keeps its ends, unless there are so many stretches that these alone are too
+    /// many.
     static constexpr std::size_t kMostPlaces = 1'500'000;
 
-    /// Where the axes were while the spindle was on.
+    /// The axes' places while the spindle was on.
     static Result<std::shared_ptr<const ToolTimeline>> of_trace(const JobPointer& job,
                                                                 std::shared_ptr<const TraceIndex> index,
                                                                 const Progress& progress,
                                                                 std::size_t most_places = kMostPlaces);
-    /// As planned: the job's layer n, of any pass, is there from time n + 1 on.
+    /// The job's plan: its layer n, of any pass, is there from time n + 1 on.
     static Result<std::shared_ptr<const ToolTimeline>> of_job(const JobPointer& job, const Progress& progress,
                                                               std::size_t most_places = kMostPlaces);
 
     std::size_t place_count() const noexcept { return places_.size(); }
-    /// Places up to and with this time.
+    /// How many places there are up to and with this time.
     std::size_t places_until(std::int64_t time) const noexcept;
     const piece::StockMap& blank() const noexcept { return kept_.front(); }
 
@@ -54,7 +55,7 @@ private:
     void push(Place place);
     void thin();
     void drop_every_other(bool keeps_ends);
-    /// What comes next is not joined to what was added last, which is kept.
+    /// Ends a stretch: the next place is not joined to the last one, which is kept.
     void end_stretch();
     void lift();
     Result<void> keep_pieces(const Progress& progress);
@@ -68,21 +69,21 @@ private:
     bool is_lifted_ = true;
     std::size_t stride_ = 1;
     std::size_t left_out_ = 0;           ///< since the last place
-    std::optional<Place> skipped_;       ///< the last of those
-    verify::Positions last_{};           ///< added, left out or not
-    std::size_t kept_every_ = 1;         ///< places
+    std::optional<Place> skipped_;       ///< the last place left out
+    verify::Positions last_{};           ///< the last place, kept or left out
+    std::size_t kept_every_ = 1;         ///< one stock for this many places
     std::vector<piece::StockMap> kept_;  ///< the piece behind 0, kept_every_, 2 * kept_every_ .. places
     piece::ToolWay way_;
 };
 
-/// A piece that goes along a timeline, either way. What it is at a time depends on that time alone.
+/// A piece that moves along a timeline, either way. Its state at a time depends on that time alone.
 class PieceInTime {
 public:
     explicit PieceInTime(std::shared_ptr<const ToolTimeline> timeline);
 
-    /// Goes towards a time by so many places at most, and asks before each whether to. Whether it is there.
+    /// Moves towards a time by `most` places at most, and asks `goes_on` before each. True when it is there.
     bool go(std::int64_t time, std::size_t most, const std::function<bool()>& goes_on = {});
-    /// That are cut.
+    /// The number of places that are cut.
     std::size_t place_count() const noexcept { return places_; }
     const piece::StockMap& stock() const noexcept { return stock_; }
 
@@ -97,7 +98,7 @@ private:
     const ToolTimeline& timeline_;
     piece::StockMap stock_;
     std::optional<piece::PieceCarver> carver_;
-    std::size_t places_ = 0;  ///< that are cut
+    std::size_t places_ = 0;  ///< the number that are cut
 };
 
 }  // namespace psicarve::replay

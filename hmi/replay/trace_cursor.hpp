@@ -10,17 +10,17 @@
 
 namespace psicarve::replay {
 
-/// A place in a trace that goes wherever it is sent. One thread; any number of cursors on one index.
+/// A movable place in a trace. One thread; any number of cursors on one index.
 class TraceCursor {
 public:
     explicit TraceCursor(std::shared_ptr<const TraceIndex> index);
 
-    /// The pins when everything up to and with `time_ns` has happened; the moment's own time is `time_ns`.
+    /// The pins after everything up to and with `time_ns`; the moment's own time is `time_ns`.
     Result<PinMoment> at(std::int64_t time_ns);
 
-    /// Before and after each event.
+    /// Called with the moments before and after each event.
     using Visit = std::function<void(const PinMoment& before, const PinMoment& after)>;
-    /// The same, forwards from where it stands, event by event. Requires position_ns() <= time_ns.
+    /// The same, forwards from the present place, event by event. Requires position_ns() <= time_ns.
     Result<PinMoment> go_on(std::int64_t time_ns, const Visit& visit);
     std::int64_t position_ns() const noexcept { return position_ns_; }
 

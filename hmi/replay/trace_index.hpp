@@ -16,18 +16,18 @@
 
 namespace psicarve::replay {
 
-/// Gets how much is done, 0 to 1; false: give up.
+/// Called with the share that is done, 0 to 1; returns false to give up.
 using Progress = std::function<bool(double)>;
 
-/// Where in a binary trace which time stands, and what had become of the pins there: any instant is then a
-/// short read away. Its memory does not grow with the trace, only its keyframes move apart.
+/// Maps times of a binary trace to places in the file, with the state of the pins there: so any instant needs
+/// only a short read. Its memory does not grow with the trace, only its keyframes move apart.
 class TraceIndex {
 public:
     struct Keyframe {
         verify::BinaryReader::Place place;
         PinFollower follower;
     };
-    /// Something other than a step that the pins did.
+    /// A change of the pins other than a step.
     struct PinChange {
         std::int64_t time_ns;
         SignalWord before;
@@ -39,8 +39,8 @@ public:
     static constexpr std::size_t kMostKeyframes = 16384;
     static constexpr std::size_t kMostChanges = 20'000;
 
-    /// Reads the file once. One that was cut off or damaged on its way is taken up to there: damage() says
-    /// so. "FILE: what is wrong" when nothing of it can be shown.
+    /// Reads the file once. One that was cut off or damaged on its way is used up to there: damage() says so.
+    /// "FILE: what is wrong" when nothing of it can be shown.
     static Result<std::shared_ptr<const TraceIndex>> build(const std::string& path, const Profile& profile,
                                                            const Progress& progress,
                                                            std::size_t most_keyframes = kMostKeyframes);
@@ -49,14 +49,14 @@ public:
     const verify::TraceStart& start() const noexcept { return start_; }
     std::int64_t end_ns() const noexcept { return end_ns_; }
     std::uint64_t events() const noexcept { return events_; }
-    std::size_t jobs_begun() const noexcept { return jobs_begun_; }  ///< that the trace carries
+    std::size_t jobs_begun() const noexcept { return jobs_begun_; }  ///< jobs that the trace carries
     const std::string& damage() const noexcept { return damage_; }   ///< empty: the trace is whole
     const std::vector<Keyframe>& keyframes() const noexcept { return keyframes_; }
-    /// The last that is not behind the time.
+    /// The last keyframe that is not after the time.
     const Keyframe& keyframe_at(std::int64_t time_ns) const noexcept;
     /// In order; the first kMostChanges.
     const std::vector<PinChange>& changes() const noexcept { return changes_; }
-    /// A reader of its own that goes on behind the keyframe. Any thread.
+    /// A new reader that starts at the keyframe. Any thread.
     Result<std::unique_ptr<verify::BinaryReader>> read_from(const Keyframe& keyframe) const;
 
 private:
@@ -67,7 +67,7 @@ private:
     void keep(const verify::BinaryReader::Place& place, const PinFollower& follower, std::size_t most);
 
     std::string path_;
-    machine::UniqueFd file_;  ///< of the file that was indexed, whatever becomes of its name
+    machine::UniqueFd file_;  ///< the file that was indexed, whatever becomes of its name
     verify::TraceStart start_;
     std::int64_t end_ns_ = 0;
     std::uint64_t events_ = 0;

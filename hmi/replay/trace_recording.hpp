@@ -13,24 +13,24 @@
 
 namespace psicarve::replay {
 
-/// Every pin at every time. What the machine meant by it is worked out from the pins, unless a snapshot of
-/// the same run lies beside the trace.
+/// A trace as a recording: every pin at every time. The machine's states are derived from the pins, unless a
+/// snapshot of the same run lies beside the trace.
 class TraceRecording final : public Recording {
 public:
-    /// What belongs to the trace.
+    /// The file that belongs to the trace.
     struct Company {
         std::string path;  ///< empty: nothing was found
         JobPointer job;
         std::vector<FlightRecord> records;
         std::string records_path;   ///< empty: `path`
-        bool is_asked_for = false;  ///< taken whatever the pins say of it, with a warning
+        bool is_asked_for = false;  ///< used whatever the pins say, with a warning
     };
-    /// Null: the company is of another run, and nobody has asked for it by name.
+    /// Null: the company is of another run, and the user has not asked for it by name.
     static Result<std::unique_ptr<TraceRecording>> open(const std::string& path, const Company& company,
                                                         const Profile& profile, const Progress& progress);
-    /// One that lay beside the trace and was not taken.
+    /// Notes a company that lay beside the trace and was not used.
     void tell_refused(const std::string& company_path);
-    /// Unless it is said already.
+    /// Adds a warning, unless it is there already.
     void warn(session::Phrase warning);
 
     Result<Shown> at(std::int64_t time_ns, bool with_looks) override;

@@ -7,7 +7,7 @@
 
 namespace psicarve::report {
 
-// How a program of ours says that it failed, to programs.
+// How a program tells other programs that it failed.
 inline constexpr int kExitDone = 0;
 inline constexpr int kExitUsage = 2;
 inline constexpr int kExitBadInput = 3;
@@ -20,7 +20,7 @@ int exit_code_of(ErrorCode code) noexcept;
 
 /// {"error": {...}} without printing it.
 std::string error_json(const Error& error);
-/// Where the command ends with another exit code than the error's own.
+/// For a command that ends with another exit code than the error's own.
 std::string error_json(const Error& error, int exit_code);
 
 }  // namespace psicarve::report

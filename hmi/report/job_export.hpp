@@ -7,13 +7,13 @@
 
 namespace psicarve::report {
 
-/// One row a point, with the header layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses; of a job
-/// with passes also run (counted from 1 on), pass (its number), allowance_mm, depth_mm, clear_mm.
+/// Writes a row for each point, with the header layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses;
+/// for a job with passes also run (counted from 1 on), pass (its number), allowance_mm, depth_mm, clear_mm.
 /// cam::job_from_table reads it back.
 void write_csv(const JobView& job, std::FILE* out);
 
-/// One object: counts, joining, feed, profile, heights and both radius tables as arrays of layers; of a
-/// spiral also the heights of its points.
+/// Writes one object: counts, joining, feed, profile, heights and both radius tables as arrays of layers; for
+/// a spiral also the heights of its points.
 void write_json(const JobView& job, std::FILE* out);
 
 }  // namespace psicarve::report

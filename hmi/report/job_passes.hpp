@@ -13,22 +13,22 @@
 
 namespace psicarve::report {
 
-/// What is carved to one depth, in however many runs.
+/// The layers carved to one depth, in however many runs.
 struct PassLayers {
     std::string name;
     JobPass first;  ///< of its runs
     std::uint32_t layers = 0;
-    double seconds = 0.0;  ///< where seconds by layer were given
-    cam::LayerPath path;   ///< of all its layers, where paths by layer were given
+    double seconds = 0.0;  ///< if seconds by layer were given
+    cam::LayerPath path;   ///< of all its layers, if paths by layer were given
 };
-/// At least one. `layer_seconds`, `layer_paths`: of every layer, or nothing.
+/// At least one. `layer_seconds`, `layer_paths`: for every layer, or empty.
 std::vector<PassLayers> passes_of(const JobView& job, std::span<const double> layer_seconds = {},
                                   std::span<const cam::LayerPath> layer_paths = {});
 
 /// "7 roughing passes of 93 layers, leaving 0.3 mm, and the finishing pass of 40".
 std::string passes_text(const JobView& job);
 /// An array: pass, layers, allowance_mm, depth_mm; seconds, and cutting_mm, links_mm and total_mm of both
-/// heads, where they were given.
+/// heads, if they were given.
 nlohmann::ordered_json passes_json(const JobView& job, std::span<const double> layer_seconds = {},
                                    std::span<const cam::LayerPath> layer_paths = {});
 /// {"r1": ..., "r2": ...}.

@@ -12,45 +12,45 @@
 
 namespace psicarve::report {
 
-/// What a run came to: what `carve` and `replay` say in the end, and the window's report.
+/// The result of a run: what `carve` and `replay` print in the end, and the window's report.
 struct RunReport {
     std::string source_name;
     std::uint32_t layer_count = 0;
     std::uint32_t point_count = 0;
     machine::RunFigures figures;
-    bool has_started = false;  ///< the machine began to work on the job
+    bool has_started = false;  ///< the machine has begun to work on the job
     double wall_seconds = 0.0;
     std::optional<double> reference_seconds;
     std::optional<verify::VerifyReport>
         verification;  ///< nothing: not verified, `unverified_reason` says why
     std::string unverified_reason;
-    std::optional<double> undercut_share;  ///< as the slicer saw it; nothing: the job does not say
+    std::optional<double> undercut_share;  ///< as the slicer measured it; nothing: the job does not say
     std::optional<std::uint64_t> open_points;
     std::optional<Error> failure;
-    std::string picture_path;  ///< that was written
-    std::string piece_path;    ///< likewise
+    std::string picture_path;  ///< if it was written
+    std::string piece_path;    ///< if it was written
     std::string deviation_path;
-    std::optional<piece::PieceDeviation> deviation;  ///< of the piece from the model, where asked for
-    CoreStatus before{};                             ///< as the run found the core
+    std::optional<piece::PieceDeviation> deviation;  ///< of the piece from the model, if asked for
+    CoreStatus before{};                             ///< the core's status when the run began
     CoreStatus last{};
     std::int64_t pulses_per_rev = 0;  ///< of the table; 0: not known
     std::string lost_steps;  ///< what the simulated machine did not do in this run, in words; empty: nothing
 };
 
-/// Takes over what the job says about itself.
+/// Begins a report with what the job says about itself.
 RunReport report_of(const JobView& job, const machine::JobRun& run);
 
 /// The error that ends the command: the failure, else a difference that verification found.
 std::optional<Error> verdict_of(const RunReport& report);
 
-/// Right pins do not make the piece when the machine did not follow them; nothing: not verified.
+/// Correct pins do not make the piece when the machine did not follow them; nothing: not verified.
 std::optional<bool> is_verified(const RunReport& report);
 
-/// What verification found first.
+/// The first difference that verification found.
 std::string difference_text(const verify::VerifyReport& seen);
 
-/// Its exit code. "Bad input" promises that nothing was changed, which no longer holds once a job has
-/// started: what could not be written after that ends as a machine's failure does.
+/// The exit code of an error. "Bad input" promises that nothing was changed, which no longer holds once a job
+/// has started: a file that could not be written after that gets the code of a machine's failure.
 int run_exit_code(const RunReport& report, const Error& error);
 
 /// As `carve --json` prints it.

@@ -14,8 +14,8 @@ struct Difference {
     std::string b;
 };
 
-/// Everything that differs between two snapshots or jobs; empty when nothing does. Tables are one difference
-/// each, with their first differing layer and point and how many points differ.
+/// Everything that differs between two snapshots or jobs. Each table is one difference, with its first
+/// differing layer and point and the number of points that differ.
 std::vector<Difference> differences_between(const Snapshot& a, const Snapshot& b);
 
 }  // namespace psicarve::report

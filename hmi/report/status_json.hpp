@@ -11,9 +11,9 @@
 
 namespace psicarve::report {
 
-/// Every field of the status. `pulses_per_rev`: as of alarm_json().
+/// Every field of the status. `pulses_per_rev`: see alarm_json().
 nlohmann::ordered_json status_json(const CoreStatus& status, std::int64_t pulses_per_rev = 0);
-/// Where the table stands within a turn, and how many whole ones it has counted.
+/// The table's angle within a turn, and the number of whole turns counted.
 struct TableAngle {
     double within_deg;  ///< 0 <= angle < 360
     std::int64_t turns;
@@ -21,8 +21,8 @@ struct TableAngle {
 TableAngle table_angle(std::int64_t pulses, const Profile& profile);
 /// {"r1_mm", "r2_mm", "psi_deg", "psi_turns", "y_mm"} of the machine whose profile this is.
 nlohmann::ordered_json position_json(const CoreStatus& status, const Profile& profile);
-/// {"cause": ..., "axis": ... or null, "tick": ...}. `pulses_per_rev` of the table, which the amount of lost
-/// steps in degrees is told by; 0: not known.
+/// {"cause": ..., "axis": ... or null, "tick": ...}. `pulses_per_rev`: of the table, for the amount of lost
+/// steps in degrees; 0: not known.
 nlohmann::ordered_json alarm_json(const AlarmRecord& alarm, std::int64_t pulses_per_rev = 0);
 
 /// The alarms that the status still holds, oldest first, from alarm number `first` on.

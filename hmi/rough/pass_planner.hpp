@@ -47,17 +47,16 @@ double ridge_mm(const ToolProfile& tool, double apart_mm);
 ///     tip over a cell = max(finished tip + allowance, depth)
 ///
 /// A ring is carved where the tool would cut more than a trifle there; a ring between two that the stepover
-/// asks for, where more than the ridge between these and a quarter of the stepdown still stands. Within a
-/// ring a head that has nothing to cut goes clear over it, by a hull that never rises or falls steeply, or
-/// out of the blank where that is sooner (Raiser).
+/// requires, only where more than the ridge between these and a quarter of the stepdown still stands. Within
+/// a ring a head that has nothing to cut passes clear over it, along a hull that never rises or falls
+/// steeply, or outside the blank where that is sooner (Raiser).
 class PassPlanner {
 public:
     PassPlanner(const Rings& rings, RoughStock& stock, const Profile& profile, const PassSettings& settings);
 
-    /// `first_layer`: the job's, that the pass begins with.
+    /// `first_layer`: of the job, with which the pass begins.
     RoughPass plan(double depth_mm, std::size_t first_layer);
-    /// One more layer without anything to cut: as the last of `pass`, or where both heads reach far enough
-    /// out.
+    /// One more layer without a cut: as the last of `pass`, or where both heads reach far enough out.
     RoughLayer idle_layer(const RoughPass& pass, std::size_t layer);
 
 private:
@@ -81,7 +80,7 @@ private:
     Raiser raiser_;
     double blank_mm_;
     double tool_mm_;    ///< its diameter; 0: a point
-    double trifle_mm_;  ///< cutting less is not worth the way
+    double trifle_mm_;  ///< a smaller cut is not worth the way
     std::vector<std::size_t> coarse_;
     double ridge_mm_ = 0.0;
     double depth_mm_ = 0.0;

@@ -13,28 +13,28 @@ namespace psicarve::rough {
 
 inline constexpr std::size_t kHeads = 2;
 
-/// A head of the machine as roughing needs it: a tip's real radius is its counted one and its offset.
+/// A head of the machine, for roughing: a tip's real radius is its counted one plus its offset.
 struct RoughHead {
     double pulses_per_mm = 1.0;
     double tip_mm = 0.0;
-    double turn_rad = 0.0;    ///< it faces the direction of its cell and this much more
+    double turn_rad = 0.0;    ///< it faces this much further than its cell's direction
     double height_mm = 0.0;   ///< its tip stands this much above Y
-    std::int32_t least = 0;   ///< the furthest in that it goes, counted: to the core or its travel's end
-    std::int32_t travel = 0;  ///< the furthest out that it goes, counted
+    std::int32_t least = 0;   ///< the furthest in that it may go, counted: to the core or its travel's end
+    std::int32_t travel = 0;  ///< the furthest out that it may go, counted
 
     double real_mm(std::int32_t counted) const noexcept {
         return static_cast<double>(counted) / pulses_per_mm + tip_mm;
     }
-    /// The least counted radius that is not nearer to the axis than this.
+    /// The least counted radius whose real one is at least this.
     std::int32_t counted_outside(double real_mm) const noexcept;
-    /// Likewise, where the head itself can stand: what one head carves the other one may not reach.
+    /// The same, within the head's travel: a head may not reach what the other one carves.
     std::int32_t standing_outside(double real_mm) const noexcept;
 };
 
-/// A table's level layers as full circles: how far in each head's tip may stand in each of the 2 * (points -
-/// 1) directions ("cells"), as counted. A layer of a table tells it of each head for one half only; in the
-/// other half a head takes the other one's word, where that one's errors of angle and height could matter the
-/// outermost of all that is near.
+/// A table's level layers as full circles: how far in each head's tip may go in each of the 2 * (points - 1)
+/// directions ("cells"), as counted. A layer of a table covers only one half for each head; in the other half
+/// a head takes the other one's radii, and where that one's errors of angle and height could matter, the
+/// outermost radius near the cell.
 class Rings {
 public:
     /// Requires a table of level layers.
@@ -54,12 +54,12 @@ public:
         return tips_[h][ring * cells_ + cell];
     }
     double least_tip_mm() const noexcept;
-    /// The outermost real radius of either head about these rings in this direction, as far as the heads'
-    /// errors of height and angle reach, and one ring and one direction more.
+    /// The outermost real radius of either head at these rings in this direction, within the heads' errors of
+    /// height and angle, and one ring and one direction more.
     double most_about_mm(std::size_t low_ring, std::size_t high_ring, std::size_t cell) const noexcept;
     /// Direction of a cell's middle.
     double direction_rad(std::size_t cell) const noexcept;
-    /// Whether both heads stand where they should: then either can do the other's half.
+    /// Whether both heads have no mounting errors: then either can carve the other's half.
     bool heads_agree() const noexcept { return heads_agree_; }
 
 private:

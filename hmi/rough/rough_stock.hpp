@@ -20,23 +20,23 @@ struct TipPlace {
     double tip_mm;
 };
 
-/// What the passes so far have left of the blank. Of a tool that has a size in a map of radii, twelve cells
-/// across the tool; of a point what it stands on: one place for each cell of each ring.
+/// The rest of the blank after the passes so far. For a tool that has a size a map of radii, twelve cells
+/// across the tool; for a point one place for each cell of each ring.
 class RoughStock {
 public:
-    /// Requires a blank with a radius. Nothing of the blank at the rings' heights: then nothing is ever cut.
+    /// Requires a blank with a radius. Where the blank does not reach the rings' heights nothing is ever cut.
     RoughStock(const Rings& rings, const Profile& profile);
     RoughStock(const RoughStock&) = delete;
     RoughStock& operator=(const RoughStock&) = delete;
 
-    /// How deep, along the radius, the tool would cut from there.
+    /// How deep, along the radius, the tool would cut from this place.
     double bite_mm(const TipPlace& place);
-    /// Likewise from where it stands on the straight way between two neighbouring cells, both left out.
+    /// The same on the straight way between two neighbouring cells, both left out.
     double bite_between_mm(const TipPlace& place, const TipPlace& next);
-    /// Cuts from there, and on the straight way towards a neighbouring cell, where the tip is to stand then.
+    /// Cuts from this place, and on the straight way towards a neighbouring cell, where the tip goes next.
     void cut(const TipPlace& place, const TipPlace& next);
 
-    /// What there is now, to come back to.
+    /// The present state, to return to.
     struct Saved {
         std::optional<piece::StockMap> map;
         std::vector<float> places;
@@ -50,7 +50,7 @@ private:
         double height_mm;
     };
     Contact contact(const TipPlace& place) const noexcept;
-    /// `visit(direction [rad], height [mm], tip's radius [mm])` from a place on towards its neighbour.
+    /// Calls `visit(direction [rad], height [mm], tip's radius [mm])` from a place on towards its neighbour.
     template <typename Visit>
     void visit_steps(const TipPlace& place, const TipPlace& next, std::size_t first,
                      const Visit& visit) const;
@@ -62,7 +62,7 @@ private:
     std::size_t steps_per_cell_ = 1;
     std::optional<piece::StockMap> map_;
     std::optional<piece::ToolCut> tool_cut_;  ///< into map_
-    std::vector<float> places_;               ///< of a point tool
+    std::vector<float> places_;               ///< for a point tool
 };
 
 }  // namespace psicarve::rough

@@ -12,23 +12,23 @@
 
 namespace psicarve::rough {
 
-/// What a user may ask of roughing.
+/// A user's options for roughing.
 struct RoughingOptions {
-    double stepdown_mm = 0.0;  ///< that each pass goes further in
+    double stepdown_mm = 0.0;  ///< how much further in each pass goes
     double allowance_mm = RoughingProfile{}.allowance_mm;
     std::optional<double> stepover_mm;  ///< between layers; default: as the tool allows
 };
 
-/// What a profile asks for; nothing: the finishing pass alone. Its stepover is not for a point.
+/// The roughing that a profile asks for; nothing: only the finishing pass. A point ignores its stepover.
 std::optional<RoughingOptions> wanted_roughing(const Profile& profile);
 
-/// Whether these numbers make sense, whatever the model. "roughing: a stepover of ...".
+/// Whether these numbers are valid for any model. "roughing: a stepover of ...".
 Result<void> check_options(const RoughingOptions& options, const Profile& profile);
 
-/// Between two layers at most, asked for or as the tool allows; 0: every layer.
+/// The most between two layers, as asked for or as the tool allows; 0: every layer.
 double used_stepover_mm(const RoughingOptions& options, const ToolProfile& tool);
 
-/// What one pass came to.
+/// The result of one pass.
 struct PassSummary {
     double depth_mm = 0.0;
     std::uint32_t layers = 0;
@@ -37,14 +37,14 @@ struct PassSummary {
 };
 struct RoughingSummary {
     std::vector<PassSummary> passes;
-    double stepover_mm = 0.0;  ///< that was used; 0: every layer
+    double stepover_mm = 0.0;  ///< as used; 0: every layer
 };
 /// One JSON object.
 std::string to_json(const RoughingSummary& summary, const RoughingOptions& options);
 
 /// Puts roughing passes before the layers of a table, which become its finishing pass. `level`: the same
-/// layers not rising, where the table is a spiral; else the table itself. A blank that holds nothing to
-/// remove: no passes.
+/// layers without rising, where the table is a spiral; else the table itself. Adds no passes when the blank
+/// holds nothing to remove.
 Result<RoughingSummary> add_roughing(JobTable& table, const JobTable& level, const Profile& profile,
                                      const RoughingOptions& options);
 

@@ -18,26 +18,26 @@ struct VertexRange {
     bool operator==(const VertexRange&) const = default;
 };
 
-/// Of rows of `round` vertices each, in rising order.
+/// Ranges of rows of `round` vertices each, in rising order.
 std::vector<VertexRange> ranges_of_rows(const std::vector<std::uint32_t>& rows, std::size_t round);
 
-/// What the colours of carved cells say.
+/// The meaning of the colours of carved cells.
 enum class Colouring : std::uint8_t { done, radius, deviation };
 
 struct CarvedScenePlan {
-    std::size_t most_round = 480;  ///< cells; a larger job is drawn with some of its own
+    std::size_t most_round = 480;  ///< cells; a larger job is drawn with some of its cells
     std::size_t most_up = 400;
-    std::size_t coarse_step = 4;  ///< every so many cells in the coarse facets
+    std::size_t coarse_step = 4;  ///< one of this many cells is in the coarse facets
     std::uint32_t done_rgb = 0;
     std::uint32_t blank_rgb = 0;
     Colouring colouring = Colouring::done;
     double least_mm = 0.0;  ///< radius: the scale's ends
     double most_mm = 1.0;
-    std::int32_t neutral_pulses = 1;  ///< deviation: up to here as done; requires neutral < reach
+    std::int32_t neutral_pulses = 1;  ///< deviation: shown as done up to here; requires neutral < reach
     std::int32_t reach_pulses = 8;    ///< the scale's end on either side
 };
 
-/// What stands on the table, as a scene that follows the carving: only rows that have changed are made anew.
+/// The piece on the table, as a scene that follows the carving: only rows that have changed are made anew.
 class PieceOnTable {
 public:
     virtual ~PieceOnTable() = default;
@@ -48,11 +48,11 @@ public:
     virtual std::shared_ptr<const MeshScene> scene() const noexcept = 0;
     /// Height of the scene's middle, which is on the axis.
     virtual double middle_mm() const noexcept = 0;
-    /// Requires the record it was made with. What of the vertices is new.
+    /// Requires the record it was made with. Returns the ranges of changed vertices.
     virtual std::vector<VertexRange> update(CarvingRecord& record) = 0;
 };
 
-/// Of a point: the record's own layers and directions, and where nothing is carved the blank.
+/// For a point tool: the record's own layers and directions, and the blank where nothing is carved.
 class CarvedScene : public PieceOnTable {
 public:
     CarvedScene(const CarvingRecord& record, const CarvedScenePlan& plan);

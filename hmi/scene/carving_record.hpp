@@ -13,46 +13,46 @@
 
 namespace psicarve::session {
 
-/// Where the machine stands, seen from in front: R1 comes from the left (direction pi), R2 from the right.
+/// The machine's axes, seen from the front: R1 comes from the left (direction pi), R2 from the right.
 struct MachinePose {
     struct Head {
         double direction_rad = 0.0;
         double radius_mm = 0.0;  ///< of the tip
         double height_mm = 0.0;  ///< of the tip, above the middle of the scene
     };
-    double part_turn_rad = 0.0;  ///< by which the workpiece is turned from its own directions
+    double part_turn_rad = 0.0;  ///< the turn of the workpiece from its own directions
     std::array<Head, verify::kHeadCount> heads{};
 };
 
-/// The blank as the core says that it was carved: from the increments it reports, tick by tick. Layers that
-/// were finished before anybody looked, or while increments were lost, are taken from the job.
+/// The blank as the core's increments carve it, tick by tick. Layers that were finished before the window
+/// looked, or while increments were lost, are taken from the job.
 class CarvingRecord {
 public:
-    /// Takes as long as the job is large.
+    /// Takes time in proportion to the job's size.
     static Result<std::unique_ptr<CarvingRecord>> make(std::shared_ptr<const cam::PreparedJob> job);
 
     // Layers are rows of the finishing pass, from 0, unless said otherwise.
 
     void take(const IncrementEntry& entry);
-    /// All layers of the job below this one are done, seen or not. Looks at no more than `most_cells`, and
-    /// goes on with the next call.
+    /// All layers of the job below this one are done, seen or not. Handles at most `most_cells`, and
+    /// continues with the next call.
     void take_as_planned(std::uint32_t layers_done, std::uint64_t most_cells = ~std::uint64_t{0});
-    /// Of a recording: a cell as it was, deeper or not.
+    /// For a recording: sets a cell as it was, deeper or not.
     void put(std::uint32_t layer, std::uint32_t cell, float radius_mm);
 
     /// Grows whenever something was carved.
     std::uint64_t edition() const noexcept { return edition_; }
-    /// How many layers were not seen but taken from the job.
+    /// How many layers were taken from the job because they were not seen.
     std::uint32_t planned_layers() const noexcept { return planned_layers_; }
     bool is_carved(std::uint32_t layer, std::uint32_t cell) const noexcept {
         return layer < layers_done_ || surface_.radii_mm(layer)[cell] < uncarved_mm();
     }
-    /// How far the deepest that a head was seen in a cell lies outside of what the job wants there and the
-    /// path's tolerance allows [pulses]; negative: too deep. 0 where nobody saw it. Requires a carved cell.
+    /// How far the deepest radius of a head seen in a cell lies outside of the job's radius there and the
+    /// path's tolerance [pulses]; negative: too deep. 0 for a cell that was not seen. Requires a carved cell.
     std::int32_t deviation_pulses(std::uint32_t layer, std::uint32_t cell) const noexcept {
         return surface_.deviation_pulses(layer, cell);
     }
-    /// Those that have changed since the last call, in no order.
+    /// The layers that have changed since the last call, in no order.
     std::vector<std::uint32_t> take_changed_layers();
 
     const verify::CarvedSurface& surface() const noexcept { return surface_; }
@@ -60,15 +60,15 @@ public:
     double bottom_mm() const noexcept { return surface_.layer_height_mm(0); }
     double top_mm() const noexcept { return surface_.layer_height_mm(surface_.layer_count() - 1); }
     double blank_reach_mm() const noexcept;
-    /// Up to where there is material in a cell, the profile's blank standing where it says.
+    /// The radius up to which there is material in a cell, with the profile's blank at its place.
     float shown_mm(std::uint32_t layer, std::uint32_t cell) const noexcept;
-    /// With the axes at these positions; heights above `middle_mm`.
+    /// The pose with the axes at these positions; heights above `middle_mm`.
     MachinePose pose(const verify::Positions& positions_pulses, double middle_mm) const noexcept;
     const Profile& profile() const noexcept { return job_->profile; }
 
 private:
     CarvingRecord(std::shared_ptr<const cam::PreparedJob> job, const verify::JobGeometry& geometry);
-    /// As the surface keeps it.
+    /// The value of an uncarved cell in the surface.
     float uncarved_mm() const noexcept { return static_cast<float>(geometry_.blank_radius_mm()); }
     void note_change(std::uint32_t layer);
     void note_deviation(std::size_t h, std::uint32_t layer, const IncrementEntry& entry, double real_mm);
@@ -76,7 +76,7 @@ private:
     std::shared_ptr<const cam::PreparedJob> job_;
     verify::JobGeometry geometry_;
     verify::CarvedSurface surface_;
-    std::vector<float> blank_mm_;            ///< its surface by cell; empty: not known
+    std::vector<float> blank_mm_;            ///< radius of its surface by cell; empty: not known
     std::vector<std::uint8_t> has_changed_;  ///< by layer
     std::vector<std::uint32_t> changed_;
     std::uint32_t planned_layers_ = 0;

@@ -11,12 +11,12 @@
 
 namespace psicarve::session {
 
-/// One point of a layer as the workpiece has it.
+/// One point of a layer on the workpiece.
 struct RimPoint {
     double direction_deg;  ///< of the workpiece, 0 to 360
     double radius_mm;
 };
-/// What the two heads make of a layer: R1's half, then R2's, in the order of the points.
+/// The outline that the two heads carve in a layer: R1's half, then R2's, in the order of the points.
 struct LayerRim {
     std::vector<RimPoint> r1;
     std::vector<RimPoint> r2;
@@ -35,18 +35,18 @@ struct LayerCurves {
 /// Requires layer < layer_count.
 LayerCurves layer_curves(const cam::PreparedJob& job, std::uint32_t layer);
 
-/// A run of the workpiece's directions, 0 <= from < to <= 360 degrees, and which head carves it.
+/// A range of the workpiece's directions, 0 <= from < to <= 360 degrees, and the head that carves it.
 struct HalfSpan {
     double from_deg;
     double to_deg;
     bool is_r2;
 };
-/// Which head carves what of a layer, from direction 0 on: in a continuous job they change sides from layer
-/// to layer. Requires layer < layer_count.
+/// The ranges that each head carves in a layer, from direction 0 on: in a continuous job the heads change
+/// sides from layer to layer. Requires layer < layer_count.
 std::vector<HalfSpan> half_spans(const cam::PreparedJob& job, std::uint32_t layer);
 
 /// The job's radii unrolled: columns are directions 0 to 360 degrees, rows layers from the lowest up. Coarser
-/// than the job where that has more than the picture can show.
+/// than the job where the picture cannot show all.
 struct RadiusMap {
     std::size_t columns = 0;
     std::size_t rows = 0;
@@ -54,12 +54,12 @@ struct RadiusMap {
     double least_mm = 0.0;         ///< whole mm around all radii
     double most_mm = 0.0;
 };
-/// Of the finishing pass.
+/// Made of the finishing pass.
 RadiusMap radius_map(const cam::PreparedJob& job, std::size_t most_columns, std::size_t most_rows);
-/// Where a layer of the job, of whatever pass, lies in it: 0 below, 1 above.
+/// The height in the map of a layer of the job, of any pass: 0 below, 1 above.
 double place_in_map(const JobView& job, std::uint32_t layer);
 
-/// The map as a picture, 0xFFRRGGBB, highest layer first. `with_hills`: lighter and darker where it slopes.
+/// The map as a picture, 0xFFRRGGBB, highest layer first. `with_hills`: slopes are lighter and darker.
 std::vector<std::uint32_t> radius_picture(const RadiusMap& map, bool with_hills);
 
 }  // namespace psicarve::session

@@ -11,7 +11,7 @@ inline double dot(const std::array<double, 3>& a, const std::array<double, 3>& b
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// From where a scene is seen, by parallel rays.
+/// The direction from which a scene is seen, in parallel projection.
 struct SceneView {
     double azimuth_rad = 0.0;    ///< direction of the turned model that faces the viewer
     double elevation_rad = 0.0;  ///< above the horizon
@@ -23,7 +23,7 @@ struct SceneView {
     bool operator==(const SceneView&) const = default;
 };
 
-/// Where a body of the scene stands: shifted, then turned about the vertical axis. Placed coordinates.
+/// The place of a body in the scene: shifted, then turned about the vertical axis. Placed coordinates.
 struct ScenePlace {
     std::array<double, 3> shift{};
     double turn_rad = 0.0;
@@ -31,7 +31,7 @@ struct ScenePlace {
     bool operator==(const ScenePlace&) const = default;
 };
 
-/// How a view turns a point of the scene into the picture: x to the right, y down [px]; z towards the viewer.
+/// Projects a point of the scene into the picture: x to the right, y down [px]; z towards the viewer.
 class SceneCamera {
 public:
     /// `size`: of the scene's box, in the file's axes.
@@ -54,7 +54,7 @@ private:
     double y0_ = 0.0;
 };
 
-/// From a body's own points (the file's axes) into the picture: origin + x * columns[0] + ...
+/// Maps a body's own points (the file's axes) into the picture: origin + x * columns[0] + ...
 struct SceneMatrix {
     std::array<double, 3> origin{};
     std::array<std::array<double, 3>, 3> columns{};

@@ -12,8 +12,8 @@
 
 namespace psicarve::session {
 
-/// Of a tool that has a size: what it leaves of the whole blank, from the table up. Deviations are the
-/// record's, where its nearest layer has one. One thread, that which looks at the front.
+/// For a tool that has a size: what it leaves of the whole blank, from the table up. Deviations are the
+/// record's, where its nearest layer has one. Used by the thread that reads the front.
 class StockScene : public PieceOnTable {
 public:
     /// The front outlives this.

@@ -9,7 +9,7 @@
 
 namespace psicarve::session {
 
-/// What an operator may ask for. Emergency stop is not here: it is never locked.
+/// The actions that an operator may ask for. Emergency stop is not here: it is never locked.
 enum class Action : std::uint8_t {
     home,
     jog,
@@ -26,7 +26,7 @@ enum class Action : std::uint8_t {
     publish,
 };
 
-/// What stands in its way; nothing when it can be asked for. "Start: axis Y is not homed".
+/// Why the action is not allowed; nothing when it is. "Start: axis Y is not homed".
 std::optional<Phrase> lock_of(Action action, const MachineSight& machine, const JobSight& job);
 
 }  // namespace psicarve::session

@@ -9,16 +9,16 @@
 
 namespace psicarve::session {
 
-/// Calls somebody who does not look at the screen, once for whatever alarms are new. What is from before the
-/// window was there, and what a recording shows, is none.
+/// Calls an operator who does not look at the screen, once for all new alarms. Alarms from before the window
+/// was open, and those in a recording, do not count.
 class AlarmBell {
 public:
     explicit AlarmBell(std::function<void()> ring) : ring_(std::move(ring)) {}
 
     void set_ring(std::function<void()> ring) { ring_ = std::move(ring); }
-    /// Off, it stays silent about what comes meanwhile for good.
+    /// While it is off it skips alarms for good.
     void set_on(bool is_on) noexcept { is_on_ = is_on; }
-    /// At every look at the machine.
+    /// Call it at every look at the machine.
     void poll(const MessageLog& log);
 
 private:

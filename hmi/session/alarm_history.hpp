@@ -7,10 +7,9 @@
 
 namespace psicarve::session {
 
-/// The alarms that the core has in its status and that were not there at the look before, oldest first, each
-/// with its own time. Of a core that was not heard before these are all that it still knows; those that came
-/// before somebody looked are marked, also those without a time of a core that was there already. Requires a
-/// status in `after`.
+/// The alarms that are in the core's status and were not in the last one, oldest first, each with its own
+/// time. For a core that was not heard before, all that it still has; those from before the window looked are
+/// marked, also those without a time of a core that was there already. Requires a status in `after`.
 std::vector<Message> fresh_alarms(const MachineSight& before, const MachineSight& after);
 
 }  // namespace psicarve::session

@@ -8,7 +8,7 @@
 
 namespace psicarve::session {
 
-/// What happened, where, its likely cause, and what to do with the window's own buttons.
+/// An alarm's event, place, likely cause, and the steps with the window's own buttons.
 struct AlarmText {
     Phrase title;
     Phrase detail;
@@ -18,8 +18,8 @@ struct AlarmText {
 /// Requires a status in alarm, or backing off.
 AlarmText alarm_text(const MachineSight& machine);
 
-/// Where in space an alarm is: the heads at which it is to be looked for, R1 and R2. A limit switch of Y is
-/// on the slide that carries both. Empty: there is none, or it is of no place.
+/// The heads at which the operator should look for an alarm: R1 and R2. A limit switch of Y is on the slide
+/// that carries both. Empty: there is no alarm, or it has no place.
 std::vector<Axis> alarm_heads(const MachineSight& machine);
 
 }  // namespace psicarve::session

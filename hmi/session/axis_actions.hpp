@@ -10,15 +10,15 @@
 
 namespace psicarve::session {
 
-/// What stands in the way of homing one axis alone; nothing when it can be asked for.
+/// Why one axis alone cannot be homed; nothing when it can.
 std::optional<Phrase> home_lock(const MachineSight& machine, Axis axis);
-/// Likewise of taking its present position as the operator's zero.
+/// Why its present position cannot become the operator's zero.
 std::optional<Phrase> zero_lock(const MachineSight& machine, Axis axis);
-/// Likewise of switching the drives off.
+/// Why the drives cannot be switched off.
 std::optional<Phrase> drives_off_lock(const MachineSight& machine);
 
-/// The operator's own zero of each axis, in the machine's mm and degrees. It is for the eye alone: positions
-/// are shown from it, and no motion knows of it.
+/// The operator's own zero of each axis, in the machine's mm and degrees. It is only for the display:
+/// positions are shown from it, no motion uses it.
 class WorkZero {
 public:
     std::optional<double> of(Axis axis) const noexcept { return zeros_[index_of(axis)]; }
@@ -28,11 +28,11 @@ private:
     std::array<std::optional<double>, kAxisCount> zeros_;
 };
 
-/// Of the machine [mm; psi: 0 to 360 deg]; nothing without a known profile.
+/// The machine's position [mm; psi: 0 to 360 deg]; nothing without a known profile.
 std::optional<double> position_of(const MachineSight& machine, Axis axis);
-/// How far the axis stands from the zero [mm; psi: 0 to 360 deg]; nothing when one of them is not known.
+/// The axis' distance from the zero [mm; psi: 0 to 360 deg]; nothing when one of them is not known.
 std::optional<double> from_zero(const MachineSight& machine, Axis axis, std::optional<double> zero);
-/// To the last digit shown.
+/// Whether it is zero to the last digit shown.
 bool is_at_zero(std::optional<double> distance);
 
 }  // namespace psicarve::session

@@ -13,7 +13,7 @@
 
 namespace psicarve::session {
 
-/// What stands in the fields of one step, as typed; empty: not measured.
+/// The texts in the fields of one step, as typed; empty: not measured.
 struct CalibrationTexts {
     std::string diameter;
     std::string counted;
@@ -24,20 +24,20 @@ struct CalibrationTexts {
 using CalibrationForm = std::array<CalibrationTexts, profile::kCalibrationSteps.size()>;
 
 struct StepOutcome {
-    std::optional<Phrase> problem;  ///< why it cannot be
+    std::optional<Phrase> problem;  ///< why the values are refused
     std::vector<profile::KeyChange> changes;
 };
 struct CalibrationOutcome {
-    profile::ProfileDraft draft;  ///< with all that is possible
+    profile::ProfileDraft draft;  ///< with all valid values
     std::array<StepOutcome, profile::kCalibrationSteps.size()> steps;
 };
-/// What the form makes of the profile, one step after the other. A decimal comma is understood, and so is the
-/// minus that the window writes.
+/// The profile that the form makes, one step after the other. Accepts a decimal comma, and the minus sign
+/// that the window writes.
 CalibrationOutcome reckon(const profile::ProfileDraft& opened, const CalibrationForm& form);
 
-/// What stands in the way of writing it.
+/// Why it cannot be written.
 std::optional<Phrase> write_lock(const CalibrationOutcome& outcome, const MachineSight& machine);
-/// What stands in the way of asking the core where a head stands, by the profile in a file.
+/// Why the core cannot be asked for a head's position by the profile in a file.
 std::optional<Phrase> place_lock(const MachineSight& machine, const std::string& path, const Profile& on_file,
                                  Axis head);
 

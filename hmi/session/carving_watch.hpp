@@ -12,18 +12,18 @@
 
 namespace psicarve::session {
 
-/// Keeps what the machine carves, whether or not somebody looks: of the core's job since its last start. One
-/// thread, the window's, which never waits for it.
+/// Records what the machine carves, visible or not: the core's job since its last start. Used by one thread,
+/// the window's, which never waits for it.
 class CarvingWatch {
 public:
     CarvingWatch(MachineSession& machine, JobDesk& desk) : machine_(machine), desk_(desk) {}
 
-    /// With each look at the machine.
+    /// Call it with each look at the machine.
     void refresh();
 
-    /// Nothing while a fresh blank is made.
+    /// Null while a fresh blank is made.
     CarvingRecord* record() const noexcept { return record_.get(); }
-    /// With the record, where the job's tool has a size.
+    /// Exists with the record, if the job's tool has a size.
     LivePiece* piece() const noexcept { return piece_.get(); }
     bool has_job() const noexcept { return job_ != nullptr; }
     /// Grows with each fresh blank.
@@ -38,11 +38,11 @@ private:
     std::shared_ptr<const cam::PreparedJob> job_;
     std::unique_ptr<CarvingRecord> record_;
     std::unique_ptr<LivePiece> piece_;
-    std::uint64_t blank_number_ = 0;  ///< of the blank that is wanted
+    std::uint64_t blank_number_ = 0;  ///< of the blank that is being made
     std::uint64_t edition_ = 0;
     std::uint64_t job_start_tick_ = 0;
-    std::uint64_t lost_ = 0;  ///< increments, when they were read last
-    bool ran_job_ = false;    ///< when they were read last
+    std::uint64_t lost_ = 0;  ///< increments, at the last read
+    bool ran_job_ = false;    ///< at the last read
     WorkLane lane_;
 };
 

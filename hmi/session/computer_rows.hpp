@@ -10,19 +10,19 @@
 
 namespace psicarve::session {
 
-/// One thing that keeps the tick punctual, and what to do where it does not.
+/// One condition for a punctual tick, and what to do where it is not met.
 struct ComputerRow {
     enum class Verdict : std::uint8_t { good, warning, problem };
     Phrase name;
     Verdict verdict = Verdict::good;
     Phrase seen;
-    Phrase remedy;  ///< nothing when all is well
+    Phrase remedy;  ///< empty when all is well
 };
 
-/// How the core treats its own tick: each step, and whether it was granted. Nothing on the virtual clock.
+/// The core's real-time setup: each step, and whether the system granted it. Empty on the virtual clock.
 std::vector<ComputerRow> realtime_rows(const CoreStatus& status);
 
-/// What was looked at on this computer.
+/// The results of the checks of this computer.
 std::vector<ComputerRow> finding_rows(const std::vector<doctor::Finding>& findings);
 
 }  // namespace psicarve::session

@@ -14,16 +14,16 @@
 
 namespace psicarve::session {
 
-/// How a program whose window has gone ends though a disk does not answer: what is being saved is waited for
-/// as long as its disk goes on, whatever else is under way is not.
+/// How a program whose window has closed ends when a disk does not answer: it waits for a save as long as the
+/// disk makes progress, and for nothing else.
 class Departure {
 public:
     using Clock = std::chrono::steady_clock;
     enum class Step : std::uint8_t {
         wait,
-        tell,     ///< somebody may wonder why the program is still there; once
-        leave,    ///< nothing is being saved: what hangs is not worth waiting for
-        give_up,  ///< what is being saved never will be
+        tell,     ///< the user may wonder why the program still runs; once
+        leave,    ///< nothing is being saved: no need to wait for what hangs
+        give_up,  ///< the save will never end
     };
 
     static constexpr std::chrono::seconds kTell{2};
@@ -40,11 +40,11 @@ private:
     bool has_told_ = false;
 };
 
-/// Four times a second until it is gone: tells on stderr what is waited for, and ends the process where a
-/// Departure says so.
+/// Runs four times a second until the program ends: reports on stderr what it waits for, and ends the process
+/// when a Departure says so.
 class DepartureWatch {
 public:
-    /// `leave` ends the process: with the program's own exit code, or, `is_lost`, with that of an error.
+    /// `leave` ends the process: with the program's own exit code, or, if `is_lost`, with that of an error.
     DepartureWatch(SaveLedger saves, std::function<void(bool is_lost)> leave);
     ~DepartureWatch();
     DepartureWatch(const DepartureWatch&) = delete;

@@ -12,7 +12,7 @@
 
 namespace psicarve::session {
 
-/// What a colour says; each has an icon of its own shape.
+/// The meaning of a colour; each has an icon of its own shape.
 enum class Tone : std::uint8_t { idle, run, warn, alarm, replay };
 
 /// One axis in large digits. Without a known profile positions are shown in pulses.
@@ -22,9 +22,9 @@ struct AxisReadout {
     Phrase second;      ///< psi: "157 turns"; "8 617 pulses"
 };
 AxisReadout axis_readout(const MachineSight& machine, Axis axis);
-/// "8 617 pulses"; nothing where nothing is known.
+/// "8 617 pulses"; empty where the position is not known.
 Phrase pulses_phrase(const MachineSight& machine, Axis axis);
-/// Of a simulated machine also where it really stands, which it alone knows: step motors do not report.
+/// For a simulated machine also the true position, which only it knows: stepper motors do not report one.
 Phrase commanded_and_actual(const MachineSight& machine, Axis axis);
 
 struct StateText {
@@ -34,45 +34,46 @@ struct StateText {
 };
 StateText state_text(const MachineSight& machine, std::uint32_t layer_count);
 
-/// The alarm that is latched has ended the run of a job: not one that came after it, nor at rest.
+/// The latched alarm ended the run of a job: not an alarm that came after the run, nor one at rest.
 bool is_cut_short(const MachineSight& machine);
 
-/// How much of the job is carved; negative: there is none.
+/// The share of the job that is carved; negative: there is none.
 double done_ratio(const MachineSight& machine);
 /// "12:38 left", "about 12:38 left", "stopped", "stopped in layer 315" ... `layer_count`: of the core's job;
 /// 0: not known.
 Phrase time_text(const MachineSight& machine, std::uint32_t layer_count = 0);
-/// What is left of the run is not planned to its end yet: part of its time is a forecast.
+/// Not all of the run is planned yet: part of its time is a forecast.
 bool is_time_about(const MachineSight& machine);
-/// The last run has ended before its last point; an alarm tells that itself.
+/// The last run ended before its last point; false where an alarm shows that itself.
 bool is_left_undone(const MachineSight& machine);
-/// The run that the machine is at, or was at last, is of what is open; at work it always counts.
+/// Whether the present or last run belongs to the open job; true while the machine works.
 bool tells_of_run(const MachineSight& machine, const JobSight& job);
-/// Of the whole accepted job that was not begun, as the core plans it [s].
+/// The whole accepted job that was not begun, as the core plans it [s].
 std::optional<double> planned_seconds(const MachineSight& machine);
 
 /// "Layer 315 / 500 · point 212 / 500 · elapsed 21:32 · override 100 %" while a job runs; else nothing.
 Phrase work_text(const MachineSight& machine, std::uint32_t layer_count, std::uint32_t point_count);
-/// By the computer's clock, when the running job will be done; nothing when that is not known: none runs, it
-/// is on hold, or its clock is not the wall's.
+/// When the running job will be done, by the computer's clock; nothing when that is not known: none runs, it
+/// is on hold, or the core's clock is virtual.
 std::optional<std::chrono::system_clock::time_point> end_time(const MachineSight& machine,
                                                               std::chrono::system_clock::time_point now);
-/// By the computer's clock, when the alarm that is latched stopped the machine; nothing when there is none,
-/// or the core's clock is not the wall's.
+/// When the latched alarm stopped the machine, by the computer's clock; nothing when there is none, or the
+/// core's clock is virtual.
 std::optional<std::chrono::system_clock::time_point> alarm_time(const MachineSight& machine);
 
-/// How long the job takes that the operator looks at.
+/// The duration of the job that the operator looks at.
 struct JobTimes {
-    Phrase time;            ///< "2:04 planned", "1:20 left", "about 1:20 left"; nothing when it is not known
-    Phrase reference;       ///< T_ref of all of it
-    bool is_least = false;  ///< nobody has planned it yet: what feed and top speeds allow
+    Phrase time;            ///< "2:04 planned", "1:20 left", "about 1:20 left"; empty when not known
+    Phrase reference;       ///< T_ref of the whole job
+    bool is_least = false;  ///< not planned yet: only what feed and top speeds allow
 };
 /// `is_cores_job`: it is the one that the core accepted. `least_seconds`: 0 when not known. `planned`: by a
-/// core of our own; what the machine's says comes first.
+/// core of our own; the machine's own value comes first.
 JobTimes job_times(const MachineSight& machine, bool is_cores_job, double least_seconds,
                    const std::optional<machine::PlannedTime>& planned = {});
 
-/// With so many decimals, a point, and a thin space per thousand. Requires 0 <= decimals <= 6.
+/// A number with `decimals` digits behind a point, and a thin space per thousand. Requires 0 <= decimals <=
+/// 6.
 std::string number_text(double value, int decimals);
 std::string count_text(std::int64_t value);
 inline std::string counted(std::uint64_t count) {

@@ -7,15 +7,15 @@
 
 namespace psicarve::session {
 
-/// What Esc asks of the machine where no dialog and no menu takes it.
+/// The order that Esc gives to the machine where no dialog and no menu takes it.
 enum class EscapeOrder : std::uint8_t {
     none,
-    hold,  ///< what is carved: Resume goes on
-    stop,  ///< what cannot be held: there is nothing to lose by its end
+    hold,  ///< while carving: Resume continues
+    stop,  ///< for what cannot be held, and loses nothing by its end
 };
 
-/// Never resumes, never ends what is carved; at rest it is none, on hold too. `has_orders`: one is on its way
-/// to the core.
+/// Never resumes, never ends a carving; none at rest and on hold. `has_orders`: an order is on its way to the
+/// core.
 EscapeOrder escape_order(const MachineSight& machine, bool has_orders);
 
 }  // namespace psicarve::session

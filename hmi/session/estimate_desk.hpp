@@ -14,26 +14,26 @@
 
 namespace psicarve::session {
 
-/// Has a private core plan how long the open job takes, as `psicarve estimate` does, on a thread of its own.
-/// One thread, the owner's.
+/// Lets a private core plan how long the open job takes, as `psicarve estimate` does, on a thread of its own.
+/// All calls come from one thread, the owner's.
 class EstimateDesk {
 public:
     using Clock = std::chrono::steady_clock;
     using Job = std::shared_ptr<const cam::PreparedJob>;
     using Plan = std::function<Result<machine::PlannedTime>(const cam::PreparedJob&,
                                                             const std::function<bool()>& goes_on)>;
-    /// A job that is published meanwhile is planned by the machine's own core.
+    /// A job that is published within this time is planned by the machine's own core.
     static constexpr std::chrono::milliseconds kPatience{1000};
 
     explicit EstimateDesk(MessageLog& log, Plan plan = {});
-    /// Ends what is under way and waits for it.
+    /// Ends the task under way and waits for it.
     ~EstimateDesk() { give_up(); }
 
-    /// At screen rate. `wanted`: the job whose time nobody knows; null: there is none, or the computer is
-    /// needed for something else. Another one ends what is under way.
+    /// Call it at screen rate. `wanted`: the job whose time is not known; null: there is none, or the
+    /// computer is needed for something else. Another job ends the task under way.
     void poll(const Job& wanted, Clock::time_point now);
     bool is_planning() const noexcept { return goes_on_ != nullptr; }
-    /// Nothing while it is not known.
+    /// Nothing until it is known.
     std::optional<machine::PlannedTime> planned(const Job& job) const {
         return job && job == planned_job_ ? planned_ : std::nullopt;
     }

@@ -15,8 +15,8 @@
 
 namespace psicarve::session {
 
-/// Writes what an operator wants to keep, on a thread of its own; what became of it is a message. One thread,
-/// the owner's.
+/// Writes the files that an operator saves, on a thread of its own; each result becomes a message. All calls
+/// come from one thread, the owner's.
 class FileDesk {
 public:
     FileDesk(std::string segment_name, std::string group, MessageLog& log, SaveLedger saves = {})
@@ -25,12 +25,12 @@ public:
           log_(log),
           saves_(std::move(saves)) {}
 
-    /// What is to be kept is kept, however long it takes.
+    /// Finishes every save, however long it takes.
     ~FileDesk();
     FileDesk(const FileDesk&) = delete;
     FileDesk& operator=(const FileDesk&) = delete;
 
-    /// What is open in the window: nothing is saved over these, whatever their names look like. Asked at each
+    /// The files open in the window: no save overwrites them, whatever their names look like. Asked at each
     /// save.
     void set_files_in_use(std::function<std::vector<std::string>()> files) {
         files_in_use_ = std::move(files);
@@ -39,22 +39,22 @@ public:
     /// Job, status and flight recorder of the segment, with a core or without.
     void save_snapshot(const std::string& path);
     using Told = std::function<void(const Phrase& why)>;
-    /// The same for the window itself, which `then` opens: nobody is told but of trouble, `otherwise`, too.
+    /// The same for the window itself, which opens it in `then`: reports only failures, to `otherwise`, too.
     void take_recorder(const std::string& path, std::function<void()> then, const Told& otherwise);
     void save_job(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
-    /// The job that was saved last; null: none was, or nobody has it any more.
+    /// The job saved last; null: none was, or its last owner is gone.
     std::shared_ptr<const cam::PreparedJob> saved_job() const noexcept { return saved_job_.lock(); }
-    /// As CSV, or as JSON where the name ends so.
+    /// As CSV, or as JSON where the name ends in .json.
     void save_tables(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
-    /// That is made already, and goes to the file as a whole.
+    /// Writes a finished text to the file as a whole.
     void save_text(const std::string& path, std::string text);
     /// The carved piece as the pins of a trace carved it.
     void save_picture(const std::string& path, std::shared_ptr<const Judgement> judgement);
-    /// At screen rate.
+    /// Call it at screen rate.
     void poll() { lane_.deliver(); }
 
 private:
-    /// Unless what is open here has that name, too: links are followed on the lane, not by the window.
+    /// Refuses a file that is open here under any name: the lane follows links, not the window.
     void post(const std::string& path, WorkLane::Task save, Told otherwise = {});
     WorkLane::Finish told(const Result<void>& done, const std::string& path);
 

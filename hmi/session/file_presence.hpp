@@ -11,23 +11,23 @@
 
 namespace psicarve::session {
 
-/// Which of the files that a window offers are there, found out on a thread of its own: a disk that sleeps,
-/// or a server that does not answer, must not stop the window. One thread, the owner's.
+/// Finds out which of the files that a window offers exist, on a thread of its own: a disk that sleeps, or a
+/// server that does not answer, must not stop the window. All calls come from one thread, the owner's.
 class FilePresence {
 public:
     enum class State : std::uint8_t { unknown, there, gone };
     struct Seen {
         State state = State::unknown;
-        std::filesystem::file_time_type written{};  ///< of one that is there
+        std::filesystem::file_time_type written{};  ///< of a file that exists
     };
 
-    /// Has these looked at, anew where they were before; what was seen then holds meanwhile.
+    /// Looks for these files, again for known ones; the last result holds meanwhile.
     void look(std::vector<std::string> paths);
-    /// Has a folder and all above it looked at.
+    /// Looks for a folder and all above it.
     void look_above(const std::string& folder);
-    /// The folder, or the nearest above it that is known to be there; empty: of none that is known.
+    /// The folder, or the nearest above it that is known to exist; empty: none is known.
     std::string nearest_folder(const std::string& folder) const;
-    /// At screen rate.
+    /// Call it at screen rate.
     void poll() { lane_.deliver(); }
     Seen seen(const std::string& path) const;
 

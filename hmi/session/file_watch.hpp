@@ -11,27 +11,27 @@
 
 namespace psicarve::session {
 
-/// Whether a file was written since it was opened. It is looked at once a second, on a thread of its own. One
-/// thread, the owner's.
+/// Watches whether a file was written since it was opened: looks once a second, on a thread of its own. All
+/// calls come from one thread, the owner's.
 class FileWatch {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// What tells one state of a file from another.
+    /// Distinguishes states of a file.
     struct Stamp {
         std::filesystem::file_time_type time;
         std::uintmax_t bytes = 0;
         bool operator==(const Stamp&) const = default;
     };
-    /// Nothing when it is not there. Any thread.
+    /// Nothing when the file does not exist. Any thread.
     static std::optional<Stamp> stamp_of(const std::string& path);
 
-    /// From now on this file, which was opened in that state; without one nothing is watched.
+    /// Watches this file from now on, which was opened in that state; without a state it watches nothing.
     void watch(const std::string& path, const std::optional<Stamp>& opened);
     void poll(Clock::time_point now);
-    /// In what state it was opened.
+    /// The state in which it was opened.
     const std::optional<Stamp>& opened() const noexcept { return opened_; }
-    /// A file that is gone has not changed: many programs write another and move it here.
+    /// A missing file has not changed: many programs write another and move it here.
     bool has_changed() const noexcept { return has_changed_; }
 
 private:

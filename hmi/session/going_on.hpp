@@ -12,17 +12,17 @@
 
 namespace psicarve::session {
 
-/// The layer, counted from 0, with which the button that starts the job begins: behind the last that was
-/// finished of the published job, or where the heads wait; nothing: with the first. A dry run begins there.
+/// The layer, counted from 0, with which the button that starts the job begins: behind the last finished one
+/// of the published job, or where the heads wait; nothing: with the first. A dry run begins there, too.
 std::optional<std::uint32_t> layer_to_begin_with(const MachineSight& machine, const JobSight& job,
                                                  bool is_dry);
-/// What that button says: "Start", "Continue from layer 132", "Start dry run".
+/// That button's text: "Start", "Continue from layer 132", "Start dry run".
 Phrase start_text(const MachineSight& machine, const JobSight& job, bool is_dry);
 
 /// A piece of the published job that was begun and is not finished.
 struct UnfinishedPiece {
-    std::uint32_t carved_layers = 0;   ///< of the run carved last; 0: it has finished none
-    std::uint32_t earlier_layers = 0;  ///< of the run before, where that came further; else 0
+    std::uint32_t carved_layers = 0;   ///< carved layers of the last run; 0: it finished none
+    std::uint32_t earlier_layers = 0;  ///< carved layers of the run before, if it came further; else 0
     std::uint32_t layer_count = 0;
 
     friend bool operator==(const UnfinishedPiece&, const UnfinishedPiece&) = default;
@@ -33,17 +33,16 @@ std::optional<UnfinishedPiece> unfinished_piece(const MachineSight& machine, con
 /// "Unfinished: 131 of 200 layers are carved".
 Phrase unfinished_title(const UnfinishedPiece& piece);
 /// Sentences for the operator: the last good layer and point, where the run ended, what has to be done first,
-/// on which way the heads come to the layer, and where the run before came to. `job`: the published one;
-/// null: not known.
+/// on which way the heads come to the layer, and how far the run before came. `job`: the published one; null:
+/// not known.
 std::vector<Phrase> unfinished_details(const UnfinishedPiece& piece, const MachineSight& machine,
                                        const cam::PreparedJob* job);
 
-/// In few words those of them that nobody may miss: what has to be done first, and where the run before came
-/// to.
+/// The essential ones of them in few words: what has to be done first, and how far the run before came.
 std::vector<Phrase> unfinished_needs(const UnfinishedPiece& piece, const MachineSight& machine);
 
-/// The job's surface unrolled, highest layer first, 0xFFRRGGBB: coloured by radius as far as its finishing
-/// pass is carved, and `rest_rgb` above: what is only roughed has no such radius yet.
+/// The job's surface unrolled, highest layer first, 0xFFRRGGBB: coloured by radius where its finishing pass
+/// is carved, and `rest_rgb` above: roughed layers have no such radius yet.
 struct CarvedPicture {
     std::size_t columns = 0;
     std::size_t rows = 0;
@@ -52,7 +51,7 @@ struct CarvedPicture {
 CarvedPicture carved_picture(const cam::PreparedJob& job, std::uint32_t carved_layers,
                              std::uint32_t rest_rgb);
 
-/// What is asked before a job is begun anew of which something is carved.
+/// The question before a partly carved job is begun anew.
 Phrase anew_question(const UnfinishedPiece& piece);
 
 }  // namespace psicarve::session

@@ -10,7 +10,7 @@
 
 namespace psicarve::session {
 
-/// What there is to be known of a job besides its tables, as far as it says.
+/// The facts about a job besides its tables, where it gives them.
 struct JobFacts {
     Joining joining = Joining::continuous;
     std::optional<std::uint64_t> triangles;  ///< of its model
@@ -19,14 +19,14 @@ struct JobFacts {
 };
 JobFacts job_facts(const JobView& job);
 
-/// The passes of a job that has several: "7 roughing, finishing"; while it is carved, in which the layer
-/// lies: "roughing 2 of 7". Empty for a job of one pass.
+/// The passes of a job that has several: "7 roughing, finishing"; while it is carved, the one of the layer:
+/// "roughing 2 of 7". Empty for a job of one pass.
 Phrase pass_phrase(const JobView& job, std::optional<std::uint32_t> layer);
 
-/// What bounds the time most: "feed 71 %, R1 18 %"; what bounds less than a twentieth is not told.
+/// The limits that determine the time most: "feed 71 %, R1 18 %"; leaves out shares below a twentieth.
 Phrase bound_phrase(const cam::LeastTime& least);
 
-/// One line each: a name and what stands there. `source_bytes`: of the model's file, 0 when it is not known.
+/// One line each: a name and its value. `source_bytes`: size of the model's file, 0 when it is not known.
 struct FactRow {
     Phrase name;
     Phrase value;

@@ -11,9 +11,9 @@
 
 namespace psicarve::session {
 
-/// A job as the desk keeps it: with the least times that its machine allows.
+/// A job in the desk's form: with the least times that its machine allows.
 std::shared_ptr<const cam::PreparedJob> with_least_times(cam::PreparedJob&& job);
-/// The same, checked.
+/// The same from a file, checked.
 Result<std::shared_ptr<const cam::PreparedJob>> read_job(const std::string& path);
 Result<std::shared_ptr<const cam::PreparedJob>> prepared(cam::BuiltJob built, const Profile& profile,
                                                          const std::string& source);

@@ -8,18 +8,18 @@
 
 namespace psicarve::session {
 
-/// Where a job can be: two places, and often two jobs.
+/// The two places of jobs, which often differ.
 enum class JobPlace : std::uint8_t {
     machine,  ///< the core has accepted it
     desk,     ///< it is open here
 };
 
-/// Whose numbers and checks are shown: the machine's while it runs one or has the one that is open, else what
-/// is open, as nothing else is started. `knows_core_job`: what the core has was read.
+/// The place whose numbers and checks are shown: the machine while it runs a job or has the open one, else
+/// the desk, since only the open job can be started. `knows_core_job`: the core's job was read.
 JobPlace place_in_question(const MachineSight& machine, const JobSight& job, bool knows_core_job);
-/// Beside the machine's job: "no. 3, 40 % done". Empty: there is none.
+/// Text beside the machine's job: "no. 3, 40 % done". Empty: there is none.
 Phrase machine_job_note(const MachineSight& machine);
-/// Beside what is open: "not sliced", "the same job".
+/// Text beside the open job: "not sliced", "the same job".
 Phrase desk_job_note(const JobSight& job);
 
 }  // namespace psicarve::session

@@ -16,28 +16,29 @@
 
 namespace psicarve::session {
 
-/// A hand on the jog buttons. The jog's lease is renewed by a thread of its own, but only while the owner
-/// keeps calling poll(): a window that hangs lets go.
+/// The operator's hand on the jog buttons. A thread of its own renews the jog's lease, but only while the
+/// owner keeps calling poll(): a window that hangs ends the jog.
 class JogHand {
 public:
     using Refused = std::function<void(const Error&, bool is_of_test)>;
-    /// `refused` is called by poll(). An owner, or a whole process, that is silent for `limit` hangs.
+    /// poll() calls `refused`. An owner, or a whole process, that is silent for `limit` counts as hanging.
     JogHand(std::string segment_name, std::string group, Refused refused,
             std::chrono::milliseconds limit = kJogLease);
     ~JogHand() { release(); }
 
-    /// Until release(). `speed` [mm/s; deg/s].
+    /// Jogs until release(). `speed` [mm/s; deg/s].
     void hold(machine::JogAxis axis, bool up, double speed);
-    /// By a distance [mm; deg]. Ends early by release().
+    /// Jogs by a distance [mm; deg]. release() ends it early.
     void step(machine::JogAxis axis, double distance, double speed);
-    /// No jog, but held alike: one output alone, with the drives off, until release(); or so many pulses.
+    /// An output test, held the same way: one output alone, with the drives off, until release(); or `pulses`
+    /// pulses.
     void test(Signal output, std::uint32_t pulses, double rate_hz);
-    /// At once, whatever is under way.
+    /// Ends it at once.
     void release() noexcept { wanted_.store(0); }
     void poll();
-    /// How often something was asked for: grows with each.
+    /// The number of requests so far.
     std::uint64_t asked() const noexcept { return last_ticket_; }
-    /// Nothing moves while it is locked.
+    /// Refuses and ends all motion while it is locked.
     void set_locked(bool locked) noexcept {
         if (locked) release();
         is_locked_ = locked;
@@ -63,8 +64,8 @@ private:
     std::string group_;
     Refused refused_;
     std::chrono::milliseconds limit_;
-    std::atomic<std::uint64_t> wanted_{0};  ///< the ticket of the jog that goes on; 0: none
-    std::atomic<std::int64_t> beat_ns_{0};  ///< when the owner was last heard
+    std::atomic<std::uint64_t> wanted_{0};  ///< the ticket of the present jog; 0: none
+    std::atomic<std::int64_t> beat_ns_{0};  ///< when the owner last called
     std::uint64_t last_ticket_ = 0;
     bool is_locked_ = false;
     WorkLane lane_;  // last: its thread uses the others

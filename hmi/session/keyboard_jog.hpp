@@ -35,16 +35,16 @@ constexpr JogWay way_of(JogKey key, bool with_ctrl) noexcept {
     return {with_ctrl ? Axis::r2 : Axis::r1, key == JogKey::page_up};
 }
 
-/// A key that was pressed, as the desktop tells it.
+/// A key press, as the desktop reports it.
 struct JogKeyPress {
     JogKey key;
     bool with_ctrl = false;
-    bool with_shift = false;  ///< one step instead of going on
+    bool with_shift = false;  ///< one step instead of continuous motion
     bool is_repeat = false;   ///< the keyboard's own, while the key is held
 };
 
 /// Decides what keys mean while jogging by keyboard is armed. One key at a time moves one axis: a second one
-/// ends the motion, and so does the key that is let go. Arming ends when nobody pressed a key for a while.
+/// ends the motion, and so does the release of the key. Arming ends after a while without a key press.
 class KeyboardJog {
 public:
     using Clock = std::chrono::steady_clock;
@@ -57,14 +57,14 @@ public:
     };
 
     void arm(Clock::time_point now) noexcept;
-    /// Whatever is held is to be let go: release when there is something.
+    /// Ends any motion: release if there is one.
     Order disarm() noexcept;
     bool is_armed() const noexcept { return is_armed_; }
     bool is_held() const noexcept { return held_.has_value(); }
 
     Order press(const JogKeyPress& press, Clock::time_point now) noexcept;
     Order release(JogKey key, bool is_repeat, Clock::time_point now) noexcept;
-    /// Nobody pressed a key for kIdleLimit.
+    /// No key was pressed for kIdleLimit.
     bool is_over(Clock::time_point now) const noexcept;
 
 private:

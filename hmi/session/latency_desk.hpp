@@ -14,14 +14,14 @@
 
 namespace psicarve::session {
 
-/// What was asked for, and what came of it.
+/// A request and its result.
 struct LatencyMeasurement {
     machine::LatencyWish wish;
     machine::LatencyResult result;
 };
 
 /// Measures how late the core's ticks would be on this computer, as `psicarve latency` does, on a thread of
-/// its own. One thread, the owner's.
+/// its own. All calls come from one thread, the owner's.
 class LatencyDesk {
 public:
     using Measure = std::function<Result<machine::LatencyResult>(
@@ -29,20 +29,20 @@ public:
         const std::function<bool()>&)>;
 
     explicit LatencyDesk(MessageLog& log, Measure measure = machine::measure_latency);
-    /// Ends what is under way and waits for it.
+    /// Ends the measurement under way and waits for it.
     ~LatencyDesk();
 
     void begin(const machine::LatencyWish& wish);
-    /// What was measured so far becomes the result.
+    /// The measurement so far becomes the result.
     void end() noexcept { ends_.store(true); }
-    /// At screen rate.
+    /// Call it at screen rate.
     void poll() { lane_.deliver(); }
 
     bool is_measuring() const noexcept { return is_measuring_; }
-    /// Of what is under way.
+    /// Of the measurement under way.
     const machine::LatencyWish& wish() const noexcept { return wish_; }
     machine::LatencyProgress progress() const;
-    /// The last one.
+    /// The last measurement.
     const std::optional<LatencyMeasurement>& last() const noexcept { return last_; }
 
 private:
@@ -57,10 +57,10 @@ private:
     WorkLane lane_;  // last: its thread uses the others
 };
 
-/// What stands in the way of measuring: a second tick loop would disturb a machine at work.
+/// Why it cannot measure: a second tick loop would disturb a machine at work.
 std::optional<Phrase> latency_lock(const MachineSight& machine);
 
-/// As the histogram shows it: a bar for each doubling of microseconds.
+/// For the histogram: a bar for each doubling of microseconds.
 TickHealth latency_health(const LatencyMeasurement& measured);
 
 struct LatencyRow {

@@ -13,16 +13,16 @@ struct TablePlace {
     bool operator==(const TablePlace&) const = default;
 };
 
-/// Which layer and point of a job are looked at: where the machine is while it is at this job, until others
-/// are chosen; then those, until it is followed again.
+/// The layer and point of a job that the view shows: those of the machine while it carves this job, until
+/// others are chosen; then those, until the view follows the machine again.
 class LayerCursor {
 public:
-    /// Another job. What was chosen stays as far as there is such a thing. Requires at least one of each.
+    /// Another job. Keeps the choice where the job has such a layer and point. Requires at least one of each.
     void begin(std::uint32_t layer_count, std::uint32_t point_count);
     void choose_layer(std::uint32_t layer);
     void choose_point(std::uint32_t point);
     void follow(bool follows) noexcept { follows_ = follows; }
-    /// Where the machine is; nothing while it is not at this job: the next time it is followed.
+    /// The machine's place; nothing while it is not at this job: the view follows it the next time.
     void note_machine(const std::optional<TablePlace>& machine);
 
     const TablePlace& place() const noexcept { return place_; }

@@ -12,8 +12,8 @@
 
 namespace psicarve::session {
 
-/// The pins as they were seen in the last seconds, at screen rate. What happens between two looks is known of
-/// steps alone: how many there were.
+/// The pins in the last seconds, sampled at screen rate. Between two samples only the number of steps is
+/// known.
 class LevelHistory {
 public:
     using Clock = std::chrono::steady_clock;
@@ -22,12 +22,12 @@ public:
     struct Look {
         Clock::time_point time;
         SignalWord levels;
-        std::array<std::uint64_t, kAxisCount> pulses;  ///< by axis, since the look before
+        std::array<std::uint64_t, kAxisCount> pulses;  ///< by axis, since the sample before
     };
 
     void note(const CoreStatus& status, Clock::time_point now);
     void forget() noexcept;
-    /// Of a recording: these, oldest first.
+    /// For a recording: replaces the samples, oldest first.
     void show(std::deque<Look> looks) noexcept { looks_ = std::move(looks); }
     /// Oldest first.
     const std::deque<Look>& looks() const noexcept { return looks_; }

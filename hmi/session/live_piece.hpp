@@ -18,13 +18,13 @@
 
 namespace psicarve::session {
 
-/// What the job's tool leaves of its blank, from the increments that the core reports, cut on a thread of its
-/// own in the background. Layers of which increments were lost, which nobody saw, or which came faster than
-/// they could be cut are cut as the job says once they are done. The owner never waits for it, but when it
-/// ends, and then for one place to be cut, or one piece to be copied.
+/// What the job's tool leaves of its blank, from the increments that the core reports, cut in the background
+/// by a thread of its own. Layers with lost increments, layers that were not seen, or that came faster than
+/// they could be cut, are cut as the job says once they are done. The owner waits for it only in the
+/// destructor, and then for one place to be cut, or one piece to be copied.
 class LivePiece {
 public:
-    /// Of the machine at one time.
+    /// The machine at one time.
     struct Look {
         std::uint64_t points_done = 0;
         bool has_lost = false;  ///< increments, since the look before
@@ -37,25 +37,25 @@ public:
     LivePiece(const LivePiece&) = delete;
     LivePiece& operator=(const LivePiece&) = delete;
 
-    /// Where the axes were, oldest first. Cut behind the next look().
+    /// A place of the axes, oldest first. Cut after the next look().
     void take(const IncrementEntry& entry) { told_.push_back(entry); }
-    /// After all increments that are there were taken.
+    /// Call it after all present increments were taken.
     void look(const Look& now);
 
     piece::PieceFront& front() noexcept { return front_; }
-    /// How many layers are still to be cut as the job says.
+    /// How many layers wait to be cut as the job says.
     std::uint32_t layers_to_come() const noexcept { return layers_to_come_.load(); }
     /// How many increments wait.
     std::size_t waiting() const noexcept { return waiting_.load(); }
     /// How many layers came faster than they could be cut.
     std::uint32_t skipped_layers() const noexcept { return skipped_layers_; }
-    /// How many places were cut. Outlives this, and tells what its end left uncut.
+    /// How many places were cut. Outlives this, and shows what the destructor left uncut.
     std::shared_ptr<const std::atomic<std::size_t>> places_cut() const noexcept { return places_cut_; }
-    /// Waits until all that was told is cut and published.
+    /// Waits until all increments taken are cut and published.
     void finish();
 
-    /// Increments that wait at most: half a minute of a machine's work, and as much on the virtual clock as
-    /// is cut in about a second.
+    /// The most increments that wait: half a minute of a machine's work, and on the virtual clock as many as
+    /// are cut in about a second.
     static constexpr std::size_t kMostWaiting = 200'000;
 
 private:
@@ -69,18 +69,18 @@ private:
     void settle(const verify::Positions& at);
     void show();
 
-    // The owner's:
-    std::shared_ptr<const cam::PreparedJob> job_;  ///< that the geometry looks into
+    // Used by the owner:
+    std::shared_ptr<const cam::PreparedJob> job_;  ///< the geometry refers to it
     std::uint32_t layer_count_;
     std::uint32_t point_count_;
     std::vector<IncrementEntry> told_;
     std::vector<Seen> layers_;
     std::uint32_t layer_before_ = 0;
     bool has_looked_ = false;
-    bool has_gap_ = false;  ///< that may reach beyond the layer of the last look
+    bool has_gap_ = false;  ///< it may reach beyond the layer of the last look
     std::uint32_t skipped_layers_ = 0;
 
-    // The lane's:
+    // Used by the lane's thread:
     piece::StockMap stock_;
     piece::PieceCarver carver_;
     piece::ToolWay way_;

@@ -14,16 +14,16 @@
 
 namespace psicarve::session {
 
-/// "2026-11-21T14:58:07.123Z alarm   Limit switch R2 closed: Clear switch R2", in English: for whoever helps.
+/// "2026-11-21T14:58:07.123Z alarm   Limit switch R2 closed: Clear switch R2", in English: for support.
 std::string log_line(const Message& message);
 std::string log_text(const std::deque<Message>& messages);
 
-/// Where programs of this user keep what they noted: $XDG_STATE_HOME/psicarve, or ~/.local/state/psicarve.
-/// Empty when neither is known.
+/// The folder for this user's program state: $XDG_STATE_HOME/psicarve, or ~/.local/state/psicarve. Empty when
+/// neither is known.
 std::string state_folder(const char* xdg_state_home, const char* home);
 
-/// A file that lines are added to. When it is full it becomes FILE.1, and FILE.1 becomes FILE.2; what was
-/// FILE.2 is gone.
+/// A file that lines are added to. When it is full it becomes FILE.1, and FILE.1 becomes FILE.2, whose old
+/// content is lost.
 class LogFile {
 public:
     static constexpr std::uintmax_t kMostBytes = 1'000'000;
@@ -40,17 +40,17 @@ private:
     std::uintmax_t most_bytes_;
 };
 
-/// Carries every new message into the log file, on a thread of its own: a slow disk delays nobody. What is
-/// from before the window was there and over is left out: each window would write it again.
+/// Writes every new message to the log file, on a thread of its own: a slow disk delays no other work. Leaves
+/// out finished messages from before the window was open: each window would write them again.
 class LogKeeper {
 public:
-    /// An empty folder keeps nothing.
+    /// With an empty folder it writes nothing.
     explicit LogKeeper(const std::string& folder, SaveLedger saves = {});
-    /// Writes what is left.
+    /// Writes the rest.
     ~LogKeeper();
-    /// Says once when the file cannot be written.
+    /// Reports once when the file cannot be written.
     void poll(MessageLog& log);
-    /// Empty: nothing is kept.
+    /// Empty: nothing is written.
     const std::string& folder() const noexcept { return folder_; }
 
 private:

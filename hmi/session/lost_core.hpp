@@ -8,15 +8,15 @@
 
 namespace psicarve::session {
 
-/// The core is gone or silent and was at work when it was heard last: nobody knows what the machine does, and
-/// nothing in the window reaches it.
+/// The core is gone or silent and was at work when it was last heard: the machine's state is not known, and
+/// no order reaches it.
 bool is_lost_at_work(const MachineSight& machine) noexcept;
 
-/// What has to be read before anything else is done: an emergency stop that nobody heard, a core that was
-/// lost at work or in alarm, an alarm. Nothing: there is nothing of that kind.
+/// What the operator must read before anything else: an emergency stop that no core heard, a core that was
+/// lost at work or in alarm, an alarm. Nothing: there is none of these.
 std::optional<AlarmText> loud_text(const MachineSight& machine);
 
-/// "The core has ended in layer 14, point 7": what a core that was lost at work left behind.
+/// "The core has ended in layer 14, point 7": the state that a core lost at work left behind.
 AlarmText lost_core_text(const MachineSight& machine);
 
 }  // namespace psicarve::session

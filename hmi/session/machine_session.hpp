@@ -24,7 +24,7 @@
 
 namespace psicarve::session {
 
-/// What a job is started for.
+/// The purpose of a job's start.
 enum class RunKind : std::uint8_t {
     carve,
     dry,  ///< table and Y go as they would; heads outside the blank, spindle off
@@ -34,41 +34,42 @@ struct SessionOptions {
     std::string segment_name = kDefaultSegmentName;
     std::string group;
     std::optional<Profile> profile;  ///< chosen by the user; else the built-in one and the job's are tried
-    /// So long a hand that is not heard of still holds. More only where a busy computer must not matter.
+    /// How long a jog goes on without a sign of the window. More only where a busy computer must not matter.
     std::chrono::milliseconds hand_limit = kJogLease;
-    std::string state_folder{};  ///< where cores keep unfinished pieces; empty: where they do by themselves
-    /// Looks for the profile of a core in files; on a thread of its own, as their disk may hang.
+    std::string state_folder{};  ///< where cores keep unfinished pieces; empty: their default folders
+    /// Searches files for a core's profile; on a thread of its own, as their disk may hang.
     std::function<std::optional<Profile>(std::uint32_t core_pid, std::uint64_t hash)> find_profile =
         find_core_profile;
 };
 
-/// The machine as a window has it: attached whenever there is a segment, looked at by poll(), asked by
-/// orders. Nothing here waits for the core: orders go to it on a thread of their own, stop and emergency stop
-/// are one store. One thread, the owner's.
+/// The machine for a window: attaches whenever there is a segment, poll() reads it, orders go to it. No call
+/// waits for the core: a thread of its own sends orders, stop and emergency stop are one store. All calls
+/// come from one thread, the owner's.
 class MachineSession {
 public:
     MachineSession(SessionOptions options, MessageLog& log);
 
-    /// At screen rate.
+    /// Call it at screen rate.
     void poll();
     const MachineSight& sight() const noexcept { return sight_; }
     const SessionOptions& options() const noexcept { return options_; }
     /// Chosen by the user, as in the options.
     void set_profile(const Profile& profile);
-    /// A profile that may be the machine's: a job's.
+    /// Offers a profile that may be the machine's: a job's.
     void offer_profile(const Profile& profile);
     /// The profile of the job that the core has accepted; null: there is none, or it is not known. The core
-    /// accepts none whose motion is not its own: where nobody knows its profile mm and degrees go by this.
+    /// accepts only jobs whose motion matches its own: where its profile is unknown, mm and degrees are
+    /// calculated by this one.
     void take_accepted(const Profile* of_job);
 
-    /// While a recording is shown nothing is asked of the machine but hold, stop and emergency stop; wishes
-    /// that are under way are dropped.
+    /// While a recording is shown the machine gets no orders but hold, stop and emergency stop; requests
+    /// under way are dropped.
     void watch_only(bool only) noexcept;
 
     // False when there is no core to take them.
     bool stop() noexcept;
-    /// Nor when the core is silent; that nobody heard it stays in sight until it is acknowledged, or another
-    /// one is heard.
+    /// Also false when the core is silent; sight() then shows an unheard stop until it is acknowledged, or
+    /// another one is heard.
     bool emergency_stop() noexcept;
     void acknowledge_unheard_stop() noexcept { sight_.unheard_stop = false; }
 
@@ -76,32 +77,32 @@ public:
     void order(const Command& command, const Phrase& name);
     void order(CommandKind kind, const Phrase& name);
     /// For a window that closes: poll() calls `answered` once the core has taken the order, or has refused it
-    /// or kept silent, which it tells. May be seconds later when the core hangs.
+    /// or kept silent; the last two become messages. May be seconds later when the core hangs.
     void order_and_tell(CommandKind kind, const std::function<void(bool was_taken)>& answered);
-    /// Heads to the first point of the layer, then carve so many layers (0: all that follow). In state
-    /// waiting: carve what the heads wait for.
+    /// Moves the heads to the first point of the layer, then carves `layers` layers (0: all that follow). In
+    /// state waiting: carves what the heads wait for.
     void start(std::uint32_t from_layer, std::uint32_t layers = 0, RunKind kind = RunKind::carve);
-    /// Nobody goes on with this unfinished piece, and no other is touched: segment and disk forget it. What
-    /// came of it is a message.
+    /// Makes segment and disk forget this unfinished piece, and no other: it will not be continued. The
+    /// result becomes a message.
     void forget_piece(const RecordName& record);
-    /// The newest wish goes out as soon as the one before is answered.
+    /// The newest value is sent as soon as the one before is answered.
     void set_override(std::uint32_t percent) noexcept {
         if (!watches_only_) wanted_override_percent_ = percent;
     }
-    /// The core may still show the percentage before.
+    /// The core may still show the old percentage.
     bool is_override_under_way() const { return wanted_override_percent_ || !orders_.is_idle(); }
-    /// The last one that was refused, while that holds; a jog and an output's test, too.
+    /// The last order that was refused, while that holds; also a jog or an output's test.
     const std::optional<OrderRefusal>& refused_order() const noexcept { return refused_.told(); }
-    /// The fields that such an order would go by are others.
+    /// The fields that such an order would use have changed.
     void forget_refused_order(OrderPlace place) noexcept { refused_.forget(place); }
-    /// One is on its way to the core, or waits for the one before.
+    /// An order is on its way to the core, or waits for the one before.
     bool has_orders() const { return !orders_.is_idle(); }
-    /// What the core has reported of its motion since the last call, oldest first. Those that came faster
-    /// than they were read are lost.
+    /// Gives the core's motion since the last call, oldest first. Increments that came faster than they were
+    /// read are lost.
     void read_increments(const std::function<void(const IncrementEntry&)>& take);
-    /// How many of them were lost, since the session attached or skipped.
+    /// How many increments were lost, since the session attached or skipped.
     std::uint64_t lost_increments() const noexcept { return increments_ ? increments_->lost() : 0; }
-    /// Nobody wants those up to now.
+    /// Skips all increments reported so far.
     void skip_increments();
     JogHand& jog() noexcept { return jog_; }
 
@@ -134,25 +135,25 @@ private:
     std::optional<RingReader<IncrementEntry, kIncrementRingEntries>> increments_;  // of link_
     std::vector<KnownProfile> profiles_;
     std::uint64_t core_profile_hash_ = 0;
-    std::uint64_t sought_hash_ = 0;  ///< of the profile that was looked for in files
+    std::uint64_t sought_hash_ = 0;  ///< of the profile that was searched in files
     std::uint32_t sought_pid_ = 0;
     MissedMeter missed_;
     std::uint64_t heartbeat_ = 0;
     Clock::time_point heartbeat_changed_{};
     Clock::time_point attach_tried_{};
     Clock::time_point saved_looked_{};
-    std::optional<Clock::time_point> unsigned_since_;  ///< so long the lock's words name nobody who lives
+    std::optional<Clock::time_point> unsigned_since_;  ///< since when the lock's words name no living process
     StartIntent intent_;
-    bool has_looked_ = false;  ///< for a core, and knows whether one was there
+    bool has_looked_ = false;  ///< has looked for a core, and knows whether one was there
     bool watches_only_ = false;
     std::optional<std::uint32_t> wanted_override_percent_;
     RefusedOrder refused_;
     std::uint64_t jogs_asked_ = 0;
     JogHand jog_;
     WorkLane finder_;
-    machine::LooseWork<std::optional<FoundCheckpoint>> disk_;         ///< that may hang
-    machine::LooseWork<Result<machine::ForgottenPiece>> forgetting_;  ///< likewise
-    WorkLane profile_finder_{WorkLane::Haste::background};  ///< a disk that hangs keeps nobody from attaching
+    machine::LooseWork<std::optional<FoundCheckpoint>> disk_;         ///< may hang
+    machine::LooseWork<Result<machine::ForgottenPiece>> forgetting_;  ///< may hang
+    WorkLane profile_finder_{WorkLane::Haste::background};  ///< a disk that hangs must not delay attaching
     WorkLane orders_;
 };
 

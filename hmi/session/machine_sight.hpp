@@ -13,10 +13,10 @@
 
 namespace psicarve::session {
 
-/// How fresh what we know about the core is.
+/// How current the knowledge about the core is.
 enum class CoreLife : std::uint8_t {
     none,    ///< no core serves the segment
-    silent,  ///< it keeps its lock but its heartbeat stands still
+    silent,  ///< it holds its lock but its heartbeat stands still
     late,
     alive,
 };
@@ -29,49 +29,50 @@ constexpr CoreLife core_life(bool has_core, std::chrono::milliseconds silence) n
     return silence >= kFreshLimit ? CoreLife::late : CoreLife::alive;
 }
 
-/// The machine as the operator's side sees it at one instant.
+/// The machine at one instant, for the operator's side.
 struct MachineSight {
     CoreLife life = CoreLife::none;
     std::uint32_t core_pid = 0;
-    std::optional<CoreStatus> status;  ///< the last that is known, also of a core that is no more
-    /// The machine's, by which pulses become mm; nothing when it is not known.
+    std::optional<CoreStatus> status;  ///< the last known, also of a core that has ended
+    /// The machine's profile, which converts pulses to mm; nothing when it is not known.
     std::optional<Profile> profile;
-    /// `profile` is that of the job that the core accepted, in every key of motion the machine's. Pins, tick
-    /// and the computer's keys may be others.
+    /// `profile` is that of the job that the core accepted, equal to the machine's in every key of motion.
+    /// Pins, tick and the computer's keys may differ.
     bool is_profile_of_job = false;
-    std::uint64_t core_profile_hash = 0;  ///< of the one that the core counts by, known or not
-    /// Name of the profile that the user has chosen and that is not the core's: nothing counts by it. Empty:
-    /// none, or it is.
+    std::uint64_t core_profile_hash = 0;  ///< of the core's profile, known or not
+    /// Name of the profile that the user has chosen and that is not the core's: it is not used. Empty: none,
+    /// or it is.
     std::string unused_profile{};
-    /// When the alarm that is latched was first seen: the computer's troubles go on, the alarm's do not.
+    /// The count when the latched alarm was first seen: the computer goes on missing ticks, which do not
+    /// belong to the alarm.
     std::uint64_t missed_ticks_at_alarm = 0;
     /// The most in any of the last five seconds, at rest, too; on the real clock.
     std::uint64_t missed_per_s = 0;
-    /// By the computer's clock, when `status` was written; what is shown of a core that is silent is of then.
+    /// By the computer's clock, when `status` was written; for a silent core the display shows that time.
     std::chrono::system_clock::time_point status_time{};
-    /// What the core drives, as its --port says it: "sim", "ppdev:/dev/parport0"; empty: not known.
+    /// The core's port, as --port names it: "sim", "ppdev:/dev/parport0"; empty: not known.
     std::string port_name{};
-    /// By the computer's clock, when somebody began to look.
+    /// By the computer's clock, when the window began to look.
     std::chrono::system_clock::time_point watched_since{};
-    /// It was there already when somebody looked for the first time.
+    /// The core was there already at the window's first look.
     bool is_core_of_first_look = false;
-    /// Behind the last layer that was finished of the published job, counted from 0; nothing: none, or all
-    /// were.
+    /// The layer behind the last finished one of the published job, counted from 0; nothing: none was
+    /// finished, or all.
     std::optional<std::uint32_t> resumable_layer;
-    /// The same of the run before, which that one began anew and has not passed.
+    /// The same for the run before, which that one began anew and has not passed.
     std::optional<std::uint32_t> earlier_layer;
     std::uint32_t checkpoint_layer_count = 0;  ///< of that job, where one of the two is known
     std::uint64_t checkpoint_job_checksum = 0;
     std::string job_remark{};  ///< of the core, on the published job
-    /// It comes from a disk, and nothing was carved by it since: it may be of a piece of long ago.
+    /// It is from a disk, and nothing was carved by it since: the piece may be from long ago.
     bool is_checkpoint_from_disk = false;
-    bool is_disk_refusing = false;  ///< the core's disk has not taken how far the piece has come
-    /// What a core has kept on a disk of a piece that is not finished, while no core has a job or its piece
-    /// is known from there.
+    bool is_disk_refusing = false;  ///< the core's disk has not taken the present progress
+    /// A core's record on a disk of an unfinished piece, while no core has a job or its piece is known from
+    /// there.
     std::optional<FoundCheckpoint> saved_piece{};
-    /// What the core itself said last; `status` may have its guard's word instead. Nothing: none was heard.
+    /// The core's own last state; `status` may have its guard's instead. Nothing: none was heard.
     std::optional<MachineState> heard_state;
-    /// An emergency stop was asked for here and no core was there to hear it; until somebody has read that.
+    /// An emergency stop was asked for here and no core heard it; until the operator has read that.
     bool unheard_stop = false;
     std::string segment_problem;  ///< why a segment that is there cannot be used; else empty
 
@@ -84,7 +85,7 @@ struct MachineSight {
     bool is_simulator() const noexcept { return status && status->is_simulator != 0; }
 };
 
-/// What `missed_ticks_at_alarm` becomes with the next status.
+/// The value of `missed_ticks_at_alarm` with the next status.
 constexpr std::uint64_t missed_ticks_at_alarm(const MachineSight& before, const CoreStatus& now) noexcept {
     const bool is_same =
         before.status && before.status->alarm_count == now.alarm_count && before.status->tick <= now.tick;
@@ -109,13 +110,14 @@ struct JobSight {
     bool can_be_sliced = false;          ///< a model or a table is open
     std::uint32_t layer_count = 0;       ///< of the job, when there is one
     std::uint32_t core_layer_count = 0;  ///< of the core's job, which may be another; 0: not known
-    /// The job is that of the machine's checkpoint; only looked for where no core is heard.
+    /// The job is that of the machine's checkpoint; only checked where no core is heard.
     bool is_of_checkpoint = false;
-    /// The first key of motion in which the job's profile is not the core's; empty: none, or not known.
+    /// The first key of motion in which the job's profile differs from the core's; empty: none, or not known.
     std::string profile_difference{};
-    /// In what the blank of the job, or of the core's where none is open, is not that of the core's profile.
+    /// How the blank of the job, or of the core's job where none is open, differs from that of the core's
+    /// profile.
     std::optional<BlankDifference> blank_difference{};
-    /// The core had accepted it before; by now it may have another one.
+    /// The core had accepted it before; by now it may have another job.
     bool was_published = false;
     bool has_job() const noexcept {
         return state == DeskState::job || state == DeskState::publishing || state == DeskState::published;

@@ -14,20 +14,20 @@
 
 namespace psicarve::session {
 
-/// What was seen in a mesh, a line each: its size (turned as it is to stand), facets and volume, whether its
-/// surface is closed or what is wrong with it, and its units where they are hardly mm.
+/// A mesh's facts, a line each: its size (turned as it will stand), facets and volume, whether its surface is
+/// closed or what is wrong with it, and its units where they are hardly mm.
 std::vector<Phrase> mesh_lines(const model::Mesh& mesh, const std::array<double, 3>& size);
 
 /// What is known of a model so far.
 struct ModelKnowledge {
     const model::Mesh& mesh;
-    const ModelSight* sight = nullptr;                ///< null: being looked at
-    const report::ModelFindings* findings = nullptr;  ///< null: being looked for
-    const PieceSight* piece = nullptr;  ///< null: being worked out, or for this reason there is none
+    const ModelSight* sight = nullptr;                ///< null: being calculated
+    const report::ModelFindings* findings = nullptr;  ///< null: being calculated
+    const PieceSight* piece = nullptr;                ///< null: being calculated, or there is none
     Phrase no_piece;
-    std::optional<double> sliced_undercut_share{};  ///< as the job has it; else the sight's is near
+    std::optional<double> sliced_undercut_share{};  ///< the job's value; else the sight's is near
 };
-/// The report of a model, as `psicarve inspect` tells it: its mesh, its size, what is hidden and open and
+/// The report of a model, as `psicarve inspect` prints it: its mesh, its size, what is hidden and open and
 /// where, and what the tool leaves.
 std::vector<ReportRow> model_rows(const ModelKnowledge& known);
 

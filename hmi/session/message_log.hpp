@@ -16,30 +16,30 @@ namespace psicarve::session {
 
 enum class Severity : std::uint8_t { info, warning, alarm };
 
-/// Where an alarm stands in its core's flight recorder.
+/// The place of an alarm in its core's flight recorder.
 struct AlarmPlace {
     std::uint32_t core_pid = 0;
     std::uint64_t tick = 0;
 };
 
 struct Message {
-    std::chrono::system_clock::time_point time;  ///< the epoch of what is from before: not known
+    std::chrono::system_clock::time_point time;  ///< the epoch for a message from before: not known
     Severity severity = Severity::info;
     Phrase what;
     Phrase remedy;
-    std::string axes{};  ///< that it is of: "R2", "R1 R2"; else empty
-    /// From before somebody watched, and so no news: nobody is called to it.
+    std::string axes{};  ///< the axes that it is about: "R2", "R1 R2"; else empty
+    /// From before the window watched, and so no news: the bell does not ring.
     bool is_from_before = false;
-    bool is_standing = false;  ///< an alarm that was latched when it was told
-    bool is_command = false;   ///< what was asked for here, or was refused
-    // Of an alarm:
-    Phrase cause{};               ///< more of what was, and why
-    std::vector<Phrase> steps{};  ///< all that is to be done, `remedy` first
+    bool is_standing = false;  ///< an alarm that was latched when it was reported
+    bool is_command = false;   ///< asked for here, or refused
+    // For an alarm:
+    Phrase cause{};               ///< more about the event and its cause
+    std::vector<Phrase> steps{};  ///< all steps to take, `remedy` first
     std::optional<AlarmPlace> place{};
 };
 
-/// What became of the machine between two looks at it, in the order of telling. Of a core that is heard for
-/// the first time also the alarms that it still knows; none is told twice.
+/// The changes of the machine between two looks at it, in the order of telling. For a core that is heard for
+/// the first time also the alarms that it still has; none is reported twice.
 std::vector<Message> changes_between(const MachineSight& before, const MachineSight& after);
 
 /// The last messages, oldest first.
@@ -49,10 +49,10 @@ public:
 
     void add(Message message);
     void add(Severity severity, Phrase what, Phrase remedy = {});
-    /// Of what was asked for here.
+    /// A message about an order given here.
     void add_command(Severity severity, Phrase what);
     const std::deque<Message>& messages() const noexcept { return messages_; }
-    /// Grows with every message: whether a view is up to date.
+    /// Grows with every message: shows whether a view is up to date.
     std::uint64_t count() const noexcept { return count_; }
 
 private:

@@ -13,11 +13,11 @@
 
 namespace psicarve::session {
 
-/// What the heads can and cannot reach of a model as it is placed. Lengths in file units, places in the
+/// The parts of a placed model that the heads can and cannot reach. Lengths in file units, places in the
 /// turned model relative to the middle of its box.
 struct ModelSight {
     std::vector<std::uint8_t> is_hidden;  ///< by vertex of the scene: behind another wall, seen from outside
-    double undercut_share = 0.0;          ///< part of the surface, as the slicer counts it
+    double undercut_share = 0.0;          ///< share of the surface, as the slicer counts it
     std::array<double, 2> axis{};
     double blank_radius = 0.0;  ///< the least round blank that holds the model
     double mm_per_unit = 1.0;
@@ -25,11 +25,11 @@ struct ModelSight {
     std::vector<double> outermost;  ///< by direction, once round from 0 on: the largest radius of all heights
 };
 
-/// Slices coarsely and compares. Of the options: up, axis_at, height or scale, search_progress.
+/// Slices coarsely and compares. Uses of the options: up, axis_at, height or scale, search_progress.
 Result<ModelSight> look_at_model(const model::Mesh& mesh, const MeshScene& scene, const Profile& profile,
                                  const cam::JobOptions& options);
 
-/// What the slicer will warn of about the profile's blank.
+/// The slicer's future warnings about the profile's blank.
 std::vector<std::string> blank_warnings(const ModelSight& sight, const Profile& profile);
 
 /// A cylinder to be drawn round the model. File units, relative to the middle of the model's box.
@@ -43,16 +43,16 @@ struct BlankOutline {
 
     bool operator==(const BlankOutline&) const = default;
 };
-/// The profile's blank where it stands, as high as the model where its height is not known; without one the
-/// least.
+/// The profile's blank at its place, as high as the model where its height is not known; without one the
+/// least that holds the model.
 BlankOutline blank_outline(const ModelSight& sight, const Profile& profile);
 
 /// The scene with hidden vertices in a colour of their own.
 MeshScene painted_scene(const MeshScene& scene, const ModelSight& sight, std::uint32_t rgb,
                         std::uint32_t hidden_rgb);
 
-/// From where most of what is hidden is seen: behind a wall one looks past it. Nothing when nothing is
-/// hidden.
+/// The direction from which most hidden parts are visible: the view looks past the wall before them. Nothing
+/// when nothing is hidden.
 std::optional<SceneView> view_of_hidden(const MeshScene& scene, const ModelSight& sight, slice::Up up);
 
 }  // namespace psicarve::session

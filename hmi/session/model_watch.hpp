@@ -10,7 +10,8 @@
 
 namespace psicarve::session {
 
-/// Looks at a model on a thread of its own, anew whenever it is placed otherwise. One thread, the owner's.
+/// Examines a model on a thread of its own, again whenever it is placed otherwise. All calls come from one
+/// thread, the owner's.
 class ModelWatch {
 public:
     struct Seen {
@@ -22,13 +23,14 @@ public:
     ModelWatch(std::uint32_t rgb, std::uint32_t hidden_rgb) : rgb_(rgb), hidden_rgb_(hidden_rgb) {}
     ~ModelWatch() { forget(); }
 
-    /// Ends what is under way for another model or placement.
+    /// Ends the task under way for another model or placement.
     void look(std::shared_ptr<const model::Mesh> mesh, std::shared_ptr<const MeshScene> scene,
               const Profile& profile, cam::JobOptions options);
     void forget();
-    /// At screen rate. What the report tells is looked for when somebody wants it, once the model was seen.
+    /// Call it at screen rate. The report's findings are calculated once the model was examined and
+    /// `wants_findings` is true.
     void poll(bool wants_findings = false);
-    /// Of what was asked for last; null until it is there.
+    /// For the last request; null until it is there.
     std::shared_ptr<const Seen> seen() const noexcept { return seen_; }
     std::shared_ptr<const report::ModelFindings> findings() const noexcept { return findings_; }
 
@@ -37,7 +39,7 @@ private:
     std::uint32_t hidden_rgb_;
     std::shared_ptr<std::atomic<bool>> goes_on_;  ///< shared with the task under way
     std::shared_ptr<const Seen> seen_;
-    std::shared_ptr<const model::Mesh> mesh_;  ///< that was seen
+    std::shared_ptr<const model::Mesh> mesh_;  ///< the mesh that was examined
     std::array<double, 3> middle_{};           ///< of its box, turned
     slice::Up up_ = slice::Up::z;
     double base_mm_ = 0.0;

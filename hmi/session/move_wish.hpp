@@ -10,21 +10,20 @@
 
 namespace psicarve::session {
 
-/// Where an operator wants the axes to go, and how.
+/// The target of a move that an operator asks for, and its manner.
 struct MoveWish {
     std::array<std::optional<double>, kAxisCount>
-        target{};  ///< by axis [mm; psi: deg]; those that are to move
+        target{};  ///< by axis [mm; psi: deg]; the axes that are to move
     MoveShape shape = MoveShape::straight;
-    std::array<double, kAxisCount> centre{};  ///< of an arc, likewise
+    std::array<double, kAxisCount> centre{};  ///< of an arc, by axis
 };
 
-/// What stands in the way of it; nothing when the core can be asked. Travel and clearance are the core's to
-/// judge.
+/// Why the core cannot be asked; nothing when it can. The core judges travel and clearance.
 std::optional<Phrase> move_lock(const MachineSight& machine, const MoveWish& wish);
-/// Requires that nothing stands in the way.
+/// Requires that move_lock() gives nothing.
 Command move_command(const MoveWish& wish);
 
-/// What stands in the way of switching the spindle by hand.
+/// Why the spindle cannot be switched by hand.
 std::optional<Phrase> spindle_lock(const MachineSight& machine);
 
 }  // namespace psicarve::session

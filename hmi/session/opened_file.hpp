@@ -18,11 +18,11 @@
 
 namespace psicarve::session {
 
-/// What a table becomes a job with: the machine with the tool, the blank and the roughing that are wanted.
+/// What turns a table into a job: the machine with the tool, the blank and the roughing that are wanted.
 struct TableWay {
     Profile profile;
-    std::optional<Joining> joining;  ///< none: the profile's
-    /// Whether the other would make the same of it on the same machine.
+    std::optional<Joining> joining;  ///< nothing: the profile's
+    /// Whether the other would make the same job on the same machine.
     bool is_as(const TableWay& other) const;
 };
 
@@ -32,23 +32,23 @@ struct OpenedFile {
     std::shared_ptr<const model::Mesh> file_mesh;  ///< before it was turned
     flat::ModelKind kind = flat::ModelKind::mesh;
     flat::FlatOptions shape;
-    bool is_line_art = false;  ///< open lines alone: engraved, as nothing else becomes of them
+    bool is_line_art = false;  ///< only open lines: they are engraved, since nothing else can be made of them
     std::shared_ptr<const MeshScene> scene;
     std::uint64_t mesh_bytes = 0;
     std::shared_ptr<const cam::PreparedJob> job;
-    bool is_table = false;                  ///< that the job was made of
+    bool is_table = false;                  ///< the job was made of a table
     std::optional<FileWatch::Stamp> stamp;  ///< of the file, before it was read
     std::optional<Error> error;
 };
 
-/// A model, a job, a snapshot or a table, which becomes a job in this way. Without a shape a drawing of open
-/// lines alone is engraved with the machine's tool.
+/// Reads a model, a job, a snapshot or a table, which becomes a job in this way. Without a shape a drawing of
+/// open lines alone is engraved with the machine's tool.
 OpenedFile read_opened(const std::string& path, const Profile& machine,
                        const std::optional<flat::FlatOptions>& shape, const model::MeshTurn& turn,
                        const TableWay& way);
-/// As `psicarve slice` makes it of a table.
+/// Makes a job of a table as `psicarve slice` does.
 Result<std::shared_ptr<const cam::PreparedJob>> job_of_table(const std::string& path, const TableWay& way);
-/// A model as this body.
+/// Reads a model as this body.
 OpenedFile read_opened_model(const std::string& path, const flat::FlatOptions& options,
                              const model::MeshTurn& turn);
 /// The same model, turned otherwise.

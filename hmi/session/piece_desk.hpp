@@ -14,31 +14,31 @@
 
 namespace psicarve::session {
 
-/// What a piece is to be expected of.
+/// A request for an expected piece.
 struct PieceWish {
     std::shared_ptr<const cam::PreparedJob> job;  ///< null: a draft is made
-    std::shared_ptr<const model::Mesh> mesh;      ///< of the job; null: nobody knows it
-    Profile profile;                              ///< of a draft
-    cam::JobOptions options;                      ///< of a draft: those that place the model
+    std::shared_ptr<const model::Mesh> mesh;      ///< of the job; null: not known
+    Profile profile;                              ///< for a draft
+    cam::JobOptions options;                      ///< for a draft: those that place the model
 
     friend bool operator==(const PieceWish& a, const PieceWish& b);
 };
 
-/// Works out the piece that a job, or a tool alone, will leave, on a thread of its own, once it is
-/// asked for, and anew when it would be another one. One thread, the owner's.
+/// Calculates the piece that a job, or a tool alone, will leave, on a thread of its own, once it is asked
+/// for, and again for another request. All calls come from one thread, the owner's.
 class PieceDesk {
 public:
     PieceDesk() = default;
     ~PieceDesk() { stop(); }
 
-    /// At screen rate. Another wish ends what is under way and forgets what was worked out; nothing is begun
-    /// while nobody asks for it, and what is under way ends.
+    /// Call it at screen rate. Another request ends the task under way and drops the result; while
+    /// `is_asked_for` is false nothing is begun, and the task under way ends.
     void poll(const std::optional<PieceWish>& wish, const PieceScenePlan& plan, bool is_asked_for);
-    /// Ends what is under way; it begins anew with another wish, or once it is asked for again.
+    /// Ends the task under way; it begins anew with another request, or once it is asked for again.
     void cancel();
     bool is_working() const noexcept { return run_ != nullptr; }
     double progress_ratio() const noexcept { return run_ ? run_->done_ratio.load() : 0.0; }
-    /// Of what is wished for; null until it is there.
+    /// For the present request; null until it is there.
     std::shared_ptr<const PieceSight> sight() const noexcept { return sight_; }
     /// Why it will not be there; empty while it may.
     const Phrase& problem() const noexcept { return problem_; }
@@ -58,7 +58,7 @@ private:
     WorkLane lane_{WorkLane::Haste::background};
 };
 
-/// The whole of it, on the caller's thread. ErrorCode::cancelled.
+/// Does the whole calculation on the caller's thread. ErrorCode::cancelled.
 Result<PieceSight> work_out_piece(const PieceWish& wish, const PieceScenePlan& plan,
                                   const slice::SliceOptions& options);
 

@@ -16,24 +16,24 @@ namespace psicarve::session {
 
 /// How a piece is drawn.
 struct PieceScenePlan {
-    std::size_t most_round = 480;  ///< vertices; of a finer piece each tells the worst of its cells
+    std::size_t most_round = 480;  ///< vertices; each of a finer piece shows the worst of its cells
     std::size_t most_up = 400;
-    std::size_t coarse_step = 2;    ///< every so many vertices in the coarse facets
+    std::size_t coarse_step = 2;    ///< one of this many vertices is in the coarse facets
     std::uint32_t neutral_rgb = 0;  ///< within a pulse of the model
-    std::uint32_t blank_rgb = 0;    ///< what no layer carves
+    std::uint32_t blank_rgb = 0;    ///< for parts that no layer carves
 };
 
-/// The piece that is to be expected, as an operator looks at it. Lengths in mm.
+/// The expected piece, for display. Lengths in mm.
 struct PieceSight {
-    /// Coloured by the deviation from the model, where there is one, else by radius. Its middle is the middle
-    /// of the blank on the axis; upright.
+    /// Coloured by the deviation from the model, if there is one, else by radius. Its middle is the middle of
+    /// the blank on the axis; upright.
     std::shared_ptr<const MeshScene> scene;
-    bool has_model = false;  ///< to be compared with
+    bool has_model = false;  ///< it was compared with a model
     double reach_mm = 0.0;   ///< deviation: the colour scale's end on either side
     double pulse_mm = 0.0;   ///< deviation: neutral within this
     double least_mm = 0.0;   ///< radius: the colour scale's ends
     double most_mm = 0.0;
-    std::optional<double> draft_allowance_mm;  ///< it is a draft, whose tips were kept this much further out
+    std::optional<double> draft_allowance_mm;  ///< for a draft: its tips were kept this much further out
     std::optional<piece::PieceDeviation> deviation;  ///< without its places
     double within_pulse_share = 0.0;
     double removed_mm3 = 0.0;
@@ -42,16 +42,16 @@ struct PieceSight {
 /// `pulse_mm`: of a head.
 PieceSight look_at_piece(const piece::JobPiece& piece, double pulse_mm, const PieceScenePlan& plan);
 
-/// What is to be told of it, a line each.
+/// The text about it, in lines.
 std::vector<Phrase> piece_lines(const PieceSight& sight);
 
-/// Between what a piece to be expected can be made of, and why it cannot be.
+/// What an expected piece can be made of, and why it cannot.
 enum class PieceSource : std::uint8_t { none, job, draft };
 struct PieceChoice {
     PieceSource source = PieceSource::none;
     Phrase reason;  ///< why there is none
 };
-/// Of what is open: a job's tables tell the piece; before there are any a draft does, of a mesh and a tool
+/// For the open file: a job's tables give the piece; before there are any a draft does, of a mesh and a tool
 /// that has a size. Engraved lines have the tool's shape only in their tables.
 PieceChoice piece_choice(bool has_job, bool has_mesh, bool is_engraved, ToolShape tool);
 

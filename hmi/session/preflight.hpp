@@ -14,8 +14,8 @@ struct Check {
     enum class Verdict : std::uint8_t {
         pass,
         fail,     ///< nothing starts
-        info,     ///< it says nothing here: neither passed nor failed
-        warning,  ///< to be looked at; who has done that may start
+        info,     ///< it does not apply here: neither passed nor failed
+        warning,  ///< the operator should look at it, and may start then
     };
     Phrase name;
     Phrase detail;
@@ -25,8 +25,8 @@ struct Check {
 
 inline constexpr std::size_t kMostChecks = 10;
 
-/// What must be so before Start, in the order in which it is put right. Start is locked exactly while one of
-/// them fails (action_lock.hpp); docs/operator.md has a table of them.
+/// The conditions for Start, in the order in which they are met. Start is locked exactly while one of them
+/// fails (action_lock.hpp); docs/operator.md has a table of them.
 std::vector<Check> preflight_checks(const MachineSight& machine, const JobSight& job);
 
 }  // namespace psicarve::session

@@ -10,17 +10,17 @@
 
 namespace psicarve::session {
 
-/// The machine's profile that a window was started with, read on a thread of its own while the window is
-/// there already. One thread, the owner's.
+/// The machine's profile that a window was started with, read on a thread of its own while the window is open
+/// already. All calls come from one thread, the owner's.
 class ProfileArrival {
 public:
     using Told = std::function<void(const Result<Profile>&)>;
 
-    /// `told` is called by the poll() that finds it read.
+    /// The poll() that finds it read calls `told`.
     void fetch(const std::string& path, Told told);
-    /// Nobody knows the machine until then.
+    /// The machine's profile is not known until then.
     bool is_awaited() const noexcept { return is_awaited_; }
-    /// At screen rate.
+    /// Call it at screen rate.
     void poll() { lane_.deliver(); }
 
 private:

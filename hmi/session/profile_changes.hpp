@@ -8,8 +8,8 @@
 
 namespace psicarve::session {
 
-/// What saving would change in the draft's file: each key with the value there and the new one, with its
-/// unit, in the order of the keys. Words and texts stand in quotes, as in the file.
+/// The changes that saving would make in the draft's file: each key with the value there and the new one,
+/// with its unit, in the order of the keys. Words and texts stand in quotes, as in the file.
 std::vector<DifferenceRow> profile_changes(const profile::ProfileDraft& draft);
 
 }  // namespace psicarve::session

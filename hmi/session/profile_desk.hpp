@@ -16,9 +16,9 @@
 
 namespace psicarve::session {
 
-/// The machine profile that somebody edits, whose files are read and written on a thread of its own, one
-/// after the other: who asks for anything looks at lock() first. `told` is called by the poll() that finds it
-/// done. One thread, the owner's.
+/// The machine profile that is edited in the window; a thread of its own reads and writes its files, one
+/// after the other: callers check lock() first. The poll() that finds a task done calls `told`. All calls
+/// come from one thread, the owner's.
 class ProfileDesk {
 public:
     using Told = std::function<void(const Result<void>&)>;
@@ -28,27 +28,27 @@ public:
     const profile::ProfileDraft& draft() const noexcept { return draft_; }
     bool is_busy() const noexcept { return under_way_.has_value(); }
     bool is_saving() const noexcept { return under_way_ == Work::saving; }
-    /// Other values are on their way: what would be typed now has no place.
+    /// True while other values are being read: then there is no draft to type into.
     bool takes_values() const noexcept { return is_busy() && !is_saving(); }
-    /// What is under way, and in the way of anything else.
+    /// The task under way, which blocks all others.
     std::optional<Phrase> lock() const;
 
-    /// Nothing while takes_values(). What is typed while it is being saved is a change since.
+    /// Does nothing while takes_values(). Text typed during a save is a change after it.
     void type(std::size_t key, std::string_view text);
 
-    // All below: nothing while is_busy().
+    // The following do nothing while is_busy():
     void undo_all();
     void show(profile::ProfileDraft draft);
-    /// In its place, when it can be opened.
+    /// Opens a file in its place, if it can be read.
     void open(const std::string& path, Told told);
-    /// What somebody else has made of its file; what is typed and not saved stays so.
+    /// Reads its file again after another program has changed it; typed and unsaved values stay.
     void open_again(Told told);
-    /// These three as those of ProfileDraft.
+    /// As the functions of ProfileDraft.
     void save(Told told);
     void save_as(const std::string& path, Told told);
     void take_backup(const std::string& backup, Told told);
 
-    /// At screen rate.
+    /// Call it at screen rate.
     void poll() { lane_.deliver(); }
 
 private:

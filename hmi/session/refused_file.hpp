@@ -7,7 +7,7 @@
 
 namespace psicarve::session {
 
-/// A file that was to be opened and could not be.
+/// A file that could not be opened.
 struct RefusedFile {
     std::string path;
     Phrase why;

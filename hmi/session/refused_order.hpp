@@ -12,11 +12,11 @@
 
 namespace psicarve::session {
 
-/// Which buttons ask for it.
+/// The group of buttons that gives an order.
 enum class OrderPlace : std::uint8_t { position, jog, move, job, alarm, outputs };
 OrderPlace place_of(CommandKind kind) noexcept;
 
-/// What the core was asked for and did not do.
+/// An order that the core refused.
 struct OrderRefusal {
     enum class Help : std::uint8_t { none, home_all, reset_alarm };
     OrderPlace place = OrderPlace::job;
@@ -24,25 +24,25 @@ struct OrderRefusal {
     Help help = Help::none;
 };
 
-/// What would help, by the core's words.
+/// The help that fits the core's reason.
 OrderRefusal::Help help_for(const std::string& reason);
 
-/// The order that was refused last, for as long as that holds: until something else is asked for, the fields
-/// that it went by are others, or the machine is no longer as it was.
+/// The last refused order, for as long as that holds: until another order is given, its fields have changed,
+/// or the machine's state has.
 class RefusedOrder {
 public:
     void note(OrderRefusal refusal, const MachineSight& machine);
-    /// At every look at the machine.
+    /// Call it at every look at the machine.
     void look(const MachineSight& machine);
     void forget() noexcept { told_.reset(); }
     void forget(OrderPlace place) noexcept {
         if (told_ && told_->place == place) forget();
     }
-    /// Nothing: none was, or it holds no longer.
+    /// Nothing: none was refused, or it holds no longer.
     const std::optional<OrderRefusal>& told() const noexcept { return told_; }
 
 private:
-    /// What of the machine a refusal goes by.
+    /// The part of the machine's state that a refusal depends on.
     struct Ground {
         bool is_heard = false;
         std::uint32_t core_pid = 0;

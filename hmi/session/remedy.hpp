@@ -13,36 +13,36 @@
 
 namespace psicarve::session {
 
-/// What would help where something was refused, and can be done by a click.
+/// A remedy for a refusal that one click applies.
 struct Remedy {
     enum class Kind : std::uint8_t {
         height,        ///< of the model: `value` mm
         scale,         ///< of the model: mm for each unit of its file
-        layers,        ///< at most so many
+        layers,        ///< at most this many
         best_axis,     ///< the one that loses least
-        core_profile,  ///< slice again by the profile that the core is known to have by now
+        core_profile,  ///< slice again with the core's profile, which is known by now
     };
     Kind kind = Kind::height;
     double value = 0.0;
     bool operator==(const Remedy&) const = default;
 };
 
-/// What the desk was asked to do and did not.
+/// A request that the desk refused.
 struct DeskRefusal {
     enum class Of : std::uint8_t { slicing, publishing };
     Of of = Of::slicing;
-    std::string name;  ///< of what is on the desk, which `why` may begin with
+    std::string name;  ///< of what is on the desk; `why` may begin with it
     Phrase why;
     std::vector<Remedy> remedies;
 };
 
 /// "Height 149.9 mm"
 Phrase remedy_text(const Remedy& remedy);
-/// For a mesh that was to be sliced like this. Looks for its size where that is the matter: may take as long
-/// as looking for its axis does.
+/// For a mesh whose slicing was refused. Searches for its size where that is the cause: may take as long as a
+/// search for its axis.
 std::vector<Remedy> slicing_remedies(const Error& error, const model::Mesh& mesh, const Profile& profile,
                                      const cam::JobOptions& options);
-/// For a job of something that can be sliced again.
+/// For a job that can be sliced again.
 std::vector<Remedy> publishing_remedies(const Error& error);
 
 }  // namespace psicarve::session

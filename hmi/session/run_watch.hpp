@@ -12,17 +12,17 @@
 
 namespace psicarve::session {
 
-/// The run of a job, as a window sees it go by: from its start to its end, and nothing of what comes after.
+/// The run of a job, observed by a window: from its start to its end, and nothing after it.
 class RunWatch {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// At every look at the machine.
+    /// Call it at every look at the machine.
     void note(const MachineSight& machine, Clock::time_point now);
     /// The last run, also while it goes on; nothing when this core has started none.
     const std::optional<machine::JobRun>& run() const noexcept { return run_; }
     bool is_over() const noexcept { return is_over_; }
-    /// The layer, from 0, in which the run was when it was first seen; nothing: it was seen from its start.
+    /// The layer, from 0, in which the window first saw the run; nothing: it saw the start.
     std::optional<std::uint32_t> seen_from_layer() const noexcept { return seen_from_layer_; }
 
 private:
@@ -41,8 +41,8 @@ struct ReportRow {
     Phrase name;
     Phrase value;
 };
-/// `is_verified`: nothing when the pins of the run were not recorded. `seen_from_layer`: as RunWatch has it;
-/// what was missed before is not known.
+/// `is_verified`: nothing when the pins of the run were not recorded. `seen_from_layer`: see RunWatch; what
+/// happened before is not known.
 std::vector<ReportRow> run_rows(const machine::JobRun& run, bool is_over, std::uint32_t layer_count,
                                 std::optional<bool> is_verified = {},
                                 std::optional<std::uint32_t> seen_from_layer = {});

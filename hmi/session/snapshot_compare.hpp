@@ -10,7 +10,7 @@
 
 namespace psicarve::session {
 
-/// What differs between two files, as a window shows it.
+/// A difference between two files, for display.
 struct DifferenceRow {
     Phrase what;
     Phrase a;
@@ -21,20 +21,20 @@ struct DifferenceRow {
 struct Comparison {
     std::string path_a;
     std::string path_b;
-    std::vector<DifferenceRow> rows;  ///< empty: nothing differs
+    std::vector<DifferenceRow> rows;  ///< empty: no difference
 };
 
-/// Compares two snapshots or jobs, as `psicarve snapshot diff` does, on a thread of its own. One thread, the
-/// owner's.
+/// Compares two snapshots or jobs, as `psicarve snapshot diff` does, on a thread of its own. All calls come
+/// from one thread, the owner's.
 class SnapshotCompare {
 public:
     explicit SnapshotCompare(MessageLog& log) : log_(log) {}
 
     void compare(const std::string& path_a, const std::string& path_b);
     bool is_comparing() const noexcept { return is_comparing_; }
-    /// At screen rate.
+    /// Call it at screen rate.
     void poll() { lane_.deliver(); }
-    /// What came of the last one, once.
+    /// The result of the last comparison, once.
     std::shared_ptr<const Comparison> take() noexcept { return std::move(done_); }
 
 private:

@@ -9,15 +9,15 @@
 
 namespace psicarve::session {
 
-/// The one message that there is room for at the window's edge: the newest, but what tells of trouble is not
-/// swept away by the next good news.
+/// The one message for which the window's edge has room: the newest, except that a later good message does
+/// not replace a warning or an alarm.
 class StatusLine {
 public:
     using Clock = std::chrono::steady_clock;
-    /// So long a warning or an alarm stands against everything but a newer one.
+    /// For this time a warning or an alarm stays, unless a newer one comes.
     static constexpr std::chrono::seconds kTroubleStays{8};
 
-    /// At screen rate. True when another message is to be shown than before.
+    /// Call it at screen rate. True when it shows another message than before.
     bool look(const MessageLog& log, Clock::time_point now);
     /// Nothing: there was none yet.
     const std::optional<Message>& shown() const noexcept { return shown_; }
@@ -25,7 +25,7 @@ public:
 private:
     std::uint64_t seen_ = 0;
     std::optional<Message> shown_;
-    std::optional<Message> waiting_;  ///< the newest of those that trouble has kept back
+    std::optional<Message> waiting_;  ///< the newest of those held back by a warning or alarm
     Clock::time_point since_{};
 };
 

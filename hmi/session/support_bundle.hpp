@@ -9,19 +9,19 @@
 
 namespace psicarve::session {
 
-/// What somebody needs who is to find out what went wrong.
+/// The data that support needs to find out what went wrong.
 struct SupportBundle {
     std::string messages;            ///< of this window
-    std::string log_folder;          ///< whose log files are copied; empty: none
-    std::optional<Profile> profile;  ///< the machine's, as far as it is known
+    std::string log_folder;          ///< its log files are copied; empty: none
+    std::optional<Profile> profile;  ///< the machine's, if it is known
     std::string versions;            ///< of the programs and what they run on
     std::string segment_name;
     std::string group;
 };
 
 /// Makes `folder`/psicarve-support-`stamp` with messages.txt, the log files, profile.toml, snapshot.psi (job,
-/// status and flight recorder of the segment) and versions.txt, and tells its path. What cannot be had is
-/// named in versions.txt. May take seconds.
+/// status and flight recorder of the segment) and versions.txt, and returns its path. versions.txt names what
+/// could not be had. May take seconds.
 Result<std::string> write_support_bundle(const SupportBundle& bundle, const std::string& folder,
                                          const std::string& stamp);
 

@@ -17,7 +17,7 @@ namespace psicarve::session {
 struct LatenessBar {
     std::string label;  ///< "≤ 2 µs": no tick of the bar was later
     std::uint64_t ticks = 0;
-    double height = 0.0;  ///< 0 to 1, by the logarithm of the ticks: one late tick in millions is to be seen
+    double height = 0.0;  ///< 0 to 1, by the logarithm of the ticks: one late tick in millions stays visible
 };
 
 /// How punctual the core's ticks have been since it started. Percentiles are upper edges of histogram bins.
@@ -33,21 +33,20 @@ struct TickHealth {
     std::size_t period_bar = 0;     ///< the first whose ticks may have been a whole period late
 };
 TickHealth tick_health(const CoreStatus& status);
-/// So late was 99 % of the ticks at most, as above; 0 before the first tick.
+/// The lateness that 99 % of the ticks do not exceed, as above; 0 before the first tick.
 std::int64_t late_p99_ns(const CoreStatus& status);
 
 /// "850 ns", "61 µs", "1.2 ms".
 std::string duration_text(std::int64_t duration_ns);
 
-/// How many ticks are missed in a second, over the last five: what the alarm of missed ticks goes by, at
-/// rest, too.
+/// Ticks missed per second, over the last five: the count that the alarm of missed ticks uses, at rest, too.
 class MissedMeter {
 public:
     using Clock = std::chrono::steady_clock;
     static constexpr std::chrono::seconds kLength{5};
 
-    /// At screen rate. The most that were missed in any second of the last five. A count that has gone down
-    /// is another core's.
+    /// Call it at screen rate. The most that were missed in any second of the last five. A count that has
+    /// gone down is another core's.
     std::uint64_t note(std::uint64_t missed_ticks, Clock::time_point now);
     void forget() noexcept { samples_.clear(); }
 
@@ -62,22 +61,22 @@ private:
 };
 
 class RateMeter;
-/// Of the faster head's tool over the surface: sqrt((r ψ')² + r'²), by the last second's mean speeds.
+/// Speed of the faster head's tool over the surface: sqrt((r ψ')² + r'²), from the last second's mean speeds.
 /// [mm/s]
 double surface_speed_mm_s(const RateMeter& rates, const CoreStatus& status, const Profile& profile);
 
-/// Speeds of what the status counts, over about the last second.
+/// Speeds of the status' counts, over about the last second.
 class RateMeter {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// At screen rate. A count that has gone down begins anew: another core, or another job.
+    /// Call it at screen rate. A count that has gone down begins anew: another core, or another job.
     void note(const CoreStatus& status, Clock::time_point now);
     void forget() noexcept { samples_.clear(); }
 
     double ticks_per_s() const noexcept { return ticks_per_s_; }
     double pulses_per_s(Axis axis) const noexcept { return pulses_per_s_[index_of(axis)]; }
-    /// By the machine's clock, which a virtual one is not the wall's.
+    /// By the machine's clock, which differs from the wall's if it is virtual.
     double pulses_per_machine_s(Axis axis) const noexcept { return pulses_per_machine_s_[index_of(axis)]; }
     /// Ticks missed in the last second.
     std::uint64_t missed_lately() const noexcept { return missed_lately_; }

@@ -15,7 +15,7 @@
 
 namespace psicarve::session {
 
-/// What a trace came to when it was held against its job.
+/// The verification of a trace against its job.
 struct Judgement {
     std::string path;
     std::shared_ptr<const cam::PreparedJob> job;
@@ -23,20 +23,20 @@ struct Judgement {
     std::shared_ptr<const verify::Verifier> verifier;  ///< for its carved surface
 };
 
-/// Judges a pin trace against a job, as `psicarve verify` does, on a thread of its own. One thread, the
-/// owner's.
+/// Judges a pin trace against a job, as `psicarve verify` does, on a thread of its own. All calls come from
+/// one thread, the owner's.
 class TraceJudge {
 public:
     explicit TraceJudge(MessageLog& log) : log_(log) {}
     ~TraceJudge() { cancel(); }
 
-    /// Against the job that the trace carries; `job`, which may be null, is for one that carries none.
+    /// Uses the job that the trace carries; `job`, which may be null, is for a trace that carries none.
     void judge(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
     void cancel() noexcept { cancels_.store(true); }
     bool is_judging() const noexcept { return is_judging_; }
-    /// At screen rate.
+    /// Call it at screen rate.
     void poll() { lane_.deliver(); }
-    /// What came of the last one, once.
+    /// The result of the last judgement, once.
     std::shared_ptr<const Judgement> take() noexcept { return std::move(done_); }
 
 private:

@@ -9,10 +9,10 @@
 
 namespace psicarve::session {
 
-/// What stands in the way of testing outputs one by one; nothing when the drives are off and nothing moves.
+/// Why outputs cannot be tested one by one; nothing when the drives are off and nothing moves.
 std::optional<Phrase> wiring_lock(const MachineSight& machine);
 
-/// Whether outputs may be tested: armed on purpose, and over when nothing was tested for a while.
+/// Whether outputs may be tested: armed on purpose, and over after a while without a test.
 class WiringTest {
 public:
     using Clock = std::chrono::steady_clock;
@@ -26,7 +26,7 @@ public:
     bool is_armed() const noexcept { return is_armed_; }
     /// An output is tested now.
     void use(Clock::time_point now) noexcept { used_ = now; }
-    /// Until it is over, rounded up; 0: it is, or not armed.
+    /// Time until it is over, rounded up; 0: it is over, or not armed.
     std::chrono::seconds left(Clock::time_point now) const noexcept;
 
 private:

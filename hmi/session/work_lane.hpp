@@ -11,8 +11,8 @@
 
 namespace psicarve::session {
 
-/// A thread that works off tasks one after the other for an owner that must never wait. What a task returns
-/// is run on the owner's thread by its next deliver().
+/// A thread that runs tasks one after the other for an owner that must never wait. The owner's next deliver()
+/// runs, on the owner's thread, what a task returns.
 class WorkLane {
 public:
     using Finish = std::function<void()>;
@@ -22,16 +22,16 @@ public:
     enum class Haste : std::uint8_t { prompt, background };
 
     explicit WorkLane(Haste haste = Haste::prompt);
-    /// Drops what waits, and what was not delivered; waits for the task that runs.
+    /// Drops waiting tasks, and undelivered results; waits for the task that runs.
     ~WorkLane();
     WorkLane(const WorkLane&) = delete;
     WorkLane& operator=(const WorkLane&) = delete;
 
     void post(Task task);
     void drop_waiting();
-    /// Waits until all is worked off.
+    /// Waits until all tasks have run.
     void finish();
-    /// Tasks that wait, run, or are not delivered.
+    /// No task waits, runs, or is undelivered.
     bool is_idle() const;
     void deliver();
 

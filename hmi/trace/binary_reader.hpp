@@ -43,7 +43,7 @@ public:
     /// A job that the trace carries.
     struct Job {
         std::uint64_t checksum = 0;
-        std::vector<std::byte> blob;  ///< as it stands there: only its checksum was compared
+        std::vector<std::byte> blob;  ///< as the trace holds it: only its checksum was compared
     };
     /// Skips events up to the next job; nothing: the trace ends without one. bad_input when the job is
     /// damaged; else as read(). `keeps_blob` false: skips the blob without checking it.

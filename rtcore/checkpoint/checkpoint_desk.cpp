@@ -30,14 +30,14 @@ Result<void> check_room_for(std::uint64_t job_bytes, const std::string& folder) 
                      folder + ": a job of " + megabytes(job_bytes) + " is too large to be copied there"};
     }
     struct statvfs disk {};
-    if (::statvfs(folder.c_str(), &disk) != 0) return {};  // writing it will tell
+    if (::statvfs(folder.c_str(), &disk) != 0) return {};  // the write reports the fault
     const std::uint64_t free_bytes = std::uint64_t{disk.f_bavail} * disk.f_frsize;
     if (free_bytes / 2 >= job_bytes) return {};
     return Error{ErrorCode::out_of_room, folder + ": a job of " + megabytes(job_bytes) +
                                              " is not copied there, with " + megabytes(free_bytes) + " free"};
 }
 
-/// What no record before had, also where all that told of them is gone.
+/// A number that no earlier record had, also where all traces of those are gone.
 std::uint64_t first_sequence() {
     using std::chrono::system_clock;
     return static_cast<std::uint64_t>(system_clock::now().time_since_epoch() / std::chrono::nanoseconds{1});
@@ -63,7 +63,7 @@ LeftCheckpoint CheckpointDesk::look() {
     auto left = load_saved_checkpoint(path);
     if (!left) {
         std::error_code error;
-        // A folder that does not say whether it is there may have it as well.
+        // A folder whose files cannot be seen may have the record as well.
         if (!std::filesystem::exists(path, error) && !error) return {};
         if (!std::exchange(has_told_unread_, true))
             rtcore::try_to_say(left.error().message + ": nothing is known of an unfinished piece");
@@ -80,7 +80,7 @@ LeftCheckpoint CheckpointDesk::look() {
     return {std::move(*left), false};
 }
 
-/// What the file says is the job's, and the same for all its layers.
+/// The record of this state: the job's facts are the same for all its layers.
 SavedCheckpoint CheckpointDesk::saved_of(const KeptState& state) {
     if (facts_.checkpoint.job_checksum != state.job->checksum) {
         const auto profile = job_profile(state.job->view);
@@ -98,9 +98,9 @@ SavedCheckpoint CheckpointDesk::saved_of(const KeptState& state) {
     return saved;
 }
 
-/// A lower layer of the piece at hand is safe to go on with, and so is what the run before it has carved
-/// where this one came as far. More is not, nor is anything of a piece that lies on the table no more, or is
-/// carved to its end.
+/// It is safe to continue from a lower layer of the present piece, and from the layer of the run before it
+/// once this one came as far. It is not safe from a higher layer, nor with a piece that is no longer on the
+/// table, or is carved to its end.
 bool CheckpointDesk::may_stay(const Checkpoint& now) const noexcept {
     if (is_unread_ || now.next_layer == now.layer_count) return false;
     return std::ranges::all_of(may_stand_, [&](const Checkpoint& standing) {
@@ -134,7 +134,7 @@ void CheckpointDesk::note_gone() {
 void CheckpointDesk::do_given() {
     is_asked_for.store(false);
     const std::uint64_t seen = given_order.load();
-    // In this order: what was carved before a run that waits is taken with it, or was before.
+    // In this order: layers carved before a waiting run are taken with it, or were before.
     auto run = runs.take();
     const auto newest = carved.take();
     if (newest != nullptr && run != nullptr && newest->order > run->order) run.reset();
@@ -147,13 +147,13 @@ void CheckpointDesk::do_given() {
 
 void CheckpointDesk::write(const KeptState& state) {
     order_ = state.order;
-    // A disk that could not be read then may say now what it has.
+    // A disk that could not be read then may be readable now.
     if (is_unread_) look();
     if (state.why == Keeping::as_before) return take_back(state);
     SavedCheckpoint wanted = saved_of(state);
     if (state.why == Keeping::announced) {
         Checkpoint& announced = wanted.checkpoint;
-        // What is no record of this job stays true.
+        // A record of another job stays true.
         if (announced.earlier_layer == 0 && !tells_of(announced.job_checksum)) return;
         if (!std::exchange(is_announced_, true)) stood_ = standing_;
         const bool is_of_it = stood_ && stood_->checkpoint.job_checksum == announced.job_checksum;
@@ -167,7 +167,7 @@ void CheckpointDesk::write(const KeptState& state) {
     put(wanted);
 }
 
-/// Nothing was carved. What the segment knows of the job may be newer than what stood there: that may not
+/// Nothing was carved. The segment's record of the job may be newer than the one on the disk: that may not
 /// have been written.
 void CheckpointDesk::take_back(const KeptState& state) {
     const bool was_announced = std::exchange(is_announced_, false);
@@ -195,7 +195,8 @@ void CheckpointDesk::put(const SavedCheckpoint& saved) {
     is_refused.store(false);
 }
 
-/// It could not be written, or not for certain: what stands there may stay, or must go.
+/// The record could not be written, or not for certain: decides whether the one on the disk may stay, or must
+/// go.
 void CheckpointDesk::mend(const SavedCheckpoint& wanted, const Error& why) {
     is_refused.store(true);
     const Checkpoint& now = wanted.checkpoint;
@@ -239,7 +240,7 @@ void CheckpointDesk::copy_newest() {
     const std::uint64_t checksum = (*job)->checksum;
     const auto copied = copy(**job);
     const std::uint64_t failed_before = uncopied_job.exchange(copied ? 0 : checksum);
-    // Once a job: it is tried again.
+    // Report it once for each job: the copy is tried again.
     if (!copied && failed_before != checksum) {
         rtcore::try_to_say(copied.error().message +
                            "; after the computer was switched off publish it from its own file");
@@ -249,18 +250,18 @@ void CheckpointDesk::copy_newest() {
 
 Result<void> CheckpointDesk::copy(const LoadedJob& job) const {
     const std::string path = names_.job(job.checksum);
-    // Whole, or it would not have its name.
+    // A file with this name is complete: it gets its name last.
     if (is_snapshot_file(path)) return {};
     if (const auto made = make_state_folder(place_.folder); !made) return made.error();
     if (const auto room = check_room_for(job.blob.size(), place_.folder); !room) return room.error();
     return save_job_for_everybody(job.blob, path);
 }
 
-/// As far as the folder can be read.
+/// Removes them as far as the folder can be read.
 void CheckpointDesk::remove_other_jobs(const std::string& path) const {
     std::error_code error;
     std::vector<std::string> others;
-    // Not by a loop over the range: that throws where the disk fails.
+    // Not by a range loop: that throws where the disk fails.
     for (std::filesystem::directory_iterator entry{place_.folder, error}, end; !error && entry != end;
          entry.increment(error)) {
         const std::string other = place_.folder + "/" + entry->path().filename().string();

@@ -70,7 +70,7 @@ void CheckpointFile::keep(const ToKeep& what, const std::shared_ptr<const Loaded
     std::uint32_t& told = told_[job->checksum];
     told = std::max(told, what.checkpoint.next_layer);
     auto& place = what.why == Keeping::carved ? desk_->carved : desk_->runs;
-    // Of a run that carves nothing more is to be told.
+    // A run that carves needs no announcement any more.
     if (what.why == Keeping::carved) desk_->runs.take();
     const CheckpointDesk::KeptState state{what.checkpoint, job, seconds_now(), what.why, ++given_};
     place.put(state);
@@ -86,7 +86,7 @@ void CheckpointFile::keep(const ToKeep& what, const std::shared_ptr<const Loaded
     copy(job);
 }
 
-/// One task at most waits for the disk, whatever it is given meanwhile.
+/// Keeps at most one task waiting for the disk, however much is given meanwhile.
 void CheckpointFile::ask() {
     desk_->given_order.store(given_);
     if (desk_->is_asked_for.exchange(true)) return;
@@ -119,7 +119,7 @@ void CheckpointFile::tend() {
     }
 }
 
-/// What a disk has refused, which may take it now, though nothing more is carved.
+/// Writes again what a disk has refused: it may take it now, though nothing more is carved.
 void CheckpointFile::try_again() {
     if (!desk_->is_refused.load()) last_carved_.reset();
     if (!last_carved_) return;
@@ -156,7 +156,7 @@ std::optional<SavedCheckpoint> CheckpointFile::left_of(const LoadedJob& job) {
 std::uint32_t CheckpointFile::most_told_of(const LoadedJob& job) {
     if (desk_ == nullptr) return 0;
     look_at_left();
-    // A disk that has not said yet what is on it may say anything.
+    // A disk that has not been read yet may hold any record.
     if (reading_.valid() || is_left_unknown_) return job.view.layer_count();
     const auto told = told_.find(job.checksum);
     return told == told_.end() ? 0 : told->second;
@@ -180,7 +180,7 @@ bool CheckpointFile::forget(const RecordName& record) {
     const bool is_new = std::ranges::find(*waiting, record) == waiting->end();
     const bool is_full = is_new && waiting->size() >= kMostForgets;
     if (is_new && !is_full) waiting->push_back(record);
-    // Behind whatever waits to be written: what that is has another sequence.
+    // Behind the writes that wait: their records have other sequences.
     desk_->forgets.put(std::move(*waiting));
     ++given_;
     ask();
@@ -188,7 +188,7 @@ bool CheckpointFile::forget(const RecordName& record) {
     if (reading_.valid() && is_new) forgotten_.push_back(record);
     if (last_carved_ && last_carved_->job->checksum == record.job_checksum) last_carved_.reset();
     if (left_ && left_->name() == record) left_.reset();
-    if (copied_job_ == record.job_checksum) copied_job_ = 0;  // its copy goes, too
+    if (copied_job_ == record.job_checksum) copied_job_ = 0;  // its copy is removed, too
     return true;
 }
 

@@ -23,7 +23,7 @@ bool CheckpointKeeper::clear_foreign(SegmentHeader& header) const noexcept {
     return true;
 }
 
-/// What the segment knows of this very job.
+/// The segment's record of this very job.
 std::optional<Checkpoint> CheckpointKeeper::known_of(const SegmentHeader& header,
                                                      const LoadedJob& job) const noexcept {
     const auto known = read_record(header.checkpoint);
@@ -64,14 +64,14 @@ std::optional<ToKeep> CheckpointKeeper::announce(const SegmentHeader& header, co
     const bool is_under_way = sample.job_generation == job.generation && runs_job(sample.state);
     const auto before = known_of(header, job);
     if (!is_under_way) {
-        // Nothing was carved: all is as it was.
+        // Nothing was carved: the record before is valid.
         if (!std::exchange(is_announced_, false)) return std::nullopt;
         return ToKeep{before ? own(job, before->next_layer, before->earlier_layer) : Checkpoint{},
                       Keeping::as_before};
     }
     if (is_announced_ || sample.is_dry != 0) return std::nullopt;
     const std::uint64_t first_layer = sample.first_layer;
-    // One that begins later goes on with the piece that is known, or leaves it as it is.
+    // A run that begins later continues the known piece, or leaves its record as it is.
     if (before && first_layer != 0) return std::nullopt;
     if (!before && most_told <= first_layer) return std::nullopt;
     is_announced_ = true;
@@ -118,7 +118,7 @@ void CheckpointKeeper::forget(SegmentHeader& header, const RecordName& record) n
     write_record(header.checkpoint, Checkpoint{});
     written_.reset();
     begun_tick_ = run_start_tick_;
-    leaves_gap_ = true;  // what is told of the run that has ended is no news
+    leaves_gap_ = true;  // the samples of the run that has ended write nothing more
 }
 
 void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t first_layer,
@@ -128,13 +128,15 @@ void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t firs
     earlier_layer_ = 0;
     leaves_gap_ = false;
     const auto before = known_of(header, job);
-    if (!before) return;  // whoever begins later than with the first knows of the layers before
+    if (!before)
+        return;  // the operator who begins with a later layer has seen that the earlier ones are
+                 // carved
     if (first_layer == 0) {
         earlier_layer_ = before->left_behind();
         return;
     }
     if (before->next_layer == 0 && before->earlier_layer == 0) return;
-    // Any other layer behind the newer run's leaves a gap in that: nobody said that it is the older piece's.
+    // Any other layer behind the newer run's leaves a gap in that: it need not be the older piece's.
     const bool goes_back = before->earlier_layer > before->next_layer && first_layer == before->earlier_layer;
     carved_before_ = goes_back ? before->earlier_layer : before->next_layer;
     earlier_layer_ = goes_back ? 0 : before->earlier_layer;

@@ -35,7 +35,7 @@ void PieceMemory::note(SegmentHeader& header, const cycle::Sample& sample,
     header.core.keeping.store(file_.keeping().pack());
     if (job == nullptr) return;
     if (file_.has_answered_late()) {
-        // Whoever published the job has his answer already.
+        // The publisher has its answer already.
         const std::string remark = take_left(header, job);
         if (!remark.empty()) rtcore::try_to_say(remark);
     }

@@ -14,7 +14,7 @@
 namespace psicarve::guard {
 namespace {
 
-/// What follows "NAME:" and blanks at the begin of a line; empty: there is no such line.
+/// The text behind "NAME:" and blanks at the begin of a line; empty: there is no such line.
 std::string_view value_of(std::string_view status, std::string_view name) noexcept {
     for (std::size_t at = 0; at < status.size();) {
         const std::size_t end = std::min(status.find('\n', at), status.size());

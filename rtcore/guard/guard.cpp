@@ -30,9 +30,10 @@ namespace psicarve::guard {
 namespace {
 
 constexpr int kLook_ms = 20;
-constexpr int kSilentLooks = 25;  ///< in a row without a tick: counted, so that a suspended computer is none
+constexpr int kSilentLooks = 25;  ///< in a row without a tick: counted, so that a suspended computer does not
+                                  ///< count
 constexpr int kSafeTries = 5;
-/// With a port that does not take the safe state when the core is gone.
+/// For a port that does not take the safe state when the core is gone.
 constexpr std::chrono::minutes kPatience{10};
 constexpr int kExitUnsafe = 4;
 constexpr int kSignalExitBase = 128;
@@ -57,7 +58,7 @@ sigset_t orders_to_end() {
     return orders;
 }
 
-/// Of the other signals only a fault of its own ends a guard: who ends it leaves a core that nobody watches.
+/// Of the other signals only a fault of its own ends a guard: otherwise the core would have no guard.
 void ignore_other_signals() {
     sigset_t kept = orders_to_end();
     for (const int number : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS, SIGCHLD}) {
@@ -80,8 +81,8 @@ public:
     int run() {
         prctl(PR_SET_NAME, "psicarve-guard");
         ignore_other_signals();
-        // On a busy computer it must not wait for its turn, nor for a page from a disk. It hardly ever runs,
-        // and goes on without either where they are refused.
+        // On a busy computer the guard must not wait for its turn, nor for a page from a disk. It hardly ever
+        // runs, and goes on without either where they are refused.
         const sched_param lowest{.sched_priority = 1};
         static_cast<void>(sched_setscheduler(0, SCHED_FIFO, &lowest));
         static_cast<void>(mlockall(MCL_CURRENT));
@@ -120,11 +121,11 @@ private:
         }
     }
 
-    // Who orders after he has read that we go on trying, with a core that ends anyway, means us: he may not
-    // order twice.
+    // An order that comes after the guard has said that it goes on trying, with a core that ends anyway, is
+    // meant for the guard: a second one is not needed.
     void note_order() noexcept { is_released_ = is_released_ || (has_ticked_ && is_silence_said_); }
 
-    // A core that is stopped, or starved, puts out no pulses; but a spindle turns on.
+    // A core that is stopped, or starved, emits no pulses; but its spindle turns on.
     void watch_ticks() noexcept {
         const std::uint64_t ticks = page_.ticks();
         const bool is_ticking = page_.is_ticking();
@@ -133,21 +134,21 @@ private:
         watch_end(is_ticking);
         silent_looks_ = is_silent ? silent_looks_ + 1 : 0;
         if (owes_safe_state_) repay(is_silent || has_ticked_);
-        // Its pipe closes once its memory is given back; a spindle need not turn for so long.
+        // The core's pipe closes only when its memory is given back; the spindle need not turn that long.
         if (is_silent && core_end_.is_dying()) write_safe_state(duty_.safe_state);
         if (silent_looks_ != kSilentLooks) return;
-        // First: a core that comes back meanwhile must not write what it had in mind after us.
+        // First: a core that comes back meanwhile must not write its old levels after us.
         page_.note_act();
         const bool is_safe = write_safe_state(duty_.safe_state);
         owes_safe_state_ = !is_safe;
         say_outcome("the core (pid " + std::to_string(core_pid_) + ") does not tick any more; ", is_safe);
     }
 
-    // One that has put out its last tick may still have traces to end, and does not look after the port.
+    // A core that has put out its last tick may still have traces to end, and does not look after the port.
     void watch_end(bool is_ticking) noexcept {
         if (was_ticking_ && !is_ticking) {
             owes_safe_state_ = !write_safe_state(duty_.safe_state);
-            forward_orders();  // who gave them has not read yet what we say now
+            forward_orders();  // their senders have not read yet what is said now
             has_ticked_ = true;
             if (owes_safe_state_) {
                 say_outcome("", false);
@@ -158,8 +159,8 @@ private:
         was_ticking_ = is_ticking;
     }
 
-    // A core that ticks again does it itself: it has an alarm. Whether the port answers by then we do not
-    // hear.
+    // A core that ticks again writes it itself: it has an alarm. Whether the port answers by then the guard
+    // does not learn.
     void repay(bool is_ours) noexcept {
         owes_safe_state_ = is_ours && !duty_.safe_state.write();
         if (!is_ours) return try_to_say("the core ticks again: from now on it tries itself");
@@ -170,12 +171,13 @@ private:
         int status = 0;
         while (waitpid(core_pid_, &status, 0) < 0 && errno == EINTR) {
         }
-        // One that ended in order has made the port safe itself; that its end was one nobody has to believe.
+        // A core that ended in order has made the port safe itself; the guard checks that instead of trusting
+        // it.
         const bool is_safe = write_safe_state(duty_.safe_state);
         int exit_code = WEXITSTATUS(status);
         std::string event;
         if (WIFEXITED(status)) {
-            // Also where the core has made it answer, of which we hear nothing.
+            // Also where the core has made the port answer, which the guard does not learn.
             if (is_safe && is_silence_said_) say_it_answers();
             if (is_safe) return exit_code;
         } else {
@@ -194,7 +196,7 @@ private:
         return exit_code;
     }
 
-    /// An order that comes while it lasts is meant for us: there is nobody else.
+    /// An order that comes during this is meant for the guard: there is no core any more.
     bool persist() const {
         return port::write_until_taken(duty_.safe_state, kPatience,
                                        [&] { return is_released_ || take_order() != 0; });
@@ -203,7 +205,7 @@ private:
     void leave_words(bool is_safe) const {
         leave_last_words(duty_.segment_name, duty_.group, static_cast<std::uint32_t>(core_pid_), is_safe);
     }
-    // What nobody takes at once is not said: the port comes first.
+    // A line that cannot be written at once is dropped: the port comes first.
     static void try_to_say(const std::string& text) noexcept { rtcore::try_to_say("guard: " + text); }
     void say_outcome(const std::string& event, bool is_safe) noexcept {
         is_silence_said_ = !is_safe;
@@ -225,11 +227,11 @@ private:
     DyingWatch core_end_;
     std::uint64_t ticks_seen_ = 0;
     int silent_looks_ = 0;
-    bool owes_safe_state_ = false;  ///< the port did not take it
-    bool is_silence_said_ = false;  ///< that the port does not answer, and not yet that it does again
+    bool owes_safe_state_ = false;  ///< the port has not taken it
+    bool is_silence_said_ = false;  ///< said that the port does not answer, and not yet that it does again
     bool was_ticking_ = false;
-    bool has_ticked_ = false;   ///< and will not any more
-    bool is_released_ = false;  ///< by an order that was meant for us
+    bool has_ticked_ = false;   ///< and will not tick any more
+    bool is_released_ = false;  ///< by an order that was meant for the guard
 };
 
 }  // namespace
@@ -245,9 +247,9 @@ Result<std::variant<GuardLink, int>> part_from_guard(const GuardDuty& duty) {
         for (const int end : to_core) close(end);
         return error;
     }
-    // A terminal's Ctrl-Z would leave the spindle running; and nobody has to hear what we say.
+    // A terminal's Ctrl-Z would leave the spindle running; and words need not be read.
     for (const int number : {SIGTSTP, SIGTTIN, SIGTTOU, SIGPIPE}) signal(number, SIG_IGN);
-    // An order that comes now waits until there is somebody to take it.
+    // An order that comes now waits until one of the two processes can take it.
     const sigset_t order_set = orders_to_end();
     sigset_t before;
     sigprocmask(SIG_BLOCK, &order_set, &before);
@@ -260,8 +262,8 @@ Result<std::variant<GuardLink, int>> part_from_guard(const GuardDuty& duty) {
         return error;
     }
     if (pid == 0) {
-        // What kills a terminal's job or a shell's process group as a whole kills the guard, and we switch
-        // off.
+        // A signal that kills a terminal's job or a shell's process group as a whole kills the guard, and the
+        // core switches off.
         setpgid(0, 0);
         close(to_core[1]);
         close(to_guard[0]);

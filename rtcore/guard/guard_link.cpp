@@ -10,10 +10,10 @@
 namespace psicarve::guard {
 namespace {
 
-/// A hundred of its looks.
+/// A hundred of the guard's looks.
 constexpr std::chrono::seconds kLongestSilence{2};
-/// Counted of one pause of ours at most: in it the guard may have stood still as well, as in a suspended
-/// computer.
+/// The most that one pause between our looks counts: in it the guard may have stood still as well, as in a
+/// suspended computer.
 constexpr std::chrono::milliseconds kLongestStep{20};
 
 bool is_closed(int pipe_end) noexcept {

@@ -35,9 +35,9 @@ void leave_last_words(const std::string& segment_name, const std::string& group,
     auto segment = Segment::attach(segment_name, group);
     if (!segment) return;
     SegmentHeader& header = segment->header();
-    // The lock went with the core. Whoever has taken it since has cleared what the core had said.
+    // The lock went with the core. A core that has taken it since has cleared the old status.
     if (header.core.pid.load() != core_pid || segment->core_pid()) return;
-    // A core that died while it wrote leaves a record that nobody can read whole: its words all the same.
+    // A core that died while it wrote leaves a record that no reader accepts: use its words all the same.
     CoreStatus status = load_words<CoreStatus>(header.status.words);
     const bool is_told = status.alarm_cause == AlarmCause::core_lost;
     status.state = MachineState::alarm;

@@ -32,7 +32,7 @@ std::string layer_times_csv(const plan::JobEstimate& estimate, const JobView& jo
 
 namespace {
 
-/// A file that whoever started us has open, for as many times as a job comes.
+/// Writes to a file that the process that started us has open, each time a job comes.
 Result<void> write_inherited(const std::string& path, const std::string& text) {
     int descriptor = -1;
     const char* const end = path.data() + path.size();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::chrono::seconds kMissedInterval{60};
 constexpr std::size_t kMostWaiting =
-    1024;  ///< records, for the disk: a burst of any kind, and another half of one
+    1024;  ///< records that wait for the disk: a burst of any kind, and half of another
 
 std::int64_t now_ms() {
     using std::chrono::system_clock;
@@ -36,7 +36,7 @@ JournalFacts facts_of_start(const JournalStart& start) {
     return facts;
 }
 
-/// How a job ended whose last state this was.
+/// How a job ended that was last in this state.
 std::string_view ending_of(MachineState last, MachineState entered) noexcept {
     if (entered == MachineState::alarm) return "alarm";
     return last == MachineState::finishing ? "done" : "stopped";
@@ -121,7 +121,7 @@ void Journal::note_state(MachineState entered, const cycle::Sample& sample, cons
 
 void Journal::note_answer(const ReceivedCommand& received, AnswerKind kind, const std::string& reason,
                           std::uint64_t tick) {
-    // Allowed first: what is left out costs nothing, in a flood least of all.
+    // The allowance comes first: a record that is left out costs nothing, least of all in a flood.
     if (!may_put(JournalKind::command)) return;
     JournalFacts facts = facts_of_command(received);
     facts.add("answer", std::string_view{kind == AnswerKind::done ? "done" : "refused"});

@@ -19,14 +19,14 @@
 namespace psicarve::supervisor {
 namespace {
 
-constexpr int kTries = 3;  ///< to open a file while others exchange it
+constexpr int kTries = 3;  ///< to open a file while other cores exchange it
 
 Error cannot_write(const std::string& path, int error) {
     return Error{error == ENOSPC ? ErrorCode::out_of_room : ErrorCode::bad_input,
                  path + ": cannot be written: " + std::generic_category().message(error)};
 }
 
-/// Nothing but a file of ours that has this one name is written to.
+/// Whether a file may be written: one of ours with this name alone.
 bool is_own_file(int file, struct stat& facts) noexcept {
     return ::fstat(file, &facts) == 0 && S_ISREG(facts.st_mode) && facts.st_uid == ::geteuid() &&
            facts.st_nlink == 1;
@@ -37,7 +37,7 @@ void sync_folder(const std::string& path) noexcept {
     if (folder.get() >= 0) static_cast<void>(::fsync(folder.get()));
 }
 
-/// A record that was torn at its end, by a power cut or a full disk.
+/// A record that a power cut or a full disk has torn at its end.
 bool has_torn_end(int file, off_t size) noexcept {
     char last = '\n';
     return size > 0 && ::pread(file, &last, 1, size - 1) == 1 && last != '\n';
@@ -68,7 +68,7 @@ void JournalDesk::look_at_before() {
     JournalTail before{files_};
     for (const JournalRecord& record : before.read_more()) {
         sequence_ = std::max(sequence_, record.sequence);
-        // Also where its start went with an older file.
+        // Also where an exchange of files has removed the run's start.
         run_ = std::max(run_, record.run);
         if (record.kind != JournalKind::core) continue;
         if (record.what == "start" && record.run >= started_run_) {
@@ -113,7 +113,7 @@ void JournalDesk::write(JournalRecord record) {
     record.sequence = ++sequence_;
     record.run = run_;
     text += journal_line(record);
-    // Where more waits, that is synced with it.
+    // Where more records wait, this one is synced with them.
     const bool is_last = given_.fetch_sub(1) <= 1;
     if (const auto written = append(text, is_last); !written) {
         lost_.fetch_add(1);
@@ -123,7 +123,7 @@ void JournalDesk::write(JournalRecord record) {
     has_failed_ = false;
 }
 
-/// Either the whole text, or nothing that is a record.
+/// Appends either the whole text, or nothing that counts as a record.
 Result<void> JournalDesk::append(const std::string& line, bool must_stay) {
     if (const auto made = make_state_folder(place_.folder); !made) return made.error();
     const auto opened = open_newer(line.size());
@@ -134,7 +134,7 @@ Result<void> JournalDesk::append(const std::string& line, bool must_stay) {
     const bool is_torn = has_torn_end(file, facts.st_size);
     if (!write_whole(file, is_torn ? "\n" + line : line)) {
         const int error = errno;
-        // Refused or not: what is left of it is one damaged line.
+        // If this fails, the rest is one damaged line.
         [[maybe_unused]] const int cut = ::ftruncate(file, facts.st_size);
         return cannot_write(files_.newer, error);
     }
@@ -143,7 +143,7 @@ Result<void> JournalDesk::append(const std::string& line, bool must_stay) {
     return {};
 }
 
-/// Written it is either way: whoever reads it finds it.
+/// The record is written either way, and readers find it.
 void JournalDesk::sync(int file) {
     if (::fdatasync(file) == 0) {
         has_sync_failed_ = false;
@@ -155,7 +155,7 @@ void JournalDesk::sync(int file) {
                        "; what is written there may be lost at a power cut");
 }
 
-/// It becomes the older one. What is not ours takes no history away.
+/// Makes it the older file. A file that is not ours must not replace history.
 Result<void> JournalDesk::put_aside(bool is_own) const {
     struct stat facts {};
     const bool is_kept = ::lstat(files_.older.c_str(), &facts) == 0 && S_ISREG(facts.st_mode);
@@ -167,7 +167,7 @@ Result<void> JournalDesk::put_aside(bool is_own) const {
     return {};
 }
 
-/// One that is full, or not ours to write to, becomes the older one.
+/// Opens the newer file; one that is full, or not ours to write to, becomes the older one.
 Result<OpenFile> JournalDesk::open_newer(std::uint64_t line_bytes) {
     constexpr int kFlags = O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
     for (int left = kTries; left > 0; --left) {

@@ -58,7 +58,7 @@ std::string check_not_empty(const std::string& text) {
     return text.empty() ? "the name is empty" : std::string{};
 }
 
-/// What is read from the command line as words and turned into something else.
+/// Options that are read as words and converted.
 struct Texts {
     std::string port = "sim";
     std::string clock;
@@ -182,7 +182,7 @@ int print_what_was_asked(const CLI::App& app, const CLI::Success& success) {
     return kExitBadOutput;
 }
 
-/// Descriptors among the traces are their giver's own.
+/// Descriptors among the traces belong to the process that gave them.
 Result<void> check_files(const CoreOptions& options) {
     std::vector<NamedFile> files{{"--profile", options.profile_path, false},
                                  {"profile", options.unnamed_profile_path, false},
@@ -196,7 +196,7 @@ Result<void> check_files(const CoreOptions& options) {
     return check_distinct(files);
 }
 
-/// What would be ignored in silence is not what was meant.
+/// Refuses options that would be ignored silently.
 Result<void> check_meant(const CLI::App& app, const CoreOptions& options) {
     const auto wrong = [](const char* option, const char* why) {
         return Error{ErrorCode::bad_usage, std::string{option} + ": " + why};
@@ -226,7 +226,8 @@ Result<void> check_meant(const CLI::App& app, const CoreOptions& options) {
     return {};
 }
 
-/// Where time is real, somebody's piece is, too. As whoever starts it: --user makes it the system's.
+/// A core on the real clock carves a real piece, and keeps its state. Chosen for the user who starts it:
+/// --user makes it the system's.
 void choose_state_folder(const Texts& texts, CoreOptions& options) {
     const bool keeps_none = options.clock == ClockKind::virtual_time || !options.replay_path.empty() ||
                             options.measures_latency || texts.keeps_no_state;
@@ -264,7 +265,7 @@ int report_usage(const std::string& what) {
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<std::string> unknown = app.remaining(true);
     const auto is_option = [](const std::string& word) { return word.size() > 1 && word.front() == '-'; };
-    // A mistyped option explains more than what is then left over.
+    // A mistyped option explains more than the words that are left over because of it.
     auto culprit = std::ranges::find_if(unknown, is_option);
     if (culprit == unknown.end()) culprit = unknown.begin();
     if (culprit == unknown.end()) return error.what();

@@ -12,7 +12,7 @@
 namespace psicarve::port {
 namespace {
 
-/// What EndRequest turns into an orderly end, or ignores; and what ends nobody by itself.
+/// Signals that EndRequest turns into an orderly end, or ignores; and those that do not end a process.
 constexpr int kNotFatal[] = {SIGINT,  SIGTERM, SIGHUP,  SIGPIPE, SIGXFSZ, SIGKILL, SIGSTOP,
                              SIGTSTP, SIGTTIN, SIGTTOU, SIGCHLD, SIGCONT, SIGURG,  SIGWINCH};
 
@@ -25,7 +25,7 @@ void write_safe_state_and_die(int signal_number) {
     g_fatal_signal_came.store(true);
     if (g_is_watched_over.load()) {
         g_safe_state->write();
-        // The tick may have been in the middle of a write: it begins no other, and ours is the last.
+        // The tick may be in the middle of a write: it begins no other, and ours is the last.
         constexpr timespec kWriteUnderWay{.tv_sec = 0, .tv_nsec = 2'000'000};
         nanosleep(&kWriteUnderWay, nullptr);
         g_safe_state->write();
@@ -41,7 +41,7 @@ void handle_fatal_signals() {
     action.sa_handler = write_safe_state_and_die;
     sigfillset(&action.sa_mask);
     action.sa_flags = SA_ONSTACK;
-    // Those that the C library keeps to itself it refuses.
+    // The C library refuses those that it reserves for itself.
     for (int number = 1; number <= SIGRTMAX; ++number) {
         if (std::ranges::find(kNotFatal, number) == std::end(kNotFatal)) sigaction(number, &action, nullptr);
     }

@@ -10,8 +10,8 @@
 namespace psicarve::port {
 namespace {
 
-/// While it lives, signals that would end or stop the process wait: between the claim, which switches things
-/// on, and the safe state nobody else would write it.
+/// While it lives, signals that would end or stop the process are held back: between the claim, which
+/// switches outputs on, and the safe state no other process would write it.
 class SignalsHeldBack {
 public:
     SignalsHeldBack() noexcept {

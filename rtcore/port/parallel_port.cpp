@@ -61,7 +61,7 @@ bool ParallelPort::write_levels(SignalWord levels) noexcept {
     return true;
 }
 
-// One of the registers may have taken what the other has not.
+// One of the registers may have taken its byte and the other not.
 void ParallelPort::note_error(SignalWord wanted) noexcept {
     if (is_healthy_) stuck_ = levels_ | (wanted & kOutputMask);
     is_healthy_ = false;
@@ -89,7 +89,7 @@ void ParallelPort::wait(std::int64_t width_ns) noexcept {
     spin_until(rtcore::RealClock{}.now_ns() + width_ns);
 }
 
-// Of a pulse of many ticks more may be left than a processor should be kept busy for.
+// A pulse of many ticks may need a longer wait than a processor should spin for.
 void ParallelPort::wait_until(std::int64_t instant_ns) const noexcept {
     constexpr std::int64_t kLongestSpin_ns = 200'000;
     const rtcore::RealClock clock;

@@ -11,7 +11,7 @@
 namespace psicarve::port {
 namespace {
 
-/// By name, what the kernel's claim switches on; the rest nobody knows.
+/// The outputs that the kernel's claim switches on, by name; other outputs are not known.
 std::string may_be_on(const PinMap& pin_map) {
     constexpr std::uint8_t kControlAfterClaim = 0x0c;  // Source: Linux parport_pc, parport_pc_init_state()
     OutputRegisters registers = pin_map.encode(0);

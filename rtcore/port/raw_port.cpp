@@ -27,8 +27,8 @@ Error refused(std::uint16_t base, const std::string& text) {
     return Error{ErrorCode::machine_refused, "port at " + hex_of(base) + ": " + text};
 }
 
-/// Takes the locks of this base, for ports without a driver: the descriptors that hold them. The name is
-/// every core's; the bytes besides, where they can be had, are what other programs may know of.
+/// Takes the locks of this base, for ports without a driver: returns the descriptors that hold them. Every
+/// core takes the name; the bytes, where they can be had, are for other programs that check them.
 Result<std::vector<int>> lock_base(std::uint16_t base, const KernelPlaces& places) {
     const auto name = lock_name(base_lock_name(places.dev, base));
     if (!name) return refused(base, name.error().message);
@@ -50,7 +50,7 @@ Result<std::optional<OpenPort>> claim_from_kernel(std::uint16_t base, const std:
         std::find_if(ports.begin(), ports.end(), [&](const KernelPort& port) { return port.base == base; });
     if (found == ports.end()) return std::optional<OpenPort>{};
     const std::string device = places.dev + "/" + found->name;
-    // Asked by opening it: access() asks for whoever started us, without our capabilities.
+    // Tries by opening it: access() checks the rights of the user who started us, without our capabilities.
     const int trial = ::open(device.c_str(), O_RDWR | O_CLOEXEC);
     if (trial >= 0) ::close(trial);
     if (trial < 0 && (errno == EACCES || errno == EPERM || errno == ENOENT)) {
@@ -68,7 +68,7 @@ public:
     void write(std::uint16_t address, std::uint8_t byte) override { outb(byte, address); }
 };
 
-/// Of a port that the kernel's driver has not put into a plain mode for us.
+/// For a port that the kernel's driver has not put into a plain mode for us.
 std::string mode_of(std::uint16_t base, const std::vector<KernelPort>& ports) {
     const auto address = extended_address(base, ports);
     if (!address || ioperm(*address, 1, 1) != 0) return "mode not asked";
@@ -105,7 +105,7 @@ Result<OpenPort> open_raw(std::uint16_t base, const PinMap& pin_map, const Kerne
                           inb(static_cast<std::uint16_t>(base + 1)) == kNothingThere &&
                           inb(static_cast<std::uint16_t>(base + kControlOffset)) == kNothingThere;
     if (is_empty) return refused(base, "nothing answers there; see the BIOS, or name another address");
-    // What was claimed is safe already.
+    // A claimed port is safe already.
     if (!is_claimed) {
         modes = mode_of(base, ports);
         if (const auto safe = make_safe_at_opening(open.access(), pin_map, open.description()); !safe)

@@ -9,7 +9,7 @@
 namespace psicarve::rtcore {
 
 HandlerStack::HandlerStack() {
-    // What the kernel saves of a big processor's registers comes on top of what the handler needs.
+    // The kernel saves a big processor's registers there, too, in addition to what the handler needs.
     constexpr std::size_t kHandlerBytes = std::size_t{32} << 10;
     memory_.resize(static_cast<std::size_t>(std::max(sysconf(_SC_MINSIGSTKSZ), 0L)) + kHandlerBytes);
     const stack_t stack{.ss_sp = memory_.data(), .ss_flags = 0, .ss_size = memory_.size()};

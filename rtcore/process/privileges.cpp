@@ -19,7 +19,7 @@
 namespace psicarve::rtcore {
 namespace {
 
-/// By capability's number.
+/// A set of capabilities; bit: the capability's number.
 using Capabilities = std::uint64_t;
 constexpr unsigned kBitsPerWord = 32;
 constexpr int kMostCapabilities = 64;
@@ -57,7 +57,7 @@ bool keep_only(Capabilities kept) noexcept {
     return set_capabilities(kept, kept);
 }
 
-/// Up to so much of it may be had without a capability from here on.
+/// Lets the process have up to this much of a resource without a capability from here on.
 bool raise_limit(int resource, rlim_t least) noexcept {
     rlimit limit{};
     // The calls want the enumeration's own type in C++.
@@ -103,7 +103,7 @@ Result<UserAccount> account_of(const std::string& name) {
 Result<void> become_user(const UserAccount& account) {
     if (is_already(account)) return {};
     const Capabilities before = permitted();
-    // The kernel takes them from who leaves root, unless it is told not to.
+    // The kernel drops the capabilities of a process that leaves root, unless PR_SET_KEEPCAPS is set.
     const bool is_user = ::initgroups(account.name.c_str(), account.group) == 0 &&
                          ::setresgid(account.group, account.group, account.group) == 0 &&
                          prctl(PR_SET_KEEPCAPS, 1, 0, 0, 0) == 0 &&
@@ -114,7 +114,7 @@ Result<void> become_user(const UserAccount& account) {
                           "start it as " +
                               account.name);
     }
-    // What the kernel makes of it by itself depends on fs.suid_dumpable.
+    // Otherwise fs.suid_dumpable decides what the kernel makes of it.
     if (!is_user || prctl(PR_SET_KEEPCAPS, 0, 0, 0, 0) != 0 || !set_capabilities(before, 0) ||
         prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0) {
         return Error{ErrorCode::machine_refused,
@@ -141,7 +141,7 @@ bool will_be_in_group(const UserAccount& account, gid_t group) {
     std::vector<gid_t> groups(1);
     int count = 1;
     while (::getgrouplist(account.name.c_str(), account.group, groups.data(), &count) < 0) {
-        // Where it does not say how many there are, twice as many.
+        // Where getgrouplist does not say how many there are, try twice as many.
         count = std::max(count, 2 * static_cast<int>(groups.size()));
         if (count > NGROUPS_MAX) return false;
         groups.resize(static_cast<std::size_t>(count));
@@ -164,7 +164,7 @@ std::vector<std::string> drop_privileges(const StillNeeded& needed) {
         keep_unless(raise_limit(RLIMIT_RTPRIO, static_cast<rlim_t>(needed.priority)), CAP_SYS_NICE,
                     "CAP_SYS_NICE");
     }
-    // Every page that is mapped from here on counts against it.
+    // Every page that is mapped from here on counts against the limit.
     if (needed.locks_memory) {
         keep_unless(raise_limit(RLIMIT_MEMLOCK, RLIM_INFINITY), CAP_IPC_LOCK, "CAP_IPC_LOCK");
     }

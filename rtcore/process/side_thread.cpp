@@ -16,7 +16,7 @@ namespace {
 constexpr std::chrono::seconds kPatience{2};
 constexpr std::chrono::hours kUntilSomethingHappens{24};
 
-/// Whatever a disk or a want of memory does to it: the machine is at work.
+/// Runs a task whatever a disk or a lack of memory does to it: the machine is at work.
 void do_one(const std::function<void()>& work) noexcept {
     try {
         work();
@@ -31,7 +31,7 @@ void do_one(const std::function<void()>& work) noexcept {
 
 void lower_own_priority() noexcept {
     constexpr int kLowPriority = 10;  // nice
-    // Refused or not: it only asks for less. On Linux each thread has a niceness of its own.
+    // A refusal does not matter: it only lowers the priority. On Linux each thread has a niceness of its own.
     static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowPriority));
 }
 
@@ -85,7 +85,7 @@ void SideThread::run(Shared& shared, Priority priority) {
     if (priority == Priority::low) lower_own_priority();
     for (;;) {
         const std::uint32_t seen = event_count(shared.given);
-        // What was given before the end was asked for is done.
+        // Tasks that were given before the end was asked for still run.
         const bool must_end = shared.must_end.load();
         do_all(shared);
         if (must_end) break;

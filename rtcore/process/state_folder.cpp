@@ -22,7 +22,7 @@ std::string without_last_slash(std::string folder) {
     return folder;
 }
 
-/// Whether only root and we can take out of it what we put in.
+/// Whether only root and we can remove what we put in.
 bool is_only_ours(int folder) noexcept {
     struct stat facts {};
     if (::fstat(folder, &facts) != 0) return false;
@@ -30,7 +30,7 @@ bool is_only_ours(int folder) noexcept {
     return is_ours && (facts.st_mode & (S_IWGRP | S_IWOTH)) == 0;
 }
 
-/// What has just been made, held fast; no link that has come into its place, nothing of another's.
+/// Opens the folder that was just made; refuses a link in its place, or another user's folder.
 OpenFile open_made(int parent, const char* name) noexcept {
     OpenFile made{::openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC)};
     struct stat facts {};
@@ -64,7 +64,7 @@ void make_state_folder_for(const std::string& folder, uid_t user, gid_t group) {
     if (::mkdirat(parent.get(), name.c_str(), kStateFolderMode) != 0) return;
     const OpenFile it = open_made(parent.get(), name.c_str());
     if (it.get() < 0) return;
-    // Where this is refused, writing to it will be, and says so.
+    // Where this is refused, writing to the folder is refused as well, and that is reported.
     static_cast<void>(::fchmod(it.get(), kStateFolderMode));
     [[maybe_unused]] const int given = ::fchown(it.get(), user, group);
 }

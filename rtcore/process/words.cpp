@@ -14,7 +14,7 @@
 namespace psicarve::rtcore {
 namespace {
 
-/// A line as it is written: in one piece, so that those of several processes do not mix. Longer ones are cut.
+/// A line, written in one piece, so that those of several processes do not mix. Longer ones are cut.
 class Line {
 public:
     explicit Line(std::string_view text) noexcept {
@@ -34,13 +34,13 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Another way to the same pipe or terminal, on which nothing waits; the flags of the one that was given to
-/// us are its other users' too.
+/// Opens the same pipe or terminal once more, without blocking: the flags of the descriptor that was given to
+/// us are shared with its other users.
 int open_without_waiting() noexcept {
     return open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
 }
 
-/// Another way to it would have a place of its own in it.
+/// A second descriptor of a file would have a position of its own.
 bool is_file() noexcept {
     struct stat status {};
     return fstat(STDERR_FILENO, &status) == 0 && S_ISREG(status.st_mode);
@@ -61,7 +61,7 @@ void say(std::string_view line) noexcept {
 void try_to_say(std::string_view line) noexcept {
     if (is_file()) return say(line);
     const Line whole{line};
-    // The journal's is a socket.
+    // The journal's standard error is a socket.
     const ssize_t sent = send(STDERR_FILENO, whole.data(), whole.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
     if (sent >= 0 || errno != ENOTSOCK) return;
     if (const int own = open_without_waiting(); own >= 0) {

@@ -23,7 +23,7 @@ RealtimeTreatment::RealtimeTreatment(const RealtimeWish& wish) : wish_(wish), cp
     if (!cpu_ && !wish.takes_any_cpu) cpu_ = rtcore::isolated_cpu();
     steps_ = rtcore::set_up_process_memory();
     steps_.push_back(awake_.hold());
-    // Now, so that no thread of the core's parts ever runs there.
+    // Before the core's threads start, so that none of them ever runs there.
     if (cpu_) rtcore::keep_off_cpu(*cpu_);
 }
 
@@ -33,7 +33,7 @@ void RealtimeTreatment::touch_memory() {
 
 bool RealtimeTreatment::treat_this_thread() {
     thread_ = gettid();
-    // The kernel's page with the time is no memory that can be locked: it comes with the first look at it.
+    // The kernel's page with the time cannot be locked: the first reading brings it in.
     (void)rtcore::RealClock{}.now_ns();
     for (rtcore::SetupStep& step : rtcore::set_up_realtime_thread(wish_.priority, cpu_)) {
         steps_.push_back(std::move(step));
@@ -52,7 +52,7 @@ bool RealtimeTreatment::treat_this_thread() {
                      "milliseconds; %s\n",
                      std::string{kKernelRemedy}.c_str());
     }
-    // A processor that was asked for by name and cannot be had is a mistake of whoever asked.
+    // A processor that was asked for by name and cannot be had is a mistake of the user.
     const bool has_no_cpu = wish_.cpu && !is_done(RealtimeStep::tick_cpu);
     const bool may_tick = !wish_.is_needed || (facts_.has_rights() && !has_no_cpu);
     if (!may_tick) {
@@ -64,13 +64,13 @@ bool RealtimeTreatment::treat_this_thread() {
     return may_tick;
 }
 
-// What may be had the first thread has found out and told. Only what is decided is read here.
+// The first thread has found out and reported what the system grants. This only reads what was decided.
 void RealtimeTreatment::treat_interpolation_thread() const {
     static_cast<void>(rtcore::set_up_realtime_thread(std::max(1, wish_.priority - 1), cpu_));
 }
 
 void RealtimeTreatment::begin_counting() {
-    // The first reading makes pages of its own, which the second does not find again.
+    // The first reading makes page faults of its own, which the second does not repeat.
     (void)rtcore::counts_of_thread(thread_);
     before_ = rtcore::counts_of_thread(thread_).value_or(rtcore::ThreadCounts{});
 }

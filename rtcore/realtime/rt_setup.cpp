@@ -72,7 +72,7 @@ SetupStep lock_memory() {
 [[gnu::noinline]] void touch_stack() noexcept {
     char pages[kStackBytes];
     std::memset(pages, 0, sizeof pages);
-    // Keeps the compiler from seeing that nobody reads it.
+    // Keeps the compiler from noticing that no code reads it.
     asm volatile("" : : "r"(pages) : "memory");
 }
 
@@ -127,8 +127,8 @@ SetupStep touch_heap() {
 
 namespace {
 
-// A byte for itself, in one piece: unlike a read it makes the page, unlike a store it can undo none. Or with
-// nothing would do the same, but Clang makes a read of it.
+// Exchanges a byte for itself, in one piece: unlike a read it makes the page, unlike a store it cannot undo
+// another thread's write. Or-ing with nothing would do the same, but Clang makes a read of it.
 [[gnu::no_sanitize_address]] void write_back(unsigned char* byte) noexcept {
     unsigned char value = __atomic_load_n(byte, __ATOMIC_RELAXED);
     __atomic_compare_exchange_n(byte, &value, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
@@ -136,7 +136,7 @@ namespace {
 
 }  // namespace
 
-// Also memory that is in nobody's use, which a sanitizer would not like to see written.
+// Also touches unused memory, which a sanitizer would not allow.
 [[gnu::no_sanitize_address]] void touch_pages(void* begin, std::size_t bytes) noexcept {
     const auto page_bytes = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
     auto* const first = static_cast<unsigned char*>(begin);

@@ -10,8 +10,8 @@
 namespace psicarve::rtcore {
 namespace {
 
-/// Nothing of a file that cannot be read, as those of a thread that has ended since it was opened: here that
-/// is a state of the stream, where iterators would throw it.
+/// Empty for a file that cannot be read, such as that of a thread that has ended since it was opened: here
+/// that is a state of the stream, where iterators would throw.
 std::string text_of(const std::string& path) {
     std::ostringstream text;
     text << std::ifstream{path}.rdbuf();
@@ -42,8 +42,8 @@ ThreadCounts ThreadCounts::since(const ThreadCounts& before) const noexcept {
 std::optional<ThreadCounts> counts_of_thread(pid_t thread, const std::string& root) {
     const std::string folder = root + "/proc/self/task/" + std::to_string(thread);
     const std::string stat = text_of(folder + "/stat");
-    // Behind the name, which may hold anything: state, then ppid pgrp session tty tpgid flags minflt cminflt
-    // majflt.
+    // Behind the name, which may contain any character: state, then ppid pgrp session tty tpgid flags minflt
+    // cminflt majflt.
     const std::size_t name_end = stat.rfind(')');
     if (name_end == std::string::npos) return std::nullopt;
     std::istringstream fields{stat.substr(name_end + 1)};

@@ -19,10 +19,11 @@ Error cannot_publish(const std::string& reason) {
     return Error{ErrorCode::machine_refused, "the recorded job cannot be published: " + reason};
 }
 
-/// In place of an error's code: it is done.
+/// In place of an error's code: success.
 constexpr char kDone = '+';
 
-/// In the process of its own, which does not outlive the core: a code and an error's words, or kDone.
+/// Runs in the process of its own, which does not outlive the core: sends a code and an error's words, or
+/// kDone.
 [[noreturn]] void publish_and_tell(Segment& segment, std::span<const std::byte> job_blob, int to_core,
                                    pid_t core) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);

@@ -90,8 +90,8 @@ void add_part(cycle::MotionOrder& order, const FlightRecord& record) {
 
 using Records = std::vector<FlightRecord>;
 
-/// The newest job was loaded while the machine was homed and at rest, or later came to be: the snapshot holds
-/// no other job, so nothing before that can be run again.
+/// The newest job was loaded while the machine was homed and at rest, or it came to be so later: the snapshot
+/// holds no other job, so nothing before that can be run again.
 Records::const_iterator first_of_script(const Records& records) {
     const auto is_job = [](const FlightRecord& record) { return is_done(record, RecordKind::job); };
     const auto last_job = std::find_if(records.rbegin(), records.rend(), is_job);

@@ -32,8 +32,8 @@ Motor::Motor(const MotorConfig& config, std::int64_t start_pulses) noexcept
       rotor_pulses_(static_cast<double>(start_pulses)) {}
 
 Motor::Outcome Motor::pulse(int sign, std::int64_t time_ns) noexcept {
-    // Without a pulse for so long the rotor has swung out and stands; what it ran past its field is
-    // settle()'s to judge, not one long step of follow()'s. Any slow pulse can start it again.
+    // Without a pulse for this long the rotor has swung out and stands; settle() judges how far it ran past
+    // its field, not one long step of follow(). Any slow pulse can start it again.
     if (!at_rest_ && time_ns - last_ns_ > settle_ns_) settle();
     follow(sign, time_ns);
     if (out_of_step_) {
@@ -96,7 +96,7 @@ void Motor::follow(int sign, std::int64_t time_ns) noexcept {
     rotor_pps_ = next_pps;
 }
 
-/// After the last pulse, whose field goes on holding it or not.
+/// Comes to rest after the last pulse, with or without the field's hold.
 bool Motor::comes_to_rest(bool is_held) noexcept {
     const double excess_pps = std::abs(rotor_pps_) - config_.start_stop_pps;
     double rest_pulses = rotor_pulses_;
@@ -125,7 +125,7 @@ RotorReach::Room Motor::room_at(std::int64_t field_pulses) const noexcept {
     return {middle - room_pulses_, middle + room_pulses_};
 }
 
-/// All that the rotor may be doing at a time, as far as the moments tell.
+/// All states that the rotor may be in at a time, from the moments kept.
 RotorReach Motor::reach_at(std::int64_t time_ns) const noexcept {
     RotorReach reach(config_);
     const std::size_t first = moment_count_ > kMoments ? moment_count_ - kMoments : 0;

@@ -11,7 +11,7 @@
 namespace psicarve::sim {
 namespace {
 
-// Finer than a caliper reads on a blank of this kind. Cells that nobody cut take no memory.
+// Finer than a caliper reads on a blank of this kind. Uncut cells take no memory.
 constexpr std::size_t kColumns = 14'400;
 constexpr double kRow_mm = 0.01;
 // A cell: the radius in hundredths of a micrometre, above the head's bit. Never 0 once it is cut.
@@ -26,7 +26,7 @@ constexpr std::uint32_t cell_of(double radius_mm, std::size_t head) noexcept {
 
 std::unique_ptr<Workpiece> Workpiece::make(const SimConfig& config) {
     const auto rows = static_cast<std::size_t>(std::ceil(config.blank.height_mm / kRow_mm));
-    // Of calloc's large pieces the kernel gives what is used.
+    // The kernel provides only the used pages of a large calloc.
     Cells cells{static_cast<std::uint32_t*>(std::calloc(rows * kColumns, sizeof(std::uint32_t)))};
     if (cells == nullptr) return nullptr;
     return std::unique_ptr<Workpiece>{new Workpiece(config, rows, std::move(cells))};

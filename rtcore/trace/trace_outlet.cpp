@@ -44,7 +44,7 @@ void TraceOutlet::drain(trace::TraceRing& ring) {
 }
 
 void TraceOutlet::add_job(std::uint32_t generation) {
-    // Another than was begun is not what the pins do.
+    // If another job is set, it is not the one that the pins carve now.
     if (!job_ || static_cast<std::uint32_t>(job_->generation) != generation) return;
     for (File& file : files_) {
         if (file.carried_checksum == job_->checksum) continue;

@@ -67,7 +67,7 @@ void VcdWriter::write_positions(const Positions& pulses) noexcept {
     out_.write(" $end\n");
 }
 
-/// What a reader of the pins alone counts: a step edge of an enabled drive.
+/// Counts what a reader of the pins alone counts: a step edge of an enabled drive.
 void VcdWriter::count_pulses(SignalWord levels) noexcept {
     SignalWord edges = levels & ~levels_ & kStepMask;
     for (; edges != 0; edges &= edges - 1) {
@@ -114,7 +114,7 @@ void VcdWriter::add(const TraceEntry& entry) noexcept {
 }
 
 void VcdWriter::finish(std::uint64_t end_tick) noexcept {
-    // A last time without a change tells a viewer how far the trace reaches.
+    // A last time without a change shows a viewer how far the trace reaches.
     write_time(static_cast<std::int64_t>(end_tick) * period_ns_);
     out_.flush();
 }

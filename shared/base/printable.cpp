@@ -17,7 +17,7 @@ bool continues(char c) noexcept {
     return (byte_of(c) & 0xC0U) == 0x80U;
 }
 
-/// How many bytes a letter has that begins so; 0: none does.
+/// The number of bytes of a letter that begins with this one; 0: none does.
 std::size_t letter_size(char first) noexcept {
     const std::uint8_t lead = byte_of(first);
     if (lead < 0x80U) return 1;

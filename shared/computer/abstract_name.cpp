@@ -13,7 +13,7 @@ namespace psicarve {
 
 std::optional<AbstractName> AbstractName::from(const std::string& name) {
     AbstractName abstract;
-    // Its first byte is 0: it is no file's.
+    // Its first byte is 0: it is not the name of a file.
     if (name.size() > sizeof abstract.address_.sun_path - 1) return std::nullopt;
     abstract.address_.sun_family = AF_UNIX;
     std::copy(name.begin(), name.end(), abstract.address_.sun_path + 1);
@@ -32,7 +32,7 @@ std::optional<NameHolder> holder_of(const AbstractName& name) {
             ::getsockopt(caller, SOL_SOCKET, SO_PEERCRED, &listener, &bytes) == 0 && listener.pid > 0;
         holder = NameHolder{is_known ? process_text(listener.pid) : ""};
     } else if (errno == EAGAIN) {
-        // Who listens answers nobody: whoever has asked before still waits there.
+        // The listener answers no caller: one that asked before still waits there.
         holder = NameHolder{};
     }
     ::close(caller);

@@ -37,8 +37,8 @@ bool is_on_proc(const std::string& folder) noexcept {
     return ::statfs(folder.c_str(), &facts) == 0 && facts.f_type == PROC_SUPER_MAGIC;
 }
 
-/// Whether it leads, link by link, by what the kernel shows of a process, as /dev/stdout does to
-/// /proc/self/fd/1: whatever file is open there, that name is none of the file's.
+/// Whether it leads, link by link, through /proc's files of a process, as /dev/stdout does to
+/// /proc/self/fd/1: such a name does not belong to the file that is open there.
 bool leads_by_proc(std::string path) {
     constexpr int kMostLinks = 40;  // the kernel's own limit
     for (int i = 0; i < kMostLinks; ++i) {
@@ -53,7 +53,7 @@ bool leads_by_proc(std::string path) {
     return false;
 }
 
-/// The mode of the file that is to be replaced, if there is one. Refuses what a rename would destroy.
+/// The mode of the file to be replaced, if there is one. Refuses a file that a rename would destroy.
 Result<std::optional<mode_t>> mode_to_keep(const std::string& path) {
     if (leads_by_proc(path))
         return bad_input(path + ": is an open descriptor, not a file's name: use - for standard output");
@@ -79,7 +79,7 @@ int write_all(int file, std::span<const std::byte> bytes) noexcept {
     return 0;
 }
 
-/// What puts the content into a file; the error number, or 0.
+/// Puts the content into a file; returns the error number, or 0.
 using Filling = std::function<int(int file)>;
 
 int put_stream(int file, const std::function<void(std::FILE*)>& put) {
@@ -109,8 +109,8 @@ int fill(const OpenFile& file, std::optional<FileRights> rights, const Filling& 
     return ::fsync(file.get()) == 0 ? 0 : errno;
 }
 
-/// So that the new name itself survives a power failure. Some file systems cannot, and the file is whole
-/// anyway; the error number of a disk that could and did not, or 0.
+/// Makes the new name survive a power failure. Some file systems cannot, and the file is whole anyway;
+/// returns the error number of a disk that could and did not, or 0.
 int sync_folder(const std::string& path) noexcept {
     const OpenFile folder{::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
     if (folder.get() < 0 || ::fsync(folder.get()) == 0) return 0;
@@ -123,7 +123,7 @@ struct RegularFile {
 };
 
 Result<RegularFile> open_regular(const std::string& path) {
-    // Not blocking: a pipe that nobody writes is refused, not waited for.
+    // Not blocking: a pipe without a writer is refused, not waited for.
     OpenFile file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
     if (file.get() < 0) return file_error(path, "cannot be read", errno);
     struct stat facts {};
@@ -133,7 +133,7 @@ Result<RegularFile> open_regular(const std::string& path) {
     return RegularFile{std::move(file), static_cast<std::uint64_t>(facts.st_size)};
 }
 
-/// So many bytes; fewer when the file has become shorter.
+/// Reads this many bytes; fewer when the file has become shorter.
 Result<std::vector<std::byte>> read_start(const RegularFile& file, const std::string& path,
                                           std::uint64_t byte_count) {
     std::vector<std::byte> bytes(byte_count);

@@ -12,7 +12,7 @@
 namespace psicarve {
 namespace {
 
-/// What two names of one file have in common.
+/// Equal for two names of one file.
 struct FileIdentity {
     dev_t device;
     ino_t inode;       ///< of the file, or of its folder while there is no file
@@ -26,7 +26,7 @@ std::string parent_of(const std::string& path) {
     return slash == std::string::npos ? "./" : path.substr(0, slash + 1);
 }
 
-/// Where a link that leads to nothing yet leads; the path itself where it is none.
+/// The target of a link that leads to nothing yet; else the path itself.
 std::string followed(std::string path) {
     constexpr int kMostLinks = 40;
     for (int i = 0; i < kMostLinks; ++i) {

@@ -25,7 +25,7 @@ constexpr int kNameAttempts = 100;
 constexpr std::string_view kPrefix = ".psicarve-";
 constexpr std::string_view kEnding = ".part";
 
-/// Hidden names that a signal handler takes away. More at a time than there are threads that write.
+/// Hidden names that a signal handler removes. More at a time than there are threads that write.
 struct HiddenName {
     std::atomic<bool> is_taken{false};
     std::atomic<bool> is_whole{false};
@@ -78,8 +78,8 @@ bool is_hidden_name(std::string_view name) noexcept {
     return !middle.empty() && middle.find_first_not_of("0123456789abcdef-") == std::string_view::npos;
 }
 
-/// Whoever writes a hidden file holds its lock: one that can be had, of a file of this user, is of a process
-/// that ended.
+/// The writer of a hidden file holds its lock: a lock that can be had, on a file of this user, belongs to a
+/// process that has ended.
 void remove_if_left(int folder, const char* name) noexcept {
     const OpenFile file{::openat(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)};
     struct stat facts {};
@@ -99,8 +99,8 @@ void sweep(const std::string& folder) {
     }
 }
 
-/// Whether nobody sweeps it away while it is written: a sweep may have been quicker than the lock. Where
-/// nothing can be locked nothing is ever swept either.
+/// Whether the lock protects the file while it is written: another process's clean-up may have been quicker
+/// than the lock. Where nothing can be locked nothing is ever removed either.
 bool is_held(int file) noexcept {
     if (::flock(file, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
     struct stat facts {};
@@ -124,7 +124,7 @@ std::string folder_of(const std::string& path) {
 OrErrno<PartialFile> PartialFile::create_hidden(const std::string& folder, mode_t mode) {
     for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
         std::string path = hidden_path_in(folder);
-        // Before there is a file: a signal takes away what is not there without harm.
+        // Before the file exists: a signal may remove a missing name without harm.
         const int slot = remember(path);
         OpenFile file{::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode)};
         const int failed = file.get() < 0 ? errno : 0;
@@ -134,7 +134,7 @@ OrErrno<PartialFile> PartialFile::create_hidden(const std::string& folder, mode_
             continue;
         }
         release(slot);
-        // A process that had our pid and was killed may have left one.
+        // A killed process that had our pid may have left one.
         if (failed != EEXIST) return OrErrno<PartialFile>::failed(failed);
     }
     return OrErrno<PartialFile>::failed(EEXIST);
@@ -142,7 +142,7 @@ OrErrno<PartialFile> PartialFile::create_hidden(const std::string& folder, mode_
 
 OrErrno<PartialFile> PartialFile::create(const std::string& folder, mode_t mode) {
     sweep(folder);
-    // Its name comes through /proc.
+    // The file gets its name through /proc.
     if (::access("/proc/self/fd", X_OK) == 0) {
         OpenFile file{::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, mode)};
         if (file.get() >= 0) {
@@ -182,12 +182,13 @@ int PartialFile::replace(const std::string& path) noexcept {
 }
 
 int PartialFile::take_name(const std::string& path) noexcept {
-    // Some disks tell only a descriptor that is closed that they are full: another one, while nothing has the
-    // name yet. With the file itself the lock would go, and the hidden name be anyone's to sweep away.
+    // Some disks report that they are full only when a descriptor is closed: so closes another one, before
+    // the file has its name. Closing the file itself would release the lock, and any process could remove the
+    // hidden name.
     int failed = OpenFile{::fcntl(file_.get(), F_DUPFD_CLOEXEC, 0)}.close();
     if (failed != 0) return failed;
     if (!hidden_path_.empty()) return replace(path);
-    // A file that replaces nothing gets its name in one call; linking replaces none.
+    // A file that replaces nothing gets its name in one call; linking cannot replace a file.
     failed = link_as(path);
     for (int attempt = 0; failed == EEXIST && attempt < kNameAttempts; ++attempt) {
         hidden_path_ = hidden_path_in(folder_);

@@ -22,7 +22,7 @@ constexpr std::string_view job_ending(bool is_simulator) noexcept {
 }
 
 bool is_set(const char* name) {
-    return std::getenv(name) != nullptr;  // NOLINT(concurrency-mt-unsafe): nobody changes the environment
+    return std::getenv(name) != nullptr;  // NOLINT(concurrency-mt-unsafe): no thread changes the environment
 }
 
 std::string text_of_variable(const char* name) {
@@ -30,7 +30,7 @@ std::string text_of_variable(const char* name) {
     return value == nullptr ? std::string{} : std::string{value};
 }
 
-/// What is no absolute path is to be passed over, says the XDG base directory specification.
+/// The XDG base directory specification says to ignore a path that is not absolute.
 std::string state_folder_of_user() {
     const std::string state = text_of_variable("XDG_STATE_HOME");
     const std::string home = text_of_variable("HOME");
@@ -41,7 +41,7 @@ std::string state_folder_of_user() {
 constexpr unsigned kMarkBits = 30;
 constexpr std::uint32_t kMarkMask = (std::uint32_t{1} << kMarkBits) - 1;
 
-/// No disk is asked: it may hang. Never 0.
+/// Does not ask a disk, which may hang. Never 0.
 std::uint32_t mark_of(const std::string& folder) {
     std::error_code error;
     const auto from_root = std::filesystem::absolute(folder, error);

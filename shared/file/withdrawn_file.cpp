@@ -21,7 +21,7 @@ int sync_folder_of(const std::string& path) noexcept {
 }  // namespace
 
 Result<void> withdraw_file(const std::string& path) {
-    // While it has its name: what follows may leave it without one and still on the disk.
+    // Opens it while it has its name: the next calls may remove the name and leave the file on the disk.
     const OpenFile file{::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)};
     int failed = ::unlink(path.c_str()) == 0 || errno == ENOENT ? 0 : errno;
     if (failed == 0) failed = sync_folder_of(path);

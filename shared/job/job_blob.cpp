@@ -76,7 +76,7 @@ std::vector<std::byte> job_blob_from_table(const JobTable& table) {
     header.psi_sweep_pulses = table.psi_sweep_pulses;
     header.joining = static_cast<std::uint32_t>(table.joining);
     header.pass_count = static_cast<std::uint32_t>(table.passes.size());
-    // A text that is no profile is found by job_profile; its signs do not matter then.
+    // job_profile() reports a text that is no profile; its signs do not matter then.
     const Result<Profile> parsed = parse_profile(table.profile_toml, "profile");
     const Profile profile = parsed ? *parsed : Profile{};
     for (const Axis axis : kAllAxes) {

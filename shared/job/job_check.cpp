@@ -8,7 +8,7 @@
 namespace psicarve {
 namespace {
 
-/// One head as its table sees it: counted positions, the tip's offset away from the real radius.
+/// One head as its table uses it: counted positions, the tip's offset away from the real radius.
 struct HeadLimits {
     Axis axis;
     double pulses_per_mm;
@@ -59,7 +59,7 @@ public:
           left_mm_(1.0 / left_.pulses_per_mm),
           right_mm_(1.0 / right_.pulses_per_mm),
           clearance_mm_(profile.head_clearance_mm),
-          // Each radius stands at its nearest pulse: half a pulse of each head is no fault of the table.
+          // Radii are rounded to pulses: half a pulse of each head is no fault of the table.
           least_sum_mm_(clearance_mm_ - left_.tip_offset_mm - right_.tip_offset_mm -
                         0.5 * (left_mm_ + right_mm_) * (1.0 + 1e-9)) {}
 
@@ -170,7 +170,7 @@ Result<void> check_heights(const JobView& job, const Profile& profile) {
     return {};
 }
 
-/// The row ends in one point, and the next one of a spiral begins in it.
+/// Checks that the row ends in the point in which the next one of a spiral begins.
 Result<void> check_joint(const JobView& job, std::uint32_t layer) {
     for (const Axis head : {Axis::r1, Axis::r2}) {
         const auto row = [&](std::uint32_t of) {

@@ -8,7 +8,7 @@
 namespace psicarve {
 namespace {
 
-// Where a profile asks for less: a blank is not turned, nor its centre found, to tenths of a millimetre.
+// Used where a profile has less: a blank is not turned, nor its centre found, to tenths of a millimetre.
 constexpr double kLeastClearance_mm = 0.5;
 
 HeadScale head_scale(const LinearAxisProfile& axis) {
@@ -21,7 +21,8 @@ bool is_told(const JobView& job) noexcept {
            std::all_of(passes.begin(), passes.end(), [](const JobPass& pass) { return pass.clear_mm > 0.0; });
 }
 
-/// Whether either head comes in from outside anywhere in a pass: nobody roughs the air.
+/// Whether either head comes in from outside anywhere in a pass: a job that does not is in error about its
+/// blank.
 bool cuts_something(const JobView& job, const JobPass& pass, const HeadsOutside& outside) noexcept {
     for (std::uint32_t layer = pass.first_layer; layer < pass.first_layer + pass.layer_count; ++layer) {
         const auto left = job.r_left_pulses(layer);
@@ -62,7 +63,7 @@ double known_blank_mm(const JobView& job, const OutsideRule& rule) {
 
 HeadsOutside heads_outside(double standing_mm, const OutsideRule& rule) noexcept {
     HeadsOutside outside;
-    // No machine is so large, and every sum with it stays exact.
+    // No machine is larger, and every sum with it stays exact.
     constexpr double kMostPulses = 1e15;
     if (!(standing_mm > 0.0)) return outside;
     for (std::size_t head = 0; head < outside.from_pulses.size(); ++head) {
@@ -76,7 +77,7 @@ HeadsOutside heads_outside(double standing_mm, const OutsideRule& rule) noexcept
 
 HeadsOutside heads_outside(const JobView& job, const OutsideRule& rule) {
     const HeadsOutside outside = heads_outside(known_blank_mm(job, rule), rule);
-    // A pass all of which would be in the air belies what its job tells of the blank.
+    // If a whole pass would be in the air, the job is wrong about its blank.
     const std::span<const JobPass> passes = job.passes();
     const bool is_true = std::all_of(passes.begin(), passes.end(),
                                      [&](const JobPass& pass) { return cuts_something(job, pass, outside); });

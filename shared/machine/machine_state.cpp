@@ -15,7 +15,7 @@ struct Transition {
     MachineState to;
 };
 
-// Every legal pair but for `fail` and `stop`, which mean something in every state.
+// Every legal pair but for `fail` and `stop`, which have a meaning in every state.
 constexpr std::array kTransitions{
     Transition{S::off, E::home, S::homing},
     Transition{S::off, E::reset_height, S::homing},
@@ -67,7 +67,7 @@ constexpr MachineState state_after_stop(MachineState from) noexcept {
         case S::finishing:
             return S::stopping;
         case S::backing_off:
-            return S::alarm;  // one axis at home speed: it just ceases
+            return S::alarm;  // one axis at home speed: it simply stops
         case S::testing:
             return S::off;
         case S::off:

@@ -43,7 +43,7 @@ std::optional<BlankDifference> blank_difference(const BlankProfile& job, const B
     const bool is_in_the_way = is_wider || is_higher;
     using In = BlankDifference::In;
     const BlankDifference height{In::height, job.height_mm, machine.height_mm, is_in_the_way};
-    // What is in the way comes first.
+    // Report first what is in the way.
     if (is_higher && !is_wider) return height;
     if (are_other(job.radius_mm, machine.radius_mm))
         return BlankDifference{In::radius, job.radius_mm, machine.radius_mm, is_in_the_way};

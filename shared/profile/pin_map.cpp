@@ -111,7 +111,7 @@ Result<PinMap> PinMap::from_profile(const Profile& profile) {
 }
 
 std::uint32_t PinMap::pins_from_levels(SignalWord levels, std::size_t first, std::size_t end) const noexcept {
-    std::uint32_t active = 0;  // pins that any of their signals wants active
+    std::uint32_t active = 0;  // pins that any of their signals activates
     std::uint32_t inverted = 0;
     for (std::size_t i = first; i < end; ++i) {
         if (pins_[i] == 0) continue;
@@ -141,7 +141,7 @@ std::uint32_t PinMap::pins_from_registers(OutputRegisters registers) const noexc
 SignalWord PinMap::outputs_from_registers(OutputRegisters registers) const noexcept {
     SignalWord levels = levels_from_pins(pins_from_registers(registers), 0, kOutputSignalCount);
     for (const Axis axis : kAllAxes) {
-        // A drive whose enable input hangs in the air is on.
+        // A drive whose enable input is not connected is on.
         if (!is_wired(enable_of(axis))) levels |= bit_of(enable_of(axis));
     }
     if (charge_pump_pin_ != 0) {

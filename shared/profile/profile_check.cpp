@@ -103,7 +103,7 @@ std::optional<Problem> check_heads(const Profile& profile) {
     return std::nullopt;
 }
 
-/// Of heads that are out as far as they go the tips are as far apart as they ever are.
+/// With both heads out to the end of their travel the tips are as far apart as possible.
 std::optional<Problem> check_head_clearance(const Profile& profile) {
     double most_mm = 0.0;
     for (const Axis axis : {Axis::r1, Axis::r2}) {

@@ -18,7 +18,7 @@ using namespace profile_detail;  // NOLINT(google-build-using-namespace): this i
 
 constexpr std::size_t kQuotedBytes = 60;  // of foreign text in a message
 
-/// Foreign text made fit for one line of a message.
+/// Makes foreign text fit for one line of a message.
 std::string printable(std::string_view text, std::size_t most = kQuotedBytes) {
     std::string result;
     for (const char c : text.substr(0, most)) {
@@ -34,8 +34,8 @@ bool has_keys(std::string_view table) {
                        [&](const KeySpec& key) { return table_of_key(key.path) == table; });
 }
 
-/// The known key that was meant: of the table it was put into, never of another, where a like name means
-/// something else. Of a table that there is not: that table's name.
+/// The known key that was meant: one of the same table, never of another, where a similar name means
+/// something else. For an unknown table: the nearest table's name.
 std::string suggestion_for(const std::string& path) {
     constexpr std::size_t kLongestGuess = 80;
     const std::string nothing = "see profile show for all keys";
@@ -88,13 +88,13 @@ std::string table_expected(const std::string& path, const toml::node& node) {
     return text.append(path).append("]");
 }
 
-/// Reads one profile: every problem with its line, so that the first in the file can be told.
+/// Reads one profile: keeps every problem with its line, so that the first in the file can be reported.
 class Reader {
 public:
     void read(std::string_view text);
-    /// What has been found, in the order of its lines.
+    /// The problems found, in the order of their lines.
     std::vector<ProfileProblem> take_problems();
-    /// Without problems: what the text says. With them: as far as it could be read.
+    /// Without problems: what the text says. With them: the part that could be read.
     const Profile& profile() const { return profile_; }
     bool is_each_value_read() const { return is_each_value_read_; }
 
@@ -103,7 +103,7 @@ private:
     void read_node(const std::string& path, const toml::node& node);
     void note(std::int64_t line, const std::string& key, std::string text);
 
-    /// What is wrong with the value, or nothing: then it stands in the profile.
+    /// Stores the value in the profile, or returns what is wrong with it.
     static std::string store(const KeySpec& key, const toml::node& node, Profile& profile);
     void locate(Problem problem);
 
@@ -145,7 +145,7 @@ void Reader::read_node(const std::string& path, const toml::node& node) {
     if (!problem.empty()) note(node.source().begin.line, path, std::move(problem));
 }
 
-/// A number of any kind within the key's bounds, or what is wrong.
+/// Checks a number of any kind against the key's bounds; returns what is wrong.
 std::string number_problem(const KeySpec& key, double value) {
     const std::string unit = key.unit.empty() || key.unit == "pin" ? "" : " " + key.unit;
     if (!std::isfinite(value)) return number_text(value) + " is no number to work with; give a finite one";

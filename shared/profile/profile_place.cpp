@@ -9,7 +9,8 @@ namespace psicarve {
 namespace {
 
 std::string variable(const char* name) {
-    const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nobody changes the environment
+    const char* value =
+        std::getenv(name);  // NOLINT(concurrency-mt-unsafe): no thread changes the environment
     return value == nullptr ? std::string{} : std::string{value};
 }
 
@@ -21,7 +22,7 @@ std::vector<std::string> profile_places() {
         return named.empty() ? std::vector<std::string>{} : std::vector<std::string>{named};
     }
     std::vector<std::string> places;
-    // What is no absolute path is to be passed over, says the XDG base directory specification.
+    // The XDG base directory specification says to ignore a path that is not absolute.
     const std::string config = variable("XDG_CONFIG_HOME");
     const std::string home = variable("HOME");
     if (config.starts_with("/")) {
@@ -34,12 +35,12 @@ std::vector<std::string> profile_places() {
 }
 
 std::string default_profile_path() {
-    // A named one that is not there is a mistake, and is told when it is read.
+    // A named profile that does not exist is a mistake; reading it reports that.
     if (!variable("PSICARVE_PROFILE").empty()) return variable("PSICARVE_PROFILE");
     for (const std::string& place : profile_places()) {
         std::error_code error;
         const auto status = std::filesystem::symlink_status(place, error);
-        // What cannot be told (a folder that may not be looked into) is told when it is read.
+        // A file that cannot be examined (in a folder without access) counts: reading it reports that.
         if (status.type() != std::filesystem::file_type::not_found) return place;
     }
     return {};

@@ -116,7 +116,7 @@ private:
     std::string_view rest_;
 };
 
-/// What every record has goes to its place, all else to the facts.
+/// Puts the members of every record into their places, all else into the facts.
 void put_into(JournalRecord& record, std::string name, JournalFacts::Value value, bool& has_kind) {
     if (const auto* number = std::get_if<std::int64_t>(&value)) {
         if (name == "seq")

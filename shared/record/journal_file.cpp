@@ -19,12 +19,12 @@ Error cannot_read(const std::string& path) {
 
 }  // namespace
 
-// No ending is another's end: so none of these names can be that of another segment or kind.
+// No ending is the end of another one: so none of these names can be that of another segment or kind.
 JournalFiles::JournalFiles(const StateNames& names)
     : newer(names.base + (names.is_simulator ? ".simulated-journal" : ".journal")),
       older(names.base + (names.is_simulator ? ".older-simulated-journal" : ".older-journal")) {}
 
-/// Null: there is none. No link is followed; no pipe, device or folder is waited for.
+/// Null: there is none. Follows no link; waits for no pipe, device or folder.
 Result<JournalTail::Opened> JournalTail::open(const std::string& path) {
     OpenFile file{::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)};
     if (file.get() < 0 && errno == ENOENT) return Opened{};
@@ -43,7 +43,7 @@ void JournalTail::note(const Error& error) {
     if (!is_known) errors_.push_back(error);
 }
 
-/// Null also where it cannot be read.
+/// Null also for a file that cannot be read.
 JournalTail::Opened JournalTail::open_or_note(const std::string& path) {
     auto opened = open(path);
     if (opened) return std::move(*opened);
@@ -51,7 +51,7 @@ JournalTail::Opened JournalTail::open_or_note(const std::string& path) {
     return {};
 }
 
-/// Null: what is open is the newest. The newer one is looked for first: if the files are exchanged before the
+/// Null: the open file is the newest. Looks for the newer one first: if the files are exchanged before the
 /// second look, that finds it under the older name.
 JournalTail::Opened JournalTail::open_next() {
     auto newer = open_or_note(files_.newer);
@@ -65,14 +65,14 @@ JournalTail::Opened JournalTail::open_next() {
     return newer;
 }
 
-/// A line that is begun will have no end.
+/// A line that has begun in the old file will have no end.
 void JournalTail::turn_to(Opened next) {
     if (open_ != nullptr && !open_->begun_line.empty()) ++damaged_count_;
     before_ = std::exchange(open_, std::move(next));
 }
 
 void JournalTail::take_line(std::string_view line, std::vector<JournalRecord>& records) {
-    if (line.empty()) return;  // written where the line before may have been torn
+    if (line.empty()) return;  // written after a line that may have been torn
     if (auto record = parse_journal_line(line)) {
         records.push_back(std::move(*record));
     } else {
@@ -91,13 +91,13 @@ void JournalTail::take_lines(std::string_view text, std::vector<JournalRecord>& 
         }
         text.remove_prefix(end + 1);
     }
-    // Garbage without a line feed is not collected: longer than this it is no record anyhow.
+    // Garbage without a line feed is not collected: a longer line is no record.
     if (open_->begun_line.size() <= kMostJournalLineBytes) open_->begun_line += text;
 }
 
 void JournalTail::read_rest(std::vector<JournalRecord>& records) {
     std::vector<char> buffer(std::size_t{1} << 16);
-    // Twice what a core writes: whoever fills it meanwhile keeps nobody here.
+    // Twice the size that a core writes: a writer that keeps filling the file does not hold us up.
     for (std::uint64_t left = 2 * kMostJournalBytes; left > 0;) {
         const ssize_t got = ::read(open_->file.get(), buffer.data(), buffer.size());
         if (got < 0 && errno == EINTR) continue;
@@ -114,7 +114,7 @@ std::vector<JournalRecord> JournalTail::read_more() {
         if (open_ != nullptr) read_rest(records);
         auto next = open_next();
         if (next == nullptr) return records;
-        // What was written before the files were exchanged.
+        // Reads the rest that was written before the files were exchanged.
         if (open_ != nullptr) read_rest(records);
         turn_to(std::move(next));
     }

@@ -119,7 +119,7 @@ Result<SavedCheckpoint> parse_saved_checkpoint(std::span<const std::byte> bytes,
 }
 
 Result<SavedCheckpoint> load_saved_checkpoint(const std::string& path) {
-    // One byte more than it may have.
+    // One byte more than the file may have.
     const auto bytes = read_file_start(path, sizeof(SavedFile) + 1);
     if (!bytes) return bytes.error();
     return parse_saved_checkpoint(*bytes, path);
@@ -179,7 +179,7 @@ std::optional<FoundCheckpoint> find_unfinished(const std::string& segment_name,
 
 Result<void> forget_piece(const FoundCheckpoint& found) {
     if (auto gone = withdraw_record(found.path, found.saved.name()); !gone) return gone.error();
-    // Without its checkpoint it is a job like others: harmless where it stays.
+    // Without its checkpoint it is a job like any other: harmless where it stays.
     if (!found.job_path.empty()) ::unlink(found.job_path.c_str());
     return {};
 }
@@ -188,7 +188,7 @@ Result<void> withdraw_record(const std::string& path, const RecordName& record) 
     const auto standing = load_saved_checkpoint(path);
     std::error_code error;
     if (!standing && !std::filesystem::exists(path, error) && !error) return {};
-    if (!standing) return standing.error();  // another program's, or a disk's that does not say
+    if (!standing) return standing.error();  // another program's, or the disk does not answer
     if (standing->name() != record)
         return Error{ErrorCode::machine_refused, path + ": another record has come meanwhile; it is left"};
     return withdraw_file(path);

@@ -232,7 +232,7 @@ Result<void> save_snapshot(const Snapshot& snapshot, const std::string& path, co
     const auto parts = parts_of(snapshot);
     SnapshotHeader header = header_of(snapshot);
     header.checksum = checksum_of(header, parts);
-    // Written part by part: a job may be larger than what can be copied once more.
+    // Written part by part: there may be no memory for another copy of a job.
     const std::array all{std::as_bytes(std::span{&header, 1}), parts[0], parts[1], parts[2], parts[3]};
     return write_parts_atomically(path, all, *rights);
 }

@@ -108,7 +108,7 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
                                offsetof(IncrementEntry, psi_pulses),
                                kCommandKindCount,
                                kMachineStateCount});
-    // A byte that was no field of its own: snapshots of before can be read.
+    // A byte that was unused before: older snapshots stay readable.
     hash = hash_numbers(hash, {offsetof(CoreStatus, is_left_forecast)});
     return hash_numbers(hash, {sizeof(SegmentHeader),
                                offsetof(SegmentHeader, ready),

@@ -51,11 +51,11 @@ int kind_of_ours() noexcept {
     return kind;
 }
 
-/// glibc asserts or hangs on bytes that are no mutex, so they are looked at before it gets them.
+/// glibc asserts or hangs on bytes that are no mutex, so this checks them before glibc gets them.
 bool is_one_of_ours(const pthread_mutex_t& mutex) noexcept {
     if (__atomic_load_n(&mutex.__data.__kind, __ATOMIC_RELAXED) != kind_of_ours()) return false;
-    // The kernel takes a dying owner's name out of the lock word before it forgets the thread. A name that
-    // nobody bears is therefore no dead owner but garbage, on which glibc would abort.
+    // The kernel removes a dying owner's number from the lock word before it forgets the thread. A number
+    // that no thread has is therefore no dead owner but garbage, on which glibc would abort.
     const int word = __atomic_load_n(&mutex.__data.__lock, __ATOMIC_RELAXED);
     const pid_t owner = word & static_cast<int>(FUTEX_TID_MASK);
     if (owner == 0 || ::kill(owner, 0) == 0 || errno != ESRCH) return true;

@@ -44,14 +44,14 @@ Result<void> make_contents(SegmentObject& object, const std::string& name, const
     return fill_header(*header, options.capacity_layers, options.capacity_points);
 }
 
-/// Makes the object if the name is free. False: somebody else was first, look again.
+/// Makes the object if the name is free. False: another process was first, look again.
 Result<bool> try_make(const std::string& name, const SegmentOptions& options) {
     auto created = SegmentObject::create(name, options.group);
     if (!created) return created.error();
     if (!created->has_value()) return false;
     SegmentObject& object = **created;
-    // Between creation and this lock the object looks like one whose creator died: whoever held the lock
-    // meanwhile has taken the name away from it.
+    // Between creation and this lock the object looks like one whose creator died: a process that held the
+    // lock meanwhile has removed its name.
     if (!object.try_lock(LockByte::creator) || !object.is_named(name)) return false;
     if (auto made = make_contents(object, name, options); !made) {
         if (auto removed = SegmentObject::unlink(name); !removed) return removed.error();
@@ -66,11 +66,11 @@ bool is_to_be_replaced(HeaderState state, const SegmentOptions& options) noexcep
            (options.replaces_damaged && is_damaged(state));
 }
 
-/// Frees the name of an object that its creator left half made, or that is nobody's any more. False: its
+/// Frees the name of an object that its creator left half made, or that has no user any more. False: its
 /// creator is at work.
 Result<bool> try_take_away(SegmentObject& object, const std::string& name, const SegmentOptions& options) {
     if (!object.try_lock(LockByte::creator)) return false;
-    // Nobody removes the name without this lock: now it cannot change under us.
+    // No process removes the name without this lock: now it cannot change under us.
     if (is_to_be_replaced(examine_header(object).state, options) && object.is_named(name)) {
         if (auto removed = SegmentObject::unlink(name); !removed) return removed.error();
     }
@@ -160,7 +160,7 @@ Result<void> Segment::hand_over(const std::string& name, uid_t user, gid_t group
     if (!whole_name) return whole_name.error();
     auto found = SegmentObject::open_whosoever(*whole_name);
     if (!found) return found.error();
-    // Whoever becomes its core meanwhile finds it locked.
+    // A core that claims it meanwhile finds it locked.
     if (!found->has_value() || !(*found)->try_lock(LockByte::core)) return {};
     return (*found)->give_to_user(*whole_name, user, group);
 }

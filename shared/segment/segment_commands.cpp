@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How often a sender that waits looks whether the core still lives.
+/// How often a waiting sender checks whether the core still lives.
 constexpr std::chrono::milliseconds kVerdictCheckInterval{100};
 
 constexpr std::uint64_t pack(SlotState state, std::uint32_t sender_pid) noexcept {
@@ -47,8 +47,8 @@ bool move_slot(CommandSlot& slot, std::uint64_t from, std::uint64_t to) noexcept
     return slot.state_and_sender.compare_exchange_strong(from, to, std::memory_order_acq_rel);
 }
 
-/// For whoever owns the slot just then. The start time goes first: a slot never shows a new sender's pid
-/// beside the start time of one before it.
+/// Only the slot's present owner calls this. The start time goes first: a slot never shows a new sender's pid
+/// beside an earlier sender's start time.
 bool free_slot(CommandSlot& slot, std::uint64_t from) noexcept {
     slot.sender_start_time.store(0, std::memory_order_relaxed);
     return move_slot(slot, from, kFreeSlot);
@@ -76,8 +76,8 @@ void post(SegmentHeader& header, CommandSlot& slot, const Command& command, std:
     slot.stops_seen.store(pack(stops_in(header)), std::memory_order_relaxed);
     slot.state_and_sender.store(pack(SlotState::pending, pid), std::memory_order_release);
     event_signal(header.command_raised);
-    // Not before: the look takes as long as the core does. The slot stays ours; until then its start time is
-    // 0, and the pid alone counts.
+    // Not before: the look takes as long as the core's answer. The slot stays ours; until then its start time
+    // is 0, and the pid alone counts.
     slot.sender_start_time.store(process_start_time(pid), std::memory_order_relaxed);
 }
 
@@ -90,7 +90,7 @@ Result<std::string> read_answer(CommandSlot& slot, std::uint32_t pid) {
                  reason.empty() ? "the core refused it without a reason" : reason};
 }
 
-/// Leaves a slot whose answer nobody waits for. False: it was answered meanwhile.
+/// Leaves a slot whose answer is no longer wanted. False: it was answered meanwhile.
 bool give_up(CommandSlot& slot, std::uint32_t pid) noexcept {
     return free_slot(slot, pack(SlotState::pending, pid)) ||
            move_slot(slot, pack(SlotState::taken, pid), pack(SlotState::abandoned, pid)) ||
@@ -120,7 +120,7 @@ Result<std::string> wait_for_answer(Segment& segment, CommandSlot& slot, std::ui
 
 // --- core --------------------------------------------------------------------------------------------------
 
-/// True when the slot is in use by a process that is no more; it is free afterwards.
+/// True when a dead process used the slot, which is free afterwards.
 bool free_if_sender_died(CommandSlot& slot, std::uint64_t word) noexcept {
     if (is_process_alive(sender_of(word), slot.sender_start_time.load(std::memory_order_relaxed)))
         return false;
@@ -157,7 +157,7 @@ Result<void> send_command(Segment& segment, const Command& command, std::chrono:
                                                " command slots are in use: wait for the others' commands"};
     }
     post(segment.header(), *slot, command, pid);
-    // Not before: the look takes longer than the core does.
+    // Not before: the look takes longer than the core's answer.
     if (!segment.core_pid() && free_slot(*slot, pack(SlotState::pending, pid))) {
         return Error{ErrorCode::no_core,
                      "no core serves segment " + segment.name() + ": start psicarve-rtcore"};
@@ -193,7 +193,7 @@ std::optional<ReceivedCommand> take_command(Segment& segment, SenderLook look) {
     if (slot == nullptr) return std::nullopt;
     const std::uint64_t word = slot->state_and_sender.load(std::memory_order_acquire);
     const std::uint32_t sender = sender_of(word);
-    // Only once it is taken do its words stand still: before, the sender may give up and write another.
+    // Its words stand still only once it is taken: before, the sender may give up and write another.
     if (state_of(word) != SlotState::pending || !move_slot(*slot, word, pack(SlotState::taken, sender))) {
         return std::nullopt;
     }

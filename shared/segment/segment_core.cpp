@@ -43,8 +43,8 @@ Result<void> Segment::take_core_lock() {
     return {};
 }
 
-// After everything was cleared: whoever sees the new core may send to it, and nothing sent to it is taken for
-// its predecessor's.
+// After everything was cleared: a sender that sees the new core may send to it, and its commands are not
+// taken for commands to the core before.
 void Segment::sign_core() noexcept {
     SegmentHeader& shared = header();
     shared.core.start_time.store(process_start_time(own_pid()));
@@ -52,7 +52,7 @@ void Segment::sign_core() noexcept {
 }
 
 void Segment::release_core() noexcept {
-    // A forked child has our lock, but it is not its to give back.
+    // A forked child has our lock, but must not release it.
     if (mapping_->core_owner_pid != own_pid()) return;
     header().core.pid.store(0);
     mapping_->object.unlock(LockByte::core);

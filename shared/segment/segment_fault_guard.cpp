@@ -15,7 +15,7 @@ namespace {
 
 struct GuardedRange {
     std::atomic<std::uintptr_t> begin{0};  ///< 0: entry is free
-    std::atomic<std::size_t> bytes{0};     ///< 0: not to be looked at (yet)
+    std::atomic<std::size_t> bytes{0};     ///< 0: not to be used (yet)
     std::atomic<bool> is_lost{false};
 };
 
@@ -23,8 +23,8 @@ std::array<GuardedRange, 8> g_ranges;
 struct sigaction g_former_action;
 std::once_flag g_handler_installed;
 
-/// Puts zeros of our own in the place of pages that are no more. mmap is a plain system call on Linux and so
-/// may be used in a signal handler.
+/// Puts zeros of our own in place of missing pages. mmap is a plain system call on Linux and so may be used
+/// in a signal handler.
 bool cover_with_zeros(GuardedRange& range, std::uintptr_t begin, std::size_t bytes) noexcept {
     range.is_lost.store(true);
     void* const address = reinterpret_cast<void*>(begin);  // NOLINT(performance-no-int-to-ptr)

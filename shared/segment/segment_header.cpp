@@ -29,7 +29,7 @@ bool is_all_zero(const FixedPart& bytes) noexcept {
     return std::all_of(bytes.begin(), bytes.end(), [](std::byte b) { return b == std::byte{0}; });
 }
 
-/// Unknown boots (no /proc) count as this one.
+/// Unknown boots (no /proc) count as the present one.
 bool is_from_this_boot(const FixedPart& bytes) {
     constexpr std::size_t kIdBytes = sizeof(SegmentHeader::boot_id);
     const auto id = field_at<std::array<char, kIdBytes>>(bytes, offsetof(SegmentHeader, boot_id));
@@ -116,7 +116,7 @@ HeaderFacts examine_header(const SegmentObject& object) {
 }
 
 Error refusal_of(const HeaderFacts& facts, const std::string& name) {
-    // One of ours is taken over as soon as nobody uses it.
+    // A segment of another version is taken over as soon as no program uses it.
     const std::string remedy =
         is_damaged(facts.state) ? "or end what uses it and remove /dev/shm" + name
                                 : "or end the programs of the other version that use it: the core, and pid " +
@@ -128,7 +128,7 @@ Error refusal_of(const HeaderFacts& facts, const std::string& name) {
 Result<void> fill_header(SegmentHeader& header, std::uint32_t capacity_layers,
                          std::uint32_t capacity_points) {
     const SegmentGeometry geometry = segment_geometry(capacity_layers, capacity_points);
-    // With the magic there and `ready` not, the object is known as half made, and as ours.
+    // With the magic and without `ready`, the object is recognised as half made, and as ours.
     header.magic = kSegmentMagic;
     header.layout_version = kLayoutVersion;
     header.abi_hash = segment_abi_hash();

@@ -21,21 +21,21 @@ namespace bip = boost::interprocess;
 using Clock = std::chrono::steady_clock;
 using Lock = bip::scoped_lock<RobustMutex>;
 
-/// How often whoever waits for a verdict looks whether the core still lives.
+/// How often a publisher that waits for a verdict checks whether the core still lives.
 constexpr std::chrono::milliseconds kCoreCheckInterval{100};
-/// A copy begins again at most so often when publishers are faster than it.
+/// How often a copy begins again when publishers are faster than it.
 constexpr int kCopyAttempts = 8;
 
 std::uint32_t slot_of(std::uint64_t generation) noexcept {
     return static_cast<std::uint32_t>(generation % 2);
 }
 
-/// No publisher comes so far: a greater number is damage, and not to be counted on from.
+/// No publisher reaches it: a greater number is damage, and not to be counted on from.
 constexpr std::uint64_t kLastGeneration = std::uint64_t{1} << 62;
 /// How long a publisher that was refused waits to take its job back.
 constexpr std::chrono::milliseconds kTakeBackLimit{1000};
 
-/// A slot's words, which belong together.
+/// The words of a slot that belong together.
 struct SlotLabel {
     std::uint64_t generation;
     std::uint64_t bytes;
@@ -47,7 +47,7 @@ std::uint64_t seal_of(const SlotLabel& label) noexcept {
     return job_checksum(std::as_bytes(std::span{words}));
 }
 
-/// Of the slot of this generation, if it was written for it.
+/// The label of this generation's slot, if the slot was written for it.
 std::optional<SlotLabel> label_of(const SegmentHeader& header, std::uint64_t generation) noexcept {
     const SlotContent& content = header.publication.of_slot[slot_of(generation)];
     const SlotLabel label{.generation = content.generation.load(std::memory_order_acquire),
@@ -78,7 +78,7 @@ Error too_large(const Segment& segment, std::uint64_t bytes) {
                      " points): use a core started with a larger --capacity on another --segment");
 }
 
-/// The job of one generation, copied; the caller knows whether that generation stood still meanwhile.
+/// Copies the job of one generation; the caller knows whether that generation stood still meanwhile.
 Result<std::vector<std::byte>> copy_slot(Segment& segment, std::uint64_t generation) {
     const auto label = label_of(segment.header(), generation);
     if (!label) {
@@ -97,7 +97,7 @@ Result<std::vector<std::byte>> copy_slot(Segment& segment, std::uint64_t generat
     return blob;
 }
 
-/// The generation that the core has in hand; 0: none.
+/// The generation that the core has accepted; 0: none.
 std::uint64_t accepted_generation(const SegmentHeader& header) noexcept {
     const auto status = read_record(header.status);
     return status ? status->job_generation : 0;
@@ -114,9 +114,10 @@ std::optional<Result<void>> judgement(const SegmentHeader& header, std::uint64_t
                      reason.empty() ? "the core refused the job without a reason" : reason};
     }
     if (verdict->generation < generation) return std::nullopt;
-    // Read after the verdict: accepted before that one's, it is there yet unless another was accepted since.
+    // Read after the verdict: a generation accepted before it is still there unless another was accepted
+    // since.
     if (accepted_generation(header) == generation) return Result<void>{};
-    // So great a number is that of a word which was damaged, and refused, before ours.
+    // A number this great is that of a damaged word, which the core refused before ours.
     const bool is_damaged = verdict->generation > kLastGeneration;
     if (is_damaged && header.publication.generation.load() == generation) return std::nullopt;
     return Error{ErrorCode::machine_refused, "another job was published meanwhile; publish this one again"};
@@ -127,8 +128,8 @@ bool is_refused(const SegmentHeader& header, std::uint64_t generation) noexcept 
     return verdict && verdict->generation == generation && verdict->accepted != 1;
 }
 
-/// Whose slot is not to be written to: the core may be copying what is published, and a snapshot needs what
-/// was accepted. 0: nobody's. A refused job has been judged, so nobody reads its slot.
+/// The generation whose slot must not be written: the core may be copying the published one, and a snapshot
+/// needs the accepted one. 0: none. A refused job has been judged, so no process reads its slot.
 std::uint64_t generation_to_keep(const SegmentHeader& header) noexcept {
     const std::uint64_t published = header.publication.generation.load();
     const std::uint64_t accepted = accepted_generation(header);
@@ -138,7 +139,7 @@ std::uint64_t generation_to_keep(const SegmentHeader& header) noexcept {
     return is_in_slot(header, accepted) ? accepted : 0;
 }
 
-/// Greater than any that a core may have judged, whatever has become of the word that publishes.
+/// Greater than any that a core may have judged, even where the word that publishes is damaged.
 std::uint64_t generation_to_publish(const SegmentHeader& header) noexcept {
     std::uint64_t last = 0;
     const auto count = [&last](std::uint64_t generation) {
@@ -146,7 +147,7 @@ std::uint64_t generation_to_publish(const SegmentHeader& header) noexcept {
     };
     count(header.publication.generation.load());
     count(accepted_generation(header));
-    // Also of a job that was taken back.
+    // Count a job that was taken back, too.
     for (const SlotContent& content : header.publication.of_slot) count(content.generation.load());
     if (const auto verdict = read_record(header.verdict)) count(verdict->generation);
     const std::uint64_t kept = generation_to_keep(header);
@@ -154,8 +155,8 @@ std::uint64_t generation_to_publish(const SegmentHeader& header) noexcept {
     return kept != 0 && slot_of(next) == slot_of(kept) ? next + 1 : next;
 }
 
-/// What is to be published in place of a refused job: what the core accepted, also before it was started anew
-/// and forgot it. 0: there is none.
+/// The job to publish in place of a refused one: the one that the core accepted, also if the core was started
+/// anew since and forgot it. 0: there is none.
 std::uint64_t generation_before(const SegmentHeader& header, std::uint64_t refused) noexcept {
     const std::uint64_t accepted = accepted_generation(header);
     if (accepted != refused && is_in_slot(header, accepted)) return accepted;
@@ -163,13 +164,13 @@ std::uint64_t generation_before(const SegmentHeader& header, std::uint64_t refus
     return other < refused && is_in_slot(header, other) ? other : 0;
 }
 
-/// Whoever published it was told that it was refused: a core started anew must not find it.
+/// Its publisher was told that it was refused: a core started anew must not find it.
 void take_back(Segment& segment, std::uint64_t generation) {
     SegmentHeader& header = segment.header();
     RobustMutex mutex{header.mutex};
     if (!mutex.lock_within(kTakeBackLimit)) return;
     const Lock lock{mutex, bip::accept_ownership};
-    // A core that was started anew meanwhile looks at it again.
+    // A core that was started anew meanwhile judges it again.
     if (!is_refused(header, generation)) return;
     SlotContent& content = header.publication.of_slot[slot_of(generation)];
     const bool is_published = header.publication.generation.load() == generation;
@@ -179,8 +180,8 @@ void take_back(Segment& segment, std::uint64_t generation) {
     content.bytes.store(0, std::memory_order_release);
 }
 
-/// While a job runs another would only be refused, and a core started anew would take it for the one to go on
-/// with.
+/// While a job runs another would only be refused, and a core started anew would take it for the one to
+/// continue.
 Result<void> check_no_job_runs(const Segment& segment) {
     using S = MachineState;
     if (!segment.core_pid()) return {};
@@ -285,7 +286,7 @@ Result<std::optional<PublishedJob>> take_published_job(Segment& segment, std::ui
         if (generation <= known_generation) break;
         auto blob = copy_slot(segment, generation);
         // Writing into this slot begins only after the next generation was published: if ours still is, the
-        // copy is of one piece.
+        // copy is consistent.
         if (published_generation(segment) != generation) continue;
         if (!blob) return blob.error();
         return std::optional{PublishedJob{.generation = generation, .blob = std::move(blob).value()}};

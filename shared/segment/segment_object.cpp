@@ -57,7 +57,7 @@ std::optional<uid_t> service_user(const std::string& group) {
     return entry->pw_uid;
 }
 
-/// By its own group or one that it was put into.
+/// By the user's main group or a supplementary one.
 bool is_member(uid_t user, gid_t group) {
     const passwd* const entry = ::getpwuid(user);
     if (entry == nullptr) return false;
@@ -90,7 +90,7 @@ Error no_room(const std::string& name, std::uint64_t bytes) {
                      "/dev/shm"};
 }
 
-/// Of another user's object: is it what this group shares?
+/// Whether another user's object is one that this group shares.
 Result<void> check_group(const std::string& name, const struct stat& facts, const std::string& group) {
     const Result<gid_t> wanted = group_id(group);
     if (!wanted) return wanted.error();
@@ -217,7 +217,7 @@ Result<void> SegmentObject::give_to_user(const std::string& name, uid_t user, gi
     struct stat facts {};
     if (::fstat(descriptor(), &facts) != 0) return object_error(name, "cannot look at it", errno);
     if (facts.st_uid != ::geteuid() || facts.st_nlink != 1) return {};
-    // First what others may do with it: at no instant has the user's group more than it is to have.
+    // First the rights of others: at no instant may the user's group have more than it should.
     if (::fchmod(descriptor(), kOwnerMode) == 0 && ::fchown(descriptor(), user, group) == 0) return {};
     return object_error(name, "cannot be given to another user", errno);
 }

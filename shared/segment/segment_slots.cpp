@@ -37,7 +37,7 @@ Result<void> Segment::reserve_slot(std::uint32_t index, std::uint64_t bytes) {
     const std::uint64_t used =
         (bytes + kSegmentSlotsPageBytes - 1) / kSegmentSlotsPageBytes * kSegmentSlotsPageBytes;
     if (used < geometry.slot_bytes) {
-        // What an earlier, larger job took. Memory that cannot be given back does no harm.
+        // The memory of an earlier, larger job. Failing to free it does no harm.
         ::fallocate(mapping_->object.descriptor(), FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE,
                     static_cast<off_t>(offset + used), static_cast<off_t>(geometry.slot_bytes - used));
     }

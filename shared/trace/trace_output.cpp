@@ -20,7 +20,8 @@
 namespace psicarve {
 namespace {
 
-/// So long a pipe may be without a reader: both may just have been started. Shorter than a recording's lease.
+/// How long a pipe may be without a reader: both may just have been started. Shorter than a recording's
+/// lease.
 constexpr std::chrono::milliseconds kReaderLimit{1000};
 constexpr std::chrono::milliseconds kReaderPoll{5};
 
@@ -80,7 +81,7 @@ bool is_pipe(const std::string& path) noexcept {
     return ::stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
 }
 
-/// What has another name as well is somebody's file that was put in our way.
+/// A file with another name as well belongs to another user, who put it in our way.
 Result<void> empty_file(int fd, const std::string& path) {
     struct stat status {};
     if (fstat(fd, &status) != 0) return cannot_open(path, words_for(errno));
@@ -91,7 +92,7 @@ Result<void> empty_file(int fd, const std::string& path) {
     return cannot_open(path, words_for(errno));
 }
 
-/// A pipe that nobody reads is given up, not waited for without end; one that is read may make us wait.
+/// Gives up a pipe without a reader after a time limit; a pipe with a reader may make us wait.
 Result<int> open_named(const std::string& path) {
     constexpr int kFlags = O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
     const auto give_up = std::chrono::steady_clock::now() + kReaderLimit;
@@ -184,7 +185,7 @@ void TraceOutput::flush() noexcept {
 
 void TraceOutput::write_out(const std::uint8_t* bytes, std::size_t count) noexcept {
     while (count > 0) {
-        // A pipe's reader may be slow: what it takes is to be seen before all is taken.
+        // A pipe's reader may be slow: shows what it takes before it takes all.
         const ssize_t written =
             ::write(fd_, bytes, may_break_ ? std::min<std::size_t>(count, PIPE_BUF) : count);
         if (written < 0 && errno == EINTR) continue;
@@ -199,14 +200,14 @@ void TraceOutput::write_out(const std::uint8_t* bytes, std::size_t count) noexce
     }
 }
 
-/// Unless the name stands for another file by now.
+/// Unless the name leads to another file by now.
 void TraceOutput::remove_file() noexcept {
     struct stat ours {};
     struct stat named {};
     const bool is_ours = fstat(fd_, &ours) == 0 && ::lstat(name_.c_str(), &named) == 0 &&
                          ours.st_dev == named.st_dev && ours.st_ino == named.st_ino;
     is_removed_ = is_ours && ::unlink(name_.c_str()) == 0;
-    if (is_removed_) ::close(std::exchange(fd_, -1));  // else its room would stay taken
+    if (is_removed_) ::close(std::exchange(fd_, -1));  // else its disk space would stay taken
 }
 
 void TraceOutput::discard() noexcept {
